@@ -58,7 +58,7 @@ async function openAddress(instead) {
   }
 }
 
-/** Shows what a wish stands for: a lesson and its step, or knobs and what is pinned.
+/** Shows the state of an address: a lesson and its step, or knobs and what is pinned.
  * @param {any} wish */
 async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept }) {
   if (name !== undefined) return openLessonAt(name, place);

@@ -7,7 +7,7 @@ let session = null;
 const PARTING = 1000;
 /** Time between two tries to reach a server that has no room, or is not there. */
 const BREAK = 1000;
-/** Status of an answer for a session that has ended, and for an order that stands for nothing. */
+/** Status of an answer for a session that has ended, and for an invalid order. */
 const ENDED = 410;
 const REFUSED = 400;
 
@@ -21,7 +21,7 @@ async function answered(request) {
 const sent = (body, type = "application/json") => ({ method: "POST", headers: { "Content-Type": type }, body });
 const below = (path, name = session) => solved ? path : `session/${name}/${path}`;
 
-/** What the session tells at a path. */
+/** The reply of the session at a path. */
 const ask = async (path) => solved ? answerBeforehand(path) : answered(fetch(below(`api/${path}`)));
 
 /** What the session answers to an order. */

@@ -3,7 +3,7 @@
 /** What was solved beforehand; none where there is a server. */
 const solved = typeof SOLVED === "object" ? SOLVED : null;
 
-/** What a session would tell, and who waits for more of it. */
+/** The report of a session, and those who wait for the next one. */
 let latestNews = { revision: 0, busy: false, run: null, sweep: null, pinned: null, fault: null };
 let listeners = [];
 

@@ -152,7 +152,7 @@ function explain(target, tip) {
   for (const event of ["mouseenter", "focusin"]) target.addEventListener(event, () => { byId("hint").textContent = tip; });
 }
 
-/** The parts of a recording that a box stands for. */
+/** The parts of a recording of a checkbox. */
 const parts = (box) => box.value.split(" ");
 const POSITION = { linear: (value) => value, log10: Math.log10, log2: Math.log2 };
 const VALUE = { linear: (position) => position, log10: (position) => Number((10 ** position).toPrecision(4)), log2: (position) => Math.round(2 ** position) };

@@ -3,7 +3,7 @@
 /** Loads at which a curve is guessed, and the upper ends of the axes of the charts. */
 const GUESSED_LOADS = [1e-3, 1e-2, 0.1, 0.3, 1];
 const CURVES = { area: ["a_rel", 1, "chart-area"], kappa: ["κ", 10, "chart-kappa"], "kappa-r": ["κ_r", 10, "chart-kappa"] };
-/** How near a number has to be to count as right, and from how far off on it is told as a multiple. */
+/** How near a number has to be to count as right, and the error from which it is shown as a multiple. */
 const NEAR = 0.1;
 const MULTIPLE = 2;
 /** Numbers of the work of a solver, which nobody knows before it is done. */
@@ -38,7 +38,7 @@ function answerButton(number, text, action) {
 
 const tellWhy = (sentence) => { byId("lesson-why").textContent = sentence; };
 
-/** Of three choices and more, a wrong one is told why it is wrong, and then there is a second try. */
+/** With three or more choices, a wrong choice is explained, and there is a second try. */
 function choose({ choices, right }, done) {
   const its = choices.map(({ text, because }) => ({ choice: inLanguage(text), because: because ? inLanguage(because) : "" }));
   let isSecond = choices.length < 3;
@@ -51,7 +51,7 @@ function choose({ choices, right }, done) {
   }));
 }
 
-/** A number that is far off is told whether it is too large, and then there is a second try. */
+/** For a number with a large error, the page shows whether it is too large, and there is a second try. */
 function askNumber({ of }, done) {
   const symbol = nameOf(of);
   const limits = [0, of.startsWith("relative_area") ? 1 : Infinity];

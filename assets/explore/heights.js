@@ -4,13 +4,13 @@
 const HEIGHT_CONTROLS = ALL_KNOBS.filter(({ group }) => group === "file");
 const isStep = ({ path }) => path.includes("prepare");
 
-/** Whether a file has a knob, by what the server tells of the file. */
+/** Whether a file has a knob, from its description by the server. */
 const FILE_HAS = {
   heights: () => true, channels: (it) => it.channels.length > 1, unitless: (it) => !it.is_in_metres, unspaced: (it) => !it.has_spacing,
   uneven: (it) => it.knobs.prepare.resample || /not evenly spaced/.test(it.fault),
 };
 
-/** What the server told of the file last. */
+/** The last description of the file by the server. */
 let description = null;
 
 function buildHeights() {
@@ -93,7 +93,7 @@ function heightFrom(control, value) {
   return control.kind === "nodes" ? value.split(/[ ,;]+/).map(Number) : value.replace(/^(\d+),(\d)/, "$1.$2");
 }
 
-/** Takes what the server tells of the file and how it is taken, and solves it if it can be. */
+/** Takes the server's description of the file, and solves it if possible. */
 function takeDescription(told) {
   description = told;
   knobs.heights = told.knobs;

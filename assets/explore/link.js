@@ -5,7 +5,7 @@
 const OVER_STEPS = /\/(raster(_row|_column)?|error_(pressure|displacement)|energy|lanes)\/image$/;
 const IMAGE = { width: 1000, columns: 1024 };
 
-/** Hears what the viewer tells, and does what follows once it is done with telling: until then it takes no calls. */
+/** Handles the events of the viewer. The reaction waits until the event is over, since the viewer takes no calls before. */
 function heardViewer(event) {
   const told = JSON.parse(event);
   if (told.type === "selection_change") setTimeout(heardSelection, 0, told);

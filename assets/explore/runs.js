@@ -1,4 +1,4 @@
-// The server, the runs that it tells of, and their numbers.
+// The server, its runs, and their numbers.
 
 let posting = false;
 let waiting = false;
@@ -54,7 +54,7 @@ const cancel = () => post("cancel", {}).catch((error) => fault(error.message));
 /** How many sentences there were. */
 let faults = 0;
 
-/** Takes the sentence off, unless one came since there were so many. */
+/** Removes the sentence, unless a newer one has come. */
 function settleFault(before) {
   if (faults === before) fault("");
 }
@@ -141,7 +141,7 @@ function heardRun(run) {
   const known = runOf(run.id);
   if (known) Object.assign(known, run);
   else {
-    runs.forEach((before) => { before.ended = true; }); // one is solved at a time, and the end of one that was broken off is not told
+    runs.forEach((before) => { before.ended = true; }); // one is solved at a time, and the end of a cancelled run is not reported
     runs.push(Object.assign(run, { session }));
     moment = null;
     markUnsolved(false);
@@ -306,13 +306,13 @@ const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
 const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
 
-/** The words of a status, which the server tells in English. */
+/** The text of a status, which the server reports in English. */
 const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "begun").replaceAll(" ", "-")}`);
 
 /** Whether the server has gone before a run or a sweep has ended. */
 const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
 
-/** The title of a run in the language of the page: of a surface that the page makes, the server tells one in English. */
+/** The title of a run in the language of the page: for a surface of the page, the server reports an English title. */
 function titleOf({ title }) {
   const [, surface, rest] = /^([^,]*)(.*)$/.exec(title);
   const name = slug(surface);
@@ -341,7 +341,7 @@ function setMoment(state) {
   numbers();
 }
 
-/** What a mean gap over the height of the surface can be by rounding alone, which is told as none. */
+/** What a mean gap over the height of the surface can be by rounding alone; it is shown as zero. */
 const ROUNDING = 1e-12;
 
 const withoutRounding = (gap) => Math.abs(gap) < ROUNDING ? 0 : gap;

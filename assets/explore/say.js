@@ -1,4 +1,4 @@
-// The language of the page, and its sentences, in `texts`, and those that the server tells in English.
+// The language of the page, and its sentences, in `texts`, and those that the server reports in English.
 
 const LANGUAGES = Object.keys(TEXTS);
 
@@ -26,7 +26,7 @@ const slug = (name) => name.toLowerCase().replaceAll(" ", "-");
 /** A number in words, with the decimal mark of the language. */
 const inLocale = (text) => language === "de" ? text.replace(".", ",") : text;
 
-/** The number that a text stands for, with a comma or a point as its decimal mark; not a number for any other text. */
+/** The number in a text, with a comma or a point as its decimal mark; not a number for any other text. */
 function numberFrom(text) {
   const plain = text.trim().replace(",", ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
@@ -35,7 +35,7 @@ function numberFrom(text) {
 /** A sentence with places as a pattern, in which each place is anything. */
 const patternOf = (sentence) => new RegExp(`^${sentence.split(/\{(\w+)\}/).map((part, i) => i % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^$()|[\]\\]/g, "\\$&")).join("")}$`);
 
-/** What the server tells in English, and the same in the language of the page: patterns and sentences, those with most words first. */
+/** The English sentences of the server, and the same in the language of the page, as patterns and sentences, the longest first. */
 const told = Object.entries(TOLD[language] ?? {}).sort(([one], [other]) => other.length - one.length).map(([english, own]) => [patternOf(english), own]);
 
 /** What stands in a place of a sentence: a number in a place that is named after a length is one in metres. */
@@ -59,7 +59,7 @@ function inLanguage(words) {
  * @type {(selector: string) => NodeListOf<HTMLElement>} */
 const allOf = (selector) => document.querySelectorAll(selector);
 
-/** Gives the elements of the page their texts: `data-text` is what they say, `data-tip` what the pointer is told, `data-name` what a
+/** Gives the elements of the page their texts: `data-text` is their text, `data-tip` the tip at the pointer, `data-name` what a
  * screen reader is. */
 function sayAll() {
   document.documentElement.lang = language;

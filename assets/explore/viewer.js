@@ -103,7 +103,7 @@ async function startViewer() {
   setInterval(guardViewer, 1000);
 }
 
-/** The size of the viewer that was told last. */
+/** The last reported size of the viewer. */
 let toldWindow = "";
 
 /** Tells the session how large the viewer is: the pictures of the next recordings fill its panes. */

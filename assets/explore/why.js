@@ -9,7 +9,7 @@ function beginWhy() {
   byId("why").addEventListener("click", openWhy);
 }
 
-/** Solves the run that is shown once more, and tells what held it up. */
+/** Solves the shown run again, and shows why it was slow. */
 async function openWhy() {
   const run = shownOrLatest();
   if (!run?.ended) { fault(say("why.early")); return; }

@@ -60,7 +60,7 @@ impl Certification {
         let holds = assessment.holds(&contact, &setup.stop);
         let poisson: Vec<f64> = setup.solid.as_ref().and_then(Solid::poisson).into_iter().collect();
         let mistakes = if holds { Vec::new() } else { claim.mistakes(&poisson) };
-        let mistakes = mistakes.into_iter().map(|mistake| mistake.sentence.replace("by --", "as ")).collect();
+        let mistakes = mistakes.into_iter().map(|mistake| mistake.sentence.replace("with --", "as ")).collect();
         Ok(Finding { certificate: assessment.given, contact, assessment: Some(assessment), holds, mistakes })
     }
 }

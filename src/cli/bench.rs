@@ -104,7 +104,7 @@ impl Bench {
         Ok(ExitStatus::Done)
     }
 
-    /// The name of a group and a few words on it.
+    /// The name of a group and a short description.
     fn title(&self, group: Group) -> String {
         let shrunk = if self.quick { ", shrunk" } else { "" };
         let help = |value: &PossibleValue| value.get_help().cloned().unwrap_or_default();

@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Rows on the contact that do not concern the result of another code, or that stand in other words.
+/// Rows on the contact that do not apply to the result of another code, or that are shown in another form.
 const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
 /// Errors of a load, and shares of tension, that are rounding.
 const ROUNDING: f64 = 1e-12;

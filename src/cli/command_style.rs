@@ -1,4 +1,4 @@
-//! What all commands share: how much they say, and how many threads they take.
+//! Options of all commands: output and threads.
 
 use super::exit_status::usage;
 use anyhow::Result;
@@ -12,7 +12,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Largest number of threads: more than any machine has, and few enough for any system.
 const MOST_THREADS: usize = 1024;
 
-/// Whether only results, warnings and errors are said. It holds for the whole process, as a bar is drawn from any depth.
+/// Whether only results, warnings and errors are printed. This is global for the process, since progress bars are drawn
+/// at many places.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 #[derive(Args)]
@@ -38,12 +39,12 @@ impl CommandStyle {
     }
 }
 
-/// Whether only results, warnings and errors are said.
+/// Whether only results, warnings and errors are printed.
 pub fn is_quiet() -> bool {
     IS_QUIET.load(Ordering::Relaxed)
 }
 
-/// Says something on standard error that one can do without.
+/// Prints a note on standard error, unless the program is quiet.
 pub fn remark(words: impl Display) {
     if !is_quiet() {
         writeln!(stderr(), "{words}").ok();

@@ -15,7 +15,7 @@ pub enum ExitStatus {
     Done,
     /// All is written, but a solver did not converge.
     NotConverged,
-    /// Ctrl-C ended the work; what was finished is written.
+    /// Ctrl-C ended the work; finished results were written.
     Interrupted,
 }
 
@@ -30,7 +30,7 @@ impl ExitStatus {
     }
 }
 
-/// How a solve ended. That it has not converged is said on standard error; the failure of an observer is an error.
+/// The exit status of a solve. If it has not converged, a warning is printed; the failure of an observer is an error.
 pub fn settle(contact: &Contact) -> Result<ExitStatus> {
     match contact.fault() {
         None => Ok(ExitStatus::Done),
@@ -42,7 +42,7 @@ pub fn settle(contact: &Contact) -> Result<ExitStatus> {
     }
 }
 
-/// A failure with what it is, where that decides how the command ends.
+/// A failure as an error. A file error keeps its type, since it decides the exit code.
 pub fn with_file_error(failure: Failure) -> anyhow::Error {
     failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }

@@ -110,7 +110,7 @@ fn begin(text: &str) -> Result<Begin, String> {
     }
 }
 
-/// Sessions with the scene of a file, and the knobs to start with. What `solve` would refuse is refused in its words.
+/// Sessions with the scene of a file, and the initial knobs. The errors are those of `solve`.
 fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     let mut table = SceneArgs::<OfSetup>::from_file(path.into()).table()?;
     if table.take_loads()?.is_some() {
@@ -128,7 +128,7 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     Ok((Sessions::with_scene(scene), knobs))
 }
 
-/// Warnings about what the page does not take from a setup, a sentence each.
+/// Warnings about the parts of a setup that the page ignores.
 fn left_out(setup: &Setup) -> Vec<String> {
     let load = (!setup.load.is_pressure())
         .then(|| format!("the page sets the load as p*, so it cannot start with {}", setup.load));
@@ -136,7 +136,7 @@ fn left_out(setup: &Setup) -> Vec<String> {
     load.into_iter().chain(friction).collect()
 }
 
-/// Writes lessons as a site, and says on standard error how far that is.
+/// Writes lessons as a site, and prints the progress on standard error.
 fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<ExitStatus> {
     let export = match SiteExport::new(lessons) {
         Ok(export) => export,
@@ -157,7 +157,7 @@ fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<ExitStatus> {
 }
 
 impl PageArgs {
-    /// Takes the port, says where the page will be, and opens it.
+    /// Takes the port, prints the address of the page, and opens it.
     pub fn open(&self) -> Result<Server> {
         let server = match Server::bind(self.port) {
             Ok(server) => server,
@@ -176,7 +176,7 @@ impl PageArgs {
     }
 }
 
-/// Opens `address`, and says whether that could be tried.
+/// Opens `address`. Returns false if no program could be started.
 fn open(address: &str) -> bool {
     let mut command = Command::new(OPEN[0]);
     command.args(&OPEN[1..]).arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());

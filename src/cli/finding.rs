@@ -104,7 +104,7 @@ impl Finding {
         rows.chain(self.others(units)).collect()
     }
 
-    /// Area, gradient and what follows from them, with resolved edges first, and how good the grid is for them.
+    /// Area, gradient and derived values (resolved edges first), and the error of the grid.
     fn contact(&self) -> [(&'static str, String); 7] {
         let it = &self.observables;
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {}", significant(v)));

@@ -30,7 +30,7 @@ use std::time::Duration;
 
 /// The certificate of the reference.
 const REFERENCE: f64 = 1e-12;
-/// Fields that are held at a time: those of a step, a half-space, a recorder and the reference.
+/// Fields in memory at the same time: those of a step, a half-space, a recorder and the reference.
 const FIELDS: f64 = 16.0;
 
 const EXAMPLES: &str = "\

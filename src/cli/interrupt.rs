@@ -14,7 +14,8 @@ use tokio::runtime::Builder;
 #[cfg(unix)]
 use tokio::signal::unix::{Signal, SignalKind, signal};
 
-/// Takes Ctrl-C, and the request of the system to end, from now on, and says whether one came. The second one ends the process.
+/// Handles Ctrl-C and termination requests from now on. The returned flag shows whether one came. The second one ends
+/// the process.
 pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
     let is_over = Arc::new(AtomicBool::new(false));
     let runtime = Builder::new_current_thread().enable_io().build()?;

@@ -26,7 +26,7 @@ pub struct Iteration {
     pub reference_certificate: f64,
     /// The numbers of the last step.
     pub last: Finding,
-    /// Findings of `--diagnose`: what held the iteration up.
+    /// Findings of `--diagnose`: why the iteration was slow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
     pub setup: Setup,

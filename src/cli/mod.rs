@@ -142,8 +142,8 @@ enum Command {
     View(view::View),
 }
 
-/// Runs the command that some words ask for, of which the first is the name of the program, and returns its exit code. Help, and words
-/// that are not understood, end the process.
+/// Runs a command line, whose first word is the name of the program, and returns the exit code. Help and invalid
+/// arguments end the process.
 pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
     match carry_out(Cli::parse_from(words)) {
         Ok(outcome) => outcome.exit_code(),
@@ -155,7 +155,7 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// Whether an error is that the reader of the output has gone, as `head` does once it has its lines.
+/// Whether an error is a closed output pipe, as with `head`.
 fn is_unheard(error: &anyhow::Error) -> bool {
     error.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }

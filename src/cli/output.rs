@@ -20,7 +20,7 @@ pub struct Summary {
     /// The stick and slip areas under a tangential load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub slip: Option<SlipFinding>,
-    /// Findings of `--diagnose`: what held the solve up.
+    /// Findings of `--diagnose`: why the solve was slow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
     pub warnings: Vec<String>,
@@ -53,7 +53,7 @@ impl Summary {
     }
 }
 
-/// Writes what held a run up, if that is known.
+/// Writes why a run was slow, if that is known.
 pub fn write_diagnosis(diagnosis: Option<&Findings>, out: &mut impl Write) -> io::Result<()> {
     diagnosis.map_or(Ok(()), |diagnosis| write!(out, "\nWhy it was slow:\n{diagnosis}"))
 }

@@ -27,8 +27,8 @@ pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
     Figure { title: title.into(), panels: vec![first, pressure(contact, units)] }
 }
 
-/// The picture of contacts under several loads: area and `kappa_r` over the mean pressure, with their errors. What is not resolved is
-/// shown as it is counted, by open symbols.
+/// The picture of contacts under several loads: area and `kappa_r` over the mean pressure, with their errors. Values
+/// that are not resolved are shown as counted values, with open symbols.
 pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
     let area = LoadPanel {
         title: "relative contact area",

@@ -29,7 +29,7 @@ pub struct ProblemSummary {
     pub title: String,
     #[serde(skip)]
     solid: String,
-    /// What responds, and what is beyond the cell, where it is not the periodic half-space.
+    /// The solid and the boundary, if they are not a periodic half-space.
     #[serde(skip)]
     others: Vec<(&'static str, String)>,
     /// Axes of the arrays outside.

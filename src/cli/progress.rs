@@ -47,7 +47,7 @@ impl Watcher for Bars {
     }
 }
 
-/// A bar without a length on standard error, if that is a terminal and something may be said.
+/// A bar without a length on standard error, if that is a terminal and the program is not quiet.
 pub fn blank(template: &str) -> ProgressBar {
     let is_shown = std::io::stderr().is_terminal() && !is_quiet();
     let bar = if is_shown { ProgressBar::no_length() } else { ProgressBar::hidden() };

@@ -1,4 +1,4 @@
-//! The recording of what another code has found.
+//! The recording of results of another code.
 
 use super::wrote::wrote;
 use anyhow::Result;

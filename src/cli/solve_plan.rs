@@ -14,11 +14,11 @@ pub struct SolvePlan<'a> {
     /// The length of a list of loads, if there is one.
     pub loads: Option<usize>,
     pub is_recorded: bool,
-    /// Whether a pass before finds the final state that the steps are held against.
+    /// Whether a first pass finds the final state, with which the steps are compared.
     pub is_passed_twice: bool,
 }
 
-/// Writes what solving would cost, and how large its recording would become if one is made.
+/// Writes the estimated cost of the solve, and the size of its recording, if any.
 pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     let SolvePlan { setup, cost, loads, is_recorded, is_passed_twice } = *plan;
     let shape = cost.grid.shape();
@@ -50,7 +50,7 @@ pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes how large the recording would become.
+/// Writes the estimated size of the recording.
 #[cfg(feature = "record")]
 fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Result<()> {
     let options = Options::from(&setup.record);

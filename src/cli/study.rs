@@ -135,7 +135,7 @@ fn check_outputs<'a>(table: &Table, read: impl IntoIterator<Item = &'a Path>) ->
     Ok(check_apart([table.path()].into_iter().chain(views.iter().map(PathBuf::as_path)), read)?)
 }
 
-/// Writes all of a whole study but its table, and prints what is found.
+/// Writes the files of a whole study except its table, and prints the means.
 pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
     let views = plan.write_views(table, points)?;
     write_means(plan, points, &mut stdout())?;

@@ -1,4 +1,4 @@
-//! What is printed of a study: what it takes, and the means that are found.
+//! The printed tables of a study: its cost, and its means.
 
 use anyhow::Result;
 use asperity::quantity::bytes_in_words;
@@ -10,7 +10,7 @@ use std::time::Duration;
 /// Largest number of lines; the rest is in the table.
 const LINES: usize = 40;
 
-/// Writes what the rows of a share take, those that take longest first.
+/// Writes the cost of the rows of a share, the longest first.
 pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) -> Result<()> {
     let (share, mut groups) = (plan.share(campaign.shard)?, plan.expenses()?);
     let (loads, seeds) = (plan.loads().len(), plan.seeds());
@@ -54,7 +54,8 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
     write_rest(groups.len(), "combinations of values", out)
 }
 
-/// Writes the means over the seeds under each load of what converged and is resolved, by what is chosen from the lists.
+/// Writes the means over the seeds under each load, for each combination of values. Only points that converged and are
+/// resolved count.
 pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
     let (loads, seeds) = (plan.loads().len(), plan.seeds());
     writeln!(out, "{} rows, mean and standard deviation over {seeds} seeds, resolved", points.len())?;
@@ -76,7 +77,7 @@ pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Resul
 /// Placeholder for an unknown number.
 const NONE: &str = "-";
 
-/// Mean and standard deviation with some digits; the first is not known of no values, the second of none and of one.
+/// Mean and standard deviation with some digits; the mean needs one value, the deviation two.
 fn words(spread: Spread, digits: usize) -> [String; 2] {
     let word = |value: f64, least: usize| if spread.count >= least { format!("{value:.digits$}") } else { NONE.into() };
     [word(spread.mean, 1), word(spread.deviation, 2)]

@@ -68,7 +68,7 @@ struct Statistics {
     survey: Option<Survey>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
-    /// What there is to say of heights without voids.
+    /// The statistics of heights without voids.
     #[serde(flatten)]
     whole: Option<HeightStatistics>,
     warnings: Vec<String>,
@@ -80,7 +80,7 @@ struct Origin {
     format: &'static str,
     channels: Vec<String>,
     channel: String,
-    /// Whether the file says its units, and lengths are metres.
+    /// Whether the file has units, so that lengths are in metres.
     is_in_metres: bool,
     header: Vec<(String, String)>,
 }
@@ -186,7 +186,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     Ok((statistics, surface.heights_as_given()))
 }
 
-/// Heights that fill a grid, of which they may have fewer points than it.
+/// Heights as a scan on the cell of a grid; they may have fewer points than the grid.
 fn scan(height: Field, grid: &Grid) -> Scan {
     let (points, size) = ([height.nrows(), height.ncols()], grid.size());
     Scan { height, spacing: [0, 1].map(|axis| size[axis] / points[axis] as f64) }
@@ -199,7 +199,7 @@ impl Origin {
         Ok(Self { format, channels, channel, is_in_metres, header })
     }
 
-    /// Whether lengths are metres as far as anybody says.
+    /// Whether the unit of lengths is known.
     fn has_unit(&self, recipe: &Recipe) -> bool {
         self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
     }

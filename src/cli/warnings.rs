@@ -28,7 +28,7 @@ pub fn print(warnings: &[String]) {
     }
 }
 
-/// Warns of a recording that has no end, on standard error.
+/// Prints a warning if a recording is incomplete.
 ///
 /// # Errors
 /// For a file that cannot be read.

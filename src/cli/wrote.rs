@@ -1,9 +1,9 @@
-//! The last words of a command: the files that it wrote, and how each is opened.
+//! The last lines of a command: the files that it wrote, and how to open each of them.
 
 use super::command_style::remark;
 use std::path::Path;
 
-/// Says on standard error that a file was written, and how it is opened.
+/// Prints on standard error that a file was written, and how to open it.
 pub fn wrote(path: &Path) {
     remark(format_args!("wrote {}: {}", path.display(), opened(path)));
 }

@@ -46,10 +46,12 @@ pub struct Layer {
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Base {
-    /// Bonded.
+    /// The layer sticks to the base.
     #[default]
     Bonded,
-    /// Frictionless, without separation.
+    /// The layer slides without friction.
+    ///
+    /// It does not separate from the base.
     Sliding,
 }
 

@@ -11,7 +11,7 @@ pub enum Theme {
     /// Light lines on a dark background.
     #[default]
     Dark,
-    /// Dark lines on white, for paper and bright rooms.
+    /// Dark lines on white, for print and bright rooms.
     Light,
 }
 

@@ -30,7 +30,7 @@ impl Surface {
     }
 }
 
-/// The jump of sums of squares across the seam and inside, where so many pairs stand for each across it.
+/// The jump from sums of squares across the seam and inside, with `pairs` inner pairs per pair across the seam.
 fn jump(across: f64, inside: f64, pairs: usize) -> f64 {
     if inside > 0.0 { (across * pairs as f64 / inside).sqrt() } else { 0.0 }
 }

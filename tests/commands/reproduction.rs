@@ -189,7 +189,7 @@ fn what_cannot_be_is_refused_before_anything_is_solved() {
         ("--hurst 2", &["Hurst exponent is 2"]),
         ("--loads 0.1,-1", &["reduced pressure is -1"]),
         ("--line-seeds 5-3", &["5-3 is not a range of seeds"]),
-        ("--line-seeds a", &["\"a\" is no seed"]),
+        ("--line-seeds a", &["\"a\" is not a seed"]),
         ("--line-points 64", &["too short for the grid"]),
         ("--line-cutoff 0", &["short_cutoff is 0"]),
         ("--workers 0", &["--workers", "positive"]),

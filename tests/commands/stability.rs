@@ -125,7 +125,7 @@ fn a_hundredfold_load_does_not_pass_the_check_at_either_end_of_the_gap() {
     for (problem, garbage) in [(closed, pressed), (touching, touched)] {
         let check = Check::new(&problem, &garbage);
         assert!(check.fault().is_none() && check.eta < 1e-6, "{}", check.eta);
-        assert!(check.doubt(1e-6, None).unwrap().contains("what is left of the gap"));
+        assert!(check.doubt(1e-6, None).unwrap().contains("divided by the remaining gap"));
         let exact = Check::new(&problem, &solution(&problem));
         assert_eq!((exact.fault(), exact.doubt(1e-8, None)), (None, None));
     }

@@ -174,8 +174,8 @@ fn what_is_wrong_is_said_in_one_sentence() {
             "",
             "no surface is given: give a height file",
         ),
-        ("shape = \"cylinder\", ", "", "surface.indenter: missing field `shape`: give it as well"),
-        (", radius = 1.0", "", "surface.indenter: missing field `radius`: give it as well"),
+        ("shape = \"cylinder\", ", "", "surface.indenter: missing field `shape`: give it"),
+        (", radius = 1.0", "", "surface.indenter: missing field `radius`: give it"),
         (cylinder, "height = 3", name),
         (cylinder, "height = \"none.npy\"", "points are given, but the height file has its own: leave the points out"),
         ("1.0 }", "1.0 }, seed = 3", "a seed is given without roughness"),
@@ -199,7 +199,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
         ("grid", "stop = { tolerance = 0 }\ngrid", "the tolerance is 0: it must lie in (0, infinity)"),
         ("grid", "stop = { max-iterations = 1.5 }\ngrid", whole),
         ("grid", "record = { what = \"mesh\" }\ngrid", "record.what: invalid type: text \"mesh\", expected a list"),
-        ("grid", "record = { what = [\"mesh\"] }\ngrid", "the recording asks for the mesh, which a line does not have"),
+        ("grid", "record = { what = [\"mesh\"] }\ngrid", "the recording part mesh does not exist for a line"),
         ("grid", "record = { every = 0 }\ngrid", "the recording interval is 0 steps: give a positive number of steps"),
         (
             "{ contact-modulus = 1.0 }",
@@ -208,7 +208,11 @@ fn what_is_wrong_is_said_in_one_sentence() {
         ),
         ("modulus = 1.0", "modulus = 0", "the contact modulus is 0.0: give a positive, finite value"),
         (SOLID, "", "the mean pressure 0.01 is given without a modulus: give the contact modulus, or Young's modulus"),
-        ("contact-modulus = 1.0", "", "solid: it is empty: give the contact modulus, or Young's modulus and Poisson's"),
+        (
+            "contact-modulus = 1.0",
+            "",
+            "solid: the solid is empty: give the contact modulus, or Young's modulus and Poisson's",
+        ),
         (
             "modulus = 1.0",
             "modulus = 1.0, young = 1, poisson = 0",
@@ -335,7 +339,7 @@ fn measured_heights_lose_their_trend_and_nothing_else() {
 #[test]
 fn a_solver_that_cannot_take_the_load_says_so() {
     let said = refusal("load = { mean-pressure = 0.01 }", "load = { mean-gap = 0.1 }\nsolver = { method = \"gfmd\" }");
-    assert!(said.starts_with("gfmd works under a given mean pressure: give one, or choose"), "{said}");
+    assert!(said.starts_with("gfmd needs a given mean pressure: give one, or choose"), "{said}");
 }
 
 #[test]
@@ -401,8 +405,8 @@ mod with_units {
     fn json_that_is_no_setup_is_refused_in_one_sentence() {
         let object = "give an object with sections such as `surface` and `load`, and no value that is null";
         for (json, words) in [
-            ("", "this is no setup in JSON: EOF while parsing a value at line 1 column 0"),
-            ("{", "this is no setup in JSON: EOF while parsing an object at line 1 column 1"),
+            ("", "this is not a setup in JSON: EOF while parsing a value at line 1 column 0"),
+            ("{", "this is not a setup in JSON: EOF while parsing an object at line 1 column 1"),
             ("3", object),
             ("[]", object),
             ("null", object),

@@ -86,7 +86,7 @@ fn everyday(peer: &Peer) -> Vec<Spoiled> {
     let grid = *peer.surface.grid();
     let [gap, displacement] = lengths(peer, &peer.pressure);
     let [dy, dx] = grid.spacing();
-    let (cell, force) = if grid.is_line() { (dx, "forces per width") } else { (dx * dy, "forces at the nodes") };
+    let (cell, force) = if grid.is_line() { (dx, "forces per unit width") } else { (dx * dy, "forces at the nodes") };
     let upside_down = Surface::new(grid, -peer.surface.heights_as_given()).unwrap();
     let (modulus, given) = (ContactModulus(peer.contact_modulus), Some(peer.load()));
     let mut all = vec![

@@ -186,7 +186,7 @@ fn it_stops_at_the_cap_where_it_stalls_and_when_it_is_told_to() {
 fn it_says_what_it_cannot_take_on() {
     let apart = sine().with_load(Load::MeanGap(0.01)).unwrap();
     let refused = ProjectedGradient.solve(&apart, &Stop::default(), &mut ()).unwrap_err();
-    assert!(refused.to_string().starts_with("projected-gradient works under a given mean pressure"), "{refused}");
+    assert!(refused.to_string().starts_with("projected-gradient needs a given mean pressure"), "{refused}");
 }
 
 /// The moments at which an observer can fail.

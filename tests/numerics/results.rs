@@ -41,7 +41,7 @@ fn results_are_repeated_from_themselves() {
     let contact = again.solver.solver().solve(&again.problem().unwrap(), &again.stop, &mut ()).unwrap();
     std::fs::write(&path, archive(&contact, 1, None).unwrap()).unwrap();
     let refused = SetupTable::read(&path).unwrap_err().to_string();
-    assert!(refused.contains("result.npz: no setup is in it"), "{refused}");
+    assert!(refused.contains("result.npz: it contains no setup"), "{refused}");
 }
 
 /// The heights with the sine of the setup above.

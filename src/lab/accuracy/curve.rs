@@ -34,7 +34,7 @@ pub struct ConvergenceCurve {
     pub rival: Rival,
     /// Points along y and x, the longer side.
     pub shape: [usize; 2],
-    /// Certificate of the solution that errors are held against.
+    /// Certificate of the reference solution.
     pub reference_eta: f64,
     pub points: Vec<ConvergencePoint>,
 }

@@ -21,7 +21,7 @@ pub struct Experiment {
     pub seed: u64,
     /// Where the curves end.
     pub stop: Stop,
-    /// Where the solutions end that errors are held against, as far as rounding lets them.
+    /// The goals of the reference solutions, if rounding allows them.
     pub reference: Stop,
     /// Runs that are timed after one to warm up.
     pub repeats: NonZeroUsize,

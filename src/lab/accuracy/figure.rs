@@ -23,7 +23,7 @@ pub fn figure(findings: &Measurements) -> Figure {
     Figure { title, panels: vec![seconds, transforms] }
 }
 
-/// Errors of grids, then of each solver the certificate and the error, against what `work` counts.
+/// Errors of grids, then certificate and error of each solver, against the given measure of work.
 fn panel(
     findings: &Measurements,
     name: &str,

@@ -11,7 +11,7 @@ use crate::lab::table::points;
 /// Loads over which errors are averaged, from the least to just below twice that: where the edge of the contact falls
 /// between two nodes makes the error of a single load jump by a factor of ten.
 pub const LOADS: usize = 8;
-/// How much finer the grid is that stands in for an exact solution.
+/// Refinement factor of the grid that replaces an exact solution.
 pub const REFINEMENT: usize = 4;
 
 /// A grid with its errors.
@@ -23,7 +23,7 @@ pub struct Rung {
     pub work: Work,
 }
 
-/// The grids of a scene and what they are held against.
+/// The grids of a scene and their reference.
 pub struct Ladder {
     /// The source of the truth, in words.
     pub against: String,

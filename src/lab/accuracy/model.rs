@@ -1,4 +1,4 @@
-//! The error of theories that stand in for the solution.
+//! The errors of theories.
 
 use super::quantity::{self, QuantityValues, errors};
 use super::scene::{AMPLITUDE, AccuracyScene, RADIUS};

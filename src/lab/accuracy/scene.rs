@@ -1,4 +1,4 @@
-//! The scenes: what is pressed, how hard, and on which ladder of grids.
+//! The scenes: surface, load and grids.
 
 use crate::contact::Load;
 use crate::error::SetupError;

@@ -8,11 +8,12 @@ use super::unit::metres;
 use std::io;
 use std::str::FromStr;
 
-/// A header of lists of `\Name: value` lines up to `\*File list end`, and images as integers, row by row from the last one on, whichever way
-/// they were scanned. An image has a Z scale, such as `V [Sens. Zsens] (0.005 V/LSB) 2.91 V`: the volts of all numbers of `Bytes/pixel` bytes,
-/// to multiply by the sensitivity of that name, such as `V 20.8 nm/V`. Its scan size has a unit. From version 9.2 on a number has four bytes,
-/// whatever `Bytes/pixel` says, if there are so many. No value is void. Images of a height or of the Z sensor are heights if their
-/// unit is one of length: a deflection in nanometres is none. Files older than version 4.3, curves and text are refused.
+/// A header of lists of `\Name: value` lines up to `\*File list end`, and images as integers, row by row from the last
+/// one on, whichever way they were scanned. An image has a Z scale, such as `V [Sens. Zsens] (0.005 V/LSB) 2.91 V`: the
+/// volts of all numbers of `Bytes/pixel` bytes, to multiply by the sensitivity of that name, such as `V 20.8 nm/V`. Its
+/// scan size has a unit. From version 9.2 on a number has four bytes, independent of `Bytes/pixel`, if the file is long
+/// enough. No value is void. Images of a height or of the Z sensor are heights if their unit is one of length: a
+/// deflection in nanometres is none. Files older than version 4.3, curves and text are refused.
 ///
 /// # Source
 /// "Nanoscope 4.3x and later file format description" (S. Manne, University of Arizona) for the scales; Gwyddion 2.61 (`nanoscope.c`) for

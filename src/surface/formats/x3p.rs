@@ -63,13 +63,12 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut archive: Archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
     let (text, found) = description(&mut archive, bytes.len() as u64)?;
     let sum = archive.by_name(SUM).ok().map(|sum| bytes_of(sum, TEXT)).transpose()?;
-    let document = Document::parse(&text)
-        .map_err(|error| malformed(format!("it holds a {MAIN} that cannot be understood: {error}")))?;
+    let document = Document::parse(&text).map_err(|error| malformed(format!("its {MAIN} cannot be read: {error}")))?;
     let root = document.root_element();
     let surface = DescribedSurface::new(root, bytes.len().saturating_mul(LARGEST_RATIO))?;
-    let doubts = sum.filter(|sum| !is_sum(found, &latin(sum))).map(|_| {
-        format!("the {MAIN} is not the one of which {SUM} holds the check sum: it was changed after it was written")
-    });
+    let doubts = sum
+        .filter(|sum| !is_sum(found, &latin(sum)))
+        .map(|_| format!("the check sum in {SUM} does not fit the {MAIN}: it was changed after it was written"));
     let channel = surface.channel(archive, header(root))?;
     Ok(vec![Channel { doubts: channel.doubts.into_iter().chain(doubts).collect(), ..channel }])
 }
@@ -87,7 +86,7 @@ fn description(archive: &mut Archive, length: u64) -> io::Result<(String, Digest
     let text = bytes_of(archive.by_name(MAIN).map_err(damaged)?, limit)?;
     match text.iter().filter(|byte| **byte == b'=').count() {
         ..=ATTRIBUTES => Ok((latin(&text), md5::compute(&text))),
-        count => Err(malformed(format!("it holds a {MAIN} with {count} attributes, more than {ATTRIBUTES}"))),
+        count => Err(malformed(format!("its {MAIN} has {count} attributes, more than {ATTRIBUTES}"))),
     }
 }
 
@@ -96,7 +95,7 @@ fn bytes_of(file: impl Read, limit: u64) -> io::Result<Vec<u8>> {
     let mut text = Vec::new();
     file.take(limit).read_to_end(&mut text).map_err(damaged)?;
     match text.len() as u64 == limit {
-        true => Err(malformed(format!("it holds a description of more than {limit} bytes"))),
+        true => Err(malformed(format!("its description has more than {limit} bytes"))),
         false => Ok(text),
     }
 }
@@ -164,7 +163,7 @@ impl Link {
         let is_at_end = file.read(&mut [0]).map_err(damaged)? == 0;
         match &self.sum {
             Some(stated) if is_at_end && !is_sum(sum.finalize(), stated) => Err(malformed(format!(
-                "its file {:?} has another MD5 check sum than its {MAIN} says: the points were changed or damaged",
+                "the MD5 check sum of its file {:?} differs from that in its {MAIN}: the points were changed or damaged",
                 self.name
             ))),
             _ => Ok(()),
@@ -189,7 +188,9 @@ impl DescribedSurface {
         let feature = find(first, "FeatureType").unwrap_or_default();
         let is_profile = feature == "PRF";
         if !is_profile && feature != "SUR" {
-            return Err(malformed(format!("it holds {feature:?}, which is no surface (SUR) and no profile (PRF)")));
+            return Err(malformed(format!(
+                "it contains {feature:?}, which is neither a surface (SUR) nor a profile (PRF)"
+            )));
         }
         let axes = child(first, "Axes").ok_or_else(|| missing("Axes"))?;
         let axes =
@@ -214,9 +215,9 @@ impl DescribedSurface {
         match (self.is_profile, self.shape, self.axes.map(|it| it.kind)) {
             (_, _, [_, _, None]) => Err(malformed("its axis CZ is incremental and has no heights")),
             (false, _, [Some(_), _, _] | [_, Some(_), _]) => {
-                Err(malformed("it holds a surface whose axes CX and CY are not both incremental"))
+                Err(malformed("its surface has axes CX and CY that are not both incremental"))
             }
-            (true, [rows, _], _) if rows > 1 => Err(malformed(format!("it holds a profile in {rows} rows"))),
+            (true, [rows, _], _) if rows > 1 => Err(malformed(format!("its profile has {rows} rows"))),
             _ => Ok(self),
         }
     }
@@ -262,7 +263,7 @@ impl DescribedSurface {
         Ok(match &self.points {
             PointStorage::List(list) => {
                 let rest = list.len() - self.count();
-                (rest > 0).then(|| format!("{rest} points are left over behind the {} that are counted", self.count()))
+                (rest > 0).then(|| format!("{rest} unexpected points follow the stated {}", self.count()))
             }
             PointStorage::Files(link, _) => {
                 let stored = archive.by_name(&link.name).map_err(missing(&link.name))?.size();
@@ -288,7 +289,7 @@ impl DescribedSurface {
             return Ok(f64::NAN);
         }
         let place = self.axes.iter().take(axis).filter(|it| it.kind.is_some()).count();
-        let wrong = || malformed(format!("it holds the point {point:?}, which is not as its axes are"));
+        let wrong = || malformed(format!("its point {point:?} does not fit its axes"));
         let number = point.split(';').nth(place).and_then(|it| it.trim().parse().ok()).ok_or_else(wrong)?;
         Ok(self.axes[axis].metres(number))
     }
@@ -327,7 +328,7 @@ fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
     };
     match layers {
         0 | 1 => nodes(rows, columns, size, bytes),
-        _ => Err(malformed(format!("it holds {layers} layers, not one surface"))),
+        _ => Err(malformed(format!("it has {layers} layers instead of one surface"))),
     }
 }
 

@@ -21,11 +21,11 @@ const ROUNDING: f64 = 1e-13;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Detrend {
-    /// The mean height, which no contact depends on.
+    /// The mean height, which does not change the contact.
     Mean,
-    /// The plane; for a line, the straight line.
+    /// The least-squares plane; for a line, the straight line.
     Plane,
-    /// The polynomial of second order; for a line, the parabola.
+    /// The least-squares polynomial of second order; for a line, the parabola.
     Curvature,
 }
 

@@ -10,7 +10,7 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Fill {
-    /// The smoothest heights that meet those around the void.
+    /// The smoothest heights that fit those around the void.
     ///
     /// Each is the mean of its neighbours, which solves Laplace's equation.
     Harmonic,

@@ -17,9 +17,9 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Form {
-    /// A cylinder; for a line, a circle.
+    /// The least-squares cylinder; for a line, the circle.
     Cylinder,
-    /// A sphere; for a line, a circle.
+    /// The least-squares sphere; for a line, the circle.
     Sphere,
 }
 

@@ -14,7 +14,7 @@ pub enum Mirror {
     X,
     /// Along y, the rows.
     Y,
-    /// Along both; of a profile along it.
+    /// Along both axes; for a profile, along its axis.
     Both,
 }
 

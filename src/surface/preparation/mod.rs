@@ -70,7 +70,7 @@ pub struct Prepared {
 impl Preparation {
     /// The automatic choices of the steps, and their names in scenes, with a short description.
     pub const WAYS: [(&str, &str); 1] =
-        [("auto", "Steps that the heights need to be periodic, full and told from noise")];
+        [("auto", "Automatic choice: resample, fill voids, make the heights periodic, and filter noise")];
 
     /// Whether there are no steps.
     pub fn is_none(&self) -> bool {
@@ -121,12 +121,12 @@ impl Preparation {
         }
         if let Some(detrend) = self.detrend {
             let flat = detrend.apply(it.scan.clone());
-            it.take(flat, |before, after| format!("the trend was taken off: {}", gradients(before, after)));
+            it.take(flat, |before, after| format!("the trend was subtracted: {}", gradients(before, after)));
         }
         if let Some(form) = self.remove_form {
             let (flat, radius) = form.apply(it.scan.clone()).ok_or(PreparationError::NoForm)?;
             it.take(flat, |before, after| {
-                format!("a form of radius {radius:.6e} was taken off: {}", gradients(before, after))
+                format!("a form of radius {radius:.6e} was subtracted: {}", gradients(before, after))
             });
         }
         for (name, wavelength) in [("high", self.high_pass), ("low", self.low_pass)] {
@@ -139,7 +139,7 @@ impl Preparation {
         if let Some(share) = self.taper {
             let tapered = it.tapered(share)?;
             it.take(tapered, |before, after| {
-                format!("tapered within {share} of each side: {}", gradients(before, after))
+                format!("tapered within a fraction {share} of each side: {}", gradients(before, after))
             });
         }
         if let Some(mirror) = self.mirror {

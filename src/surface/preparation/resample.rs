@@ -8,7 +8,7 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Resample {
-    /// The same number of heights at even positions, linearly between neighbours.
+    /// Linear interpolation to the same number of evenly spaced positions.
     Linear,
 }
 

@@ -33,14 +33,14 @@ impl PreparationChoice {
         let mut choice = Self { preparation: Preparation::default(), reasons: Vec::new() };
         if !is_even {
             choice.preparation.resample = Some(Resample::Linear);
-            choice.because("the positions are not even: heights are resampled at as many even ones".into());
+            choice.because("the positions are not evenly spaced: the heights are resampled to even spacing".into());
         }
         let mut survey = Survey::new(scan)?;
         if survey.voids > 0 {
             choice.preparation.fill = Some(Fill::Harmonic);
             let all = scan.height.len();
             choice.because(format!(
-                "{} of {all} heights are void: they are filled with the smoothest ones",
+                "{} of {all} heights are void: they are filled with the smoothest heights",
                 survey.voids
             ));
         }
@@ -62,9 +62,9 @@ impl PreparationChoice {
     fn detrended(&mut self, scan: Scan, survey: &Survey, periodic: [bool; 2]) -> Scan {
         let share = 100.0 * survey.curvature_share;
         let (trend, reason) = if periodic == [false; 2] {
-            (Detrend::Plane, "nothing is beyond the rim: the plane is taken off, and what is bent stays so".to_owned())
+            (Detrend::Plane, "the boundary is free: only the plane is subtracted, and the curvature is kept".to_owned())
         } else {
-            let reason = "the heights are not periodic: their terms of second order are taken off";
+            let reason = "the heights are not periodic: the polynomial of second order is subtracted";
             (Detrend::Curvature, format!("{reason}, {share:.1} % of the mean square height about the plane"))
         };
         self.preparation.detrend = Some(trend);
@@ -94,7 +94,7 @@ impl PreparationChoice {
         if share > NOISE {
             self.preparation.low_pass = Some(wavelength);
             self.because(format!(
-                "noise makes {:.0} % of the mean square gradient: waves below {wavelength:.4e}, which cannot be told from it, are filtered out",
+                "noise makes {:.0} % of the mean square gradient: waves below {wavelength:.4e}, which are below the noise, are filtered out",
                 100.0 * share
             ));
         }

@@ -126,12 +126,12 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
         "{edited}"
     );
     let twice = refused(&folder, &format!("merge study.toml {} study.csv --out no.csv", shares.join(" ")));
-    assert!(twice.contains(" is in study.") && twice.contains(" and again in study.csv: give"), "{twice}");
+    assert!(twice.contains(" is in study.") && twice.contains(" and also in study.csv: give"), "{twice}");
     std::fs::write(folder.join("other.toml"), STUDY.replace("0.8", "0.7")).unwrap();
     let foreign = refused(&folder, &format!("merge other.toml {} --out no.csv", shares.join(" ")));
     assert!(foreign.contains("points of other setups, loads or versions: solve this share again"), "{foreign}");
     let own = refused(&folder, "merge study.toml study.1-of-5.csv --out study.1-of-5.csv");
-    assert!(own.contains("study.1-of-5.csv: it is read"), "{own}");
+    assert!(own.contains("study.1-of-5.csv: it is also an input file"), "{own}");
     let absent = refused(&folder, "merge study.toml study.9-of-9.csv --out no.csv");
     assert!(absent.contains("there is no table study.9-of-9.csv"), "{absent}");
     assert!(!folder.join("no.csv").exists());
@@ -181,7 +181,7 @@ fn wrong_studies_are_refused_with_line_and_value() {
     let cases = [
         ("\"1-3\"", "\"9-3\"", "study.toml: line 2, surface.seed: `9-3` is not a range: give the first and the last"),
         ("\"1-3\"", "[1, \"2-x\"]", "line 2, surface.seed: `2-x` is not a range"),
-        ("\"1-3\"", "[4, \"2-6\"]", "line 2, surface.seed: 4 is there twice"),
+        ("\"1-3\"", "[4, \"2-6\"]", "line 2, surface.seed: 4 occurs twice"),
         ("\"1-3\"", "[]", "line 2, surface.seed: the list is empty"),
         ("\"1-3\"", "\"1-1000000000000\"", "the lists make 8000000000000 rows, and a study has at most 10000000"),
         ("\"1-3\"", "\"0-18446744073709551615\"", " rows, and a study has at most 10000000"),
@@ -194,7 +194,7 @@ fn wrong_studies_are_refused_with_line_and_value() {
         (
             "load =",
             "record.theme = [\"dark\", \"light\"]\nload =",
-            "line 4, record.theme: it changes no number of a study",
+            "line 4, record.theme: it does not change the numbers of a study",
         ),
     ];
     for (from, to, expected) in cases {

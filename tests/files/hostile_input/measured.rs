@@ -41,7 +41,7 @@ fn files_that_are_cut_short_are_refused() {
         (name.replace([' ', ','], "-"), file[..file.len() * 7 / 10].to_vec())
     };
     for (name, file) in all.map(cut) {
-        refuse_files(&[(&name, file, "is not a usable height file: ")]);
+        refuse_files(&[(&name, file, "is not a valid height file: ")]);
     }
     refuse_files(&[("cut.xyz", b"# x (m), y (m), z (m)\n0 0 1\n0 1 2\n1 0 3\n1".into(), "line 5 holds 1 numbers")]);
 }
@@ -145,8 +145,8 @@ fn steps_that_heights_do_not_allow_are_refused() {
     std::fs::write(folder.join("flat.txt"), "1 1 1 1\n".repeat(4)).unwrap();
     std::fs::write(folder.join("void.txt"), "nan nan nan nan\n".repeat(4)).unwrap();
     let flat = [
-        ("--size 1 --remove-form sphere", "no such body"),
-        ("--size 1 --remove-form cylinder", "no such body"),
+        ("--size 1 --remove-form sphere", "the shape cannot be fitted"),
+        ("--size 1 --remove-form cylinder", "the shape cannot be fitted"),
         ("--size 1 --file-unit 0", "0.0"),
         ("--size 1 --file-unit=-1um", "-1e-6"),
         ("", "--size"),

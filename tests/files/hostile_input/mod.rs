@@ -221,12 +221,12 @@ fn exactly_one_surface_and_one_load_are_needed() {
         ("--points 64 --size 1", "no surface"),
         (
             "--height old --indenter cylinder --radius 1 --size 1 --modulus 1 --pressure 1",
-            "old is not a usable height file",
+            "old is not a valid height file",
         ),
         ("--height old --hurst 0.8 --size 1 --modulus 1 --pressure 1", "--rolloff"),
         (&format!("{CYLINDER} --hurst 0.8 {LOAD}"), "--rolloff"),
         (CYLINDER, "no load"),
-        (&format!("{CYLINDER} --mean-gap 0.1 --solver gfmd"), "gfmd works under a given mean pressure"),
+        (&format!("{CYLINDER} --mean-gap 0.1 --solver gfmd"), "gfmd needs a given mean pressure"),
     ]);
 }
 
@@ -412,18 +412,18 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
         ("no_rows.npy", "0 points"),
         ("short.npy", "3 points"),
         ("empty.npy", "0 points"),
-        ("scalar.npy", "scalar.npy is not a usable height file: its array has rank 0"),
-        ("cube.npy", "cube.npy is not a usable height file: its array has rank 3"),
+        ("scalar.npy", "scalar.npy is not a valid height file: its array has rank 0"),
+        ("cube.npy", "cube.npy is not a valid height file: its array has rank 3"),
         ("truths.npy", "b1"),
-        ("truncated.npy", "truncated.npy is not a usable height file: it holds"),
-        ("head.npy", "head.npy is not a usable height file"),
-        ("long.npy", "long.npy is not a usable height file: it holds"),
-        ("nothing.npy", "nothing.npy is not a usable height file"),
+        ("truncated.npy", "truncated.npy is not a valid height file: it has"),
+        ("head.npy", "head.npy is not a valid height file"),
+        ("long.npy", "long.npy is not a valid height file: it has"),
+        ("nothing.npy", "nothing.npy is not a valid height file"),
         ("table.csv", "2 points"),
-        ("words.txt", "words.txt is not a usable height file: it is neither a .npy file nor a text of numbers"),
+        ("words.txt", "words.txt is not a valid height file: it is neither a .npy file nor a text of numbers"),
         ("uneven.npy", "the positions in uneven.npy are not evenly spaced"),
-        ("noise.npy", "noise.npy is not a usable height file"),
-        ("sub", "sub is not a usable height file: it is a directory"),
+        ("noise.npy", "noise.npy is not a valid height file"),
+        ("sub", "sub is not a valid height file: it is a directory"),
         ("missing.npy", "cannot read missing.npy"),
         ("nowhere/h.npy", "cannot read nowhere/h.npy"),
         ("table.csv/h.npy", "cannot read table.csv/h.npy"),
@@ -489,7 +489,7 @@ fn names_that_promise_another_content_are_refused() {
         (format!("{curve} --out x.npy"), "cannot write x.npy: give a name that ends in .npz or .csv"),
         (format!("{solve} --out old"), "cannot write old: give a name that ends in .npz or .csv"),
         (format!("{solve} --save-setup x.npz"), "cannot write x.npz: give a name that ends in .toml"),
-        (format!("{sphere} --out x.csv"), "x.csv can hold the nodes of a line only: give a .npz for a surface"),
+        (format!("{sphere} --out x.csv"), "x.csv: a .csv of nodes is for lines only; for a surface give a .npz"),
         (format!("surface {CYLINDER} --out x.npz"), "cannot write x.npz: give a name that ends in .npy or .sdf"),
         ("bench --out x.npz".into(), "cannot write x.npz: give a name that ends in .csv"),
         ("stability --out x".into(), "cannot write x: give a name that ends in .csv"),
@@ -719,17 +719,17 @@ fn results_that_cannot_be_certified_are_refused() {
     for (arguments, offence) in [
         ("--pressure short.npy", "the pressure of shape [1, 7] does not fit heights of 1 x 8 points"),
         ("--pressure column.npy", "it is transposed"),
-        ("--pressure cube.npy", "cube.npy is not a usable pressure file: its array has rank 3"),
-        ("--gap scalar.npy", "scalar.npy is not a usable gap file: its array has rank 0"),
+        ("--pressure cube.npy", "cube.npy is not a valid pressure file: its array has rank 3"),
+        ("--gap scalar.npy", "scalar.npy is not a valid gap file: its array has rank 0"),
         ("--pressure nan.npy", "the pressure at row 0, column 2 is NaN"),
         ("--pressure zero.npy", "the mean pressure is 0"),
         ("--gap zero.npy", "everything touches"),
         ("--displacement good.npy", "no load is given"),
         ("--displacement good.npy", "--mean-pressure"),
-        ("--pressure cut.npy", "cut.npy is not a usable pressure file: it holds"),
-        ("--pressure noise.npz", "noise.npz is not a usable pressure file"),
+        ("--pressure cut.npy", "cut.npy is not a valid pressure file: it has"),
+        ("--pressure noise.npz", "noise.npz is not a valid pressure file"),
         ("--pressure none.npy", "cannot read none.npy"),
-        ("--pressure sub", "sub is not a usable pressure file: it is a directory"),
+        ("--pressure sub", "sub is not a valid pressure file: it is a directory"),
         ("--pressure good.npy --mean-pressure -1", "the mean pressure is -1"),
         ("--pressure good.npy --mean-pressure 1,2", "2 loads are given"),
         ("--pressure good.npy --tolerance 0", "the tolerance is 0"),
@@ -742,8 +742,8 @@ fn results_that_cannot_be_certified_are_refused() {
     assert!(nothing.contains("--pressure"), "{nothing}");
     write_npy(folder.join("square.npy"), &Array2::from_elem((8, 8), 0.1)).unwrap();
     let sphere = "certify --indenter sphere --radius 1 --points 8,8 --size 4 --modulus 1 --pressure square.npy";
-    refuse_in_one_sentence(&folder, &format!("{sphere} --out new.csv"), "a .csv is made of a line only");
-    refuse_in_one_sentence(&folder, &format!("{sphere} --out new.png"), "a .png is made of a line only");
+    refuse_in_one_sentence(&folder, &format!("{sphere} --out new.csv"), "a .csv can be written for a line only");
+    refuse_in_one_sentence(&folder, &format!("{sphere} --out new.png"), "a .png can be written for a line only");
     let no_modulus = "certify --height h.npy --size 1 --pressure good.npy";
     refuse_in_one_sentence(&folder, no_modulus, "without a modulus");
 }
@@ -757,8 +757,8 @@ fn iterations_that_cannot_be_inspected_are_refused() {
         ("cube.npy", "cube.npy, step 0 of the file: the pressure of shape [2, 2, 8] does not fit"),
         ("sub", "no steps were found"),
         ("none.npy", "cannot read none.npy"),
-        ("cut.npy", "cut.npy is not a usable pressure file"),
-        ("noise.npz", "noise.npz is not a usable pressure file"),
+        ("cut.npy", "cut.npy is not a valid pressure file"),
+        ("noise.npz", "noise.npz is not a valid pressure file"),
         ("good.npy --times h.npy", "there are 8 times for 1 steps"),
         ("good.npy --reference short.npy", "does not fit heights"),
         ("--follow none", "cannot read none"),

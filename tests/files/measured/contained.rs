@@ -111,7 +111,7 @@ fn gwyddion_lists_channels_of_heights_only() {
     assert_eq!((measured.channel.as_str(), entry(&measured, "Tip")), ("Topography", "blunt"));
     assert!(entry(&measured, "mask").contains("void"));
     let error = Measurement::from_bytes(&containers::gwy::file(), Some("Current")).unwrap_err().to_string();
-    assert!(error.contains("holds no heights"), "{error}");
+    assert!(error.contains("contains no heights"), "{error}");
     let other = [b"GWYQ".to_vec(), containers::gwy::file()].concat();
     assert!(Measurement::from_bytes(&other, None).unwrap_err().to_string().contains("GWYQ"));
 }

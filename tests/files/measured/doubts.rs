@@ -39,20 +39,15 @@ fn a_row_that_no_count_accounts_for_is_told() {
             "plu",
             plu::file(),
             with(plu::file(), 388, &3u32.to_le_bytes()),
-            "the fields say 3 rows of 5 points, and layer 1 has 4 rows of 5",
+            "the header states 3 rows of 5 points, but layer 1 has 4 rows of 5",
         ),
         (
             "opd",
             opd::file(),
             with(opd::file(), points(&opd::file()) - 4, &3u16.to_le_bytes()),
-            "20 bytes are left over behind the points of \"Raw\"",
+            "20 unexpected bytes follow the points of \"Raw\"",
         ),
-        (
-            "sdf",
-            sdf::binary(),
-            with(sdf::binary(), 44, &3u16.to_le_bytes()),
-            "19 bytes are left over behind the heights",
-        ),
+        ("sdf", sdf::binary(), with(sdf::binary(), 44, &3u16.to_le_bytes()), "19 unexpected bytes follow the heights"),
         (
             "al3d",
             binaries::al3d::file(),
@@ -61,13 +56,13 @@ fn a_row_that_no_count_accounts_for_is_told() {
                 &[b"Rows".as_slice(), &[0; 16], b"4"].concat(),
                 &[b"Rows".as_slice(), &[0; 16], b"3"].concat(),
             ),
-            "24 bytes are left over behind the depth image",
+            "24 unexpected bytes follow the depth image",
         ),
         (
             "nanoscope",
             nanoscope::file(),
             replaced(nanoscope::file(), b"Number of lines: 4", b"Number of lines: 3"),
-            "10 bytes are left over behind the points of \"Height Sensor\"",
+            "10 unexpected bytes follow the points of \"Height Sensor\"",
         ),
         (
             "sur",
@@ -79,7 +74,7 @@ fn a_row_that_no_count_accounts_for_is_told() {
             "x3p",
             x3p_of(&main),
             x3p_of(&main.replace("<SizeY>4", "<SizeY>3")),
-            "40 bytes are left over behind the points in \"bindata/data.bin\"",
+            "40 unexpected bytes follow the points in \"bindata/data.bin\"",
         ),
     ];
     for (name, file, changed, told) in cases {
@@ -94,10 +89,7 @@ fn bytes_behind_the_end_of_a_file_are_told() {
     for (name, file) in [("opd", opd::file()), ("sur", sur::file()), ("packed", sur::packed())] {
         let longer = [file, vec![0; 13]].concat();
         let found = doubts(&longer);
-        assert!(
-            found.iter().any(|doubt| doubt.contains("13 bytes are left over behind the last")),
-            "{name}: {found:?}"
-        );
+        assert!(found.iter().any(|doubt| doubt.contains("13 unexpected bytes follow the last")), "{name}: {found:?}");
     }
 }
 
@@ -137,7 +129,7 @@ fn the_check_sums_in_an_x3p_are_compared() {
         bytes
     });
     let error = Measurement::from_bytes(&spoiled, None).unwrap_err().to_string();
-    assert!(error.contains("\"bindata/data.bin\" has another MD5 check sum than its main.xml says"), "{error}");
+    assert!(error.contains("check sum of its file \"bindata/data.bin\" differs from that in its main.xml"), "{error}");
     let edited = packed_anew(|name, bytes| match name {
         "main.xml" => String::from_utf8(bytes).unwrap().replace("<Offset>0<", "<Offset>0.0<").into_bytes(),
         _ => bytes,

@@ -82,7 +82,7 @@ fn nanoscope_of_two_bytes() {
     }
     assert!(!measured.header.iter().any(|it| it.0 == "Junk"));
     let phase = Measurement::from_bytes(&file, Some("Phase")).unwrap_err().to_string();
-    assert!(phase.starts_with("its channel \"Phase\" holds no heights"), "{phase}");
+    assert!(phase.starts_with("its channel \"Phase\" contains no heights"), "{phase}");
     assert!(Measurement::from_bytes(&file, Some("Deflection")).is_err());
 }
 
@@ -121,10 +121,10 @@ fn opd_of_singles_and_integers() {
 fn opd_that_is_refused() {
     let file = opd::file();
     let image = Measurement::from_bytes(&file, Some("Image")).unwrap_err().to_string();
-    assert_eq!(image, "its channel \"Image\" holds no heights: choose one of \"Raw\"");
-    assert_eq!(reason(&changed(&file, b"Wavelength", b"Wavelenght")), "it does not say its Wavelength");
+    assert_eq!(image, "its channel \"Image\" contains no heights: choose one of \"Raw\"");
+    assert_eq!(reason(&changed(&file, b"Wavelength", b"Wavelenght")), "it has no Wavelength");
     let flat = changed(&file, &0.25_f32.to_le_bytes(), &0_f32.to_le_bytes());
-    assert_eq!(reason(&flat), "it says that its Pixel_size is 0.0");
+    assert_eq!(reason(&flat), "its Pixel_size has the invalid value 0.0");
     assert!(reason(&file[..file.len() - 1]).contains("incomplete"), "{}", reason(&file[..file.len() - 1]));
 }
 
@@ -240,7 +240,7 @@ fn sdf_that_is_refused() {
         reason(&changed(&file, b"CheckType = 0", b"CheckType = 1")),
         "it has a check sum of type 1: save it without one"
     );
-    assert_eq!(reason(&changed(&file, b"BAD", b"BUD")), "it holds \"BUD\" among its heights");
+    assert_eq!(reason(&changed(&file, b"BAD", b"BUD")), "its heights contain \"BUD\"");
     assert!(reason(&changed(&file, b"1.0e-9", b"0")).contains("a unit of its heights is 0.0 metres"));
     assert!(reason(&changed(&file, b"NumPoints = 5", b"NumPoints = 6")).starts_with("it holds 20 heights"));
     let binary = sdf::fixed("ISO-1.0", 9, vec![0; 20]);

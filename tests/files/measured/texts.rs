@@ -86,7 +86,7 @@ fn texts_that_are_no_surface_say_why() {
     let reason = |text: &[u8]| Measurement::from_bytes(text, None).unwrap_err().to_string();
     assert!(reason(b"0 0 1\n1 0 2\n0.3 0.7 3\n").starts_with("it has three columns, but they are not x, y and height"));
     assert!(reason(b"0 1\n1 2\n1 3\n").starts_with("it contains two heights at the position 1.0"));
-    assert!(reason(b"0 1\nnan 2\n1 3\n").starts_with("it holds the position NaN"));
+    assert!(reason(b"0 1\nnan 2\n1 3\n").starts_with("it contains the position NaN"));
     assert!(reason(b";\n;;\n").contains("it begins with \";\""));
     assert!(reason(b"nothing\n").contains("nor a text of numbers"));
 }

@@ -135,7 +135,7 @@ fn the_command_compares_two_or_more_and_says_what_it_wrote() {
     };
     assert_eq!(run("compare a.rrd b.rrd --out c.rrd"), (Some(0), "wrote c.rrd: asperity view c.rrd\n".into()));
     for (line, words) in [
-        ("compare a.rrd", "a.rrd alone cannot be compared: give two recordings or more"),
+        ("compare a.rrd", "a.rrd is the only recording: give at least two"),
         ("compare a.rrd missing.rrd", "cannot read missing.rrd"),
         (
             "compare a.rrd b.rrd --out ./b.rrd",

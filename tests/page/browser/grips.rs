@@ -176,7 +176,8 @@ fn keys_press(page: &mut Page) {
     assert!(page.value("handle").as_f64().unwrap() > at);
 }
 
-/// A point of the profile that is dragged down becomes a bump, with which the saved setup repeats the run; all bumps are taken off again.
+/// A point of the profile that is dragged down becomes a bump, with which the saved setup repeats the run; all bumps
+/// are removed again.
 fn bending_changes_the_shape(page: &mut Page) {
     let ours = page.value("latest().numbers.relative_area");
     let grip = middle(page.place("bend"));

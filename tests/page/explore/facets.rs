@@ -76,7 +76,7 @@ fn facets_are_those_of_runs_that_have_ended() {
     page.order("/api/solve", &endless());
     page.wait(|state| state["run"]["numbers"]["status"] == "running");
     let refused = page.get("/api/run/run-1/steps");
-    assert_eq!((refused.status, refused.text()), (409, "run-1 has no steps: ask for those of a solve that has ended"));
+    assert_eq!((refused.status, refused.text()), (409, "run-1 has no steps: request it after the solve has ended"));
     assert_eq!(page.get("/api/run/run-1/everything").status, 404);
     assert_eq!(page.post("/api/cancel", "{}").status, 200);
     page.wait(|state| state["busy"] == false);

@@ -343,7 +343,7 @@ fn knobs_of_another_file_are_refused() {
     for (path, body) in [("/api/solve", order), ("/api/describe", first["knobs"].to_string())] {
         let refused = page.post(path, &body);
         assert_eq!(refused.status, 400, "{path}");
-        assert!(refused.text().starts_with("another file, second.txt, has taken the place"), "{}", refused.text());
+        assert!(refused.text().starts_with("this file was replaced by another file, second.txt"), "{}", refused.text());
     }
     let third = page.describe("third.txt", &matrix());
     assert_eq!(third["knobs"], first["knobs"]);

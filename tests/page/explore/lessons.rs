@@ -139,7 +139,7 @@ fn lessons_that_cannot_be_say_where() {
         ("title = \"T\"\nstep = []\n".into(), 1, "the lesson has no steps"),
         (STEP.replace("\"T\"", "\" \""), 1, "title: a text is empty"),
         (STEP.replace("\"T\"", "3"), 1, "give a text, or texts by language"),
-        (STEP.replace("\"Look.\"", "{ english = \"Look.\" }"), 3, "\"english\" is no language: give two letters"),
+        (STEP.replace("\"Look.\"", "{ english = \"Look.\" }"), 3, "\"english\" is not a language: give two letters"),
         (STEP.replace("\"Look.\"", "{}"), 3, "a text is empty"),
         (format!("{STEP}colour = 3\n"), 5, "unknown field `colour`"),
         (format!("{STEP}\n[[step]]\nknobs.load = 0.1\n"), 6, "missing field `text`"),
@@ -163,7 +163,7 @@ fn lessons_that_cannot_be_say_where() {
         (
             format!("{STEP}turn = {{ load = [{0}], hurst = [{0}] }}\n", loads(8)),
             5,
-            "turn: the values lead to more than 64 states",
+            "turn: the values give more than 64 states",
         ),
         (ask("{ kind = \"guess\", question = \"?\" }"), 5, "unknown variant `guess`"),
         (
@@ -177,7 +177,7 @@ fn lessons_that_cannot_be_say_where() {
             "choice 3 is marked as right",
         ),
         (ask("{ kind = \"choose\", question = \"\", choices = [\"a\", \"b\"], right = 1 }"), 5, "a text is empty"),
-        (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 5, "\"kappa_q\" is no number of a run"),
+        (ask("{ kind = \"number\", question = \"?\", of = \"kappa_q\" }"), 5, "\"kappa_q\" is not a number of a run"),
         (
             ask("{ kind = \"draw\", question = \"?\", curve = \"kappa\" }"),
             5,
@@ -191,7 +191,7 @@ fn lessons_that_cannot_be_say_where() {
             "a text is empty",
         ),
         (ask("{ kind = \"act\", question = \"?\", goal = {} }"), 5, "the goal is empty"),
-        (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 5, "\"area\" is no number of a run"),
+        (ask("{ kind = \"act\", question = \"?\", goal = { area = [0, 1] } }"), 5, "\"area\" is not a number of a run"),
         (
             ask("{ kind = \"act\", question = \"?\", goal = { relative_area = [1, 0] } }"),
             5,

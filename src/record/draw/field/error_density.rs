@@ -25,9 +25,9 @@ const DECADES: f64 = 4.0;
 const APART_CLASS: u16 = 2;
 const UNPRESSED_CLASS: u16 = 3;
 
-/// The density `p (v - min v)` over its largest value at each step, in decades: its place, whatever its size, which the certificate
-/// tells. With it stand the contact by the pressure and that by the gap, see [`contact_reach`]: on a line one below and the other above the
-/// curve, on a surface where they differ.
+/// The density `p (v - min v)` over its largest value at each step, in decades. It shows where the error is; its size
+/// is in the certificate. The contact by pressure and the contact by gap are also shown, see [`contact_reach`]: on a
+/// line below and above the curve, on a surface where they differ.
 struct ErrorDensity {
     root: String,
     palette: &'static Palette,
