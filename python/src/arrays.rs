@@ -29,7 +29,7 @@ impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {
             let masked: usize = masks.call_method1("count_masked", (given,))?.extract()?;
             if masked > 0 {
                 let all: usize = given.getattr("size")?.extract()?;
-                return bail(format!("{masked} of {all} values are masked: fill them or crop them away"));
+                return bail(format!("{masked} of {all} values are masked: fill them, or crop the array"));
             }
         }
         Ok(Self(given.extract()?))

@@ -23,7 +23,7 @@ create_exception!(
     asperity,
     AsperityWarning,
     PyUserWarning,
-    "A result to doubt: a solver that did not converge, a grid that is too coarse, or heights that cannot be right."
+    "A doubtful result: a solver that did not converge, a grid that is too coarse, or heights that cannot be right."
 );
 
 /// Any error that can be sent between threads.

@@ -37,9 +37,7 @@ impl Problem {
     pub fn new(py: Python<'_>, surface: &Arc<asperity::Surface>, setup: Setup, rank: usize) -> PyResult<Self> {
         fork::check_not_forked()?;
         if setup.loads.is_some() && setup.refinement.is_some() {
-            return bail(
-                "a grid is found under one load, but several are given: give one, or a number for refine in place of 'auto'",
-            );
+            return bail("refine='auto' needs one load, but several are given: give one load, or a number for refine");
         }
         let Setup { setup: first, loads, .. } = &setup;
         let problem = || match loads {

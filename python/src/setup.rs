@@ -93,7 +93,9 @@ impl Setup {
         }
         match asperity::record::setups(&path).map_err(py_error)?.as_deref() {
             Some([text]) => Self::from_toml(text),
-            _ => bail(format!("{} does not hold one setup: give a recording of one contact", path.display())),
+            _ => {
+                bail(format!("{} does not contain exactly one setup: give a recording of one contact", path.display()))
+            }
         }
     }
 

@@ -77,19 +77,19 @@ impl SolveOptions {
     fn check(&self, setup: &Setup) -> PyResult<()> {
         let only_once = [
             ("record, live and stream show", self.sink.is_active()),
-            ("diagnose looks at", self.diagnose),
-            ("start belongs to", self.start.is_some()),
-            ("friction belongs to", setup.setup.friction.is_some()),
+            ("diagnose needs", self.diagnose),
+            ("start needs", self.start.is_some()),
+            ("friction needs", setup.setup.friction.is_some()),
         ];
         match only_once.iter().find(|(_, is_given)| *is_given) {
             Some((what, _)) if setup.loads.is_some() => {
                 bail(format!("{what} one load, but a list of loads is given: give one load"))
             }
             _ if setup.loads.is_some() && setup.refinement.is_some() => {
-                bail("refine='auto' finds the grid for one load, but a list of loads is given: give one load")
+                bail("refine='auto' needs one load, but a list of loads is given: give one load")
             }
             _ if self.start.is_some() && setup.refinement.is_some() => {
-                bail("start belongs to one grid, but refine='auto' tries several: leave one of them out")
+                bail("start needs one grid, but refine='auto' uses several: leave one of them out")
             }
             _ => Ok(()),
         }

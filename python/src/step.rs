@@ -39,7 +39,7 @@ impl Step {
     ) -> PyResult<T> {
         match py.detach(|| self.handle.query(of)) {
             Some(answer) => Ok(answer),
-            None => bail("the step is over: take from it what you need while the callback runs"),
+            None => bail("the step is over: read its values while the callback runs"),
         }
     }
 

@@ -89,10 +89,10 @@ def test_rows_that_do_not_converge_give_one_warning() -> None:
     [
         ({"reduced_pressure": []}, "the list is empty"),
         ({"reduced_pressure": [0.1, -0.1]}, "-0.1"),
-        ({"reduced_pressure": LOADS, "diagnose": True}, "diagnose looks at one load"),
+        ({"reduced_pressure": LOADS, "diagnose": True}, "diagnose needs one load"),
         ({"reduced_pressure": LOADS, "record": "steps.rrd"}, "record, live and stream show one load"),
-        ({"reduced_pressure": LOADS, "start": np.ones(2048)}, "start belongs to one load"),
-        ({"reduced_pressure": LOADS, "refine": "auto"}, "refine='auto' finds the grid for one load"),
+        ({"reduced_pressure": LOADS, "start": np.ones(2048)}, "start needs one load"),
+        ({"reduced_pressure": LOADS, "refine": "auto"}, "refine='auto' needs one load"),
     ],
 )
 def test_lists_that_cannot_be_are_refused(keys: dict[str, object], sentence: str) -> None:

@@ -76,7 +76,7 @@ def test_a_contact_that_did_not_converge_can_be_raised() -> None:
 
 def test_what_is_masked_is_void() -> None:
     masked = np.ma.masked_array(HEIGHT, mask=np.arange(64) % 16 == 0)
-    with pytest.raises(asp.AsperityError, match="4 of 64 values are masked: fill them or crop them away"):
+    with pytest.raises(asp.AsperityError, match="4 of 64 values are masked: fill them, or crop the array"):
         asp.solve(masked, 1.0, reduced_pressure=0.1)
     with pytest.raises(asp.AsperityError, match="4 of 64 values are masked"):
         asp.solve(HEIGHT, 1.0, reduced_pressure=0.1).problem.certify(pressure=masked)

@@ -186,7 +186,7 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
     with pytest.raises(asp.AsperityError, match="there is no row"):
         STUDY.solve([40])
     ledger = asp.Ledger(STUDY)
-    with pytest.raises(asp.AsperityError, match="points of .* came for hurst 0.3, points 256, seed 1"):
+    with pytest.raises(asp.AsperityError, match="points of .* were returned for hurst 0.3, points 256, seed 1"):
         ledger.add([0], STUDY.solve([1]))
     with pytest.raises(asp.AsperityError, match="80 of 80 rows"):
         ledger.finish()

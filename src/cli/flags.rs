@@ -129,7 +129,9 @@ fn read(path: &Path) -> Result<SetupTable> {
         print_if_cut_off(path)?;
         return match setups.as_slice() {
             [setup] => Ok(SetupTable::from_toml(setup)?),
-            more => usage(format!("{} holds {} setups: give a recording of one contact", path.display(), more.len())),
+            more => {
+                usage(format!("{} contains {} setups: give a recording of one contact", path.display(), more.len()))
+            }
         };
     }
     match SetupTable::read(path) {

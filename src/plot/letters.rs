@@ -1,4 +1,4 @@
-//! Letters as polygons, for what can draw lines and no words.
+//! Letters as polygons, for outputs that can draw lines but no text.
 
 use super::font::{BASELINE, FONT, advance, glyphs, metrics};
 use skrifa::MetadataProvider;

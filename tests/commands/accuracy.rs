@@ -123,7 +123,7 @@ fn what_cannot_be_is_refused_before_anything_runs() {
     let refused = [
         ("torus", "rough-surface"),
         ("sine --out missing/out", "the folder missing does not exist"),
-        ("sine --out file", "--out names file"),
+        ("sine --out file", "--out is file"),
         ("sine --repeats 0", "'0' for '--repeats <N>': give a positive whole number"),
         ("sine --tolerance -1", "the tolerance is -1"),
         ("sine --points 512,256", "512 to 256"),

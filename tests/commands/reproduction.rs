@@ -207,7 +207,10 @@ fn what_cannot_be_is_refused_before_anything_is_solved() {
     assert!(!folder.join("paper").exists());
     fs::create_dir(folder.join("other")).unwrap();
     fs::write(folder.join("other/comparison.csv"), "a,b\n1,2\n").unwrap();
-    assert_refused(&folder.run("paper gw --quick --out other"), &["comparison.csv", "something else"]);
+    assert_refused(
+        &folder.run("paper gw --quick --out other"),
+        &["comparison.csv", "it is not a comparison with the paper"],
+    );
     assert_eq!(fs::read_to_string(folder.join("other/comparison.csv")).unwrap(), "a,b\n1,2\n");
 }
 

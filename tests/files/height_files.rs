@@ -169,7 +169,7 @@ fn unusable_files_say_why() {
         assert!(reason(&path).contains(" .npy file"), "{text:?}: {}", reason(&path));
     }
     ndarray_npy::write_npy(&path, &arr1(&[true, false])).unwrap();
-    assert!(reason(&path).contains("'|b1', save integers, float32 or float64"), "{}", reason(&path));
+    assert!(reason(&path).contains("'|b1': save integers, float32 or float64"), "{}", reason(&path));
     ndarray_npy::write_npy(&path, &ndarray::Array3::<f64>::zeros((1, 2, 3))).unwrap();
     assert!(reason(&path).contains("rank 3"));
     ndarray_npy::write_npy(&path, &ndarray::arr0(1.0)).unwrap();

@@ -216,7 +216,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
         (
             "modulus = 1.0",
             "modulus = 1.0, young = 1, poisson = 0",
-            "solid: a contact modulus and elastic constants are given",
+            "solid: both a contact modulus and elastic constants are given",
         ),
         ("contact-modulus = 1.0", "young = 1", "solid: Poisson's ratio is missing: give one value per body"),
         ("contact-modulus = 1.0", "young = [1, 2], poisson = 0.3", "2 Young's moduli and 1 Poisson's ratio are given"),

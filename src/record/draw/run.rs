@@ -76,7 +76,7 @@ impl DrawnRun {
         self.drawings.iter_mut().try_for_each(|drawing| drawing.flush(to))
     }
 
-    /// Ends with the contact that came out, and returns what held the run up, if that was watched.
+    /// Ends with the resulting contact, and returns why the run was slow, if there is a diagnosis.
     pub fn end(&mut self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<Option<Findings>> {
         if let Some(diagnosis) = &mut self.diagnosis {
             diagnosis.end(contact).ok(); // it does not fail

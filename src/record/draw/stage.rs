@@ -26,7 +26,7 @@ use crate::setup::Part;
 use rerun::{AnyValues, RecordingStream, RecordingStreamResult, TextDocument};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The drawings of a scene and all else that its recorder and its layout need, without the problem itself.
+/// The drawings of a scene and the other data for its recorder and its layout, without the problem itself.
 pub struct Stage {
     /// Root of the entities, with a leading `/`.
     pub root: String,
@@ -34,7 +34,7 @@ pub struct Stage {
     pub palette: &'static Palette,
     /// Rows of the table of parameters.
     description: String,
-    /// What is known of the scene, for tables of recordings.
+    /// The properties of the scene, for tables of recordings.
     properties: AnyValues,
     /// The setup that repeats it, if there is one, as TOML.
     setup: Option<String>,
@@ -50,7 +50,7 @@ pub struct Stage {
     drawings: Vec<Box<dyn Drawing>>,
     plane: Plane,
     contact_modulus: f64,
-    /// The state that errors by wavelength are held against.
+    /// The reference state for errors by wavelength.
     reference: Option<Arc<Reference>>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
@@ -96,7 +96,7 @@ impl Stage {
         *self.ends.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether no setup describes the scene, as of what another code has found: it may have no more than one step.
+    /// Whether no setup describes the scene, as for results of other codes, which may have a single step.
     pub fn is_of_other_code(&self) -> bool {
         self.setup.is_none()
     }
@@ -145,7 +145,7 @@ impl Stage {
         self.drawings.iter().try_for_each(|drawing| drawing.log_static(to))
     }
 
-    /// Records an earlier solve, as far as this one shows the same.
+    /// Records an earlier solve, for the parts that this scene also shows.
     pub fn log_ghost(&self, to: &RecordingStream, ghost: &Ghost) -> RecordingStreamResult<()> {
         if self.what.has(Part::Traces) {
             ghost.log(to, &self.root)?;
@@ -154,7 +154,7 @@ impl Stage {
         self.drawings.iter().try_for_each(|drawing| drawing.log_earlier(to, pressure))
     }
 
-    /// What the drawings collect in a run.
+    /// The collectors of the drawings for a run.
     pub fn runs(&self) -> impl Iterator<Item = Box<dyn RunDrawing>> {
         self.drawings.iter().filter_map(|drawing| drawing.run())
     }
@@ -167,7 +167,7 @@ impl Stage {
         self.what.has_instruments().then_some(diagnosis)
     }
 
-    /// The end of a run and how good its grid is, in words.
+    /// The end of a run and the error of its grid, in words.
     pub fn result(contact: &Contact) -> String {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
@@ -197,7 +197,7 @@ impl Stage {
         self.drawings.iter().try_for_each(|drawing| drawing.log_frame(to, fields))
     }
 
-    /// How far axes must reach to show a state.
+    /// The ranges of the axes that are needed to show a state.
     pub fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
         self.drawings.iter().map(|drawing| drawing.extent(fields)).fold(FieldExtent::NONE, FieldExtent::and)
     }

@@ -1,10 +1,10 @@
-//! Work that is done beside other work.
+//! Work in the background.
 
 use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 
-/// Work on a thread of its own, which ends before the task is dropped; the default is no work.
+/// Work on a separate thread, which ends before the task is dropped. The default is no work.
 #[derive(Default)]
 pub struct BackgroundTask(Mutex<Option<JoinHandle<()>>>);
 

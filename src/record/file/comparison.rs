@@ -15,14 +15,14 @@ use std::path::Path;
 
 /// Entity of the text about the runs.
 const TEXT: &str = "/compare/runs";
-/// Observables that settle at a value above zero.
+/// Observables that converge to a value above zero.
 const SETTLING: [&str; 3] = ["relative_area", "kappa", "kappa_r"];
 /// Letters of the longest name that leaves room for curves beside the legend.
 const LONGEST_NAME: usize = 40;
 /// Room above the curves that settle at some value, over the largest of these values.
 const ROOM: f64 = 1.8;
 
-/// Writes one recording with the traces of several over each other, and behind them each as it was.
+/// Writes one recording that shows the curves of several recordings together, and each recording in its own tab.
 ///
 /// Each scene of each recording is a run. It is named by the settings that differ, or by its file if these are too
 /// many. The traces are under `/compare/OBSERVABLE/NUMBER`, the recordings under `/recording_NUMBER`, numbers from 1
@@ -50,7 +50,7 @@ struct ComparedRun<'a> {
     playback: &'a Playback,
     root: String,
     name: String,
-    /// What its setup has that those of the others have not.
+    /// The values of its setup that differ from the others.
     differences: String,
 }
 

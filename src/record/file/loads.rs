@@ -1,7 +1,8 @@
 //! Recordings over loads: curves and a figure, and for each load the contact under it.
 //!
-//! The one timeline is `load`, the number of the load from 1 on; the value of each is under `/load/value`. A time picked in a curve or on the time line shows the
-//! contacts under that load. The pictures are those of [`Recording`], on axes that all loads share.
+//! The only timeline is `load`, the number of the load from 1 on; the value of each is under `/load/value`. A time
+//! picked in a curve or on the time line shows the contacts under that load. The pictures are those of [`Recording`],
+//! on axes that all loads share.
 
 use super::output::Output;
 use super::recording::{Name, Recording, stages};
@@ -44,7 +45,7 @@ pub struct Loads<'a> {
 
 /// A recording over loads that is being written into a file, which can be opened at any time.
 ///
-/// Loads can come in any order and from several threads. Loads that never come are not shown.
+/// Loads can come in any order and from several threads. Missing loads are not shown.
 pub struct LoadRecording {
     recording: Recording,
     description: String,
@@ -63,7 +64,7 @@ struct LoadsSoFar {
 }
 
 impl LoadRecording {
-    /// Opens the file, and writes into it the layout and all that does not change from load to load.
+    /// Opens the file, and writes the layout and the static data.
     ///
     /// The part [`Part::Traces`] of the `options` means the curves, and `every` is ignored.
     ///

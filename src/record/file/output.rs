@@ -13,21 +13,22 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-/// Time by which a viewer that does not answer may hold up the end of a recording.
+/// Longest time to wait for a viewer that does not answer at the end of a recording.
 const VIEWER_TIMEOUT: Duration = Duration::from_secs(5);
-/// What the name of a recording ends in while an older one has its name.
+/// Ending of the name of an unfinished recording, if an older recording has its final name.
 const PART: &str = "part.rrd";
 /// The file of a recording that is shown only.
 const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 
 /// The file behind a recording, which can be read while it is written.
 ///
-/// Where an older file has its name, it grows beside that one, which stays whole until this one is. The file gets each message at once, and remembers the first failure, after which no more is written. (The SDK's own file sink
-/// waits for ever when the disk is full.)
+/// If an older file has its name, the new file is written beside it, and replaces it at the end. Each message is
+/// written at once. After the first failure nothing more is written. (The file sink of the SDK waits forever if the
+/// disk is full.)
 #[derive(Clone)]
 pub struct Output {
     path: Arc<Path>,
-    /// Where the file is until it is whole.
+    /// The path of the file until it is complete.
     grown_at: Arc<Path>,
     pace: FlushPace,
     /// The first failure. It has its own lock, so that reading it does not wait for a write.
@@ -42,7 +43,7 @@ struct OutputState {
     /// Bytes of whole messages in the file.
     written: u64,
     is_finished: bool,
-    /// Who looks on, and gets each message as well.
+    /// The viewer, which also gets each message.
     viewer: Option<Box<dyn LogSink>>,
 }
 
@@ -101,7 +102,7 @@ impl Output {
         })
     }
 
-    /// When what waits is written.
+    /// When waiting steps are written.
     pub(super) fn pace(&self) -> FlushPace {
         self.pace
     }

@@ -1,4 +1,4 @@
-//! When what waits is written.
+//! When waiting steps are written.
 
 use rerun::log::ChunkBatcherConfig;
 use std::time::{Duration, Instant};
@@ -10,23 +10,23 @@ const MOST: usize = 1 << 23;
 const LEAST: usize = 1 << 13;
 /// Nodes of the steps that are written first.
 const FIRST: usize = 1 << 19;
-/// The longest time that a step waits for the next ones, so that slow runs can be looked at and are not lost.
+/// The longest time that a step waits for the next ones, so that slow runs can be viewed, and are not lost.
 const LONGEST: Duration = Duration::from_secs(10);
 
-/// When what waits is written.
+/// When waiting steps are written.
 #[derive(Clone, Copy)]
 pub enum FlushPace {
     /// As steps come, so that a file does not depend on how busy the machine is. A run that is killed keeps half of its steps at the
     /// least, after the first few, and all but those of its last ten seconds where steps take long.
     Filed,
-    /// As time passes, for those who look on.
+    /// At regular times, for a live viewer.
     Watched(Duration),
 }
 
 impl FlushPace {
     /// The pace of a viewer that runs.
     pub const SHOWN: Self = Self::Watched(Duration::from_millis(200));
-    /// The pace of the explorer, in which things are turned by hand.
+    /// The pace of the interactive page.
     #[cfg(feature = "explore")]
     pub const LIVE: Self = Self::Watched(Duration::from_millis(40));
 
@@ -53,7 +53,7 @@ impl Waiting {
         Self { pace, since: Instant::now(), nodes: 0, due: FIRST }
     }
 
-    /// Adds a step on a number of nodes, and returns whether it is time to write what waits.
+    /// Counts a step on `nodes` nodes. Returns true if the waiting steps should be written now.
     pub fn add(&mut self, nodes: usize) -> bool {
         self.nodes += nodes.max(LEAST);
         let is_due = match self.pace {

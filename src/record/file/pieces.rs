@@ -9,8 +9,9 @@ use std::mem::take;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// What a recording has come to since it was asked last, for viewers inside other programs. Each piece has the head of a stream,
-/// which a viewer needs; one behind the other they are the recording, as far as it has come. Its name is in the first one alone.
+/// The new data of a recording since the last request, for viewers inside other programs. Each piece has the head of a
+/// stream, which a viewer needs; one behind the other they are the recording, as far as it has come. Its name is in the
+/// first one alone.
 #[derive(Clone, Default)]
 pub struct Pieces(Arc<Mutex<Vec<LogMsg>>>);
 

@@ -7,8 +7,9 @@ use crate::contact::{Contact, Failure, Observer, Problem, Solver, Step, Stop, Wi
 use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 
-/// Records the steps of one scene, as far as the options ask for it: numbers at every step, fields at those that they
-/// pick and at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are recorded.
+/// Records the steps of one scene with the given options: numbers at every step, fields at selected steps and at the
+/// last step of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are
+/// recorded.
 ///
 /// The solver continues while a thread writes its states, with a delay of at most a few states. A failure to write ends
 /// the run at one of the next steps or at its end.
@@ -30,7 +31,7 @@ impl Recording {
 }
 
 impl Recorder<'_> {
-    /// The writer, once it has written all that was shown; none after a panic.
+    /// The writer, after it has written everything; none after a panic.
     fn writer(&mut self) -> Option<&mut Writer> {
         if let Some(worker) = self.worker.take() {
             self.writer = Some(worker.end().unwrap_or_else(|panic| resume_unwind(panic)));
@@ -71,7 +72,7 @@ impl Observer for Recorder<'_> {
     }
 }
 
-/// A run that ended without a contact still keeps its numbers.
+/// A run that ended without a contact keeps its numbers.
 impl Drop for Recorder<'_> {
     fn drop(&mut self) {
         let written = self.worker.take().and_then(|worker| worker.end().ok());

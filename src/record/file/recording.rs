@@ -119,13 +119,13 @@ impl Recording {
         self.flush()
     }
 
-    /// What writes the solve of scene number `scene`.
+    /// The writer for the solve of scene number `scene`.
     pub(super) fn writer(&self, scene: usize) -> Writer {
         let target = (self.stream.clone(), self.output.clone());
         Writer::new(target, (Arc::clone(&self.stages), scene), Arc::clone(&self.statics), self.options.every)
     }
 
-    /// Waits until the layout and all that does not change are written.
+    /// Waits until the layout and the static data are written.
     pub(super) fn wait_for_statics(&self) {
         self.statics.wait();
     }
@@ -143,7 +143,7 @@ impl Recording {
     }
 }
 
-/// Writes all that does not change from step to step.
+/// Writes the static data.
 fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>) -> RecordingStreamResult<()> {
     for stage in stages {
         stage.log_static(stream)?;
@@ -154,13 +154,13 @@ fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>)
     Ok(())
 }
 
-/// What a recording is called.
+/// The names of a recording.
 pub struct Name {
     /// The title.
     title: String,
     /// The application to which the viewer keeps a layout: recordings with layouts of their own have each its own.
     application: String,
-    /// The identity for programs, if it is not left to chance.
+    /// The identity for programs, if it is not random.
     id: Option<String>,
 }
 

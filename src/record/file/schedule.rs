@@ -3,8 +3,8 @@
 use crate::grid::Grid;
 use std::collections::BTreeMap;
 
-/// Frames that grow ever sparser: all of the first `dense` steps, then `per_decade` frames for ten times as many steps;
-/// fewer on coarse grids.
+/// Frames that become less frequent: all of the first `dense` steps, then `per_decade` frames for ten times as many
+/// steps; fewer on coarse grids.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Schedule {
     dense: usize,

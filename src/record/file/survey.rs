@@ -1,4 +1,4 @@
-//! Recordings of what heights are like.
+//! Recordings of surveys of heights.
 
 use super::output::Output;
 use super::recording::{Name, stream};

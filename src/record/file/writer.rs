@@ -1,4 +1,4 @@
-//! What is written of a solve, step by step.
+//! The writer of a solve, step by step.
 
 use super::background_task::BackgroundTask;
 use super::output::Output;
@@ -24,10 +24,11 @@ const LOWEST: f64 = 4.0;
 /// The highest pressure of a frame over that of the frame before from which on it grows.
 const GROWING: f64 = 1.05;
 
-/// Writes the solve of one scene, as far as the options ask for it: numbers at every step, fields at those that they pick and
-/// at the last one of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are written.
+/// Writes the solve of one scene with the given options: numbers at every step, fields at selected steps and at the
+/// last step of each coarse grid. Of steps on a grid that is no coarser version of the scene's only numbers are
+/// written.
 ///
-/// A failure is kept by the output, after which no more is written.
+/// After a failure, which the output stores, nothing more is written.
 pub struct Writer {
     stream: RecordingStream,
     output: Output,
@@ -79,7 +80,7 @@ impl Writer {
         }
     }
 
-    /// Writes who solves.
+    /// Writes the name of the solver.
     pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
         self.run = description::of_run(solver, stop);
         self.steps.begin(solver, problem, stop);
@@ -90,7 +91,7 @@ impl Writer {
         });
     }
 
-    /// Writes a step, and has it in the file soon, at the pace of the output.
+    /// Writes a step; it reaches the file at the pace of the output.
     pub fn step(&mut self, step: &Step<'_>) {
         self.attempt(|writer| writer.record(step));
         if self.waiting.add(step.problem().surface().grid().len()) {

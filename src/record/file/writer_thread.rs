@@ -6,7 +6,8 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Bytes of the states that are on their way, unless a single one takes more: some steps of a line, one of a surface.
+/// Largest size of the waiting states in bytes (or one state, if it is larger): some steps of a line, one step of a
+/// surface.
 const MOST_BYTES: usize = 5 << 20;
 /// FrameFields of a state.
 const FIELDS: usize = 2;
@@ -17,7 +18,7 @@ const PARTS: usize = 3;
 /// The time after which states are handed over however few they are.
 const PATIENCE: Duration = Duration::from_millis(10);
 
-/// A writer on a thread of its own, to which few states are on their way at a time.
+/// A writer on a separate thread, with a short queue of states.
 ///
 /// Nothing is dropped: the solver waits if the writer is more than these states behind. The memory of written states is used again.
 pub struct WriterThread {
@@ -34,7 +35,7 @@ pub struct WriterThread {
 }
 
 impl WriterThread {
-    /// Sets a writer to work.
+    /// Starts a writer.
     pub fn start(writer: Writer) -> Self {
         let states = (MOST_BYTES / (writer.nodes() * FIELDS * size_of::<f64>())).clamp(1, MOST_STATES);
         let (sender, unwritten) = channel();
@@ -50,7 +51,7 @@ impl WriterThread {
         }
     }
 
-    /// Has a step written, as soon as there is memory for it; false if the writer is gone, having panicked.
+    /// Queues a step for writing, when there is memory for it. Returns false if the writer has panicked.
     pub fn step(&mut self, step: &Step<'_>) -> bool {
         let Some(state) = self.copy(step) else { return false };
         self.next.push(state);

@@ -9,8 +9,8 @@ use rerun::{RecordingStream, RecordingStreamResult};
 /// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the
 /// timeline that is active at first with its frames per second.
 ///
-/// Views of curves keep the ground of the viewer, as numbers, grid and legend are drawn in the colours of the viewer, which no
-/// recording can set: on a ground of our own they would be unreadable in the other theme.
+/// Views of curves keep the background of the viewer, because numbers, grid and legend have the colours of the viewer,
+/// which a recording cannot set. On another background they would be unreadable in one of the themes.
 pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingStream) -> RecordingStreamResult<()> {
     let Some(shown) = recording.store_info() else { return Ok(()) };
     let (store, storage) = layout(shown.application_id())?;
@@ -103,7 +103,7 @@ impl Blueprint {
     }
 }
 
-/// Store and storage hold one another: unless they are parted, both stay for ever, and two threads with them.
+/// Store and storage refer to each other: unless the cycle is broken, both are never freed, and two threads never end.
 impl Drop for Blueprint {
     fn drop(&mut self) {
         self.store.disconnect();

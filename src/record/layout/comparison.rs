@@ -1,4 +1,4 @@
-//! The layout of a comparison: the curves of all runs over each other, and behind them each recording as it was.
+//! The layout of a comparison: the curves of all runs together, and each recording in its own tab.
 
 use super::blueprint::send;
 use super::steps::FRAMES_PER_SEC;

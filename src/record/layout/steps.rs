@@ -17,7 +17,8 @@ const PICTURES_OF_SURFACE: f32 = 2.1;
 const NARROW: f32 = 0.65;
 /// Height of the stress below a line, whose proportions are those in space, beside pictures of the height 1.
 const STRESS: f32 = 1.4;
-/// The least height of a row of pictures or curves, in points of the window: where rows would be lower, some of them become tabs.
+/// The smallest height of a row of pictures or curves, in points of the window. If rows would be lower, some of them
+/// become tabs.
 const LEAST_ROW: f64 = 200.0;
 /// Rows of the curves of a scene.
 const ROWS_OF_CURVES: usize = 3;

@@ -1,4 +1,4 @@
-//! The panels of a figure, drawn as on paper but on the ground of the recording, with a cursor at the current load.
+//! The panels of a figure, drawn as on paper but on the background of the recording, with a cursor at the current load.
 
 use crate::plot::{Align, Figure, Panel, Sheet, drawing_of, frame_in};
 use crate::record::draw::ink::canvas::{self, PANE};

@@ -1,5 +1,4 @@
-//! Colours: those of pictures by their ground, those of curves that the viewer draws on a ground of its own, and continuous
-//! maps.
+//! Colours: of pictures, by background; of curves, which the viewer draws on its own background; and continuous maps.
 
 use crate::plot::Colour;
 use crate::record::draw::ink::contrast::{LEAST_CONTRAST, contrast};
@@ -10,9 +9,9 @@ use rerun::{AnnotationContext, AnnotationInfo, Color};
 
 /// Exact values among the curves of the viewer, seen on its dark ground and on its light one.
 pub const EXACT: Colour = Colour::GREEN;
-/// An earlier solve, on either ground.
+/// An earlier solve, on both backgrounds.
 pub const GHOST: Colour = Colour([0x80, 0x86, 0x92]);
-/// What stands in the background, on either ground.
+/// Background curves, on both backgrounds.
 pub const FAINT: Colour = Colour([0x6b, 0x70, 0x7c]);
 /// Curves of the viewer that stand side by side, on either ground; green is left to exact values.
 pub const SERIES: [Colour; 6] = [
@@ -35,7 +34,7 @@ pub const CONTOUR: Colour = Colour::WHITE;
 /// Steps from a colour to that of words.
 const SHADES: u16 = 20;
 
-/// The colours of pictures on one ground.
+/// The colours of pictures on one background.
 #[derive(Debug, PartialEq)]
 pub struct Palette {
     pub ground: Colour,

@@ -1,4 +1,4 @@
-//! Waterfalls: a quantity step by step against the wavelength, in decades.
+//! Waterfalls: a quantity by step and wavelength, in decades.
 
 use crate::diagnosis::{Bands, Diagnosis, History, SpectrogramRow};
 use crate::plot::Axis;
@@ -87,7 +87,7 @@ impl Waterfall {
 /// Waterfalls of a scene.
 pub struct Waterfalls(pub Vec<Waterfall>);
 
-/// The drawing of the errors of pressure and displacement, if there is a state to hold them against.
+/// The drawing of the errors of pressure and displacement, if there is a reference state.
 pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     subject.scene.reference.as_ref()?;
     let pressure = WaterfallQuantity {

@@ -15,7 +15,7 @@ use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 pub struct ContactSegments {
     plane: LinePlane,
     title: String,
-    /// Whether the contact has a pane of its own, for want of others to lie in.
+    /// Whether the contact needs its own pane, because there are no other pictures.
     is_alone: bool,
 }
 
