@@ -6,10 +6,13 @@
     reason = "fields are the values in the sentence of their variant, and a wrapped error speaks for itself"
 )]
 
+mod file;
 mod input;
 mod preparation;
 mod study;
 
+pub use file::FileError;
+pub(crate) use file::reason;
 pub use preparation::PreparationError;
 pub use study::StudyError;
 
@@ -230,12 +233,6 @@ pub enum SlipError {
     NeedsPressure { load: String },
 }
 
-/// The reason of the system, without its error number.
-pub(crate) fn reason(error: &std::io::Error) -> String {
-    let words = error.to_string();
-    words.split(" (os error").next().unwrap_or_default().to_owned()
-}
-
 /// A sentence on elastic constants that are missing, or that do not fit the number of bodies.
 fn bodies_in_words(young: usize, poisson: usize) -> String {
     match (young, poisson) {
@@ -423,29 +420,4 @@ pub enum SetupError {
         free.map_or("more than the system allows".into(), |free| format!("and {} are free", bytes_in_words(free)))
     )]
     Memory { shape: [usize; 2], what: String, needed: f64, free: Option<f64> },
-}
-
-/// A file that cannot be read or written.
-#[derive(Debug, thiserror::Error)]
-pub enum FileError {
-    /// The file is missing or unreadable.
-    #[error("cannot read {}: {}", path.display(), reason(source))]
-    Read { path: PathBuf, source: std::io::Error },
-    /// The file has the wrong content.
-    #[error("{} is not a valid {what} file: {reason}", path.display())]
-    Format { path: PathBuf, what: &'static str, reason: String },
-    /// The file is not a recording, or it contains nothing to compare.
-    #[error("{} cannot be compared: {reason}", path.display())]
-    Incomparable { path: PathBuf, reason: String },
-    /// The output cannot be created at this place.
-    #[error("cannot write {}: {reason}", path.display())]
-    Target { path: PathBuf, reason: String },
-    /// Writing failed.
-    #[error("writing {} failed: {}", path.display(), reason(source))]
-    Write { path: PathBuf, source: std::io::Error },
-    /// No suitable viewer is installed.
-    #[error(
-        "no Rerun viewer can be started: install one with `pip install rerun-sdk`, {version} or newer, or write a file with --record"
-    )]
-    NoViewer { version: String },
 }

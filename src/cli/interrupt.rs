@@ -33,19 +33,29 @@ pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
     Ok(is_over)
 }
 
-/// Ctrl-C, and the request of the system to end, which are taken from the moment that this is made.
-#[cfg(unix)]
+/// Ctrl-C, and on Unix the request of the system to end. Both are taken from the moment that this is made.
 struct Requests {
+    #[cfg(unix)]
     interruption: Signal,
+    #[cfg(unix)]
     termination: Signal,
+    #[cfg(windows)]
+    interruption: tokio::signal::windows::CtrlC,
 }
 
-#[cfg(unix)]
 impl Requests {
     fn new() -> io::Result<Self> {
-        Ok(Self { interruption: signal(SignalKind::interrupt())?, termination: signal(SignalKind::terminate())? })
+        Ok(Self {
+            #[cfg(unix)]
+            interruption: signal(SignalKind::interrupt())?,
+            #[cfg(unix)]
+            termination: signal(SignalKind::terminate())?,
+            #[cfg(windows)]
+            interruption: tokio::signal::windows::ctrl_c()?,
+        })
     }
 
+    #[cfg(unix)]
     async fn next(&mut self) {
         poll_fn(|context| match self.interruption.poll_recv(context) {
             Poll::Ready(_) => Poll::Ready(()),
@@ -53,20 +63,10 @@ impl Requests {
         })
         .await;
     }
-}
 
-/// Ctrl-C, which is taken from the moment that this is made.
-#[cfg(windows)]
-struct Requests(tokio::signal::windows::CtrlC);
-
-#[cfg(windows)]
-impl Requests {
-    fn new() -> io::Result<Self> {
-        tokio::signal::windows::ctrl_c().map(Self)
-    }
-
+    #[cfg(windows)]
     async fn next(&mut self) {
-        self.0.recv().await;
+        self.interruption.recv().await;
     }
 }
 

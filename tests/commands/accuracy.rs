@@ -103,7 +103,10 @@ fn rough_scenes_are_held_against_finer_grids_and_theories() {
     let (scene, sides, repeats) = (AccuracyScene::RoughLine, vec![512, 1024], NonZeroUsize::MIN);
     let experiment = Experiment { scene, sides, seed: 3, stop, reference, repeats };
     let findings = experiment.run(|_| Box::new(())).unwrap();
-    assert!(findings.is_converged(&stop) && findings.to_string().contains("errors against 4096 points"), "{findings}");
+    assert!(
+        findings.is_converged(&stop) && findings.to_string().contains("errors compared with 4096 points"),
+        "{findings}"
+    );
     let theories: Vec<&str> = findings.models.iter().map(|model| model.theory).collect();
     assert_eq!(theories, ["Persson", "Bush-Gibson-Thomas", "Greenwood-Williamson"]);
 }

@@ -59,7 +59,7 @@ fn a_recording_that_was_cut_off_says_so() {
     signalled(&folder, &run, "-KILL", || size(&path) > 1_000_000);
     let cut = folder.run("solve --setup-of run.rrd --dry-run");
     assert_eq!(cut.status.code(), Some(0), "{}", text(&cut.stderr));
-    assert!(text(&cut.stderr).contains("warning: run.rrd was cut off"), "{}", text(&cut.stderr));
+    assert!(text(&cut.stderr).contains("warning: run.rrd is incomplete: it was cut off"), "{}", text(&cut.stderr));
     let whole = folder.run(&format!("solve {CYLINDER} --reduced-pressure 0.01 --record whole.rrd"));
     assert_eq!(whole.status.code(), Some(0));
     assert!(!text(&folder.run("solve --setup-of whole.rrd --dry-run").stderr).contains("cut off"));

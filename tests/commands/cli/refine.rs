@@ -74,7 +74,7 @@ fn grids_that_cannot_be_found_are_refused() {
         (format!("{HILLS} --refine 0"), "the refinement is 0"),
         (format!("{HILLS} --area-tolerance 0.1"), "an area tolerance needs refine = auto or points = auto"),
         (format!("{HILLS} --refine auto --area-tolerance -1"), "the tolerance of the area is -1"),
-        (format!("{HILLS},3e-5 --refine auto"), "a grid is found under one load, but several are given"),
+        (format!("{HILLS},3e-5 --refine auto"), "--refine auto needs one load, but several are given"),
         (format!("--points auto,64 {rough}"), "points are auto along some axes only"),
         (
             "--points auto --indenter cylinder --radius 1 --size 4 --reduced-pressure 0.1".into(),

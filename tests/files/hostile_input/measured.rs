@@ -43,7 +43,7 @@ fn files_that_are_cut_short_are_refused() {
     for (name, file) in all.map(cut) {
         refuse_files(&[(&name, file, "is not a valid height file: ")]);
     }
-    refuse_files(&[("cut.xyz", b"# x (m), y (m), z (m)\n0 0 1\n0 1 2\n1 0 3\n1".into(), "line 5 holds 1 numbers")]);
+    refuse_files(&[("cut.xyz", b"# x (m), y (m), z (m)\n0 0 1\n0 1 2\n1 0 3\n1".into(), "line 5 has 1 numbers")]);
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn files_of_wrong_units_are_refused() {
         ("a.plu", changed(plu::file(), &2_f32.to_le_bytes(), &(-2_f32).to_le_bytes()), "-2"),
         ("a.sdf", unit("Xscale = 2.0e-006", "Xscale = -1"), "-1"),
         ("b.sdf", unit("Zscale = 1.0e-9", "Zscale = one"), "one"),
-        ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "0.0 apart"),
+        ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "a spacing of 0.0"),
     ]);
 }
 

@@ -295,7 +295,7 @@ fn friction_and_stress_that_cannot_be_are_refused() {
     refuse_in_one_sentence(&folder, &apart, "give a mean pressure");
     let line_in_metres = "solve --indenter cylinder --radius 1m --points 64 --size 1m --modulus 1GPa --friction 0.5";
     for (load, tangential, form) in [
-        ("--force 500kN/m", "100kPa", "which is a force: give a force as well"),
+        ("--force 500kN/m", "100kPa", "which is a force: give a force"),
         ("--pressure 1MPa", "1N", "which is a mean-pressure: give a mean-pressure as well"),
         ("--reduced-pressure 0.01", "100kPa", "which is a reduced-pressure"),
     ] {
@@ -336,7 +336,7 @@ fn arguments_that_do_not_belong_are_refused() {
         refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {arguments} {LOAD}"), offence);
     }
     assert!(refuse(&folder, &format!("solve {ROUGH} --radius 1 {LOAD}")).contains("--indenter"));
-    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --unload"), "there is one");
+    refuse_in_one_sentence(&folder, &format!("solve {CYLINDER} {LOAD} --unload"), "but one is given");
 }
 
 #[test]

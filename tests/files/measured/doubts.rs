@@ -166,7 +166,7 @@ fn an_error_in_the_first_line_of_a_matrix_is_no_head() {
     let rows = "1 2 3 4\n5 6 7 8\n9 9 9 9\n";
     for first in ["1 2 3x 4", "a 2 3 4"] {
         let error = Measurement::from_bytes(format!("{first}\n{rows}").as_bytes(), None).map(|it| it.height.dim());
-        assert!(error.as_ref().is_err_and(|error| error.to_string().starts_with("line 1 holds")), "{first}: {error:?}");
+        assert!(error.as_ref().is_err_and(|error| error.to_string().starts_with("line 1 has")), "{first}: {error:?}");
     }
     assert_eq!(Measurement::from_bytes(format!("a b c d\n{rows}").as_bytes(), None).unwrap().height.dim(), (3, 4));
 }

@@ -57,7 +57,7 @@ fn al3d() {
     let early = changed(&file, b"689\0", b"600\0");
     assert_eq!(reason(&early), "its depth image cannot be at byte 600, where the header is");
     assert!(
-        reason(&file[..file.len() - 10]).starts_with("it holds 18 heights"),
+        reason(&file[..file.len() - 10]).starts_with("it contains 18 heights"),
         "{}",
         reason(&file[..file.len() - 10])
     );
@@ -242,7 +242,7 @@ fn sdf_that_is_refused() {
     );
     assert_eq!(reason(&changed(&file, b"BAD", b"BUD")), "its heights contain \"BUD\"");
     assert!(reason(&changed(&file, b"1.0e-9", b"0")).contains("a unit of its heights is 0.0 metres"));
-    assert!(reason(&changed(&file, b"NumPoints = 5", b"NumPoints = 6")).starts_with("it holds 20 heights"));
+    assert!(reason(&changed(&file, b"NumPoints = 5", b"NumPoints = 6")).starts_with("it contains 20 heights"));
     let binary = sdf::fixed("ISO-1.0", 9, vec![0; 20]);
     assert_eq!(reason(&binary), "its heights are of the type 9, which ISO 25178-71 does not know");
 }
