@@ -21,7 +21,7 @@
 //! let forces = exact.pressure * grid.spacing()[1];
 //! let claim = Claim::new(surface, ContactModulus(1.0), Some(Load::MeanPressure(0.01)), Quantity::Pressure, &forces)?;
 //! let mistakes = claim.mistakes(&[]);
-//! assert!(mistakes[0].sentence.starts_with("the pressures are forces per width"));
+//! assert!(mistakes[0].sentence.starts_with("the pressures are forces per unit width"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
