@@ -64,6 +64,7 @@ impl SetupTable {
         let kind = self.find("load").and_then(toml::Value::as_table).and_then(|load| load.keys().next().cloned());
         let (Some(text), Some(kind)) = (text, kind) else { return Ok(()) };
         let wrong = |_| {
+            let kind = kind.replace('-', " ");
             let reason =
                 format!("{text:?} is not of the same kind as the normal load, which is a {kind}: give a {kind}");
             SetupError::Text { place: format!("{PATH}: "), reason }

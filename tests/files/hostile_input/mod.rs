@@ -296,8 +296,8 @@ fn friction_and_stress_that_cannot_be_are_refused() {
     let line_in_metres = "solve --indenter cylinder --radius 1m --points 64 --size 1m --modulus 1GPa --friction 0.5";
     for (load, tangential, form) in [
         ("--force 500kN/m", "100kPa", "which is a force: give a force"),
-        ("--pressure 1MPa", "1N", "which is a mean-pressure: give a mean-pressure as well"),
-        ("--reduced-pressure 0.01", "100kPa", "which is a reduced-pressure"),
+        ("--pressure 1MPa", "1N", "which is a mean pressure: give a mean pressure"),
+        ("--reduced-pressure 0.01", "100kPa", "which is a reduced pressure"),
     ] {
         refuse_in_one_sentence(&folder, &format!("{line_in_metres} {load} {OUTPUTS} --tangential {tangential}"), form);
     }
