@@ -28,7 +28,7 @@ pub struct Contact {
     pub gap: Field,
     /// Error bounds of this pressure, computed with a separate transform pair.
     pub certificate: Certificate,
-    /// Area and gradient of the contact on the next coarser grid, if the solver went over one.
+    /// Area and gradient of the contact on the next coarser grid, if the solver found it there, to a certificate of 0.1.
     pub coarser: Option<Resolved>,
     /// Work done.
     pub work: Work,

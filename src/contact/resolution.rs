@@ -19,9 +19,10 @@ const MOST_LEVEL: f64 = 0.5;
 /// How well a grid resolves a contact: the size of its patches, and the estimated errors of area and `kappa_r` compared
 /// with an infinitely fine grid of the same surface. All values are dimensionless.
 ///
-/// The errors are estimates, not bounds. If the solver has used the next coarser grid, they are half of the difference
-/// between the resolved values of the two grids, which for errors of second order is three times the error, and half of
-/// that between resolved and corrected values; else they are all of the latter. The error of `kappa_r` is the sum of
+/// The errors are estimates, not bounds. If the solver has found the contact on the next coarser grid too (to a
+/// certificate of 0.1), they are half of the difference between the resolved values of the two grids, which for errors
+/// of second order is three times the error, and half of that between resolved and corrected values; else they are all
+/// of the latter. The error of `kappa_r` is the sum of
 /// those of area and gradient, which may cancel in it. They do not contain the effect of wavelengths that are too short
 /// for the grid.
 ///

@@ -45,7 +45,7 @@ pub struct Run<'a, P = Vec<f64>> {
     iterations: usize,
     patience: usize,
     failure: Option<Failure>,
-    /// Area and gradient of the contact on the next coarser grid, if the solver went over one.
+    /// Area and gradient of the contact on the next coarser grid, see [`Contact::coarser`].
     pub(super) coarser: Option<Resolved>,
     /// The best state found.
     pub(super) best: Best<P>,

@@ -405,6 +405,19 @@ fn the_area_of_yielded_contacts_is_known_on_coarse_grids() {
     }
 }
 
+/// A case in which the sets of whole-set updates recur: the guard then needs few steps. It took 326 transforms when its steps
+/// followed the gradient.
+#[test]
+fn recurring_sets_cost_few_transforms() {
+    let points = 1 << 14;
+    let spectrum =
+        Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 64.0 / f64::from(points), rms_gradient: 0.1 };
+    let surface = Surface::rough(Grid::line(points as usize, 1.0).unwrap(), &spectrum, 3).unwrap();
+    let wall = Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.2)).unwrap();
+    let contact = solve(&Multilevel, &below(&wall, 0.022), 1e-8);
+    assert!(contact.work.transforms < 280, "{} transforms", contact.work.transforms);
+}
+
 /// The highest load is applied twice, on the way up and back: what is told of both is the same, and over the gradient of the start.
 #[test]
 fn a_load_curve_has_one_meaning_up_and_back() {

@@ -8,7 +8,7 @@ use crate::contact::Status;
 use crate::contact::bound::{is_uniform, to_bound};
 use crate::contact::feasible::nearest;
 
-/// Parts of a Newton step that are tried, the first of which nearly always lowers `f`.
+/// Parts of a Newton step that are tried in this order. The first one nearly always lowers `f`.
 const NEWTON_PARTS: [f64; 6] = [1.0, 0.25, 0.0625, 1.6e-2, 4e-3, 1e-3];
 
 impl Level<'_> {
@@ -36,8 +36,11 @@ impl Level<'_> {
         None
     }
 
-    /// A projected Newton step, and whether it was taken: the correction of the free nodes, projected onto the pressures between the bounds
-    /// that carry the load of these nodes, or a part of it, so that `f` falls. Returns also why the run is to end, if it is.
+    /// A projected Newton step on the free nodes `F`. With the correction `d` that solves `A_FF d = lambda - v`, it goes
+    /// towards `min(max(p + a d - t, 0), H_c)`, where the shift `t` keeps the load of `F` and is 0 at a given mean gap,
+    /// for the first part `a` of [`NEWTON_PARTS`] with which `f` falls.
+    ///
+    /// Returns why the run is to end, if it is, and whether the step was taken.
     fn newton_step(&mut self, watch: &mut InnerStepCallback<'_>) -> (Option<Status>, bool) {
         let (ceiling, u) = (self.ceiling(), self.u.clone());
         let free = self.pressure.free(ceiling);
