@@ -64,5 +64,5 @@ fn number(value: &Value) -> Option<f64> {
 /// Whether a quantity, or a range of them such as `1e5..1e6:4`, ends in a unit.
 fn has_unit(word: &str) -> bool {
     let last = word.split(':').next().and_then(|ends| ends.rsplit("..").next()).unwrap_or(word).trim();
-    last.ends_with(|letter: char| letter.is_alphabetic()) && last.parse::<f64>().is_err()
+    last.contains(char::is_alphabetic) && last.parse::<f64>().is_err()
 }

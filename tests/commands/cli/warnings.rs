@@ -188,6 +188,9 @@ fn numbers_without_units_beside_units_are_refused() {
     let lengths =
         folder.run("solve --indenter sphere --radius 1mm --points 32,32 --size 2 --modulus 1GPa --pressure 1MPa");
     assert!(lengths.status.code() == Some(2) && text(&lengths.stderr).contains("every length"), "{lengths:?}");
+    // a unit may end in a digit
+    let per_area = folder.run(&format!("{line} --young 210GPa --pressure 1N/mm2"));
+    assert_eq!(per_area.status.code(), Some(0), "{}", text(&per_area.stderr));
     // a saved scene has numbers in SI, over which a flag may lay a quantity with a unit
     let saved = folder.run(&format!("{line} --young 210GPa --pressure 1GPa --save-setup scene.toml"));
     assert_eq!(saved.status.code(), Some(0), "{}", text(&saved.stderr));
