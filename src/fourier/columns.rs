@@ -1,7 +1,8 @@
 //! The columns of a matrix that is stored row by row, transformed in place.
 
-use super::Complex;
+use super::Real;
 use super::worker::{Worker, share};
+use rustfft::num_complex::Complex;
 use ndarray::{ArrayViewMut2, Axis, ShapeBuilder};
 
 /// Columns that are copied out, worked on and copied back together: two cache lines of each row. Fewer would copy lines in
@@ -17,11 +18,11 @@ pub(super) fn band_len(rows: usize) -> usize {
 /// of a worker, and stores what it leaves.
 ///
 /// Workers need bands of [`band_len`].
-pub(super) fn for_each_column(
-    matrix: &mut [Complex],
+pub(super) fn for_each_column<T: Real>(
+    matrix: &mut [Complex<T>],
     width: usize,
-    workers: &mut [Worker],
-    work: impl Fn(usize, &mut [Complex], &mut [f64], &mut [Complex]) + Sync + Send,
+    workers: &mut [Worker<T>],
+    work: impl Fn(usize, &mut [Complex<T>], &mut [T], &mut [Complex<T>]) + Sync + Send,
 ) {
     let rows = matrix.len() / width;
     let per_worker = width.div_ceil(workers.len()).next_multiple_of(BAND);
@@ -41,6 +42,6 @@ pub(super) fn for_each_column(
 }
 
 /// A band with its columns one after the other.
-fn by_columns(band: &mut [Complex], (rows, columns): (usize, usize)) -> ArrayViewMut2<'_, Complex> {
+fn by_columns<T>(band: &mut [Complex<T>], (rows, columns): (usize, usize)) -> ArrayViewMut2<'_, Complex<T>> {
     ArrayViewMut2::from_shape((rows, columns).strides((1, rows)), band).expect("room for the band")
 }

@@ -1,5 +1,6 @@
 //! Fields filtered in Fourier space.
 
+use super::Real;
 use super::line::LineFilter;
 use super::long_line::LongLineFilter;
 use super::surface::SurfaceFilter;
@@ -13,10 +14,10 @@ use crate::grid::Grid;
 /// Fields are passed row by row, so that they need not exist as a whole: see [`rows`](Self::rows).
 ///
 /// Memory: one half spectrum (about one real field) and scratch for some rows and columns per thread.
-pub(crate) enum Filter {
-    Surface(SurfaceFilter),
-    Line(LineFilter),
-    LongLine(LongLineFilter),
+pub(crate) enum Filter<T: Real = f64> {
+    Surface(SurfaceFilter<T>),
+    Line(LineFilter<T>),
+    LongLine(LongLineFilter<T>),
 }
 
 /// `$call` on the filter of whichever kind.
@@ -31,6 +32,16 @@ macro_rules! each_kind {
 }
 
 impl Filter {
+    /// Wave numbers along y and x, below or at Nyquist, of each place in the tables of the filter of a grid.
+    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+        if !grid.is_line() {
+            return SurfaceFilter::places(grid);
+        }
+        LongLineFilter::places(grid).unwrap_or_else(|| LineFilter::places(grid))
+    }
+}
+
+impl<T: Real> Filter<T> {
     /// Plans the transforms of fields on `grid`.
     pub fn new(grid: &Grid) -> Self {
         Self::with_used_rows(grid, grid.shape()[0])
@@ -43,14 +54,6 @@ impl Filter {
             return Self::Surface(SurfaceFilter::new(grid, used_rows));
         }
         LongLineFilter::new(grid).map_or_else(|| Self::Line(LineFilter::new(grid)), Self::LongLine)
-    }
-
-    /// Wave numbers along y and x, below or at Nyquist, of each place in the tables of the filter of a grid.
-    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
-        if !grid.is_line() {
-            return SurfaceFilter::places(grid);
-        }
-        LongLineFilter::places(grid).unwrap_or_else(|| LineFilter::places(grid))
     }
 
     /// The number of rows in which fields come and go, and their length. Rows follow each other without gaps; those of a
@@ -66,7 +69,7 @@ impl Filter {
     }
 
     /// Takes the field whose row `r` is written by `fill(r, row)`; what `row` holds before is undefined.
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
         each_kind!(self, filter => filter.load(fill))
     }
 
@@ -79,7 +82,7 @@ impl Filter {
     ///
     /// # Panics
     /// If there is not one sink per row.
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync + Send) {
         assert_eq!(sinks.len(), self.rows()[0], "one sink per row");
         each_kind!(self, filter => filter.store(sinks, store))
     }

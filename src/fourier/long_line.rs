@@ -1,10 +1,11 @@
 //! A long line, filtered on all cores.
 
-use super::Complex;
+use super::Real;
 use super::columns::{band_len, for_each_column};
 use super::wave::Wave;
 use super::worker::{Worker, share};
 use crate::grid::Grid;
+use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -25,20 +26,28 @@ const FEWEST_ROWS: usize = 32;
 ///
 /// which leaves `Z_k` in row `k1` and column `k2`. The modes of the field are sums of `Z_k` and `conj Z_(N-k)`, which lies in
 /// row `n1 - k1`: so pairs of rows are transformed, scaled and transformed back on their own.
-pub(crate) struct LongLineFilter {
+pub(crate) struct LongLineFilter<T: Real = f64> {
     shape: [usize; 2],
-    forward: [Arc<dyn Fft<f64>>; 2],
-    inverse: [Arc<dyn Fft<f64>>; 2],
-    twiddles: Twiddles,
-    modes: Modes,
-    z: Vec<Complex>,
-    workers: Vec<Worker>,
+    forward: [Arc<dyn Fft<T>>; 2],
+    inverse: [Arc<dyn Fft<T>>; 2],
+    twiddles: Twiddles<T>,
+    modes: Modes<T>,
+    z: Vec<Complex<T>>,
+    workers: Vec<Worker<T>>,
 }
 
 impl LongLineFilter {
+    /// Wave numbers along y and x of each place, if the line can be cut.
+    pub fn places(grid: &Grid) -> Option<Vec<[usize; 2]>> {
+        let [n1, n2] = cut(grid)?;
+        Some((0..=n1).flat_map(|k1| (0..n2).map(move |k2| [0, k1 + n1 * k2])).collect())
+    }
+}
+
+impl<T: Real> LongLineFilter<T> {
     /// Plans the transforms, if `grid` is a line that is long enough and can be cut into rows.
     pub fn new(grid: &Grid) -> Option<Self> {
-        let (n, shape) = (grid.len(), Self::cut(grid)?);
+        let (n, shape) = (grid.len(), cut(grid)?);
         let mut planner = FftPlanner::new();
         let forward = shape.map(|n| planner.plan_fft_forward(n));
         let inverse = shape.map(|n| planner.plan_fft_inverse(n));
@@ -49,32 +58,16 @@ impl LongLineFilter {
             inverse,
             twiddles: Twiddles::new(shape),
             modes: Modes::new(shape, TAU / grid.size()[1]),
-            z: vec![Complex::default(); n / 2],
+            z: vec![Complex::new(T::zero(), T::zero()); n / 2],
             workers: Worker::crew(n, shape[0], [2 * shape[1], band_len(shape[0]).max(shape[1]), scratch]),
         })
-    }
-
-    /// Rows and columns of the matrix of a line that is long enough and can be cut.
-    fn cut(grid: &Grid) -> Option<[usize; 2]> {
-        let n = grid.len();
-        if !grid.is_line() || n < SHORTEST || n % 2 == 1 {
-            return None;
-        }
-        let n1 = (FEWEST_ROWS..=(n / 2).isqrt()).rev().find(|n1| (n / 2).is_multiple_of(*n1))?;
-        Some([n1, n / 2 / n1])
-    }
-
-    /// Wave numbers along y and x of each place, if the line can be cut.
-    pub fn places(grid: &Grid) -> Option<Vec<[usize; 2]>> {
-        let [n1, n2] = Self::cut(grid)?;
-        Some((0..=n1).flat_map(|k1| (0..n2).map(move |k2| [0, k1 + n1 * k2])).collect())
     }
 
     pub fn rows(&self) -> [usize; 2] {
         [self.shape[0], 2 * self.shape[1]]
     }
 
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks_mut(per_worker * n2).zip(&mut self.workers).enumerate();
@@ -86,7 +79,7 @@ impl LongLineFilter {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync + Send) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks(per_worker * n2).zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
@@ -102,11 +95,11 @@ impl LongLineFilter {
         let n2 = self.shape[1];
         for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
-            self.twiddles.column(j2).zip(column).for_each(|(w, z)| *z *= w);
+            self.twiddles.column(j2).zip(column).for_each(|(w, z)| *z = *z * w);
         });
         self.scale_rows(factor);
         for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
-            self.twiddles.column(j2).zip(&mut *column).for_each(|(w, z)| *z *= w.conj());
+            self.twiddles.column(j2).zip(&mut *column).for_each(|(w, z)| *z = *z * w.conj());
             self.inverse[0].process_with_scratch(column, scratch);
         });
     }
@@ -144,26 +137,36 @@ impl LongLineFilter {
     }
 }
 
-/// `w^(j2 k1)` as products of two short tables, for `j2` in coarse and in fine steps.
-struct Twiddles {
-    rows: usize,
-    step: usize,
-    coarse: Vec<Complex>,
-    fine: Vec<Complex>,
+/// Rows and columns of the matrix of a line that is long enough and can be cut.
+fn cut(grid: &Grid) -> Option<[usize; 2]> {
+    let n = grid.len();
+    if !grid.is_line() || n < SHORTEST || n % 2 == 1 {
+        return None;
+    }
+    let n1 = (FEWEST_ROWS..=(n / 2).isqrt()).rev().find(|n1| (n / 2).is_multiple_of(*n1))?;
+    Some([n1, n / 2 / n1])
 }
 
-impl Twiddles {
+/// `w^(j2 k1)` as products of two short tables, for `j2` in coarse and in fine steps.
+struct Twiddles<T: Real> {
+    rows: usize,
+    step: usize,
+    coarse: Vec<Complex<T>>,
+    fine: Vec<Complex<T>>,
+}
+
+impl<T: Real> Twiddles<T> {
     fn new([n1, n2]: [usize; 2]) -> Self {
         let step = n2.isqrt();
         let power = |j2: usize, k1: usize| turn(-TAU * (j2 * k1 % (n1 * n2)) as f64 / (n1 * n2) as f64);
-        let table = |count: usize, step: usize| -> Vec<Complex> {
+        let table = |count: usize, step: usize| -> Vec<Complex<T>> {
             (0..count).flat_map(|j| (0..n1).map(move |k1| (j * step, k1))).map(|(j2, k1)| power(j2, k1)).collect()
         };
         Self { rows: n1, step, coarse: table(n2.div_ceil(step), step), fine: table(step, 1) }
     }
 
     /// The factors of column `j2`.
-    fn column(&self, j2: usize) -> impl Iterator<Item = Complex> {
+    fn column(&self, j2: usize) -> impl Iterator<Item = Complex<T>> {
         let coarse = &self.coarse[j2 / self.step * self.rows..][..self.rows];
         let fine = &self.fine[j2 % self.step * self.rows..][..self.rows];
         coarse.iter().zip(fine).map(|(a, b)| a * b)
@@ -171,20 +174,20 @@ impl Twiddles {
 }
 
 /// The modes of the field, as pairs `Z_k` and `Z_(N-k)`.
-struct Modes {
+struct Modes<T: Real> {
     shape: [usize; 2],
     /// Wavenumbers of `k1` in the first column, up to `n1`, and of `n1 k2` in the first row.
     row_q: Vec<f64>,
     column_q: Vec<f64>,
     /// `i exp(i pi k1 / N)`.
-    row_turns: Vec<Complex>,
+    row_turns: Vec<Complex<T>>,
     /// `exp(i pi k2 / n2)`.
-    column_turns: Vec<Complex>,
+    column_turns: Vec<Complex<T>>,
 }
 
-impl Modes {
+impl<T: Real> Modes<T> {
     fn new([n1, n2]: [usize; 2], q: f64) -> Self {
-        let row_turns = (0..n1).map(|k1| Complex::i() * turn(PI * k1 as f64 / (n1 * n2) as f64)).collect();
+        let row_turns = (0..n1).map(|k1| Complex::new(T::zero(), T::one()) * turn(PI * k1 as f64 / (n1 * n2) as f64)).collect();
         let column_turns = (0..n2).map(|k2| turn(PI * k2 as f64 / n2 as f64)).collect();
         let row_q = (0..=n1).map(|k1| q * k1 as f64).collect();
         let column_q = (0..n2).map(|k2| q * (n1 * k2) as f64).collect();
@@ -195,7 +198,7 @@ impl Modes {
     ///
     /// With `E + P = Z_k`, `E - P = conj Z_(N-k)` and `v = i exp(i pi k / N)` the modes of the field are `E + conj(v) P`
     /// and, mirrored, `E - conj(v) P`. Scaled by `s + d` and `s - d` they are those of `s E + d conj(v) P` and `s P + d v E`.
-    fn scale(&self, k1: usize, row: &mut [Complex], mirror: &mut [Complex], factor: impl Fn(Wave) -> f64) {
+    fn scale(&self, k1: usize, row: &mut [Complex<T>], mirror: &mut [Complex<T>], factor: impl Fn(Wave) -> f64) {
         let [n1, n2] = self.shape;
         let norm = 0.25 / (n1 * n2) as f64;
         let (q, mirror_q, turn) = (self.row_q[k1], self.row_q[n1 - k1], self.row_turns[k1]);
@@ -205,7 +208,7 @@ impl Modes {
             let wave = Wave { q: q + column_q[k2], place: k1 * n2 + k2 };
             let mirror_wave = Wave { q: mirror_q + column_q[mirror_k2], place: (n1 - k1) * n2 + mirror_k2 };
             let (z, mirror, v) = (&mut row[k2], &mut mirror[mirror_k2], v[k2]);
-            let (a, b) = (norm * factor(wave), norm * factor(mirror_wave));
+            let [a, b] = [wave, mirror_wave].map(|wave| T::from_double(norm * factor(wave)));
             let v = turn * v;
             let (s, d) = (a + b, a - b);
             let (e, p) = (*z + mirror.conj(), *z - mirror.conj());
@@ -216,6 +219,6 @@ impl Modes {
     }
 }
 
-fn turn(angle: f64) -> Complex {
-    Complex::from_polar(1.0, angle)
+fn turn<T: Real>(angle: f64) -> Complex<T> {
+    Complex::new(T::from_double(angle.cos()), T::from_double(angle.sin()))
 }

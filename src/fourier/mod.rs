@@ -17,6 +17,7 @@ mod long_line;
 mod padded;
 mod pair;
 mod plans;
+mod real;
 mod surface;
 mod wave;
 mod worker;
@@ -24,6 +25,7 @@ mod worker;
 pub(crate) use filter::Filter;
 pub(crate) use padded::{Padded, smooth};
 pub use pair::Fourier;
+pub(crate) use real::Real;
 pub(crate) use wave::Wave;
 
 /// A complex Fourier coefficient.

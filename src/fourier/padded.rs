@@ -1,22 +1,23 @@
 //! Fields filtered on a grid that reaches beyond them.
 
+use super::Real;
 use super::filter::Filter;
 use crate::grid::Grid;
 
 /// The filter of fields that are padded with zeros behind their last row and column, and so do not see their own images.
-pub(crate) struct Padded {
+pub(crate) struct Padded<T: Real = f64> {
     shape: [usize; 2],
-    filter: Filter,
+    filter: Filter<T>,
 }
 
-impl Padded {
+impl<T: Real> Padded<T> {
     /// Plans the transforms of fields of `shape` on a grid of at least as many rows and columns.
     pub fn new(shape: [usize; 2], padded: &Grid) -> Self {
         Self { shape, filter: Filter::with_used_rows(padded, shape[0]) }
     }
 
     /// Multiplies the modes of a padded field by the weights of the [`Filter::places`] of its grid.
-    pub fn scale(&mut self, field: &mut [f64], weights: &[f64]) {
+    pub fn scale(&mut self, field: &mut [T], weights: &[f64]) {
         let [ny, nx] = self.shape;
         let (is_line, [count, padded_width]) = (ny == 1, self.filter.rows());
         self.filter.run(|filter| {
@@ -24,10 +25,10 @@ impl Padded {
                 let first = if is_line { nx.min(r * padded_width) } else { r * nx };
                 let values = &field[first..if is_line { nx.min(first + padded_width) } else { first + nx }];
                 row[..values.len()].copy_from_slice(values);
-                row[values.len()..].fill(0.0);
+                row[values.len()..].fill(T::zero());
             });
             filter.scale(|wave| weights[wave.place]);
-            let mut parts: Vec<&mut [f64]> = field.chunks_mut(if is_line { padded_width } else { nx }).collect();
+            let mut parts: Vec<&mut [T]> = field.chunks_mut(if is_line { padded_width } else { nx }).collect();
             parts.resize_with(count, Default::default);
             filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));
         });

@@ -1,20 +1,21 @@
 //! The one-dimensional transforms of a grid.
 
-use super::Complex;
+use super::Real;
 use crate::grid::Grid;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
 
 /// Transforms of the rows of a real field and of the columns of their half spectra, without scale.
-pub(super) struct Plans {
-    forward_rows: Arc<dyn RealToComplex<f64>>,
-    inverse_rows: Arc<dyn ComplexToReal<f64>>,
-    pub forward_columns: Arc<dyn Fft<f64>>,
-    pub inverse_columns: Arc<dyn Fft<f64>>,
+pub(super) struct Plans<T: Real = f64> {
+    forward_rows: Arc<dyn RealToComplex<T>>,
+    inverse_rows: Arc<dyn ComplexToReal<T>>,
+    pub forward_columns: Arc<dyn Fft<T>>,
+    pub inverse_columns: Arc<dyn Fft<T>>,
 }
 
-impl Plans {
+impl<T: Real> Plans<T> {
     pub fn new(grid: &Grid) -> Self {
         let [ny, nx] = grid.shape();
         let (mut rows, mut columns) = (RealFftPlanner::new(), FftPlanner::new());
@@ -34,17 +35,17 @@ impl Plans {
     }
 
     /// Transforms `row`, which is lost.
-    pub fn forward_row(&self, row: &mut [f64], spectrum: &mut [Complex], scratch: &mut [Complex]) {
+    pub fn forward_row(&self, row: &mut [T], spectrum: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         self.forward_rows.process_with_scratch(row, spectrum, scratch).expect("lengths were planned together");
     }
 
     /// Transforms `spectrum`, which is lost, back.
     ///
     /// The coefficients at 0 and Nyquist of a real row are real; what rounding left of their imaginary parts is dropped.
-    pub fn inverse_row(&self, spectrum: &mut [Complex], row: &mut [f64], scratch: &mut [Complex]) {
-        spectrum[0].im = 0.0;
+    pub fn inverse_row(&self, spectrum: &mut [Complex<T>], row: &mut [T], scratch: &mut [Complex<T>]) {
+        spectrum[0].im = T::zero();
         if row.len().is_multiple_of(2) {
-            spectrum[row.len() / 2].im = 0.0;
+            spectrum[row.len() / 2].im = T::zero();
         }
         self.inverse_rows.process_with_scratch(spectrum, row, scratch).expect("lengths were planned together");
     }

@@ -1,29 +1,38 @@
 //! The half spectrum of a field, filtered in place.
 
-use super::Complex;
+use super::Real;
 use super::columns::{band_len, for_each_column};
 use super::plans::Plans;
 use super::wave::Wave;
 use super::worker::{Worker, share};
 use crate::grid::Grid;
+use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
 /// The transforms of the rows, `ny` rows of `nx/2 + 1` coefficients, and those of the columns in the same place.
 ///
 /// Bands of columns are transformed, scaled and transformed back while they are in the cache.
-pub(crate) struct SurfaceFilter {
+pub(crate) struct SurfaceFilter<T: Real = f64> {
     shape: [usize; 2],
     /// The first rows, which are not all zero and are needed.
     used_rows: usize,
-    plans: Plans,
+    plans: Plans<T>,
     /// `q_x` of each column and `q_y^2` of each row up to Nyquist; the other rows are their mirror images.
     qx: Vec<f64>,
     qy_squares: Vec<f64>,
-    spectrum: Vec<Complex>,
-    workers: Vec<Worker>,
+    spectrum: Vec<Complex<T>>,
+    workers: Vec<Worker<T>>,
 }
 
 impl SurfaceFilter {
+    /// Wave numbers along y and x of each place.
+    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+        let [ny, nx] = grid.shape();
+        (0..=nx / 2).flat_map(|kx| (0..=ny / 2).map(move |ky| [ky, kx])).collect()
+    }
+}
+
+impl<T: Real> SurfaceFilter<T> {
     /// Plans the transforms of fields of which only the first `used_rows` are not zero, and only these rows are needed.
     pub fn new(grid: &Grid, used_rows: usize) -> Self {
         let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
@@ -35,7 +44,7 @@ impl SurfaceFilter {
             plans,
             qx: (0..=nx / 2).map(|kx| TAU * kx as f64 / lx).collect(),
             qy_squares: (0..=ny / 2).map(|ky| (TAU * ky as f64 / ly).powi(2)).collect(),
-            spectrum: vec![Complex::default(); grid.modes()],
+            spectrum: vec![Complex::new(T::zero(), T::zero()); grid.modes()],
             workers,
         }
     }
@@ -44,13 +53,7 @@ impl SurfaceFilter {
         [self.used_rows, self.shape[1]]
     }
 
-    /// Wave numbers along y and x of each place.
-    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
-        let [ny, nx] = grid.shape();
-        (0..=nx / 2).flat_map(|kx| (0..=ny / 2).map(move |ky| [ky, kx])).collect()
-    }
-
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [f64]) + Sync + Send) {
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         let per_worker = ny.div_ceil(self.workers.len());
@@ -58,7 +61,7 @@ impl SurfaceFilter {
         share(tasks, |(task, (spectra, Worker { row, scratch, .. }))| {
             for (i, spectrum) in spectra.chunks_exact_mut(half).enumerate() {
                 if task * per_worker + i >= self.used_rows {
-                    spectrum.fill(Complex::default());
+                    spectrum.fill(Complex::new(T::zero(), T::zero()));
                     continue;
                 }
                 fill(task * per_worker + i, &mut row[..nx]);
@@ -77,17 +80,17 @@ impl SurfaceFilter {
             let square = self.qx[kx].powi(2);
             let first = kx * qy_squares.len();
             factors.iter_mut().zip(qy_squares).enumerate().for_each(|(ky, (f, qy_square))| {
-                *f = norm * factor(Wave { q: (square + qy_square).sqrt(), place: first + ky });
+                *f = T::from_double(norm * factor(Wave { q: (square + qy_square).sqrt(), place: first + ky }));
             });
             self.plans.forward_columns.process_with_scratch(column, scratch);
             let (modes, mirrored) = column.split_at_mut(factors.len());
-            modes.iter_mut().zip(&*factors).for_each(|(mode, f)| *mode *= f);
-            mirrored.iter_mut().rev().zip(&factors[1..]).for_each(|(mode, f)| *mode *= f);
+            modes.iter_mut().zip(&*factors).for_each(|(mode, &f)| *mode = *mode * f);
+            mirrored.iter_mut().rev().zip(&factors[1..]).for_each(|(mode, &f)| *mode = *mode * f);
             self.plans.inverse_columns.process_with_scratch(column, scratch);
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[f64], &mut S) + Sync + Send) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync + Send) {
         let nx = self.shape[1];
         let half = nx / 2 + 1;
         let per_worker = self.used_rows.div_ceil(self.workers.len());

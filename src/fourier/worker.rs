@@ -1,6 +1,7 @@
 //! Work in parallel, each task with scratch of its own.
 
-use super::Complex;
+use super::Real;
+use rustfft::num_complex::Complex;
 use rayon::prelude::*;
 
 /// Points of the smallest grid that is shared: the pair on 128 x 128 takes 60 us, of which a second core saves what it takes
@@ -12,21 +13,21 @@ const TASKS: usize = 4;
 
 /// The scratch of one task.
 #[derive(Clone)]
-pub(super) struct Worker {
+pub(super) struct Worker<T: Real = f64> {
     /// A row of the field.
-    pub row: Vec<f64>,
+    pub row: Vec<T>,
     /// A band of rows or columns of the spectrum.
-    pub band: Vec<Complex>,
+    pub band: Vec<Complex<T>>,
     /// Scratch of the FFTs.
-    pub scratch: Vec<Complex>,
+    pub scratch: Vec<Complex<T>>,
 }
 
-impl Worker {
+impl<T: Real> Worker<T> {
     /// Workers for a grid of `points`, at most one for each of `units` that are transformed as a whole; with room for as many
     /// numbers in `row`, `band` and `scratch`.
     pub fn crew(points: usize, units: usize, [row, band, scratch]: [usize; 3]) -> Vec<Self> {
-        let zeros = |n| vec![Complex::default(); n];
-        let worker = Self { row: vec![0.0; row], band: zeros(band), scratch: zeros(scratch) };
+        let zeros = |n| vec![Complex::new(T::zero(), T::zero()); n];
+        let worker = Self { row: vec![T::zero(); row], band: zeros(band), scratch: zeros(scratch) };
         let tasks = if points < WORTH_SHARING { 1 } else { TASKS * rayon::current_num_threads() };
         vec![worker; tasks.min(units)]
     }
