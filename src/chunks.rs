@@ -19,10 +19,18 @@ fn run<A, T>(work: &impl Fn(A) -> T, chunk: A) -> T {
     work(chunk)
 }
 
+/// Whether there is one thread only. Then loops stay on the calling thread, which need not wake another one.
+pub(crate) fn is_alone() -> bool {
+    rayon::current_num_threads() == 1
+}
+
 /// Results of `visit` on each chunk of `0..len`, in order.
 pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     if len <= CHUNK {
         return vec![run(&visit, 0..len)];
+    }
+    if is_alone() {
+        return (0..len.div_ceil(CHUNK)).map(|c| run(&visit, c * CHUNK..len.min((c + 1) * CHUNK))).collect();
     }
     (0..len.div_ceil(CHUNK)).into_par_iter().map(|c| run(&visit, c * CHUNK..len.min((c + 1) * CHUNK))).collect()
 }
@@ -54,6 +62,9 @@ pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, 
         return vec![run(&update, (0..values.len(), values))];
     }
     let with_range = |(c, chunk): (usize, &mut [f64])| run(&update, (c * CHUNK..c * CHUNK + chunk.len(), chunk));
+    if is_alone() {
+        return values.chunks_mut(CHUNK).enumerate().map(with_range).collect();
+    }
     values.par_chunks_mut(CHUNK).enumerate().map(with_range).collect()
 }
 
@@ -67,21 +78,24 @@ pub(crate) fn update_both<T: Send>(
     if a.len() <= CHUNK {
         return vec![run(&update, (0..a.len(), a, b))];
     }
-    let pairs = a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate();
-    pairs.map(|(c, (a, b))| run(&update, (c * CHUNK..c * CHUNK + a.len(), a, b))).collect()
+    let update = |(c, (a, b)): (usize, (&mut [f64], &mut [f64]))| run(&update, (c * CHUNK..c * CHUNK + a.len(), a, b));
+    if is_alone() {
+        return a.chunks_mut(CHUNK).zip(b.chunks_mut(CHUNK)).enumerate().map(update).collect();
+    }
+    a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate().map(update).collect()
 }
 
 /// Results of `make` for each of `count` rows of `width` values, in order.
 pub(crate) fn rows<T: Send>(count: usize, width: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    if count * width <= CHUNK {
+    if count * width <= CHUNK || is_alone() {
         return (0..count).map(|row| run(&make, row)).collect();
     }
     (0..count).into_par_iter().map(|row| run(&make, row)).collect()
 }
 
 /// Visits the rows of `width` values of a field.
-pub(crate) fn rows_mut(field: &mut [f64], width: usize, visit: impl Fn(usize, &mut [f64]) + Sync) {
-    if field.len() <= CHUNK {
+pub(crate) fn rows_mut<T: Send>(field: &mut [T], width: usize, visit: impl Fn(usize, &mut [T]) + Sync) {
+    if field.len() <= CHUNK || is_alone() {
         field.chunks_mut(width).enumerate().for_each(|(row, values)| visit(row, values));
     } else {
         field.par_chunks_mut(width).enumerate().for_each(|(row, values)| visit(row, values));
@@ -90,10 +104,25 @@ pub(crate) fn rows_mut(field: &mut [f64], width: usize, visit: impl Fn(usize, &m
 
 /// Visits items, each of about `width` values.
 pub(crate) fn each<T: Send>(items: &mut [T], width: usize, visit: impl Fn(usize, &mut T) + Sync) {
-    if items.len() * width <= CHUNK {
+    if items.len() * width <= CHUNK || is_alone() {
         items.iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
     } else {
         items.par_iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
+    }
+}
+
+/// Visits items, each of about `width` values, with scratch that tasks make for themselves.
+pub(crate) fn each_with<T: Send, S>(
+    items: &mut [T],
+    width: usize,
+    make: impl Fn() -> S + Sync + Send,
+    visit: impl Fn(&mut S, usize, &mut T) + Sync + Send,
+) {
+    if items.len() * width <= CHUNK || is_alone() {
+        let mut scratch = make();
+        items.iter_mut().enumerate().for_each(|(i, item)| visit(&mut scratch, i, item));
+    } else {
+        items.par_iter_mut().enumerate().for_each_init(make, |scratch, (i, item)| visit(scratch, i, item));
     }
 }
 

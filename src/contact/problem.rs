@@ -279,6 +279,11 @@ impl Problem {
         Response::from_compliance(self.compliance.clone())
     }
 
+    /// The compliance of the solid on the grid, to be shared.
+    pub(super) fn shared_compliance(&self) -> &Arc<Compliance> {
+        &self.compliance
+    }
+
     /// The compliance of the solid on the grid.
     pub fn compliance(&self) -> &Compliance {
         &self.compliance

@@ -107,6 +107,11 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         self.stop.distance(certificate)
     }
 
+    /// The part to which the distance from the goals must fall.
+    pub fn missing(&self, certificate: &Certificate) -> f64 {
+        self.stop.tolerance() / self.stop.distance(certificate)
+    }
+
     /// Keeps `pressure` if its certificate is the nearest to the goals so far.
     pub fn offer(&mut self, certificate: &Certificate, pressure: &P) {
         self.best.offer(self.stop.distance(certificate), pressure, self.iterations);

@@ -24,9 +24,9 @@ const LEAST_PRESSURE_TOLERANCE: f64 = 1e-100;
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
 /// use asperity::{Grid, Indenter, Problem, Stop};
-/// // a cylinder that touches on a thousandth of its cell
-/// let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(1 << 16, 4.0)?)?;
-/// let problem = Problem::new(cylinder, ContactModulus(1.0), Load::MeanPressure(8e-7))?;
+/// // a sphere that touches on a three-thousandth of its cell
+/// let sphere = Indenter::Sphere { radius: 1.0 }.surface(Grid::surface([256, 256], [4.0, 4.0])?)?;
+/// let problem = Problem::new(sphere, ContactModulus(1.0), Load::MeanPressure(4e-6))?;
 /// let [loose, tight] = [Stop::default(), Stop::default().with_pressure_tolerance(1e-4)?]
 ///     .map(|stop| Multilevel.solve(&problem, &stop, &mut ()).and_then(asperity::Contact::converged));
 /// assert!(loose?.certificate.pressure_error_bound > 1e-3 && tight?.certificate.pressure_error_bound <= 1e-4);

@@ -33,7 +33,7 @@ pub(super) fn strip(x: f64, width: f64, datum: f64, contact_modulus: f64) -> f64
 ///
 /// # Source
 /// Love, Phil. Trans. R. Soc. A 228, 377 (1929); Johnson, *Contact Mechanics* (1985), Eq. 3.25.
-pub(super) fn rectangle([y, x]: [f64; 2], [dy, dx]: [f64; 2], contact_modulus: f64) -> f64 {
+pub(crate) fn rectangle([y, x]: [f64; 2], [dy, dx]: [f64; 2], contact_modulus: f64) -> f64 {
     let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
     // x asinh(y/|x|) + y asinh(x/|y|) has the mixed derivative 1/r
     let edge = |s: f64, from: f64, to: f64| s * ((to / s.abs()).asinh() - (from / s.abs()).asinh());

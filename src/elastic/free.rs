@@ -3,7 +3,7 @@
 use super::{ElasticSolid, element};
 use crate::chunks;
 use crate::error::GridError;
-use crate::fourier::{self, Complex, Filter, Fourier, smooth};
+use crate::fourier::{self, Complex, Filter, Fourier, Real, smooth};
 use crate::grid::Grid;
 use std::f64::consts::TAU;
 
@@ -101,29 +101,31 @@ fn banded(grid: &Grid, padded: &Grid, solid: &dyn ElasticSolid, free: usize) -> 
 }
 
 /// The convolution with a table, and its scratch: one field, and a half spectrum of the padded grid.
-pub(super) struct FreeConvolution {
-    fields: fourier::Padded,
-    stage: Vec<f64>,
+pub(super) struct FreeConvolution<T: Real> {
+    fields: fourier::Padded<T>,
+    stage: Vec<T>,
 }
 
-impl FreeConvolution {
+impl<T: Real> FreeConvolution<T> {
     pub fn new(grid: &Grid, table: &FreeTable) -> Self {
-        Self { fields: fourier::Padded::new(grid.shape(), &table.padded), stage: vec![0.0; grid.len()] }
+        Self { fields: fourier::Padded::new(grid.shape(), &table.padded), stage: vec![T::zero(); grid.len()] }
     }
 
-    /// Gives the displacement under a pressure, both in `rows` of the unpadded grid, as [`super::Response::displace_by_rows`] has them.
+    /// Gives `unit` times the displacement under a pressure, both in `rows` of the unpadded grid, as [`super::Convolution::displace`]
+    /// has them.
     pub fn convolve<S: Send>(
         &mut self,
         table: &FreeTable,
+        unit: f64,
         rows: [usize; 2],
-        fill: impl Fn(usize, &mut [f64]) + Sync + Send,
+        fill: impl Fn(usize, &mut [T]) + Sync + Send,
         sinks: &mut [S],
-        store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
+        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
     ) {
         let Self { fields, stage } = self;
         let width = rows[1];
         chunks::rows_mut(stage, width, fill);
-        fields.scale(stage, &table.weights);
+        fields.scale(stage, |place| unit * table.weights[place]);
         chunks::each(sinks, width, |r, sink| store(r, &stage[r * width..][..width], sink));
     }
 }

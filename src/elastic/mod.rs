@@ -5,8 +5,9 @@
 //! axis.
 
 mod compliance;
+mod convolution;
 pub mod direct;
-mod element;
+pub(crate) mod element;
 mod free;
 mod half_space;
 mod layer;
@@ -15,6 +16,7 @@ mod solid;
 pub mod stress;
 
 pub use compliance::Compliance;
+pub(crate) use convolution::Convolution;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use response::Response;

@@ -1,11 +1,8 @@
 //! A solid over a grid, in Fourier space.
 
-use super::compliance::ComplianceKind;
-use super::free::{FreeConvolution, FreeTable};
 use super::solid::stiffness;
-use super::{Compliance, ElasticSolid};
+use super::{Compliance, Convolution, ElasticSolid};
 use crate::error::GridError;
-use crate::fourier::{Filter, Wave};
 use crate::grid::Grid;
 use std::sync::Arc;
 
@@ -42,9 +39,7 @@ use std::sync::Arc;
 /// # Ok::<(), asperity::error::GridError>(())
 /// ```
 pub struct Response {
-    compliance: Arc<Compliance>,
-    filter: Filter,
-    padded: Option<FreeConvolution>,
+    waves: Convolution<f64>,
     transforms: u64,
 }
 
@@ -67,29 +62,24 @@ impl Response {
 
     /// Plans the response that a compliance makes.
     pub fn from_compliance(compliance: Arc<Compliance>) -> Self {
-        let filter = Filter::new(&compliance.grid);
-        let padded = match &compliance.kind {
-            ComplianceKind::Free(table) => Some(FreeConvolution::new(&compliance.grid, table)),
-            ComplianceKind::HalfSpace { .. } | ComplianceKind::Table(_) => None,
-        };
-        Self { compliance, filter, padded, transforms: 0 }
+        Self { waves: Convolution::new(compliance, 1.0), transforms: 0 }
     }
 
     /// Stiffness of each mode of the periodic solid, in the order of [`Grid::wavenumbers`]; zero for the mean. Of a half-space it is
     /// `k = E* |q| / 2`.
     pub fn stiffnesses(&self) -> impl Iterator<Item = f64> + use<> {
-        let compliance = self.compliance.clone();
-        self.compliance.grid.wavenumbers().map(move |q| stiffness(compliance.solid.as_ref(), q))
+        let compliance = self.waves.compliance().clone();
+        compliance.grid.wavenumbers().map(move |q| stiffness(compliance.solid.as_ref(), q))
     }
 
     /// Stiffness of the softest wave.
     pub fn softest_stiffness(&self) -> f64 {
-        self.compliance.stiffness_range()[0]
+        self.waves.compliance().stiffness_range()[0]
     }
 
     /// Whether waves are independent, as on periodic grids.
     pub fn is_diagonal(&self) -> bool {
-        self.padded.is_none()
+        self.waves.compliance().is_diagonal()
     }
 
     /// Number of transforms so far, forward and inverse: the unit of work of this crate. A padded transform for a free
@@ -127,79 +117,36 @@ impl Response {
         self.respond(displacement, pressure, |k| k);
     }
 
-    /// Multiplies each mode of `cause` by `factor(k)` with its stiffness `k` in the periodic solid, which is zero for the mean.
+    /// Multiplies each mode of `cause` by `factor(k)` with its stiffness `k` in the periodic solid, which is zero for the mean: one
+    /// transform pair.
     pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync + Send) {
         self.check(cause, effect);
+        self.transforms += 2;
         let width = self.rows()[1];
         let fill = |r: usize, row: &mut [f64]| row.copy_from_slice(&cause[r * width..][..width]);
         let mut rows: Vec<_> = effect.chunks_exact_mut(width).collect();
-        self.respond_by_rows(factor, false, fill, &mut rows, |_, row, sink| sink.copy_from_slice(row));
+        self.waves.multiply(factor, false, fill, &mut rows, |_, row, sink| sink.copy_from_slice(row));
     }
 
     fn check(&self, cause: &[f64], effect: &[f64]) {
-        let n = self.compliance.grid.len();
+        let n = self.waves.compliance().grid.len();
         assert_eq!((cause.len(), effect.len()), (n, n), "cause and effect must fit the grid");
     }
 
-    /// The number of rows in which fields are taken and given, and their length: the rows of a surface, or pieces of a line that
-    /// follow each other.
+    /// The rows of [`Convolution::rows`].
     pub(crate) fn rows(&self) -> [usize; 2] {
-        self.filter.rows()
+        self.waves.rows()
     }
 
-    /// The displacement under a pressure, for fields that need not exist as a whole.
-    ///
-    /// `fill(r, row)` writes row `r` of the pressure to `row`, whose content is undefined before; `store(r, row, sink)` takes row
-    /// `r` of the displacement with the sink of that row, one of [`Response::rows`].
+    /// The displacement under a pressure, see [`Convolution::displace`]: one transform pair.
     pub(crate) fn displace_by_rows<S: Send>(
         &mut self,
         fill: impl Fn(usize, &mut [f64]) + Sync + Send,
         sinks: &mut [S],
         store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
     ) {
-        let rows = self.rows();
-        match (&mut self.padded, &self.compliance.kind) {
-            (Some(padded), ComplianceKind::Free(table)) => {
-                self.transforms += 2;
-                padded.convolve(table, rows, fill, sinks, store);
-            }
-            _ => self.respond_by_rows(|k| if k > 0.0 { 1.0 / k } else { 0.0 }, true, fill, sinks, store),
-        }
-    }
-
-    /// The approximate inverse of [`Response::displace_by_rows`], with zero mean: symmetric and positive.
-    pub(crate) fn press_by_rows<S: Send>(
-        &mut self,
-        fill: impl Fn(usize, &mut [f64]) + Sync + Send,
-        sinks: &mut [S],
-        store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
-    ) {
-        self.respond_by_rows(|k| k, false, fill, sinks, store);
-    }
-
-    /// Multiplies the modes by `factor(k)`; the mean has the stiffness of a uniform pressure if `with_uniform`, or else zero.
-    fn respond_by_rows<S: Send>(
-        &mut self,
-        factor: impl Fn(f64) -> f64 + Sync + Send,
-        with_uniform: bool,
-        fill: impl Fn(usize, &mut [f64]) + Sync + Send,
-        sinks: &mut [S],
-        store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
-    ) {
         self.transforms += 2;
-        let kind = &self.compliance.kind;
-        self.filter.run(|filter| {
-            filter.load(fill);
-            match kind {
-                &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
-                    filter.scale(|wave| factor(0.5 * modulus * wave.q))
-                }
-                ComplianceKind::Table(table) => {
-                    filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
-                }
-            }
-            filter.store(sinks, store);
-        });
+        self.waves.displace(fill, sinks, store);
     }
 }
 

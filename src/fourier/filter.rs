@@ -32,6 +32,12 @@ macro_rules! each_kind {
 }
 
 impl Filter {
+    /// The [`rows`](Self::rows) of a filter of `grid`, without planning it.
+    pub fn rows_of(grid: &Grid) -> [usize; 2] {
+        let as_pieces = || LongLineFilter::rows_of(grid).unwrap_or([1, grid.len()]);
+        if grid.is_line() { as_pieces() } else { grid.shape() }
+    }
+
     /// Wave numbers along y and x, below or at Nyquist, of each place in the tables of the filter of a grid.
     pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
         if !grid.is_line() {
@@ -146,7 +152,7 @@ mod tests {
 
     #[test]
     fn long_lines_are_cut_into_rows_if_their_points_have_factors() {
-        let rows = |points| Filter::new(&line(points)).rows();
+        let rows = |points| Filter::<f64>::new(&line(points)).rows();
         assert_eq!(rows(1 << 15), [1, 1 << 15]);
         assert_eq!(rows(1 << 16), [128, 512]);
         assert_eq!(rows(2 * 255 * 256), [255, 512]);

@@ -48,7 +48,10 @@ impl<T: Real> LineFilter<T> {
     pub fn scale(&mut self, factor: impl Fn(Wave) -> f64) {
         let norm = 1.0 / self.values.len() as f64;
         let waves = self.q.iter().enumerate().map(|(place, &q)| Wave { q, place });
-        self.spectrum.iter_mut().zip(waves).for_each(|(mode, wave)| *mode = *mode * T::from_double(norm * factor(wave)));
+        self.spectrum
+            .iter_mut()
+            .zip(waves)
+            .for_each(|(mode, wave)| *mode = *mode * T::from_double(norm * factor(wave)));
     }
 
     pub fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S)) {

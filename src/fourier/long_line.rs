@@ -42,6 +42,11 @@ impl LongLineFilter {
         let [n1, n2] = cut(grid)?;
         Some((0..=n1).flat_map(|k1| (0..n2).map(move |k2| [0, k1 + n1 * k2])).collect())
     }
+
+    /// The rows of the filter of a line, if the line can be cut.
+    pub fn rows_of(grid: &Grid) -> Option<[usize; 2]> {
+        cut(grid).map(pieces)
+    }
 }
 
 impl<T: Real> LongLineFilter<T> {
@@ -64,7 +69,7 @@ impl<T: Real> LongLineFilter<T> {
     }
 
     pub fn rows(&self) -> [usize; 2] {
-        [self.shape[0], 2 * self.shape[1]]
+        pieces(self.shape)
     }
 
     pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
@@ -187,7 +192,8 @@ struct Modes<T: Real> {
 
 impl<T: Real> Modes<T> {
     fn new([n1, n2]: [usize; 2], q: f64) -> Self {
-        let row_turns = (0..n1).map(|k1| Complex::new(T::zero(), T::one()) * turn(PI * k1 as f64 / (n1 * n2) as f64)).collect();
+        let row_turns =
+            (0..n1).map(|k1| Complex::new(T::zero(), T::one()) * turn(PI * k1 as f64 / (n1 * n2) as f64)).collect();
         let column_turns = (0..n2).map(|k2| turn(PI * k2 as f64 / n2 as f64)).collect();
         let row_q = (0..=n1).map(|k1| q * k1 as f64).collect();
         let column_q = (0..n2).map(|k2| q * (n1 * k2) as f64).collect();
@@ -217,6 +223,11 @@ impl<T: Real> Modes<T> {
             *mirror = (e - p).conj();
         }
     }
+}
+
+/// Rows of the field that are rows of the matrix.
+fn pieces([n1, n2]: [usize; 2]) -> [usize; 2] {
+    [n1, 2 * n2]
 }
 
 fn turn<T: Real>(angle: f64) -> Complex<T> {

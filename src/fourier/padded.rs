@@ -16,8 +16,8 @@ impl<T: Real> Padded<T> {
         Self { shape, filter: Filter::with_used_rows(padded, shape[0]) }
     }
 
-    /// Multiplies the modes of a padded field by the weights of the [`Filter::places`] of its grid.
-    pub fn scale(&mut self, field: &mut [T], weights: &[f64]) {
+    /// Multiplies the modes of a padded field by the `weight` of the [`Filter::places`] of its grid.
+    pub fn scale(&mut self, field: &mut [T], weight: impl Fn(usize) -> f64 + Sync + Send) {
         let [ny, nx] = self.shape;
         let (is_line, [count, padded_width]) = (ny == 1, self.filter.rows());
         self.filter.run(|filter| {
@@ -27,7 +27,7 @@ impl<T: Real> Padded<T> {
                 row[..values.len()].copy_from_slice(values);
                 row[values.len()..].fill(T::zero());
             });
-            filter.scale(|wave| weights[wave.place]);
+            filter.scale(|wave| weight(wave.place));
             let mut parts: Vec<&mut [T]> = field.chunks_mut(if is_line { padded_width } else { nx }).collect();
             parts.resize_with(count, Default::default);
             filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));

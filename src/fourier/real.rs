@@ -8,16 +8,27 @@ use rustfft::num_traits::Zero;
 pub(crate) trait Real: FftNum + Zero {
     /// The nearest number.
     fn from_double(value: f64) -> Self;
+
+    /// The same number in double precision.
+    fn to_double(self) -> f64;
 }
 
 impl Real for f64 {
     fn from_double(value: f64) -> Self {
         value
     }
+
+    fn to_double(self) -> f64 {
+        self
+    }
 }
 
 impl Real for f32 {
     fn from_double(value: f64) -> Self {
         value as f32
+    }
+
+    fn to_double(self) -> f64 {
+        f64::from(self)
     }
 }

@@ -1,8 +1,9 @@
 //! Work in parallel, each task with scratch of its own.
 
 use super::Real;
-use rustfft::num_complex::Complex;
+use crate::chunks::is_alone;
 use rayon::prelude::*;
+use rustfft::num_complex::Complex;
 
 /// Points of the smallest grid that is shared: the pair on 128 x 128 takes 60 us, of which a second core saves what it takes
 /// to wake it.
@@ -35,7 +36,7 @@ impl<T: Real> Worker<T> {
 
 /// Does all `tasks`: here if there is one, else on all threads.
 pub(super) fn share<T: Send>(tasks: impl ExactSizeIterator<Item = T>, work: impl Fn(T) + Sync + Send) {
-    if tasks.len() == 1 {
+    if tasks.len() == 1 || is_alone() {
         tasks.for_each(work);
     } else {
         tasks.collect::<Vec<_>>().into_par_iter().with_max_len(1).for_each(work);
@@ -45,5 +46,5 @@ pub(super) fn share<T: Send>(tasks: impl ExactSizeIterator<Item = T>, work: impl
 /// Does `work` that shares tasks several times inside the thread pool, on grids that are shared: from outside, each time would
 /// wait some 10 us for a thread to wake.
 pub(super) fn enter_pool(points: usize, work: impl FnOnce() + Send) {
-    if points < WORTH_SHARING { work() } else { rayon::scope(|_| work()) }
+    if points < WORTH_SHARING || is_alone() { work() } else { rayon::scope(|_| work()) }
 }

@@ -52,7 +52,10 @@ const PLACES: &[(&str, &[&str])] = &[
     ("glam", &["record/"]),
     ("indicatif", &["cli/", "main.rs"]),
     ("levenberg_marquardt", &["paper/fit.rs"]),
-    ("libm", &["theory/", "contact/forecast.rs", "paper/fit.rs", "setup/expected_area.rs"]),
+    (
+        "libm",
+        &["theory/", "contact/forecast.rs", "contact/multilevel/split.rs", "paper/fit.rs", "setup/expected_area.rs"],
+    ),
     ("nalgebra", &["paper/fit.rs"]),
     ("ndarray_npy", &["surface/", "contact/archive.rs"]),
     ("parquet", &["study/parquet.rs"]),

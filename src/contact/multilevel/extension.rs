@@ -2,6 +2,7 @@
 
 use super::support::Support;
 use crate::chunks;
+use crate::fourier::Real;
 
 /// Cells of a line that one task restricts.
 const TILE: usize = 1 << 12;
@@ -21,112 +22,127 @@ const FAR: f64 = 0.25;
 /// of a field at the distance `s` is its capacity over that of the cell: `a = 1 / (1 + ln(s / b))` on a line, `a = b / s` on a
 /// surface, so `a = sqrt(w)` there.
 ///
-/// Memory: 2 fields of n doubles on lines, two thirds of one on surfaces.
+/// Where only long waves matter, the finest cells have more than two nodes per side, and the extension ends at these cells.
+///
+/// Memory: 2 fields of n numbers on lines, two thirds of one on surfaces, with cells of two nodes.
 ///
 /// # Source
 /// The pyramid is the pull-push of Gortler, Grzeszczuk, Szeliski & Cohen, "The Lumigraph", SIGGRAPH 1996. Its use here, the
 /// blending by capacity and the exact transpose are this crate's own.
-pub(super) struct Extension {
+pub(super) struct Extension<T> {
     /// Shape of the nodes.
     shape: [usize; 2],
+    /// Nodes along each side of the finest cells.
+    side: usize,
     /// Rows of the half-space in a row of nodes.
     pieces: usize,
     /// From the finest to the single cell.
-    levels: Vec<Cells>,
+    levels: Vec<Cells<T>>,
 }
 
 /// Cells of one size, each over two of the finer ones along each side that has more than one.
-struct Cells {
+struct Cells<T> {
     shape: [usize; 2],
     /// `a`.
     share: Vec<f32>,
     /// `a / w`, 0 for empty cells.
     gain: Vec<f32>,
-    values: Vec<f64>,
+    values: Vec<T>,
 }
 
-impl Extension {
-    /// The extension from `support` on a grid of `shape` nodes.
-    pub fn new(support: &Support, shape: [usize; 2]) -> Self {
+impl<T: Real> Extension<T> {
+    /// The extension from `support` on a grid of `shape` nodes, with finest cells of `side` nodes along each side.
+    pub fn new(support: &Support, shape: [usize; 2], side: usize) -> Self {
         let mut levels = Vec::new();
         let mut finer = shape;
         while finer != [1, 1] {
-            finer = finer.map(|n| n.div_ceil(2));
-            levels.push(Cells {
-                shape: finer,
-                share: Vec::new(),
-                gain: Vec::new(),
-                values: vec![0.0; finer[0] * finer[1]],
-            });
+            let side = if levels.is_empty() { side } else { 2 };
+            finer = finer.map(|n| n.div_ceil(side));
+            let values = vec![T::zero(); finer[0] * finer[1]];
+            levels.push(Cells { shape: finer, share: Vec::new(), gain: Vec::new(), values });
         }
-        let mut extension = Self { shape, pieces: shape[1] / support.shape()[1], levels };
-        extension.pool(support, |_| 1.0);
+        let mut extension = Self { shape, side, pieces: shape[1] / support.shape()[1], levels };
+        extension.pool(support, |_| T::one());
         let share = if shape[0] == 1 { |w: f64| 1.0 / (1.0 - w.ln()) } else { f64::sqrt };
         for cells in &mut extension.levels {
-            let shares =
-                || cells.values.iter().map(|&w| if w > 0.0 { (w.min(1.0), share(w.min(1.0))) } else { (1.0, 0.0) });
-            cells.share = shares().map(|(_, share)| share as f32).collect();
-            cells.gain = shares().map(|(w, share)| (share / w) as f32).collect();
+            let filled = cells.values.iter().map(|w| w.to_double().min(1.0));
+            let shares: Vec<_> = filled.map(|w| if w > 0.0 { (w, share(w)) } else { (1.0, 0.0) }).collect();
+            cells.share = shares.iter().map(|(_, share)| *share as f32).collect();
+            cells.gain = shares.iter().map(|(w, share)| (share / w) as f32).collect();
         }
         extension
     }
 
-    /// Prepares [`Extension::fill`] for a vector.
-    pub fn extend(&mut self, support: &Support, values: &[f64]) {
-        self.pool(support, |node| values[node]);
-        let mut coarser: Option<&Cells> = None;
+    /// Extends a vector to the cells.
+    pub fn extend(&mut self, support: &Support, value: impl Fn(usize) -> T + Sync) {
+        self.pool(support, value);
+        let mut coarser: Option<&Cells<T>> = None;
         for cells in self.levels.iter_mut().rev() {
             let Cells { shape, share, gain, values } = cells;
             chunks::rows_mut(values, shape[1], |y, row| {
                 let at = y * shape[1];
-                row.iter_mut().zip(&gain[at..]).for_each(|(value, gain)| *value *= f64::from(*gain));
+                row.iter_mut().zip(&gain[at..]).for_each(|(value, &gain)| *value = *value * number(gain));
                 if let Some(coarser) = coarser {
                     let share = &share[at..];
-                    coarser
-                        .interpolate(*shape, y, 0..shape[1], |x, value| row[x] += (1.0 - f64::from(share[x])) * value);
+                    coarser.interpolate(*shape, y, 0..shape[1], |x, value| {
+                        row[x] = row[x] + number::<T>(1.0 - share[x]) * value;
+                    });
                 }
             });
             coarser = Some(cells);
         }
     }
 
-    /// Writes the extended vector to a row of the half-space; the nodes of the set are left to the caller.
-    pub fn fill(&self, row: usize, to: &mut [f64]) {
+    /// The values at the finest cells, row by row.
+    pub fn cells(&self) -> &[T] {
+        self.levels.first().map_or(&[], |cells| &cells.values)
+    }
+
+    /// Writes the extended vector to a row of the half-space; the nodes of the set are left to the caller. The finest cells must have
+    /// two nodes per side.
+    pub fn fill(&self, row: usize, to: &mut [T]) {
         let Some(finest) = self.levels.first() else { return };
         let (y, first) = self.place(row, to.len());
         finest.interpolate(self.shape, y, first..first + to.len(), |x, value| to[x - first] = value);
     }
 
     /// Adds to `values` on the set what the transpose of the extension makes of the `field` off the set; `field` is zero on it.
-    pub fn restrict(&mut self, field: &[f64], support: &Support, values: &mut [f64]) {
-        let [_, nx] = self.shape;
-        let mut shape = self.shape;
-        let mut finer: Option<&Cells> = None;
-        for cells in &mut self.levels {
-            match finer {
-                None => cells.collect(shape, |y, x| field[y * nx + x]),
-                Some(Cells { share, values, .. }) => {
-                    let width = shape[1];
-                    cells.collect(shape, |y, x| (1.0 - f64::from(share[y * width + x])) * values[y * width + x]);
-                }
-            }
-            shape = cells.shape;
-            finer = Some(cells);
+    pub fn restrict(&mut self, field: &[T], support: &Support, values: &mut [f64], scale: f64) {
+        let nx = self.shape[1];
+        if let Some(finest) = self.levels.first_mut() {
+            finest.collect(self.shape, |y, x| field[y * nx + x]);
         }
-        let mut coarser: Option<&Cells> = None;
+        self.restrict_cells(support, values, scale);
+    }
+
+    /// Adds to `values` on the set `scale` times what the transpose of the extension makes of values at the finest cells, which are
+    /// put into [`Extension::cells_mut`] before.
+    pub fn restrict_cells(&mut self, support: &Support, values: &mut [f64], scale: f64) {
+        for level in 1..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(level);
+            let Cells { shape, share, values, .. } = &finer[level - 1];
+            let width = shape[1];
+            coarser[0].collect(*shape, |y, x| number::<T>(1.0 - share[y * width + x]) * values[y * width + x]);
+        }
+        let mut coarser: Option<&Cells<T>> = None;
         for cells in self.levels.iter_mut().rev() {
             let Cells { shape, gain, values, .. } = cells;
             chunks::rows_mut(values, shape[1], |y, row| {
-                row.iter_mut().zip(&gain[y * shape[1]..]).for_each(|(value, gain)| *value *= f64::from(*gain));
+                row.iter_mut().zip(&gain[y * shape[1]..]).for_each(|(value, &gain)| *value = *value * number(gain));
                 if let Some(coarser) = coarser {
-                    let weight = weight(*shape);
+                    let weight = weight::<T>(*shape, 2);
                     let above = &coarser.values[y / 2 * coarser.shape[1]..];
-                    row.iter_mut().enumerate().for_each(|(x, value)| *value += weight * above[x / 2]);
+                    row.iter_mut().enumerate().for_each(|(x, value)| *value = *value + weight * above[x / 2]);
                 }
             });
             coarser = Some(cells);
         }
-        self.add_to(support, values);
+        self.add_to(support, values, scale);
+    }
+
+    /// Room for values at the finest cells, row by row.
+    pub fn cells_mut(&mut self) -> &mut [T] {
+        self.levels.first_mut().map_or(&mut [], |cells| &mut cells.values)
     }
 
     /// The row of nodes, and its first column, of a row of the half-space.
@@ -134,56 +150,59 @@ impl Extension {
         (row / self.pieces, row % self.pieces * width)
     }
 
-    fn add_to(&self, support: &Support, values: &mut [f64]) {
+    fn add_to(&self, support: &Support, values: &mut [f64], scale: f64) {
         let Some(finest) = self.levels.first() else { return };
-        let weight = weight(self.shape);
+        let (side, weight) = (self.side, scale * weight::<f64>(self.shape, self.side));
         let mut pieces = support.pieces(values);
         chunks::each(&mut pieces, support.shape()[1], |row, piece| {
             let (y, first) = self.place(row, support.shape()[1]);
-            let cells = &finest.values[y / 2 * finest.shape[1]..];
+            let cells = &finest.values[y / side * finest.shape[1]..];
             let columns = support.runs(row).flat_map(|(run, _)| run);
-            piece.iter_mut().zip(columns).for_each(|(value, x)| *value += weight * cells[(first + x) / 2]);
+            let cells = columns.map(|x| cells[(first + x) / side].to_double());
+            piece.iter_mut().zip(cells).for_each(|(value, cell)| *value += weight * cell);
         });
     }
 
     /// Means of `value` over the cells of all sizes, zero off the set.
-    fn pool(&mut self, support: &Support, value: impl Fn(usize) -> f64 + Sync) {
-        let ([ny, _], pieces) = (self.shape, self.pieces);
-        let mut shape = self.shape;
-        let mut finer: Option<&Cells> = None;
-        for cells in &mut self.levels {
-            let (width, height) = (shape[1], shape[0]);
-            let weight = weight(shape);
-            let length = cells.shape[1];
-            chunks::rows_mut(&mut cells.values, length, |y, row| {
-                row.fill(0.0);
-                match finer {
-                    None => {
-                        for piece in 2 * y * pieces..ny.min(2 * y + 2) * pieces {
-                            let first = piece % pieces * support.shape()[1];
-                            for (run, nodes) in support.runs(piece) {
-                                run.zip(nodes).for_each(|(x, node)| row[(first + x) / 2] += weight * value(node));
-                            }
-                        }
-                    }
-                    Some(finer) => {
-                        for finer in finer.values[2 * y * width..height.min(2 * y + 2) * width].chunks_exact(width) {
-                            row.iter_mut()
-                                .zip(finer.chunks(2))
-                                .for_each(|(cell, pair)| *cell += weight * pair.iter().sum::<f64>());
-                        }
-                    }
+    fn pool(&mut self, support: &Support, value: impl Fn(usize) -> T + Sync) {
+        let ([ny, nx], side, pieces) = (self.shape, self.side, self.pieces);
+        let Some(finest) = self.levels.first_mut() else { return };
+        let (length, by_node) = (finest.shape[1], weight::<T>([ny, nx], side));
+        chunks::rows_mut(&mut finest.values, length, |y, row| {
+            row.fill(T::zero());
+            for piece in side * y * pieces..ny.min(side * (y + 1)) * pieces {
+                let first = piece % pieces * support.shape()[1];
+                for (run, nodes) in support.runs(piece) {
+                    run.zip(nodes).for_each(|(x, node)| {
+                        let cell = &mut row[(first + x) / side];
+                        *cell = *cell + by_node * value(node);
+                    });
+                }
+            }
+        });
+        for level in 1..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(level);
+            let Cells { shape: [height, width], values: finer, .. } = &finer[level - 1];
+            let (weight, length) = (weight::<T>([*height, *width], 2), coarser[0].shape[1]);
+            chunks::rows_mut(&mut coarser[0].values, length, |y, row| {
+                row.fill(T::zero());
+                for finer in finer[2 * y * width..(2 * y + 2).min(*height) * width].chunks_exact(*width) {
+                    row.iter_mut().zip(finer.chunks(2)).for_each(|(cell, pair)| {
+                        *cell = pair.iter().fold(*cell, |cell, &finer| cell + weight * finer);
+                    });
                 }
             });
-            shape = cells.shape;
-            finer = Some(cells);
         }
     }
 }
 
-/// The weight of a node, or finer cell, in the mean of its cell.
-fn weight(shape: [usize; 2]) -> f64 {
-    shape.map(|n| if n > 1 { 0.5 } else { 1.0 }).iter().product()
+fn number<T: Real>(value: f32) -> T {
+    T::from_double(f64::from(value))
+}
+
+/// The weight of a node, or finer cell, in the mean of its cell of `side` along each side.
+fn weight<T: Real>(shape: [usize; 2], side: usize) -> T {
+    T::from_double(shape.map(|n| if n > 1 { 1.0 / side as f64 } else { 1.0 }).iter().product())
 }
 
 /// The two cells of `m` between whose centres the point `i` of `n` lies, periodic, with their weights.
@@ -203,45 +222,48 @@ fn points(cell: usize, n: usize, m: usize) -> impl Iterator<Item = (usize, f64)>
     (if n == 1 { alone } else { many }).into_iter().flatten()
 }
 
-impl Cells {
+impl<T: Real> Cells<T> {
     /// Hands the values interpolated at the points `xs` of row `y` of a finer shape to `put`.
-    fn interpolate(&self, [ny, nx]: [usize; 2], y: usize, xs: std::ops::Range<usize>, mut put: impl FnMut(usize, f64)) {
+    fn interpolate(&self, [ny, nx]: [usize; 2], y: usize, xs: std::ops::Range<usize>, mut put: impl FnMut(usize, T)) {
         let [my, mx] = self.shape;
-        let [(near, by_near), (far, by_far)] = around(y, ny, my);
+        let [(near, by_near), (far, by_far)] = around(y, ny, my).map(|(cell, weight)| (cell, T::from_double(weight)));
         let (near, far) = (&self.values[near * mx..][..mx], &self.values[far * mx..][..mx]);
         let at = |x: usize| by_near * near[x] + by_far * far[x];
         if nx == 1 {
             return put(0, at(0));
         }
+        let [by_near, by_far] = [NEAR, FAR].map(T::from_double);
         let mut cell = xs.start / 2;
         let (mut before, mut here) = (at((cell + mx - 1) % mx), at(cell));
         for x in xs.step_by(2) {
             cell = if cell + 1 < mx { cell + 1 } else { 0 };
             let after = at(cell);
-            put(x, NEAR * here + FAR * before);
+            put(x, by_near * here + by_far * before);
             if x + 1 < nx {
-                put(x + 1, NEAR * here + FAR * after);
+                put(x + 1, by_near * here + by_far * after);
             }
             (before, here) = (here, after);
         }
     }
 
     /// The transpose of [`Cells::interpolate`], of the `value` at row `y` and column `x` of the finer shape.
-    fn collect(&mut self, [ny, nx]: [usize; 2], value: impl Fn(usize, usize) -> f64 + Sync) {
+    fn collect(&mut self, [ny, nx]: [usize; 2], value: impl Fn(usize, usize) -> T + Sync) {
         let [my, mx] = self.shape;
         let tile = if my == 1 { mx.min(TILE) } else { mx };
+        let [by_near, by_far] = [NEAR, FAR].map(T::from_double);
         chunks::rows_mut(&mut self.values, tile, |task, cells| {
             let (y, first) = (task * tile / mx, task * tile % mx);
             let columns = (2 * first).saturating_sub(1)..nx.min(2 * (first + cells.len()) + 1);
-            let mut sums = vec![0.0; 2 * cells.len() + 2];
-            for (y, weight) in points(y, ny, my) {
+            let mut sums = vec![T::zero(); 2 * cells.len() + 2];
+            for (y, weight) in points(y, ny, my).map(|(y, weight)| (y, T::from_double(weight))) {
                 let at = columns.start + 1 - 2 * first;
-                sums[at..].iter_mut().zip(columns.clone()).for_each(|(sum, x)| *sum += weight * value(y, x));
+                sums[at..].iter_mut().zip(columns.clone()).for_each(|(sum, x)| *sum = *sum + weight * value(y, x));
                 if first == 0 && nx.is_multiple_of(2) {
-                    sums[0] += weight * value(y, nx - 1);
+                    sums[0] = sums[0] + weight * value(y, nx - 1);
                 }
                 if first + cells.len() == mx {
-                    sums[2 * cells.len() + 1] += weight * value(y, 0);
+                    let last = 2 * cells.len() + 1;
+                    sums[last] = sums[last] + weight * value(y, 0);
                 }
             }
             if nx == 1 {
@@ -249,7 +271,7 @@ impl Cells {
                 return;
             }
             for (cell, sums) in cells.iter_mut().zip(sums.windows(4).step_by(2)) {
-                *cell = NEAR * (sums[1] + sums[2]) + FAR * (sums[0] + sums[3]);
+                *cell = by_near * (sums[1] + sums[2]) + by_far * (sums[0] + sums[3]);
             }
         });
     }
@@ -272,13 +294,13 @@ mod tests {
         })
     }
 
-    fn extended(extension: &mut Extension, support: &Support, values: &[f64]) -> Vec<f64> {
+    fn extended(extension: &mut Extension<f64>, support: &Support, values: &[f64]) -> Vec<f64> {
         let [count, width] = support.shape();
         let mut field = vec![0.0; count * width];
-        extension.extend(support, values);
+        extension.extend(support, |node| values[node]);
         for (row, field) in field.chunks_mut(width).enumerate() {
             extension.fill(row, field);
-            support.scatter(row, values, field);
+            support.scatter(row, values, 1.0, field);
         }
         field
     }
@@ -289,7 +311,7 @@ mod tests {
             [([1, 64], 64), ([1, 64], 16), ([1, 37], 37), ([8, 8], 8), ([5, 7], 7), ([13, 4], 4), ([4, 27], 27)]
         {
             let (support, values) = some_nodes(shape, width);
-            let mut extension = Extension::new(&support, shape);
+            let mut extension = Extension::<f64>::new(&support, shape, 2);
             let field: Vec<f64> = (0..shape[0] * shape[1]).map(|i| (i as f64 * 1.7).cos()).collect();
             let forward: f64 = extended(&mut extension, &support, &values).iter().zip(&field).map(|(a, b)| a * b).sum();
             let mut back = vec![0.0; values.len()];
@@ -300,7 +322,7 @@ mod tests {
                     off_set[run].fill(0.0);
                 }
             }
-            extension.restrict(&off_set, &support, &mut back);
+            extension.restrict(&off_set, &support, &mut back, 1.0);
             let backward: f64 = back.iter().zip(&values).map(|(a, b)| a * b).sum();
             assert!((forward - backward).abs() < 1e-12 * forward.abs().max(1.0), "{shape:?}: {forward} and {backward}");
         }
@@ -312,14 +334,14 @@ mod tests {
         let (support, values) = Support::choose([16, 16], |row, nodes| {
             (0..16).filter(|x| (x + row) % 2 == 0).for_each(|x| nodes.push(x, 1.0));
         });
-        let field = extended(&mut Extension::new(&support, [16, 16]), &support, &values);
+        let field = extended(&mut Extension::new(&support, [16, 16], 2), &support, &values);
         assert!(field.iter().all(|&e| (0.9..=1.0 + 1e-12).contains(&e)));
         let (support, values) = Support::choose([16, 16], |row, nodes| {
             if row == 5 {
                 nodes.push(6, 1.0);
             }
         });
-        let field = extended(&mut Extension::new(&support, [16, 16]), &support, &values);
+        let field = extended(&mut Extension::new(&support, [16, 16], 2), &support, &values);
         assert!(field[13 * 16 + 14].abs() < 0.2 && field[5 * 16 + 6] == 1.0 && field[5 * 16 + 7] > 0.3);
     }
 }

@@ -1,7 +1,7 @@
 //! Guarded steps, which always lower the energy.
 
 use super::correction::{dot, remove_mean};
-use super::level::{InnerStepCallback, Level};
+use super::level::{Displacement, InnerStepCallback, Level};
 use super::support::SparsePressure;
 use crate::chunks;
 use crate::contact::Status;
@@ -25,8 +25,7 @@ impl Level<'_> {
             let from = self.pressure.clone();
             let status = self.update(watch);
             let towards = std::mem::replace(&mut self.pressure, from).spread();
-            self.is_fresh = false;
-            self.refresh();
+            self.refresh_from_pressure();
             if status.is_some() || self.approach(&towards) {
                 return status;
             }
@@ -42,11 +41,9 @@ impl Level<'_> {
     ///
     /// Returns why the run is to end, if it is, and whether the step was taken.
     fn newton_step(&mut self, watch: &mut InnerStepCallback<'_>) -> (Option<Status>, bool) {
-        let (ceiling, u) = (self.ceiling(), self.u.clone());
+        let ceiling = self.ceiling();
         let free = self.pressure.free(ceiling);
-        let corrected = self.correction(free.as_ref(), watch);
-        (self.u, self.is_fresh) = (u, true);
-        let Some((delta, status)) = corrected else { return (None, false) };
+        let Some((delta, status)) = self.correction(free.as_ref(), watch) else { return (None, false) };
         if status.is_some() {
             return (status, false);
         }
@@ -84,7 +81,7 @@ impl Level<'_> {
         let moved = |p: f64, i: usize| if share == 1.0 { towards[i] } else { (p + share * way[i]).min(ceiling) };
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = moved(*p, i)));
         self.pressure = SparsePressure::from_field(&p, self.response.rows());
-        self.is_fresh = false;
+        self.displacement = Displacement::Outdated;
         true
     }
 
@@ -108,7 +105,7 @@ impl Level<'_> {
     fn gradient_length(&mut self) -> f64 {
         let lambda = self.lambda();
         let free = self.pressure.free(self.ceiling());
-        let mut gradient = self.on_set(free.as_ref(), |v| v - lambda);
+        let mut gradient = self.on_set(free.as_ref(), |u, h| u - h - lambda);
         if self.problem.mean_pressure().is_some() {
             remove_mean(&mut gradient);
         }
@@ -204,7 +201,7 @@ mod tests {
                 }
                 before = now;
                 level.choose_mode(eta, &best);
-                level.advance(&mut |_, _, _, _| None);
+                level.advance(0.0, &mut |_, _, _, _, _| None);
                 eta = level.certify().eta;
             }
             assert!(eta <= 1e-9, "{eta} with {} nodes in contact", level.pressure.values.len());
@@ -219,7 +216,7 @@ mod tests {
             let first = energy(&level);
             for _ in 0..50 {
                 let before = energy(&level);
-                level.descend(false, &mut |_, _, _, _| None);
+                level.descend(false, &mut |_, _, _, _, _| None);
                 level.certify();
                 assert!(energy(&level) <= before + 1e-12 * before.abs());
             }
@@ -239,7 +236,7 @@ mod tests {
             let mean = |level: &Level<'_>| level.pressure.values.iter().sum::<f64>() / points as f64;
             let [before, least] = [mean(&level), full.iter().copied().fold(f64::INFINITY, f64::min)];
             assert_eq!(level.pressure.values.len(), points);
-            level.descend(false, &mut |_, _, _, _| None);
+            level.descend(false, &mut |_, _, _, _, _| None);
             assert!((mean(&level) - (before - least)).abs() < 1e-12, "{} after {before}", mean(&level));
             assert!(level.pressure.values.len() < points);
         }

@@ -1,9 +1,11 @@
 //! Nested grids.
 
 use super::support::{SparsePressure, Support};
+use crate::chunks;
 use crate::contact::{Load, Problem};
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
+use std::ops::Range;
 
 /// The fewest points per side of a coarse grid.
 const FEWEST: usize = 32;
@@ -36,25 +38,54 @@ pub(super) fn halved(grid: &Grid) -> Option<Grid> {
     fits.then(|| grid.with_shape([ny / 2, nx / 2]).ok())?
 }
 
-/// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly.
+/// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly. Nodes
+/// between a node with pressure and one without get none.
 pub(super) fn prolong(coarse: &[f64], from: &Grid, to: &Grid, rows: [usize; 2]) -> SparsePressure {
+    let fine = to.shape()[1];
+    let (support, values) = Support::choose(rows, |row, nodes| {
+        let first = row * rows[1];
+        interpolate(coarse, from, to, first / fine, first % fine..first % fine + rows[1], |column, pressure| {
+            if pressure.iter().filter(|p| **p > 0.0).count() > 2 {
+                nodes.push(column, mean(pressure));
+            }
+        });
+    });
+    SparsePressure { support, values }
+}
+
+/// A field on a grid of twice as many nodes along each side, interpolated linearly.
+pub(super) fn interpolated(coarse: &[f64], from: &Grid, to: &Grid) -> Vec<f64> {
+    let mut field = vec![0.0; to.len()];
+    let width = to.shape()[1];
+    chunks::rows_mut(&mut field, width, |y, row| {
+        interpolate(coarse, from, to, y, 0..width, |column, values| row[column] = mean(values));
+    });
+    field
+}
+
+/// Hands the four values whose mean is that at some `columns` of the row `y` of the finer grid to `put`, with the places among the
+/// columns.
+fn interpolate(
+    coarse: &[f64],
+    from: &Grid,
+    to: &Grid,
+    y: usize,
+    columns: Range<usize>,
+    mut put: impl FnMut(usize, [f64; 4]),
+) {
     let ([ny, nx], fine, [round_y, round_x]) = (from.shape(), to.shape(), from.periodic());
     let around = |i: usize, coarse: usize, fine: usize, is_periodic: bool| match i.div_ceil(2) {
         _ if coarse == fine => [i, i],
         next if next < coarse => [i / 2, next],
         _ => [i / 2, if is_periodic { 0 } else { coarse - 1 }],
     };
-    let (support, values) = Support::choose(rows, |row, nodes| {
-        let first = row * rows[1];
-        let [y0, y1] = around(first / fine[1], ny, fine[0], round_y);
-        let sum = |x: usize| coarse[y0 * nx + x] + coarse[y1 * nx + x];
-        for column in 0..rows[1] {
-            let [x0, x1] = around(first % fine[1] + column, nx, fine[1], round_x);
-            let pressure = 0.25 * (sum(x0) + sum(x1));
-            if pressure > 0.0 {
-                nodes.push(column, pressure);
-            }
-        }
-    });
-    SparsePressure { support, values }
+    let [y0, y1] = around(y, ny, fine[0], round_y);
+    for (place, column) in columns.enumerate() {
+        let [x0, x1] = around(column, nx, fine[1], round_x);
+        put(place, [y0 * nx + x0, y1 * nx + x0, y0 * nx + x1, y1 * nx + x1].map(|node| coarse[node]));
+    }
+}
+
+fn mean([a, b, c, d]: [f64; 4]) -> f64 {
+    0.25 * ((a + b) + (c + d))
 }

@@ -1,12 +1,14 @@
 //! The iteration on one grid.
 
 use super::correction::{Correction, mean};
-use super::extension::Extension;
+use super::method::UpdateMethod;
+use super::operator::SetOperator;
 use super::support::{RowOfNodes, SparsePressure, Support, corrected};
 use crate::chunks;
 use crate::contact::best::Best;
 use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
 use crate::elastic::Response;
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
@@ -27,15 +29,25 @@ const REDUCTION: f64 = 0.02;
 const TIGHTENING: f64 = 0.5;
 const TIGHTEST: f64 = 1e-3;
 
+/// Pressures above this part of the ceiling differ from it by rounding only.
+const ALMOST: f64 = 1.0 - 1e-12;
+
 /// Pressure, its displacement, and the contact set on one grid.
 pub(super) struct Level<'a> {
     pub problem: &'a Problem,
     pub response: Response,
     pub pressure: SparsePressure,
     pub u: Vec<f64>,
-    /// Whether `u` is the displacement of the pressure.
-    pub is_fresh: bool,
+    /// What `u` is.
+    pub displacement: Displacement,
+    /// `eta` at the start of this grid, as soon as it is known.
+    pub first_eta: Option<f64>,
     reduction: f64,
+    pub method: UpdateMethod,
+    /// The compliance of inner steps; made on first use.
+    pub operator: Option<Box<dyn SetOperator>>,
+    /// Transforms by earlier operators.
+    pub spent: f64,
     pub mode: Mode,
     /// Whether it is the grid of the problem that is to be solved.
     is_finest: bool,
@@ -43,6 +55,17 @@ pub(super) struct Level<'a> {
     seen: HashSet<u64>,
     /// Phases of guarded steps so far.
     guarded_phases: usize,
+}
+
+/// What a displacement is that is kept beside a pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Displacement {
+    /// That of the pressure, in double precision.
+    Exact,
+    /// Interpolated from the coarser grid.
+    Interpolated,
+    /// That of an earlier pressure.
+    Outdated,
 }
 
 /// Free updates, of which the last `stale` were no better than `mark`; or guarded steps, `steps` so far, until the distance from
@@ -53,10 +76,10 @@ pub(super) enum Mode {
     Guarded { release: f64, steps: usize },
 }
 
-/// The watch of the inner steps of a correction: the set, the signed pressure on it, the step, and the half-space. It may end the
-/// run.
+/// The watch of the inner steps of a correction: the set, the signed pressure on it, the step, transforms of the grid so far,
+/// and the half-space. It may end the run.
 pub(super) type InnerStepCallback<'w> =
-    dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, &mut Response) -> Option<Status> + 'w;
+    dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, f64, &mut Response) -> Option<Status> + 'w;
 
 impl<'a> Level<'a> {
     /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
@@ -64,18 +87,31 @@ impl<'a> Level<'a> {
         let response = problem.response();
         let mut pressure = start(response.rows());
         pressure.carry(problem);
+        let method = UpdateMethod::first(problem, &pressure);
         Self {
             problem,
             pressure,
             response,
             u: vec![0.0; problem.nodes()],
-            is_fresh: false,
+            displacement: Displacement::Outdated,
+            first_eta: None,
             reduction: REDUCTION,
+            method,
+            operator: None,
+            spent: 0.0,
             mode: Mode::Free { mark: f64::INFINITY, stale: 0 },
             is_finest: true,
             seen: HashSet::new(),
             guarded_phases: 0,
         }
+    }
+
+    /// The same state with the displacement that `interpolated` makes from that of the coarser grid, if it is of use.
+    pub fn with_interpolated(self, interpolated: impl FnOnce() -> Vec<f64>) -> Self {
+        if !self.method.has_inner_iterations() {
+            return self;
+        }
+        Self { u: interpolated(), displacement: Displacement::Interpolated, ..self }
     }
 
     /// The same state on a grid that lies `depth` below the finest.
@@ -90,6 +126,18 @@ impl<'a> Level<'a> {
             None => Certificate::from_sums(self.problem, &self.sums()),
             Some(_) => Certificate::from_displacement(self.problem, &self.pressure.spread(), &self.u),
         }
+    }
+
+    /// The pressure for others to see: nodes that lie at the ceiling but for rounding yield.
+    pub fn completed(&self) -> Cow<'_, SparsePressure> {
+        let ceiling = self.ceiling();
+        let almost = |p: f64| p < ceiling && p >= ALMOST * ceiling;
+        if ceiling.is_infinite() || !self.pressure.values.iter().any(|&p| almost(p)) {
+            return Cow::Borrowed(&self.pressure);
+        }
+        let mut pressure = self.pressure.clone();
+        pressure.values.iter_mut().filter(|p| almost(**p)).for_each(|p| *p = ceiling);
+        Cow::Owned(pressure)
     }
 
     /// Area and gradient of this state with its edges resolved.
@@ -117,8 +165,9 @@ impl<'a> Level<'a> {
     }
 
     /// One free update or guarded step, as [`Level::choose_mode`] has it.
-    pub fn advance(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+    pub fn advance(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         match self.mode {
+            Mode::Free { .. } if self.method.has_inner_iterations() => self.settle(goal, watch),
             Mode::Free { .. } => self.update(watch),
             Mode::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
         }
@@ -139,6 +188,7 @@ impl<'a> Level<'a> {
         self.mode = match self.mode {
             Mode::Free { mark, .. } if distance <= BETTER * mark => Mode::Free { mark: distance, stale: 0 },
             Mode::Free { mark, stale } if stale < STALE && !recurs => {
+                self.slow_down();
                 self.reduction = (TIGHTENING * self.reduction).max(TIGHTEST);
                 Mode::Free { mark, stale: stale + 1 }
             }
@@ -174,17 +224,21 @@ impl<'a> Level<'a> {
     fn return_to(&mut self, best: &Best<SparsePressure>) {
         if let Some(pressure) = &best.pressure {
             self.pressure.clone_from(pressure);
-            self.is_fresh = false;
-            self.refresh();
+            self.refresh_from_pressure();
         }
     }
 
     /// Takes the displacement from a transform of the pressure.
     pub fn refresh(&mut self) {
-        if !self.is_fresh {
-            displace(&self.pressure, &mut self.response, &mut self.u);
-            self.is_fresh = true;
+        if self.displacement != Displacement::Exact {
+            self.refresh_from_pressure();
         }
+    }
+
+    /// Takes the displacement from a transform of the pressure, which has changed.
+    pub fn refresh_from_pressure(&mut self) {
+        displace(&self.pressure, &mut self.response, &mut self.u);
+        self.displacement = Displacement::Exact;
     }
 
     /// The sums of this state, with the first node of the set as the reference.
@@ -213,7 +267,7 @@ impl<'a> Level<'a> {
     }
 
     /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that have reached the ceiling,
-    /// and frees those that yield and have `v > lambda`. Returns whether the pressure changed by that, or the set.
+    /// frees those that yield and have `v > lambda`. Returns whether the pressure changed by that, or the set.
     fn exchange(&mut self, lambda: f64) -> bool {
         let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
@@ -257,42 +311,42 @@ impl<'a> Level<'a> {
             }
             Some(_) => *values = corrected(values, &delta, ceiling),
         }
-        self.is_fresh = false;
-        self.refresh();
-        let lambda = gap.map_or_else(|| mean(&self.on_set(free, |v| v)), |gap| -gap);
+        self.refresh_from_pressure();
+        let lambda = gap.map_or_else(|| mean(&self.on_set(free, |u, h| u - h)), |gap| -gap);
         if self.exchange(lambda) {
             self.pressure.carry(self.problem);
-            self.is_fresh = false;
+            self.displacement = Displacement::Outdated;
         }
         status
     }
 
     /// The correction of the pressure on the `free` nodes of the set, or on all of it, and whether the run is to end; none on no
-    /// nodes. The displacement is lost by that.
+    /// nodes.
     pub fn correction(
         &mut self,
         free: Option<&Support>,
         watch: &mut InnerStepCallback<'_>,
     ) -> Option<(Vec<f64>, Option<Status>)> {
         let (ceiling, gap) = (self.ceiling(), self.problem.datum());
-        let residual = self.on_set(free, |v| -(v + gap.unwrap_or(0.0)));
+        let residual = self.on_set(free, |u, h| h - u - gap.unwrap_or(0.0));
         if residual.is_empty() {
             return None;
         }
-        let Self { response, u, pressure: SparsePressure { support, values }, .. } = self;
-        let set = free.unwrap_or(support);
-        let mut extension = Extension::new(set, self.problem.surface().grid().shape());
-        let mut correction = Correction::new(set, residual, gap.is_none(), response);
-        let status = correction.solve(self.reduction, &mut extension, response, u, &mut |correction, response| {
+        let mut operator = self.take_operator();
+        let before = self.transforms();
+        let Self { response, pressure: SparsePressure { support, values }, .. } = self;
+        let mut correction = Correction::new([free.unwrap_or(support); 2], residual, gap.is_none(), operator.as_mut());
+        let status = correction.solve(self.reduction, operator.as_mut(), &mut |correction, spent| {
             let signed = || corrected(values, &correction.delta, ceiling);
-            watch(support, &signed, correction.last, response)
+            watch(support, &signed, correction.last, before + spent, response)
         });
-        self.is_fresh = false;
-        Some((correction.delta, status))
+        let delta = correction.delta;
+        self.operator = Some(operator);
+        Some((delta, status))
     }
 
-    /// Where nothing touches, or all that touches yields, lets nodes in. Where all nodes do at a mean gap, the load is too large, but no correction sees that,
-    /// since a uniform pressure displaces nothing: lowers it until the first node leaves.
+    /// Where nothing touches, or all that touches yields, lets nodes in. Where all nodes do at a mean gap, the load is too large, but
+    /// no correction sees that, since a uniform pressure displaces nothing: lowers it until the first node leaves.
     fn leave_extremes(&mut self) {
         let ceiling = self.ceiling();
         let values = &mut self.pressure.values;
@@ -310,14 +364,14 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// `of(v)` on the set, or on the `free` nodes of it.
-    pub fn on_set(&self, free: Option<&Support>, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
-        let (u, h, support) = (&self.u, self.problem.height(), free.unwrap_or(&self.pressure.support));
+    /// `of(u, h)` on the set, or on `other` nodes.
+    pub fn on_set(&self, other: Option<&Support>, of: impl Fn(f64, f64) -> f64 + Sync) -> Vec<f64> {
+        let (u, h, support) = (&self.u, self.problem.height(), other.unwrap_or(&self.pressure.support));
         let mut result = vec![0.0; support.nodes()];
         let width = support.shape()[1];
         chunks::each(&mut support.pieces(&mut result), width, |row, piece| {
             let nodes = support.runs(row).flat_map(|(run, _)| run);
-            piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(u[row * width + x] - h[row * width + x]));
+            piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(u[row * width + x], h[row * width + x]));
         });
         result
     }
@@ -335,7 +389,7 @@ pub(super) fn displace(pressure: &SparsePressure, response: &mut Response, u: &m
     response.displace_by_rows(
         |row, cause| {
             cause.fill(0.0);
-            support.scatter(row, values, cause);
+            support.scatter(row, values, 1.0, cause);
         },
         &mut rows,
         |_, effect, row| row.copy_from_slice(effect),

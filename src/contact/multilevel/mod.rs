@@ -49,9 +49,15 @@
 
 mod correction;
 mod extension;
+mod far;
 mod guard;
 mod hierarchy;
+mod inner;
 mod level;
+mod method;
+mod near;
+mod operator;
+mod split;
 mod stiffness;
 mod support;
 
@@ -60,8 +66,8 @@ use crate::contact::{Certificate, Contact, Observer, Phase, Problem, Run, Solver
 use crate::error::SolveError;
 use crate::grid::Grid;
 use crate::surface::Field;
-use hierarchy::{coarser, halved, prolong};
-use level::{Level, displace};
+use hierarchy::{coarser, halved, interpolated, prolong};
+use level::{Displacement, Level, displace};
 use support::{SparsePressure, Support};
 
 pub(super) use stiffness::stiffness;
@@ -73,6 +79,11 @@ const GOOD_START: f64 = 0.1;
 /// not better than the step between the grids, of which the own start is a measure.
 const COARSE_TOLERANCE: f64 = 1e-2;
 const COARSE_REDUCTION: f64 = 0.1;
+/// The parts to which inner iterations bring the certificate: on coarse grids, in the first one of the finest grid, and, of what is
+/// missing to the goals of the run, in later ones.
+const COARSE_GOAL: f64 = 0.03;
+const FIRST_GOAL: f64 = 1e-3;
+const LAST_GOAL: f64 = 0.3;
 /// A coarse grid with a worse certificate has not found its contact, as below a hardness where that of light loads is smaller than a
 /// few of its nodes. The contact of the finest grid is not compared with it.
 const COMPARABLE: f64 = 0.1;
@@ -182,7 +193,7 @@ impl Cascade<'_> {
         if level.certify().eta <= GOOD_START || halved(problem.surface().grid()).is_none() {
             return (level, None);
         }
-        self.spent = level.response.transforms() as f64;
+        self.spent = level.transforms();
         drop(level);
         self.level_on(problem, 0)
     }
@@ -196,41 +207,45 @@ impl Cascade<'_> {
         let (mut level, ended) = self.level_on(&coarse, depth + 1);
         let ended = self.relax(&mut level, depth + 1, ended);
         self.run.coarser = (depth == 0 && level.certify().eta <= COMPARABLE).then(|| level.resolved());
-        self.spent += self.share(&level) * level.response.transforms() as f64;
-        let pressure = self.run.best.pressure.take().unwrap_or(level.pressure).spread();
-        drop(level.response);
+        self.spent += self.share(&level) * level.transforms();
+        let pressure = self.run.best.pressure.take().unwrap_or_else(|| level.pressure.clone()).spread();
         self.run.best = Best::none(self.run.iterations());
         let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid());
-        (Level::new(problem, |rows| prolong(&pressure, from, to, rows)).at_depth(depth), ended)
+        let finer = Level::new(problem, |rows| prolong(&pressure, from, to, rows)).at_depth(depth);
+        (finer.with_interpolated(|| interpolated(&level.u, from, to)), ended)
     }
 
     /// Iterates on one grid, and says why the run ends, unless it goes on to a finer grid. A run that has `ended` gets no more
     /// than a certificate.
     fn relax(&mut self, level: &mut Level<'_>, depth: usize, mut ended: Option<Status>) -> Option<Status> {
-        let mut tolerance = COARSE_TOLERANCE;
+        let coarse = (depth > 0).then_some(COARSE_GOAL);
+        if level.displacement == Displacement::Interpolated && ended.is_none() {
+            let phase = Phase { level: depth, outer: 0, inner: 0 };
+            ended = self.advance(level, phase, coarse.unwrap_or(FIRST_GOAL));
+        }
         for outer in 0.. {
             let certificate = level.certify();
             let eta = certificate.eta;
-            self.run.offer(&certificate, &level.pressure);
+            self.run.offer(&certificate, &level.completed());
             if ended.is_some() {
                 break;
             }
             let phase = Phase { level: depth, outer, inner: 0 };
+            let goal = coarse.unwrap_or(LAST_GOAL * self.run.missing(&certificate));
+            let distance = self.run.distance(&certificate);
             ended = self.show(level, phase, certificate);
-            if depth > 0 {
-                tolerance = if outer == 0 { tolerance.min(COARSE_REDUCTION * eta) } else { tolerance };
-            }
+            let tolerance = COARSE_TOLERANCE.min(COARSE_REDUCTION * *level.first_eta.get_or_insert(eta));
             if ended.is_some() || depth > 0 && (eta <= tolerance || outer == COARSE_UPDATES) {
                 break;
             }
-            level.choose_mode(self.run.distance(&certificate), &self.run.best);
-            ended = self.advance(level, phase);
+            level.choose_mode(distance, &self.run.best);
+            ended = self.advance(level, phase, goal);
         }
         ended
     }
 
     fn show(&mut self, level: &Level<'_>, phase: Phase, certificate: Certificate) -> Option<Status> {
-        let (work, pressure) = (self.run.work(self.transforms(level)), Values::lazy(|| level.pressure.spread()));
+        let (work, pressure) = (self.run.work(self.transforms(level)), Values::lazy(|| level.completed().spread()));
         let step = Step::new(level.problem, work, pressure, &level.u).with_certificate(certificate).with_phase(phase);
         let step = step.with_decision(level.decision(phase.outer));
         let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
@@ -241,12 +256,12 @@ impl Cascade<'_> {
     }
 
     /// An outer step, whose inner ones are shown as the feasible states next to them.
-    fn advance(&mut self, level: &mut Level<'_>, mut phase: Phase) -> Option<Status> {
+    fn advance(&mut self, level: &mut Level<'_>, mut phase: Phase, goal: f64) -> Option<Status> {
         let (spent, share, problem) = (self.spent, self.share(level), level.problem);
         let run = &mut self.run;
-        level.advance(&mut |support, signed, decision, response| {
+        level.advance(goal, &mut |support, signed, decision, transforms, response| {
             phase.inner += 1;
-            let transforms = (spent + share * response.transforms() as f64).ceil() as u64;
+            let transforms = (spent + share * transforms).ceil() as u64;
             let feasible = || feasible(support, signed(), problem);
             let displaced = || {
                 let mut u = vec![0.0; problem.nodes()];
@@ -271,7 +286,7 @@ impl Cascade<'_> {
     }
 
     fn transforms(&self, level: &Level<'_>) -> u64 {
-        (self.spent + self.share(level) * level.response.transforms() as f64).ceil() as u64
+        (self.spent + self.share(level) * level.transforms()).ceil() as u64
     }
 }
 

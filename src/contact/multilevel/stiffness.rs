@@ -1,10 +1,9 @@
 //! The stiffness of a contact.
 
 use super::correction::{Correction, dot};
-use super::extension::Extension;
+use super::operator::Spectral;
 use super::support::SparsePressure;
 use crate::contact::Problem;
-use crate::elastic::Response;
 
 /// Reduction of the residual. The stiffness errs by the square of it.
 const REDUCTION: f64 = 1e-2;
@@ -29,33 +28,27 @@ pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displac
     let law = problem.law();
     let is_elastic = law.hardness().is_none() || !pressure.iter().any(|&p| law.yields(p));
     if is_elastic {
-        return stiffness_on(problem, SparsePressure::from_field(pressure, response.rows()), displacement, response);
+        return stiffness_on(problem, SparsePressure::from_field(pressure, response.rows()), displacement);
     }
     let free: Vec<f64> = pressure.iter().map(|&p| if law.yields(p) { 0.0 } else { p }).collect();
     let mut displacement = vec![0.0; free.len()];
     response.displacement(&free, &mut displacement);
     let free = SparsePressure::from_field(&free, response.rows());
-    if free.values.is_empty() { 0.0 } else { stiffness_on(problem, free, &displacement, response) }
+    if free.values.is_empty() { 0.0 } else { stiffness_on(problem, free, &displacement) }
 }
 
 /// The stiffness of the nodes under a pressure, from its displacement.
-fn stiffness_on(
-    problem: &Problem,
-    SparsePressure { support, values }: SparsePressure,
-    displacement: &[f64],
-    mut response: Response,
-) -> f64 {
+fn stiffness_on(problem: &Problem, SparsePressure { support, values }: SparsePressure, displacement: &[f64]) -> f64 {
     if values.len() == problem.nodes() {
         return f64::INFINITY;
     }
     let mut u = vec![0.0; values.len()];
     let width = support.shape()[1];
     let rows = displacement.chunks_exact(width).zip(support.pieces(&mut u)).enumerate();
-    rows.for_each(|(row, (from, piece))| support.gather(row, from, piece));
-    let mut extension = Extension::new(&support, problem.surface().grid().shape());
-    let mut correction = Correction::new(&support, u.iter().map(|u| -u).collect(), true, &mut response);
-    let mut field = vec![0.0; problem.nodes()];
-    correction.solve(REDUCTION, &mut extension, &mut response, &mut field, &mut |_, _| None);
+    rows.for_each(|(row, (from, piece))| support.gather(row, from, 1.0, piece));
+    let mut operator = Spectral::<f64>::new(problem);
+    let mut correction = Correction::new([&support; 2], u.iter().map(|u| -u).collect(), true, &mut operator);
+    correction.solve(REDUCTION, &mut operator, &mut |_, _| None);
     let load: f64 = values.iter().sum();
     // the residual is orthogonal to the correction
     load * load / (dot(&values, &u) + dot(&correction.delta, &u)) / problem.nodes() as f64

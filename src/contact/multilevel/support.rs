@@ -2,6 +2,7 @@
 
 use crate::chunks;
 use crate::contact::{Problem, feasible};
+use crate::fourier::Real;
 use std::ops::Range;
 
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
@@ -87,19 +88,54 @@ impl Support {
         })
     }
 
-    /// Writes `values` to the nodes of a row and leaves the others.
-    pub fn scatter(&self, row: usize, values: &[f64], to: &mut [f64]) {
+    /// Writes `values` times `scale` to the nodes of a row and leaves the others.
+    pub fn scatter<T: Real>(&self, row: usize, values: &[f64], scale: f64, to: &mut [T]) {
         for (run, at) in self.runs(row) {
-            to[run].copy_from_slice(&values[at]);
+            to[run].iter_mut().zip(&values[at]).for_each(|(to, value)| *to = T::from_double(scale * value));
         }
     }
 
-    /// Takes the values of a row at its nodes to the piece of a vector, see [`Support::pieces`].
-    pub fn gather(&self, row: usize, from: &[f64], piece: &mut [f64]) {
+    /// Takes the values of a row at its nodes, times `scale`, to the piece of a vector, see [`Support::pieces`].
+    pub fn gather<T: Real>(&self, row: usize, from: &[T], scale: f64, piece: &mut [f64]) {
         let first = self.rows[row].node;
         for (run, at) in self.runs(row) {
-            piece[at.start - first..at.end - first].copy_from_slice(&from[run]);
+            let to = &mut piece[at.start - first..at.end - first];
+            to.iter_mut().zip(&from[run]).for_each(|(to, from)| *to = scale * from.to_double());
         }
+    }
+
+    /// The nodes that `keep` keeps of this set, by their places in its vectors.
+    pub fn filter(&self, keep: impl Fn(usize) -> bool + Sync) -> Self {
+        let choose = |row: usize, nodes: &mut RowOfNodes| {
+            for (run, at) in self.runs(row) {
+                run.zip(at).filter(|(_, node)| keep(*node)).for_each(|(x, _)| nodes.push(x, 0.0));
+            }
+        };
+        Self::choose(self.shape(), choose).0
+    }
+
+    /// The values of this set at the nodes of another one, zero where this set has none.
+    pub fn transfer(&self, values: &[f64], to: &Self) -> Vec<f64> {
+        let mut result = vec![0.0; to.nodes()];
+        chunks::each(&mut to.pieces(&mut result), self.width, |row, piece| {
+            let first = to.rows[row].node;
+            let mut sources = self.runs(row).peekable();
+            for (run, at) in to.runs(row) {
+                while sources.next_if(|(source, _)| source.end <= run.start).is_some() {}
+                while let Some((source, node)) = sources.peek() {
+                    let (start, end) = (source.start.max(run.start), source.end.min(run.end));
+                    if start < end {
+                        let to = &mut piece[at.start - first + start - run.start..][..end - start];
+                        to.copy_from_slice(&values[node.start + start - source.start..][..end - start]);
+                    }
+                    if source.end > run.end || start >= end {
+                        break;
+                    }
+                    sources.next();
+                }
+            }
+        });
+        result
     }
 
     /// A vector, row by row.
@@ -113,7 +149,7 @@ impl Support {
     pub fn spread(&self, values: &[f64]) -> Vec<f64> {
         let [count, width] = self.shape();
         let mut field = vec![0.0; count * width];
-        chunks::rows_mut(&mut field, width, |row, field| self.scatter(row, values, field));
+        chunks::rows_mut(&mut field, width, |row, field| self.scatter(row, values, 1.0, field));
         field
     }
 }
@@ -149,6 +185,11 @@ impl SparsePressure {
         self.support.spread(&self.values)
     }
 
+    /// Whether a node has reached a finite `ceiling`.
+    pub fn reaches(&self, ceiling: f64) -> bool {
+        ceiling.is_finite() && self.values.iter().any(|&p| p >= ceiling)
+    }
+
     /// Scales it to the mean pressure of `problem`, if that is given, below the hardness if there is one.
     pub fn carry(&mut self, problem: &Problem) {
         let Some(mean_pressure) = problem.mean_pressure() else { return };
@@ -173,7 +214,7 @@ impl SparsePressure {
 
     /// The nodes that are free, whose pressure is below `ceiling`; none if all of them are.
     pub fn free(&self, ceiling: f64) -> Option<Support> {
-        if ceiling.is_infinite() || self.values.iter().all(|&p| p < ceiling) {
+        if !self.reaches(ceiling) {
             return None;
         }
         let Self { support, values } = self;

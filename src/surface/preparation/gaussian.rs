@@ -58,7 +58,8 @@ impl Gaussian {
     /// The weighted sums of neighbours; there are no neighbours beyond the rims.
     fn sums(&mut self, field: Field) -> Field {
         let mut field = field.as_standard_layout().into_owned();
-        self.fields.scale(field.as_slice_mut().expect("standard layout by construction"), &self.weights);
+        let values = field.as_slice_mut().expect("standard layout by construction");
+        self.fields.scale(values, |place| self.weights[place]);
         field
     }
 }

@@ -1,0 +1,298 @@
+//! Inner iterations: active-set updates on candidate nodes, without a product in double precision.
+
+use super::correction::{Correction, mean};
+use super::level::{Displacement, InnerStepCallback, Level};
+use super::method::UpdateMethod;
+use super::operator::{SetOperator, Spectral};
+use super::split::Split;
+use super::support::{RowOfNodes, SparsePressure, Support};
+use crate::chunks;
+use crate::contact::{Decision, Problem, Status};
+
+/// Candidates are the nodes of the set, those at most so many nodes away from it, and those with a gap below this part of the rms
+/// height.
+const HALO: usize = 2;
+const NEAR: f64 = 0.02;
+
+/// A node without pressure belongs to the first set if it penetrates by more than this part of the deepest penetration. Where the
+/// pressure comes from a coarser grid, half of all nodes near the set penetrate a little.
+const DEEP: f64 = 0.5;
+
+/// Largest number of updates of an inner iteration, and of updates without a better state after which it ends.
+const UPDATES: usize = 12;
+const STALE: usize = 3;
+/// A state is better when its certificate is this part of that of the last better one.
+const BETTER: f64 = 0.9;
+
+/// Reduction of the residual in an inner update, its part after an update that was no better, and the least.
+const REDUCTION: f64 = 0.05;
+const TIGHTENING: f64 = 0.5;
+const TIGHTEST: f64 = 1e-3;
+
+impl Level<'_> {
+    /// An inner iteration from this state: updates of the set within the candidates, whose displacements differ from that of this state
+    /// by what the operator of inner steps makes of the change of the pressure. It ends where the certificate has fallen to the part
+    /// `goal`, as far as the candidates show it, or as far as the operator is accurate. The best pressure is taken.
+    pub fn settle(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+        let candidates = self.candidates(self.lambda());
+        if self.pressure.values.is_empty() {
+            return self.update(watch);
+        }
+        let mut operator = self.take_operator();
+        let SparsePressure { support, values } = &self.pressure;
+        let heights = self.on_set(Some(&candidates), |_, h| h);
+        let v = if self.displacement == Displacement::Interpolated {
+            let u = operator.comply(support, values, &candidates);
+            u.iter().zip(&heights).map(|(u, h)| u - h).collect()
+        } else {
+            self.on_set(Some(&candidates), |u, h| u - h)
+        };
+        let pressure = support.transfer(values, &candidates);
+        let mut inner = Inner::new(self.problem, candidates, heights, pressure, v);
+        self.first_eta.get_or_insert(inner.certificate() / self.problem.rms_height());
+        let spent = self.transforms();
+        let status =
+            inner.iterate(goal.max(operator.accuracy()), operator.as_mut(), &mut |set, signed, decision, more| {
+                watch(set, signed, decision, spent + more, &mut self.response)
+            });
+        self.pressure = inner.into_pressure();
+        self.pressure.carry(self.problem);
+        self.operator = Some(operator);
+        self.see_yielding();
+        self.displacement = Displacement::Outdated;
+        status
+    }
+
+    /// Goes on in the next more accurate way, after a free update that was no better.
+    pub fn slow_down(&mut self) {
+        if self.method.has_inner_iterations() && !self.method.slower().has_inner_iterations() {
+            self.admit();
+        }
+        self.change_method(self.method.slower());
+    }
+
+    /// Lets whole-set updates take over from inner iterations if there are nodes that yield, which only they know.
+    pub fn see_yielding(&mut self) {
+        if self.method.has_inner_iterations() && self.pressure.reaches(self.ceiling()) {
+            self.change_method(UpdateMethod::Exact);
+        }
+    }
+
+    fn change_method(&mut self, method: UpdateMethod) {
+        if method != self.method {
+            self.spent += self.operator.take().map_or(0.0, |operator| operator.transforms());
+            self.method = method;
+        }
+    }
+
+    /// The operator of inner steps.
+    pub fn take_operator(&mut self) -> Box<dyn SetOperator> {
+        self.operator.take().unwrap_or_else(|| match self.method {
+            UpdateMethod::Split => match Split::new(self.problem, self.pressure.values.len()) {
+                Some(split) => Box::new(split),
+                None => {
+                    self.method = UpdateMethod::Single;
+                    Box::new(Spectral::<f32>::new(self.problem))
+                }
+            },
+            UpdateMethod::Single | UpdateMethod::Exact => Box::new(Spectral::<f32>::new(self.problem)),
+            UpdateMethod::Double => Box::new(Spectral::<f64>::new(self.problem)),
+        })
+    }
+
+    /// Transforms on this grid so far, without those of an operator that is taken.
+    pub fn transforms(&self) -> f64 {
+        let of_operator = self.operator.as_ref().map_or(0.0, |operator| operator.transforms());
+        self.spent + self.response.transforms() as f64 + of_operator
+    }
+
+    /// The nodes that may come into contact.
+    fn candidates(&self, lambda: f64) -> Support {
+        let (u, h, near) = (&self.u, self.problem.height(), lambda + NEAR * self.problem.rms_height());
+        let grid = self.problem.surface().grid();
+        let set = &self.pressure.support;
+        let [count, width] = set.shape();
+        let pieces = grid.shape()[1] / width;
+        Support::choose([count, width], |row, nodes: &mut RowOfNodes| {
+            let mut is_near = vec![false; width];
+            for (other, shift) in around(row, count, pieces, grid.is_line()) {
+                for (run, _) in set.runs(other) {
+                    let shifted = |x: usize| x as isize + shift * width as isize;
+                    let start = (shifted(run.start) - HALO as isize).clamp(0, width as isize) as usize;
+                    let end = (shifted(run.end) + HALO as isize).clamp(0, width as isize) as usize;
+                    is_near[start..end.max(start)].fill(true);
+                }
+            }
+            let at = row * width;
+            let (u, h) = (&u[at..at + width], &h[at..at + width]);
+            (0..width).filter(|&x| is_near[x] || u[x] - h[x] < near).for_each(|x| nodes.push(x, 0.0));
+        })
+        .0
+    }
+}
+
+/// The rows of which nodes may be near those of `row`, each with its shift along the row in rows: rows of a surface above and below, and
+/// on a line the pieces before and after. The cell is taken as periodic, which at most adds candidates.
+fn around(row: usize, count: usize, pieces: usize, is_line: bool) -> Vec<(usize, isize)> {
+    let (count, row) = (count as isize, row as isize);
+    let wrapped = |other: isize| other.rem_euclid(count) as usize;
+    let halo = (HALO as isize).min(count / 2);
+    let rows = if is_line { 0..=0 } else { -halo..=halo };
+    let shifts = if is_line && pieces > 1 { 1 } else { 0 };
+    let columns = [-1, 0, 1].into_iter();
+    rows.flat_map(|dy| columns.clone().map(move |shift| (wrapped(row + dy + shift * shifts), shift))).collect()
+}
+
+/// The state of an inner iteration; vectors live on the candidates.
+struct Inner<'a> {
+    problem: &'a Problem,
+    candidates: Support,
+    heights: Vec<f64>,
+    pressure: Vec<f64>,
+    /// `v` of the pressure: that at the start, and since then what the operator of inner steps adds.
+    v: Vec<f64>,
+    lambda: f64,
+    /// The best pressure so far.
+    best: Vec<f64>,
+}
+
+/// The watch of inner steps: the set, the signed pressure on it, the step, and the transforms of the operator.
+type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, f64) -> Option<Status> + 'w;
+
+impl<'a> Inner<'a> {
+    fn new(problem: &'a Problem, candidates: Support, heights: Vec<f64>, pressure: Vec<f64>, v: Vec<f64>) -> Self {
+        let best = pressure.clone();
+        let mut inner = Self { problem, candidates, heights, pressure, v, lambda: f64::NAN, best };
+        inner.place_datum();
+        inner
+    }
+
+    /// Updates until the certificate has fallen to the part `goal` of that at the start.
+    fn iterate(&mut self, goal: f64, operator: &mut dyn SetOperator, watch: &mut Watch<'_>) -> Option<Status> {
+        let goal = goal * self.certificate();
+        let (mut reduction, mut mark, mut stale) = (REDUCTION, f64::INFINITY, 0);
+        let (mut set, mut least) = (self.first_set(), f64::INFINITY);
+        for update in 0.. {
+            let certificate = self.certificate();
+            if certificate < least {
+                least = certificate;
+                self.best.clone_from(&self.pressure);
+            }
+            if certificate <= BETTER * mark {
+                (mark, stale) = (certificate, 0);
+            } else {
+                (reduction, stale) = ((TIGHTENING * reduction).max(TIGHTEST), stale + 1);
+            }
+            if certificate <= goal || certificate.is_nan() || update == UPDATES || stale == STALE {
+                break;
+            }
+            let (next, status) = self.update(&set, reduction, operator, watch);
+            let Some(next) = next else { return status };
+            set = next;
+            if status.is_some() {
+                return status;
+            }
+        }
+        None
+    }
+
+    /// The nodes with pressure and those that penetrate deeply.
+    fn first_set(&self) -> Support {
+        let Self { pressure, v, lambda, .. } = self;
+        let deep = lambda - DEEP * (lambda - self.lowest()).max(0.0);
+        self.candidates.filter(|i| pressure[i] > 0.0 || v[i] < deep)
+    }
+
+    /// One update. Returns the next set, unless there is no pressure left, and whether the run is to end.
+    fn update(
+        &mut self,
+        set: &Support,
+        reduction: f64,
+        operator: &mut dyn SetOperator,
+        watch: &mut Watch<'_>,
+    ) -> (Option<Support>, Option<Status>) {
+        let gap = self.problem.datum();
+        let candidates = &self.candidates;
+        let residual = candidates.transfer(&self.v, set).into_iter().map(|v| -(v + gap.unwrap_or(0.0))).collect();
+        let from = candidates.transfer(&self.pressure, set);
+        let mut correction = Correction::new([set, candidates], residual, gap.is_none(), operator);
+        let sum = |delta: &[f64]| from.iter().zip(delta).map(|(p, delta)| p + delta).collect::<Vec<_>>();
+        let status = correction.solve(reduction, operator, &mut |correction, spent| {
+            watch(set, &|| sum(&correction.delta), correction.last, spent)
+        });
+        let Correction { delta, moved, .. } = correction;
+        let signed = set.transfer(&sum(&delta), candidates);
+        add(&mut self.v, &moved);
+        self.lambda = gap.map_or_else(|| mean(&candidates.transfer(&self.v, set)), |gap| -gap);
+        let (v, lambda) = (&self.v, self.lambda);
+        let next = candidates.filter(|i| signed[i] > 0.0 || signed[i] == 0.0 && v[i] < lambda);
+        let lifted: Vec<f64> = signed.iter().map(|p| (-p).max(0.0)).collect();
+        self.pressure = signed.into_iter().map(|p| p.max(0.0)).collect();
+        self.press(&lifted, operator);
+        (self.carry().then_some(next), status)
+    }
+
+    /// Adds the displacement of a pressure that is zero at most nodes.
+    fn press(&mut self, pressure: &[f64], operator: &mut dyn SetOperator) {
+        let nodes = self.candidates.filter(|i| pressure[i] > 0.0);
+        if nodes.nodes() > 0 {
+            let moved = operator.comply(&nodes, &self.candidates.transfer(pressure, &nodes), &self.candidates);
+            add(&mut self.v, &moved);
+        }
+    }
+
+    /// Scales pressure and displacement to the load, if that is given. Returns whether there is any pressure.
+    fn carry(&mut self) -> bool {
+        if let Some(mean_pressure) = self.problem.mean_pressure() {
+            let load = chunks::sum(self.pressure.len(), |i| self.pressure[i]);
+            if load <= 0.0 || load.is_nan() {
+                return false;
+            }
+            let scale = mean_pressure * self.problem.nodes() as f64 / load;
+            let h = &self.heights;
+            chunks::update_both(&mut self.pressure, &mut self.v, |range, p, v| {
+                p.iter_mut().for_each(|p| *p *= scale);
+                range.zip(v).for_each(|(i, v)| *v = scale * (*v + h[i]) - h[i]);
+            });
+        }
+        self.place_datum();
+        true
+    }
+
+    /// Takes `lambda` from the state.
+    fn place_datum(&mut self) {
+        self.lambda = self.problem.datum().map_or_else(|| self.weighted_mean(), |gap| -gap);
+    }
+
+    /// Mean of `v` weighted by the pressure.
+    fn weighted_mean(&self) -> f64 {
+        let (p, v) = (&self.pressure, &self.v);
+        let load = chunks::sum(p.len(), |i| p[i]);
+        chunks::sum(p.len(), |i| p[i] / load * v[i])
+    }
+
+    /// The depth below the datum, as in the certificate, as far as the candidates know it, a length.
+    fn certificate(&self) -> f64 {
+        let lowest = self.lowest();
+        let mean = self.weighted_mean();
+        (mean - lowest).max(0.0) + (mean - self.problem.datum().map_or(mean, |gap| -gap)).abs()
+    }
+
+    /// The least `v`.
+    fn lowest(&self) -> f64 {
+        let parts = chunks::visit(self.v.len(), |range| self.v[range].iter().copied().fold(f64::INFINITY, f64::min));
+        parts.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The best pressure.
+    fn into_pressure(self) -> SparsePressure {
+        let Self { candidates, best, .. } = self;
+        let support = candidates.filter(|i| best[i] > 0.0);
+        let values = candidates.transfer(&best, &support);
+        SparsePressure { support, values }
+    }
+}
+
+fn add(to: &mut [f64], values: &[f64]) {
+    chunks::update(to, |range, to| range.zip(to).for_each(|(i, to)| *to += values[i]));
+}

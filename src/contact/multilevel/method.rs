@@ -1,0 +1,49 @@
+//! The way in which free updates are made.
+
+use super::support::SparsePressure;
+use crate::contact::Problem;
+
+/// How free updates are made, from the cheapest way to the most accurate one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum UpdateMethod {
+    /// By inner iterations with the split compliance, where it is cheaper than transforms.
+    Split,
+    /// By inner iterations with transforms in single precision.
+    Single,
+    /// One update each, whose displacement is computed in double precision; corrections in single precision.
+    Exact,
+    /// The same with corrections in double precision.
+    Double,
+}
+
+/// Largest ratio of the stiffnesses of waves for corrections in single precision. Short waves displace by so much less than long ones
+/// that the rounding of these, some 1e-7, would hide them.
+const WIDEST: f64 = 2e4;
+
+impl UpdateMethod {
+    /// The way to begin with. Lines, on which transforms are cheap and the stiffnesses of waves differ most, do not gain from single
+    /// precision, and inner iterations know nothing of nodes that yield.
+    pub fn first(problem: &Problem, pressure: &SparsePressure) -> Self {
+        let [softest, stiffest] = problem.compliance().stiffness_range();
+        if problem.surface().grid().is_line() || stiffest > WIDEST * softest {
+            Self::Double
+        } else if pressure.reaches(problem.law().ceiling()) {
+            Self::Exact
+        } else {
+            Self::Split
+        }
+    }
+
+    /// The next more accurate way.
+    pub fn slower(self) -> Self {
+        match self {
+            Self::Split => Self::Single,
+            Self::Single => Self::Exact,
+            Self::Exact | Self::Double => Self::Double,
+        }
+    }
+
+    pub fn has_inner_iterations(self) -> bool {
+        matches!(self, Self::Split | Self::Single)
+    }
+}

@@ -1,0 +1,93 @@
+//! The waves of a solid over a grid, multiplied in Fourier space.
+
+use super::Compliance;
+use super::compliance::ComplianceKind;
+use super::free::{FreeConvolution, FreeTable};
+use crate::fourier::{Filter, Real, Wave};
+use std::sync::Arc;
+
+/// The compliance of a solid and its approximate inverse, applied to fields of the precision `T`.
+///
+/// A field is multiplied by `unit` times the compliance, or by the stiffness over `unit`, so that single precision has the
+/// range that it needs in any system of units.
+pub(crate) struct Convolution<T: Real> {
+    compliance: Arc<Compliance>,
+    unit: f64,
+    rows: [usize; 2],
+    /// Made on first use, since a free boundary rarely needs it.
+    filter: Option<Filter<T>>,
+    padded: Option<FreeConvolution<T>>,
+}
+
+impl<T: Real> Convolution<T> {
+    /// Plans the transforms.
+    pub fn new(compliance: Arc<Compliance>, unit: f64) -> Self {
+        let padded = match &compliance.kind {
+            ComplianceKind::Free(table) => Some(FreeConvolution::new(&compliance.grid, table)),
+            ComplianceKind::HalfSpace { .. } | ComplianceKind::Table(_) => None,
+        };
+        Self { unit, rows: Filter::rows_of(&compliance.grid), filter: None, padded, compliance }
+    }
+
+    pub fn compliance(&self) -> &Arc<Compliance> {
+        &self.compliance
+    }
+
+    /// The number of rows in which fields are taken and given, and their length: the rows of a surface, or pieces of a line that
+    /// follow each other.
+    pub fn rows(&self) -> [usize; 2] {
+        self.rows
+    }
+
+    /// `unit` times the displacement under a pressure, for fields that need not exist as a whole.
+    ///
+    /// `fill(r, row)` writes row `r` of the pressure to `row`, whose content is undefined before; `store(r, row, sink)` takes row
+    /// `r` of the displacement with the sink of that row, one of [`Convolution::rows`].
+    pub fn displace<S: Send>(
+        &mut self,
+        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        sinks: &mut [S],
+        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+    ) {
+        let (unit, rows) = (self.unit, self.rows);
+        match (&mut self.padded, &self.compliance.kind) {
+            (Some(padded), ComplianceKind::Free(table)) => padded.convolve(table, unit, rows, fill, sinks, store),
+            _ => self.multiply(|k| if k > 0.0 { unit / k } else { 0.0 }, true, fill, sinks, store),
+        }
+    }
+
+    /// The approximate inverse of [`Convolution::displace`], with zero mean: symmetric and positive.
+    pub fn press<S: Send>(
+        &mut self,
+        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        sinks: &mut [S],
+        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+    ) {
+        let per_unit = self.unit.recip();
+        self.multiply(|k| per_unit * k, false, fill, sinks, store);
+    }
+
+    /// Multiplies the modes by `factor(k)`; the mean has the stiffness of a uniform pressure if `with_uniform`, or else zero.
+    pub fn multiply<S: Send>(
+        &mut self,
+        factor: impl Fn(f64) -> f64 + Sync + Send,
+        with_uniform: bool,
+        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        sinks: &mut [S],
+        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+    ) {
+        let Compliance { kind, grid, .. } = self.compliance.as_ref();
+        self.filter.get_or_insert_with(|| Filter::new(grid)).run(|filter| {
+            filter.load(fill);
+            match kind {
+                &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
+                    filter.scale(|wave| factor(0.5 * modulus * wave.q))
+                }
+                ComplianceKind::Table(table) => {
+                    filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
+                }
+            }
+            filter.store(sinks, store);
+        });
+    }
+}
