@@ -14,19 +14,15 @@ pub(crate) struct Convolution<T: Real> {
     compliance: Arc<Compliance>,
     unit: f64,
     rows: [usize; 2],
-    /// Made on first use, since a free boundary rarely needs it.
+    /// Made on first use: a free boundary rarely needs the first, and nothing else the second.
     filter: Option<Filter<T>>,
     padded: Option<FreeConvolution<T>>,
 }
 
 impl<T: Real> Convolution<T> {
-    /// Plans the transforms.
+    /// The waves of a solid; transforms are planned on first use.
     pub fn new(compliance: Arc<Compliance>, unit: f64) -> Self {
-        let padded = match &compliance.kind {
-            ComplianceKind::Free(table) => Some(FreeConvolution::new(&compliance.grid, table)),
-            ComplianceKind::HalfSpace { .. } | ComplianceKind::Table(_) => None,
-        };
-        Self { unit, rows: Filter::rows_of(&compliance.grid), filter: None, padded, compliance }
+        Self { unit, rows: Filter::rows_of(&compliance.grid), filter: None, padded: None, compliance }
     }
 
     pub fn compliance(&self) -> &Arc<Compliance> {
@@ -37,6 +33,11 @@ impl<T: Real> Convolution<T> {
     /// follow each other.
     pub fn rows(&self) -> [usize; 2] {
         self.rows
+    }
+
+    /// Frees the memory of the transforms until they are used again.
+    pub fn release(&mut self) {
+        (self.filter, self.padded) = (None, None);
     }
 
     /// `unit` times the displacement under a pressure, for fields that need not exist as a whole.
@@ -50,8 +51,11 @@ impl<T: Real> Convolution<T> {
         store: impl Fn(usize, &[T], &mut S) + Sync + Send,
     ) {
         let (unit, rows) = (self.unit, self.rows);
-        match (&mut self.padded, &self.compliance.kind) {
-            (Some(padded), ComplianceKind::Free(table)) => padded.convolve(table, unit, rows, fill, sinks, store),
+        match &self.compliance.kind {
+            ComplianceKind::Free(table) => {
+                let padded = self.padded.get_or_insert_with(|| FreeConvolution::new(&self.compliance.grid, table));
+                padded.convolve(table, unit, rows, fill, sinks, store);
+            }
             _ => self.multiply(|k| if k > 0.0 { unit / k } else { 0.0 }, true, fill, sinks, store),
         }
     }

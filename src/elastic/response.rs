@@ -60,7 +60,7 @@ impl Response {
         Self::from_compliance(Arc::new(Compliance::half_space(grid, contact_modulus)))
     }
 
-    /// Plans the response that a compliance makes.
+    /// The response that a compliance makes; transforms are planned on first use.
     pub fn from_compliance(compliance: Arc<Compliance>) -> Self {
         Self { waves: Convolution::new(compliance, 1.0), transforms: 0 }
     }
@@ -136,6 +136,11 @@ impl Response {
     /// The rows of [`Convolution::rows`].
     pub(crate) fn rows(&self) -> [usize; 2] {
         self.waves.rows()
+    }
+
+    /// Frees the memory of the transforms until they are used again.
+    pub(crate) fn release(&mut self) {
+        self.waves.release();
     }
 
     /// The displacement under a pressure, see [`Convolution::displace`]: one transform pair.

@@ -75,7 +75,8 @@ impl SiteExport {
     /// Solves all states and writes the site into a folder, which is new or empty. If this fails, the folder is as it
     /// was before. `goes_on` is called now and then how many runs are solved.
     ///
-    /// # Errors For a folder that cannot be created, for a run that cannot be solved, and for an interruption.
+    /// # Errors
+    /// For a folder that cannot be created, for a run that cannot be solved, and for an interruption.
     pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
         let page = Page::new("explore")?;
         let (session, solver) = Session::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);

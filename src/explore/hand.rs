@@ -48,7 +48,8 @@ impl Hold {
     /// Solves, from the pressures before, of this surface and of the one beside, if they are on the same grid: the new ones then take their
     /// places.
     ///
-    /// # Errors A refusal for invalid knobs, and for a gap at which nothing or everything touches.
+    /// # Errors
+    /// A refusal for invalid knobs, and for a gap at which nothing or everything touches.
     pub(super) fn solve(
         &self,
         source: Option<&SurfaceSource>,

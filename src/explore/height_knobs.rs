@@ -71,7 +71,8 @@ impl HeightKnobs {
 
     /// The knobs with the steps that the heights of a file need, and why they need them.
     ///
-    /// # Errors For a file that cannot be read, and one without known lengths.
+    /// # Errors
+    /// For a file that cannot be read, and one without known lengths.
     pub fn chosen(&self, file: &HeightFile) -> Result<(Self, Vec<String>), Refusal> {
         let layout = file.layout(self.channel.as_deref())?;
         let most = most(layout.is_profile);

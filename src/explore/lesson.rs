@@ -131,7 +131,8 @@ impl Lesson {
 
     /// The lessons of a folder, one in each file that ends in `.toml`, by their names.
     ///
-    /// # Errors For a folder that cannot be read or has no lesson, and for an invalid lesson, with the line of the
+    /// # Errors
+    /// For a folder that cannot be read or has no lesson, and for an invalid lesson, with the line of the
     /// error.
     pub fn folder(folder: &Path) -> Result<Vec<Self>, Refusal> {
         let unreadable = |source| FileError::Read { path: folder.into(), source };
@@ -215,7 +216,8 @@ impl LessonStep {
 
 /// The knobs that the page starts with, with others laid over them.
 ///
-/// # Errors A refusal with the place of the knob that causes it: the first knob with which the refusal appears.
+/// # Errors
+/// A refusal with the place of the knob that causes it: the first knob with which the refusal appears.
 fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced> {
     let refused = match knobs_of(written) {
         Ok(knobs) => return Ok(knobs),

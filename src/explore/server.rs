@@ -42,7 +42,8 @@ pub struct Server {
 impl Server {
     /// Takes `port`, or the next one that is free; 0 takes any.
     ///
-    /// # Errors If none of them is free.
+    /// # Errors
+    /// If none of them is free.
     pub fn bind(port: u16) -> io::Result<Self> {
         let bind = |port| TcpListener::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, port)));
         let mut bound = bind(port);

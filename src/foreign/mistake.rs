@@ -17,7 +17,8 @@ const FEWEST: f64 = 12.0;
 
 /// An everyday error that explains why a claim fails: without it the claim holds, or comes close to that.
 ///
-/// # How it is recognised Each error is undone in turn, and the claim is certified again, by a transform pair or two.
+/// # How it is recognised
+/// Each error is undone in turn, and the claim is certified again, by a transform pair or two.
 /// What counts is its fault, of first order in the error of the pressure: the largest of the bound of its relative
 /// error in the energy norm, the share of tension, and the relative error of the load. An error is recognised where the
 /// fault falls tenfold, and to at most 0.01, with a load that is spread over a dozen nodes. Errors are tried alone

@@ -28,7 +28,8 @@ impl SetupTable {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// # Errors For a tolerance that is not positive or is given without an automatic grid, and for points of a surface
+    /// # Errors
+    /// For a tolerance that is not positive or is given without an automatic grid, and for points of a surface
     /// that are automatic along one axis only.
     pub fn take_auto(&mut self) -> Result<Option<Auto>, SetupError> {
         let is_auto = |value: &toml::Value| value.as_str() == Some("auto");

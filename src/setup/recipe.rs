@@ -104,7 +104,8 @@ impl Recipe {
     /// The grid of the recipe on a cell: that of the height file, if there is one. Its lengths are used if the cell has
     /// none.
     ///
-    /// # Errors For a file that cannot be read, points in addition to those of a file, unknown lengths, and as
+    /// # Errors
+    /// For a file that cannot be read, points in addition to those of a file, unknown lengths, and as
     /// [`Cell::grid`].
     pub fn grid(&self, cell: &Cell) -> Result<Grid, SetupError> {
         if self.is_measured() && !cell.points.is_empty() {

@@ -90,7 +90,8 @@ impl LoadCurve {
     /// Solves `problem` under all loads, one after the other. `watch` makes the observer of each load, and `each` is
     /// called with each contact; both get the number of the load, from 0.
     ///
-    /// # Errors For impossible loads, such as a mean gap after the surface has yielded, and those of `each`. Contacts
+    /// # Errors
+    /// For impossible loads, such as a mean gap after the surface has yielded, and those of `each`. Contacts
     /// that did not converge are shown, too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,

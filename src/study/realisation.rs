@@ -21,7 +21,8 @@ impl Realisation {
     /// Solves the setup under its loads, each from the previous contact. `watch` makes the observer of each load.
     /// `each` is called with each contact, and an error of it ends the realisation.
     ///
-    /// # Errors For impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
+    /// # Errors
+    /// For impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
     /// too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,

@@ -105,7 +105,7 @@ impl Level<'_> {
     fn gradient_length(&mut self) -> f64 {
         let lambda = self.lambda();
         let free = self.pressure.free(self.ceiling());
-        let mut gradient = self.on_set(free.as_ref(), |u, h| u - h - lambda);
+        let mut gradient = self.on_set(free.as_ref(), |v| v - lambda);
         if self.problem.mean_pressure().is_some() {
             remove_mean(&mut gradient);
         }

@@ -38,17 +38,19 @@ impl Level<'_> {
         if self.pressure.values.is_empty() {
             return self.update(watch);
         }
+        // the transforms of inner steps and those in double precision are not used at the same time
+        self.response.release();
         let mut operator = self.take_operator();
         let SparsePressure { support, values } = &self.pressure;
-        let heights = self.on_set(Some(&candidates), |_, h| h);
         let v = if self.displacement == Displacement::Interpolated {
-            let u = operator.comply(support, values, &candidates);
-            u.iter().zip(&heights).map(|(u, h)| u - h).collect()
+            let (u, h) = (operator.comply(support, values, &candidates), candidates.of_field(self.problem.height()));
+            u.iter().zip(h).map(|(u, h)| u - h).collect()
         } else {
-            self.on_set(Some(&candidates), |u, h| u - h)
+            self.on_set(Some(&candidates), |v| v)
         };
         let pressure = support.transfer(values, &candidates);
-        let mut inner = Inner::new(self.problem, candidates, heights, pressure, v);
+        (self.u, self.displacement) = (Vec::new(), Displacement::Outdated);
+        let mut inner = Inner::new(self.problem, candidates, pressure, v);
         self.first_eta.get_or_insert(inner.certificate() / self.problem.rms_height());
         let spent = self.transforms();
         let status =
@@ -57,9 +59,9 @@ impl Level<'_> {
             });
         self.pressure = inner.into_pressure();
         self.pressure.carry(self.problem);
+        operator.release();
         self.operator = Some(operator);
         self.see_yielding();
-        self.displacement = Displacement::Outdated;
         status
     }
 
@@ -147,7 +149,6 @@ fn around(row: usize, count: usize, pieces: usize, is_line: bool) -> Vec<(usize,
 struct Inner<'a> {
     problem: &'a Problem,
     candidates: Support,
-    heights: Vec<f64>,
     pressure: Vec<f64>,
     /// `v` of the pressure: that at the start, and since then what the operator of inner steps adds.
     v: Vec<f64>,
@@ -160,9 +161,9 @@ struct Inner<'a> {
 type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, f64) -> Option<Status> + 'w;
 
 impl<'a> Inner<'a> {
-    fn new(problem: &'a Problem, candidates: Support, heights: Vec<f64>, pressure: Vec<f64>, v: Vec<f64>) -> Self {
+    fn new(problem: &'a Problem, candidates: Support, pressure: Vec<f64>, v: Vec<f64>) -> Self {
         let best = pressure.clone();
-        let mut inner = Self { problem, candidates, heights, pressure, v, lambda: f64::NAN, best };
+        let mut inner = Self { problem, candidates, pressure, v, lambda: f64::NAN, best };
         inner.place_datum();
         inner
     }
@@ -226,18 +227,17 @@ impl<'a> Inner<'a> {
         self.lambda = gap.map_or_else(|| mean(&candidates.transfer(&self.v, set)), |gap| -gap);
         let (v, lambda) = (&self.v, self.lambda);
         let next = candidates.filter(|i| signed[i] > 0.0 || signed[i] == 0.0 && v[i] < lambda);
-        let lifted: Vec<f64> = signed.iter().map(|p| (-p).max(0.0)).collect();
+        let negative = candidates.filter(|i| signed[i] < 0.0);
+        let lifted: Vec<f64> = candidates.transfer(&signed, &negative).into_iter().map(|p| -p).collect();
         self.pressure = signed.into_iter().map(|p| p.max(0.0)).collect();
-        self.press(&lifted, operator);
+        self.press(&negative, &lifted, operator);
         (self.carry().then_some(next), status)
     }
 
-    /// Adds the displacement of a pressure that is zero at most nodes.
-    fn press(&mut self, pressure: &[f64], operator: &mut dyn SetOperator) {
-        let nodes = self.candidates.filter(|i| pressure[i] > 0.0);
+    /// Adds the displacement of a pressure on some nodes.
+    fn press(&mut self, nodes: &Support, pressure: &[f64], operator: &mut dyn SetOperator) {
         if nodes.nodes() > 0 {
-            let moved = operator.comply(&nodes, &self.candidates.transfer(pressure, &nodes), &self.candidates);
-            add(&mut self.v, &moved);
+            add(&mut self.v, &operator.comply(nodes, pressure, &self.candidates));
         }
     }
 
@@ -249,7 +249,7 @@ impl<'a> Inner<'a> {
                 return false;
             }
             let scale = mean_pressure * self.problem.nodes() as f64 / load;
-            let h = &self.heights;
+            let h = self.candidates.of_field(self.problem.height());
             chunks::update_both(&mut self.pressure, &mut self.v, |range, p, v| {
                 p.iter_mut().for_each(|p| *p *= scale);
                 range.zip(v).for_each(|(i, v)| *v = scale * (*v + h[i]) - h[i]);

@@ -64,7 +64,7 @@ pub(super) enum Displacement {
     Exact,
     /// Interpolated from the coarser grid.
     Interpolated,
-    /// That of an earlier pressure.
+    /// That of an earlier pressure, or none.
     Outdated,
 }
 
@@ -237,6 +237,7 @@ impl<'a> Level<'a> {
 
     /// Takes the displacement from a transform of the pressure, which has changed.
     pub fn refresh_from_pressure(&mut self) {
+        self.u.resize(self.problem.nodes(), 0.0);
         displace(&self.pressure, &mut self.response, &mut self.u);
         self.displacement = Displacement::Exact;
     }
@@ -312,7 +313,7 @@ impl<'a> Level<'a> {
             Some(_) => *values = corrected(values, &delta, ceiling),
         }
         self.refresh_from_pressure();
-        let lambda = gap.map_or_else(|| mean(&self.on_set(free, |u, h| u - h)), |gap| -gap);
+        let lambda = gap.map_or_else(|| mean(&self.on_set(free, |v| v)), |gap| -gap);
         if self.exchange(lambda) {
             self.pressure.carry(self.problem);
             self.displacement = Displacement::Outdated;
@@ -328,7 +329,7 @@ impl<'a> Level<'a> {
         watch: &mut InnerStepCallback<'_>,
     ) -> Option<(Vec<f64>, Option<Status>)> {
         let (ceiling, gap) = (self.ceiling(), self.problem.datum());
-        let residual = self.on_set(free, |u, h| h - u - gap.unwrap_or(0.0));
+        let residual = self.on_set(free, |v| -(v + gap.unwrap_or(0.0)));
         if residual.is_empty() {
             return None;
         }
@@ -364,16 +365,16 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// `of(u, h)` on the set, or on `other` nodes.
-    pub fn on_set(&self, other: Option<&Support>, of: impl Fn(f64, f64) -> f64 + Sync) -> Vec<f64> {
-        let (u, h, support) = (&self.u, self.problem.height(), other.unwrap_or(&self.pressure.support));
-        let mut result = vec![0.0; support.nodes()];
+    /// `of(v)` on the set, or on `other` nodes.
+    pub fn on_set(&self, other: Option<&Support>, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+        let (h, support) = (self.problem.height(), other.unwrap_or(&self.pressure.support));
+        let mut values = support.of_field(&self.u);
         let width = support.shape()[1];
-        chunks::each(&mut support.pieces(&mut result), width, |row, piece| {
+        chunks::each(&mut support.pieces(&mut values), width, |row, piece| {
             let nodes = support.runs(row).flat_map(|(run, _)| run);
-            piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(u[row * width + x], h[row * width + x]));
+            piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(*value - h[row * width + x]));
         });
-        result
+        values
     }
 
     /// The half-space; the rest is dropped.

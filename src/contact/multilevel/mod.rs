@@ -4,16 +4,33 @@
 //! it or minus a given mean gap, `r = lambda - v` the residual on `S`, `delta` the correction of `p` on `S`, `eta` the
 //! certificate.
 //!
-//! # Why it is fast On a given set the pressure solves `A delta = r` with the compliance `A` restricted to `S`. Its
-//! inverse is the Schur complement of the stiffness `K = A^-1` of the whole plane: `K` after the extension of `r` from
-//! `S` that costs the least energy. An approximate extension `E` gives the preconditioner `E' K E`, symmetric and
-//! positive for any `E`. Extension by zero, the usual choice of opposite-order preconditioning, tears long waves apart
-//! at the rims of many small patches; the [`extension::Extension`] used here lets them fade as the capacity of a patch
-//! says, and two or three steps of conjugate gradients then reduce the residual fiftyfold, on any number of nodes.
+//! # Why it is fast
+//! On a given set the pressure solves `A delta = r` with the compliance `A` restricted to `S`. Its inverse is the Schur complement
+//! of the stiffness `K = A^-1` of the whole plane: `K` after the extension of `r` from `S` that costs the least energy. An
+//! approximate extension `E` gives the preconditioner `E' K E`, symmetric and positive for any `E`. Extension by zero, the usual
+//! choice of opposite-order preconditioning, tears long waves apart at the rims of many small patches; the
+//! [`extension::Extension`] used here lets them fade as the capacity of a patch says, and two or three steps of conjugate gradients
+//! then reduce the residual fiftyfold, on any number of nodes.
+//!
+//! Most updates need two digits only. So a free update on a surface is an [`inner`] iteration: several updates of the set, among the
+//! nodes near the contact, with displacements that are cheap. They are computed by transforms in single precision or, on small
+//! sets, by the compliance of a half-space in two parts ([`split`]), whose cost grows with the set instead of the grid. The change of
+//! the pressure is what is computed in this way, so that its error shrinks with the change. Then one displacement in double
+//! precision shows the state as it is, with its certificate.
+//!
+//! | free update                                | displacements                               | used                          |
+//! |--------------------------------------------|---------------------------------------------|-------------------------------|
+//! | inner iteration, split compliance          | sums over neighbours, FFT of a coarse grid  | on small sets of half-spaces  |
+//! | inner iteration, single precision          | FFT in single precision                     | on other sets of surfaces     |
+//! | one update, correction in single precision | FFT in double precision                     | where nodes yield             |
+//! | one update                                 | FFT in double precision, for all            | on lines, and on solids whose waves differ most in stiffness |
+//!
+//! Whatever is begun with, a free update that was no better moves on to the next row of the table.
 //!
 //! # Why it ends
 //! Call a state *better* when its distance from the goals of the run, which is proportional to the certificate, is at most nine
-//! tenths of that of the last better one. Free updates (see [`Multilevel`]) go on as long as one of every few is better. If none
+//! tenths of that of the last better one. Free updates (see [`Multilevel`]) go on as long as one of every few is better. Whether it
+//! is, the certificate says, whose displacement is in double precision, so that no error of an inner iteration is taken for progress. If none
 //! is, the best state is taken up again and *guarded steps* follow until the distance has halved:
 //!
 //! - **What falls.** A guarded step moves along `d = q - p` for a feasible `q`, so that every point of the way is feasible, to the
@@ -29,12 +46,13 @@
 //! - **What it costs.** Whole-set updates cycle when their corrections are loose. So a correction is tightened whenever
 //!   an update was no better, so the guard is rarely needed; the tests force it.
 //!
-//! # Below a hardness There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to
-//! the last bit. The correction acts on the free nodes, under the pressure of those that yield, and an exchange updates
-//! all sets by signs: out go free nodes below zero, in come open ones with `v < lambda`; free ones above `H_c` yield,
-//! and those that yield with `v > lambda` are free again, which is represented by the number next below `H_c`. Then
-//! free nodes are scaled to the load. Where none is free, `lambda` lies between the nodes that would carry the load at
-//! `H_c` and the others, so that some enter and as many become free, unless it is the solution.
+//! # Below a hardness
+//! There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to the last bit. The correction acts on
+//! the free nodes, under the pressure of those that yield, and an exchange updates all sets by signs: out go free nodes below zero,
+//! in come open ones with `v < lambda`; free ones above `H_c` yield, and those that yield with `v > lambda` are free again, which
+//! is represented by the number next below `H_c`. Then free nodes are scaled to the load. Where none is free, `lambda` lies between
+//! the nodes that would carry the load at `H_c` and the others, so that some enter and as many become free, unless it is the
+//! solution. Inner iterations know nothing of this. They are used until the first node yields.
 //!
 //! Two things differ on the finest grid. If an update returns to sets of an earlier one without a better state, the
 //! updates are in a cycle, and the guard takes over at once. Its steps are projected Newton steps there: the correction
@@ -100,7 +118,11 @@ const PATIENCE: usize = 600;
 /// 1. on the contact set, solve for the pressure that makes the gap vanish, of any sign, by preconditioned conjugate
 ///    gradients: the inner steps;
 /// 2. take nodes out whose pressure is negative and in where the gap is negative, all at once;
-/// 3. go on from that pressure, clipped and scaled to the load, with its own displacement: an outer step.
+/// 3. go on from that pressure, clipped and scaled to the load, with its own displacement.
+///
+/// On surfaces several of these updates follow each other with displacements in single precision, or, on small contacts of a
+/// half-space, with approximate ones whose cost grows with the contact. After them, or after each update on lines, an outer step
+/// computes the displacement and the certificate in double precision.
 ///
 /// The pressure is interpolated to the next grid, whose heights were subsampled. Coarse grids end where a side becomes odd or
 /// short; on any other grid the method works without them. A given start whose certificate is at most 0.1 is taken up on the
@@ -108,18 +130,20 @@ const PATIENCE: usize = 600;
 ///
 /// Outer and inner steps of all grids are shown to the observer and count as iterations. An inner step is shown as the
 /// feasible pressure next to it, clipped and scaled, whose fields are made only on request. Transforms of coarse grids
-/// count by their share of points.
+/// count by their share of points, and those in single precision like others.
 ///
-/// Memory on the finest grid, besides the heights: 1 field of n doubles, the [`crate::elastic::Response`], two thirds of a field
-/// on surfaces and two fields on lines for the extension, and 8 vectors on the contact set, with 16 bytes for each run of its
-/// nodes. Guarded steps take 4 fields more. Coarse grids are freed before the finest one is set up.
+/// Memory on the finest grid, besides the heights, is the larger of two. An outer step needs 1 field of n doubles and the
+/// [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
+/// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs two fields for the extension, and
+/// 8 vectors on the contact set. Guarded steps take 4 fields more. Coarse grids are freed before the finest one is set up.
 ///
-/// # Why it is stable No step length is chosen: corrections are exact minimisers on their set, and guarded steps are
-/// exact minimisers on their way. The documentation of the module explains why it terminates.
+/// # Why it is stable
+/// No step length is chosen: corrections are exact minimisers on their set, and guarded steps are exact minimisers on their way. The
+/// documentation of the module explains why it terminates.
 ///
 /// # Source
 /// Primal-dual active sets: Hintermueller, Ito & Kunisch, SIAM J. Optim. 13, 865 (2002). Opposite-order preconditioning:
-/// Steinbach & Wendland, Adv. Comput. Math. 9, 191 (1998). Deviations: the extension in the preconditioner, the clipped
+/// Steinbach & Wendland, Adv. Comput. Math. 9, 191 (1998). Deviations: the inner iterations, the extension in the preconditioner, the clipped
 /// restart, the guard, and the stop by [`crate::contact::Certificate`].
 ///
 /// ```
@@ -139,7 +163,7 @@ impl Multilevel {
     /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
     /// contact.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
-        if grid.is_line() { 4.0 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 9.1 * relative_area }
+        if grid.is_line() { 4.0 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 16.0 * relative_area }
     }
 
     /// Largest number of coarse grids above `grid`, each with half as many points per side.

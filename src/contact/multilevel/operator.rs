@@ -27,6 +27,9 @@ pub(super) trait SetOperator {
     /// The part to which an inner iteration can bring the certificate before the error of displacements shows.
     fn accuracy(&self) -> f64;
 
+    /// Frees memory until the operator is used again.
+    fn release(&mut self);
+
     /// Transforms so far, in those of the whole grid.
     fn transforms(&self) -> f64;
 }
@@ -102,6 +105,11 @@ impl<T: Real> SetOperator for Spectral<T> {
         );
         extension.restrict(&self.off_set, support, &mut pressure, up);
         pressure
+    }
+
+    fn release(&mut self) {
+        self.waves.release();
+        (self.off_set, self.extension) = (Vec::new(), None);
     }
 
     fn accuracy(&self) -> f64 {

@@ -139,6 +139,9 @@ impl SetOperator for Split {
         self.stiffness.press(support, residual, [largest.recip(), largest / self.unit])
     }
 
+    /// The coarse grids need little.
+    fn release(&mut self) {}
+
     fn accuracy(&self) -> f64 {
         ACCURACY
     }

@@ -42,10 +42,7 @@ fn stiffness_on(problem: &Problem, SparsePressure { support, values }: SparsePre
     if values.len() == problem.nodes() {
         return f64::INFINITY;
     }
-    let mut u = vec![0.0; values.len()];
-    let width = support.shape()[1];
-    let rows = displacement.chunks_exact(width).zip(support.pieces(&mut u)).enumerate();
-    rows.for_each(|(row, (from, piece))| support.gather(row, from, 1.0, piece));
+    let u = support.of_field(displacement);
     let mut operator = Spectral::<f64>::new(problem);
     let mut correction = Correction::new([&support; 2], u.iter().map(|u| -u).collect(), true, &mut operator);
     correction.solve(REDUCTION, &mut operator, &mut |_, _| None);

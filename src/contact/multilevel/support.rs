@@ -104,6 +104,15 @@ impl Support {
         }
     }
 
+    /// The values of a field on the set.
+    pub fn of_field(&self, field: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; self.nodes()];
+        chunks::each(&mut self.pieces(&mut values), self.width, |row, piece| {
+            self.gather(row, &field[row * self.width..][..self.width], 1.0, piece);
+        });
+        values
+    }
+
     /// The nodes that `keep` keeps of this set, by their places in its vectors.
     pub fn filter(&self, keep: impl Fn(usize) -> bool + Sync) -> Self {
         let choose = |row: usize, nodes: &mut RowOfNodes| {
