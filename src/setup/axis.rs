@@ -111,7 +111,8 @@ impl SetupTable {
     /// [`SetupTable::take_loads`]. A quantity that is a list itself, such as the points of a surface, needs a list of
     /// lists. The lists are in the order of [`FLAGS`], the seeds last.
     ///
-    /// # Errors [`SetupError::Text`] for an empty list and for an invalid range.
+    /// # Errors
+    /// [`SetupError::Text`] for an empty list and for an invalid range.
     pub fn take_axes(&mut self) -> Result<Vec<ParameterAxis>, SetupError> {
         let mut axes = Vec::new();
         for (section, value) in self.sections() {

@@ -32,12 +32,15 @@ const TIGHTEST: f64 = 1e-3;
 impl Level<'_> {
     /// An inner iteration from this state: updates of the set within the candidates, whose displacements differ from that of this state
     /// by what the operator of inner steps makes of the change of the pressure. It ends where the certificate has fallen to the part
-    /// `goal`, as far as the candidates show it, or as far as the operator is accurate. The best pressure is taken.
+    /// `goal`, as far as the candidates show it, or as far as the operator is accurate. The best pressure is taken. A set without an edge is left to
+    /// [`Level::update`].
     pub fn settle(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
-        let candidates = self.candidates(self.lambda());
-        if self.pressure.values.is_empty() {
+        let nodes = self.pressure.values.len();
+        if nodes == 0 || nodes == self.problem.nodes() {
+            self.refresh();
             return self.update(watch);
         }
+        let candidates = self.candidates(self.lambda());
         // the transforms of inner steps and those in double precision are not used at the same time
         self.response.release();
         let mut operator = self.take_operator();

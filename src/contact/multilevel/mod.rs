@@ -96,6 +96,8 @@ const GOOD_START: f64 = 0.1;
 /// Coarse grids are solved to this certificate, or to this part of that at their own start, if that is less: the next start is
 /// not better than the step between the grids, of which the own start is a measure.
 const COARSE_TOLERANCE: f64 = 1e-2;
+/// The same for the grid next to the finest, whose contact is compared with that of the finest to tell the error of the grid.
+const COMPARED_TOLERANCE: f64 = 1e-3;
 const COARSE_REDUCTION: f64 = 0.1;
 /// The parts to which inner iterations bring the certificate: on coarse grids, in the first one of the finest grid, and, of what is
 /// missing to the goals of the run, in later ones.
@@ -134,7 +136,7 @@ const PATIENCE: usize = 600;
 ///
 /// Memory on the finest grid, besides the heights, is the larger of two. An outer step needs 1 field of n doubles and the
 /// [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
-/// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs two fields for the extension, and
+/// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs 6 fields, and
 /// 8 vectors on the contact set. Guarded steps take 4 fields more. Coarse grids are freed before the finest one is set up.
 ///
 /// # Why it is stable
@@ -163,7 +165,7 @@ impl Multilevel {
     /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
     /// contact.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
-        if grid.is_line() { 4.0 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 16.0 * relative_area }
+        if grid.is_line() { 7.5 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 16.0 * relative_area }
     }
 
     /// Largest number of coarse grids above `grid`, each with half as many points per side.
@@ -258,7 +260,8 @@ impl Cascade<'_> {
             let goal = coarse.unwrap_or(LAST_GOAL * self.run.missing(&certificate));
             let distance = self.run.distance(&certificate);
             ended = self.show(level, phase, certificate);
-            let tolerance = COARSE_TOLERANCE.min(COARSE_REDUCTION * *level.first_eta.get_or_insert(eta));
+            let tolerance = if depth == 1 { COMPARED_TOLERANCE } else { COARSE_TOLERANCE };
+            let tolerance = tolerance.min(COARSE_REDUCTION * *level.first_eta.get_or_insert(eta));
             if ended.is_some() || depth > 0 && (eta <= tolerance || outer == COARSE_UPDATES) {
                 break;
             }

@@ -79,6 +79,8 @@ impl<T: Real> SetOperator for Spectral<T> {
 
     fn prepare(&mut self, support: &Support) {
         self.off_set.resize(self.shape[0] * self.shape[1], T::zero());
+        // the memory of an earlier one is free for this one
+        self.extension = None;
         self.extension = Some(Extension::new(support, self.shape, 2));
     }
 
