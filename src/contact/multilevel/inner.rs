@@ -30,10 +30,10 @@ const TIGHTENING: f64 = 0.5;
 const TIGHTEST: f64 = 1e-3;
 
 impl Level<'_> {
-    /// An inner iteration from this state: updates of the set within the candidates, whose displacements differ from that of this state
-    /// by what the operator of inner steps makes of the change of the pressure. It ends where the certificate has fallen to the part
-    /// `goal`, as far as the candidates show it, or as far as the operator is accurate. The best pressure is taken. A set without an edge is left to
-    /// [`Level::update`].
+    /// An inner iteration on a surface, from this state: updates of the set within the candidates, whose displacements differ from
+    /// that of this state by what the operator of inner steps makes of the change of the pressure. It ends where the certificate has
+    /// fallen to the part `goal`, as far as the candidates show it, or as far as the operator is accurate. The best pressure is
+    /// taken. A set without an edge is left to [`Level::update`].
     pub fn settle(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         let nodes = self.pressure.values.len();
         if nodes == 0 || nodes == self.problem.nodes() {
@@ -111,41 +111,24 @@ impl Level<'_> {
         self.spent + self.response.transforms() as f64 + of_operator
     }
 
-    /// The nodes that may come into contact.
+    /// The nodes of a surface that may come into contact. The cell is taken as periodic, which at most adds candidates.
     fn candidates(&self, lambda: f64) -> Support {
         let (u, h, near) = (&self.u, self.problem.height(), lambda + NEAR * self.problem.rms_height());
-        let grid = self.problem.surface().grid();
         let set = &self.pressure.support;
-        let [count, width] = set.shape();
-        let pieces = grid.shape()[1] / width;
-        Support::choose([count, width], |row, nodes: &mut RowOfNodes| {
+        let [height, width] = set.shape();
+        let choose = |row: usize, nodes: &mut RowOfNodes| {
             let mut is_near = vec![false; width];
-            for (other, shift) in around(row, count, pieces, grid.is_line()) {
+            for other in (0..=2 * HALO).map(|shift| (row + HALO * height + shift - HALO) % height) {
                 for (run, _) in set.runs(other) {
-                    let shifted = |x: usize| x as isize + shift * width as isize;
-                    let start = (shifted(run.start) - HALO as isize).clamp(0, width as isize) as usize;
-                    let end = (shifted(run.end) + HALO as isize).clamp(0, width as isize) as usize;
-                    is_near[start..end.max(start)].fill(true);
+                    (run.start..run.end + 2 * HALO).for_each(|x| is_near[(x + HALO * width - HALO) % width] = true);
                 }
             }
             let at = row * width;
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
             (0..width).filter(|&x| is_near[x] || u[x] - h[x] < near).for_each(|x| nodes.push(x, 0.0));
-        })
-        .0
+        };
+        Support::choose([height, width], choose).0
     }
-}
-
-/// The rows of which nodes may be near those of `row`, each with its shift along the row in rows: rows of a surface above and below, and
-/// on a line the pieces before and after. The cell is taken as periodic, which at most adds candidates.
-fn around(row: usize, count: usize, pieces: usize, is_line: bool) -> Vec<(usize, isize)> {
-    let (count, row) = (count as isize, row as isize);
-    let wrapped = |other: isize| other.rem_euclid(count) as usize;
-    let halo = (HALO as isize).min(count / 2);
-    let rows = if is_line { 0..=0 } else { -halo..=halo };
-    let shifts = if is_line && pieces > 1 { 1 } else { 0 };
-    let columns = [-1, 0, 1].into_iter();
-    rows.flat_map(|dy| columns.clone().map(move |shift| (wrapped(row + dy + shift * shifts), shift))).collect()
 }
 
 /// The state of an inner iteration; vectors live on the candidates.

@@ -43,6 +43,7 @@ impl UpdateMethod {
         }
     }
 
+    /// Whether a free update is an inner iteration.
     pub fn has_inner_iterations(self) -> bool {
         matches!(self, Self::Split | Self::Single)
     }
