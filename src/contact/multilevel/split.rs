@@ -313,10 +313,10 @@ mod tests {
             let b: Vec<f64> = (0..a.len()).map(|i| (i as f64 * 0.3).cos()).collect();
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             let [of_a, of_b] = [&a, &b].map(|it| split.precondition(&support, it));
-            let [ab, ba] = [dot(&a, &of_b), dot(&b, &of_a)];
+            let [forth, back] = [dot(&a, &of_b), dot(&b, &of_a)];
             let size = (dot(&a, &of_a) * dot(&b, &of_b)).sqrt();
             assert!(dot(&a, &of_a) > 0.0 && dot(&b, &of_b) > 0.0);
-            assert!((ab - ba).abs() < 1e-5 * size, "{ab} and {ba} beside {size}");
+            assert!((forth - back).abs() < 1e-5 * size, "{forth} and {back} beside {size}");
         }
     }
 
