@@ -49,7 +49,7 @@ fn the_first_half_minute(page: &mut Page) {
 fn a_telephone(page: &mut Page) {
     let has_axe = load_axe(page);
     page.resize([390, 844]);
-    page.until("innerWidth === 390 && document.body.dataset.view === 'picture'");
+    page.until("innerWidth === 390 && document.body.dataset.view === 'picture' && lessons.length > 0");
     page.value("openLesson('yield', 0)");
     page.until("document.body.dataset.unpressed === '0'");
     let tops = tops(page, &["lesson-card", "own", "player", "control-load", "numbers", "group-solver"]);
