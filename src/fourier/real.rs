@@ -9,7 +9,7 @@ pub(crate) trait Real: FftNum + Zero {
     /// The nearest number.
     fn from_double(value: f64) -> Self;
 
-    /// The same number in double precision.
+    /// This number in double precision.
     fn to_double(self) -> f64;
 }
 

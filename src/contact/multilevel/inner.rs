@@ -9,8 +9,8 @@ use super::support::{RowOfNodes, SparsePressure, Support};
 use crate::chunks;
 use crate::contact::{Decision, Problem, Status};
 
-/// Candidates are the nodes of the set, those at most so many nodes away from it, and those with a gap below this part of the rms
-/// height.
+/// A node is a candidate if it is at most `HALO` rows and columns away from the contact set, or if its gap is below `NEAR` times the
+/// rms height.
 const HALO: usize = 2;
 const NEAR: f64 = 0.02;
 

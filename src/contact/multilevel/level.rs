@@ -38,7 +38,7 @@ pub(super) struct Level<'a> {
     pub response: Response,
     pub pressure: SparsePressure,
     pub u: Vec<f64>,
-    /// What `u` is.
+    /// Whether `u` is the displacement of the pressure.
     pub displacement: Displacement,
     /// `eta` at the start of this grid, as soon as it is known.
     pub first_eta: Option<f64>,
@@ -57,14 +57,14 @@ pub(super) struct Level<'a> {
     guarded_phases: usize,
 }
 
-/// What a displacement is that is kept beside a pressure.
+/// How the stored displacement `u` belongs to the stored pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Displacement {
-    /// That of the pressure, in double precision.
+    /// It is the displacement of the pressure, in double precision.
     Exact,
-    /// Interpolated from the coarser grid.
+    /// It is interpolated from the coarser grid.
     Interpolated,
-    /// That of an earlier pressure, or none.
+    /// It is the displacement of an earlier pressure, or empty.
     Outdated,
 }
 
@@ -106,7 +106,7 @@ impl<'a> Level<'a> {
         }
     }
 
-    /// The same state with the displacement that `interpolated` makes from that of the coarser grid, if it is of use.
+    /// This state with a displacement that `interpolated` makes from the coarser grid, where inner iterations can begin with it.
     pub fn with_interpolated(self, interpolated: impl FnOnce() -> Vec<f64>) -> Self {
         if !self.method.has_inner_iterations() {
             return self;

@@ -12,7 +12,7 @@ pub(super) enum UpdateMethod {
     Single,
     /// One update each, whose displacement is computed in double precision; corrections in single precision.
     Exact,
-    /// The same with corrections in double precision.
+    /// One update each, whose correction and displacement are computed in double precision.
     Double,
 }
 

@@ -96,7 +96,8 @@ const GOOD_START: f64 = 0.1;
 /// Coarse grids are solved to this certificate, or to this part of that at their own start, if that is less: the next start is
 /// not better than the step between the grids, of which the own start is a measure.
 const COARSE_TOLERANCE: f64 = 1e-2;
-/// The same for the grid next to the finest, whose contact is compared with that of the finest to tell the error of the grid.
+/// The grid next to the finest is solved to this certificate. Its contact is compared with that of the finest grid to estimate the
+/// error of the grid.
 const COMPARED_TOLERANCE: f64 = 1e-3;
 const COARSE_REDUCTION: f64 = 0.1;
 /// The parts to which inner iterations bring the certificate: on coarse grids, in the first one of the finest grid, and, of what is

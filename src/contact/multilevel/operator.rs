@@ -7,7 +7,7 @@ use crate::contact::Problem;
 use crate::elastic::Convolution;
 use crate::fourier::Real;
 
-/// The part to which an inner iteration in single precision brings the certificate. Displacements err by some 1e-6 of the largest.
+/// The part to which an inner iteration in single precision brings the certificate, well above the rounding of its displacements.
 const SINGLE_ACCURACY: f64 = 1e-4;
 
 /// The compliance of a solid, applied to vectors on contact sets.

@@ -32,14 +32,14 @@ impl KernelSplit {
     }
 }
 
-/// The parts of the compliance and of the stiffness. The error of the compliance is 2e-3 on rough contacts; that of the stiffness only
-/// makes the preconditioner a little worse.
+/// The parts of the compliance and of the stiffness. Displacements err by less than `ACCURACY` of the largest one; the error of
+/// the stiffness only makes the preconditioner a little worse.
 const COMPLIANCE: KernelSplit = KernelSplit { side: 8, radius: 16.0, product: 1.7 };
 const STIFFNESS: KernelSplit = KernelSplit { side: 4, radius: 6.0, product: 1.6 };
 const ACCURACY: f64 = 5e-3;
 
 /// Values of the near parts, per node of the set, that cost as much as a point of a grid that is transformed forth and back: measured
-/// on rough contacts of 1024^2 and 2048^2 nodes.
+/// on periodic and free rough contacts of 1024^2 nodes.
 const VALUES_PER_POINT: f64 = 4.0;
 
 /// Nodes along the sides of the grid on which the near part is computed.
@@ -85,7 +85,7 @@ struct SplitStiffness {
 
 impl Split {
     /// The split compliance of the problem; none if it is not that of a half-space over a suitable grid, or if transforms of the whole
-    /// grid cost less for sets of so many nodes.
+    /// grid cost less on a set of `set` nodes.
     pub fn new(problem: &Problem, set: usize) -> Option<Self> {
         let grid = problem.surface().grid();
         if !suits(grid) || !problem.solid().is_half_space() {
