@@ -233,3 +233,45 @@ fn its_work_stays_low() {
         assert!(work.transforms <= most, "{name}: {work:?}");
     }
 }
+
+/// Small contacts of a half-space without and with images, on which the compliance is split, and larger ones.
+fn sets_of_every_size() -> Vec<Problem> {
+    let grid = |is_periodic| Grid::surface([256, 256], [1.0, 1.0]).unwrap().with_periodic([is_periodic; 2]);
+    [true, false].into_iter().flat_map(|it| [2e-3, 0.1].map(|load| rough(grid(it), 0.8, load))).collect()
+}
+
+/// The conjugate gradients of the other solver are in double precision and know no candidates.
+#[test]
+fn cheap_displacements_lead_to_the_same_contact() {
+    for problem in sets_of_every_size() {
+        let [first, second] = [solve(&Multilevel, &problem, 1e-12), solve(&PolonskyKeer, &problem, 1e-12)];
+        let difference = relative_l2(&first.pressure, &second.pressure);
+        assert!(difference < 1e-5, "{difference} with {:?}", problem.load());
+        assert_eq!(first.mask(), second.mask(), "{:?}", problem.load());
+    }
+}
+
+/// A transform of the whole grid is what a small contact needs few of.
+#[test]
+fn small_contacts_need_few_transforms_of_the_whole_grid() {
+    for small in sets_of_every_size().iter().step_by(2) {
+        let transforms = solve(&Multilevel, small, 1e-8).work.transforms;
+        assert!(transforms <= 40, "{transforms}");
+    }
+}
+
+#[test]
+fn contacts_are_the_same_on_any_number_of_threads() {
+    for problem in sets_of_every_size() {
+        let on = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| solve(&Multilevel, &problem, 1e-8))
+        };
+        let one = on(1);
+        for threads in [2, 3, 8] {
+            let many = on(threads);
+            assert!(many.pressure == one.pressure && many.gap == one.gap, "{threads} threads, {:?}", problem.load());
+            assert_eq!(many.work.transforms, one.work.transforms);
+        }
+    }
+}
