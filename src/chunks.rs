@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Mutex;
 
 /// Values per chunk: 128 KiB, of which a few fit the second-level cache, and long against the cost of a task.
 const CHUNK: usize = 1 << 14;
@@ -24,15 +25,55 @@ pub(crate) fn is_alone() -> bool {
     rayon::current_num_threads() == 1
 }
 
+/// Does the tasks `0..count` on all threads. This function is not generic, so that a parallel loop is compiled once for all loops
+/// of the crate: one copy for each loop would double the time that the crate takes to compile.
+fn on_all_threads(count: usize, task: &(dyn Fn(usize) + Sync)) {
+    (0..count).into_par_iter().with_max_len(1).for_each(task);
+}
+
+/// Results of `work` on each item, in order: on the calling thread if there is one item or one thread, else on all threads.
+///
+/// Plain loops, since this function is compiled for each of its callers, and iterators take several times as long to compile.
+pub(crate) fn spread<A: Send, T: Send>(
+    items: impl ExactSizeIterator<Item = A>,
+    work: impl Fn(A) -> T + Sync,
+) -> Vec<T> {
+    let mut results = Vec::with_capacity(items.len());
+    if items.len() <= 1 || is_alone() {
+        for item in items {
+            results.push(run(&work, item));
+        }
+        return results;
+    }
+    let mut places = Vec::with_capacity(items.len());
+    for item in items {
+        places.push(Mutex::new((Some(item), None)));
+    }
+    on_all_threads(places.len(), &|number| {
+        let mut place = places[number].lock().expect("a place has one task");
+        if let Some(item) = place.0.take() {
+            place.1 = Some(run(&work, item));
+        }
+    });
+    for place in places {
+        results.push(place.into_inner().expect("a panic of a task is passed on").1.expect("each task leaves a result"));
+    }
+    results
+}
+
+/// The ranges of `length` that `0..len` is cut into; one of them is there in any case.
+fn ranges(len: usize, length: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
+    (0..len.div_ceil(length).max(1)).map(move |c| c * length..len.min((c + 1) * length))
+}
+
+/// Rows of `width` values in a chunk.
+fn rows_per_chunk(width: usize) -> usize {
+    (CHUNK / width.max(1)).max(1)
+}
+
 /// Results of `visit` on each chunk of `0..len`, in order.
 pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    if len <= CHUNK {
-        return vec![run(&visit, 0..len)];
-    }
-    if is_alone() {
-        return (0..len.div_ceil(CHUNK)).map(|c| run(&visit, c * CHUNK..len.min((c + 1) * CHUNK))).collect();
-    }
-    (0..len.div_ceil(CHUNK)).into_par_iter().map(|c| run(&visit, c * CHUNK..len.min((c + 1) * CHUNK))).collect()
+    spread(ranges(len, CHUNK), visit)
 }
 
 /// Sum of `term(i)` over `0..len`.
@@ -57,15 +98,8 @@ pub(crate) fn compensated_mean(values: &[f64]) -> f64 {
 
 /// Results of `update` on each chunk of `values` and the range it covers, in order.
 pub(crate) fn update<T: Send>(values: &mut [f64], update: impl Fn(Range<usize>, &mut [f64]) -> T + Sync) -> Vec<T> {
-    let update = |(range, values): (Range<usize>, &mut [f64])| update(range, values);
-    if values.len() <= CHUNK {
-        return vec![run(&update, (0..values.len(), values))];
-    }
-    let with_range = |(c, chunk): (usize, &mut [f64])| run(&update, (c * CHUNK..c * CHUNK + chunk.len(), chunk));
-    if is_alone() {
-        return values.chunks_mut(CHUNK).enumerate().map(with_range).collect();
-    }
-    values.par_chunks_mut(CHUNK).enumerate().map(with_range).collect()
+    let chunks = ranges(values.len(), CHUNK).zip(values.chunks_mut(CHUNK));
+    spread(chunks, |(range, values)| update(range, values))
 }
 
 /// Results of `update` on each chunk of two equally long vectors and the range it covers, in order.
@@ -74,56 +108,44 @@ pub(crate) fn update_both<T: Send>(
     b: &mut [f64],
     update: impl Fn(Range<usize>, &mut [f64], &mut [f64]) -> T + Sync,
 ) -> Vec<T> {
-    let update = |(range, a, b): (Range<usize>, &mut [f64], &mut [f64])| update(range, a, b);
-    if a.len() <= CHUNK {
-        return vec![run(&update, (0..a.len(), a, b))];
-    }
-    let update = |(c, (a, b)): (usize, (&mut [f64], &mut [f64]))| run(&update, (c * CHUNK..c * CHUNK + a.len(), a, b));
-    if is_alone() {
-        return a.chunks_mut(CHUNK).zip(b.chunks_mut(CHUNK)).enumerate().map(update).collect();
-    }
-    a.par_chunks_mut(CHUNK).zip(b.par_chunks_mut(CHUNK)).enumerate().map(update).collect()
+    let chunks = ranges(a.len(), CHUNK).zip(a.chunks_mut(CHUNK).zip(b.chunks_mut(CHUNK)));
+    spread(chunks, |(range, (a, b))| update(range, a, b))
 }
 
 /// Results of `make` for each of `count` rows of `width` values, in order.
 pub(crate) fn rows<T: Send>(count: usize, width: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    if count * width <= CHUNK || is_alone() {
-        return (0..count).map(|row| run(&make, row)).collect();
+    let mut results = Vec::with_capacity(count);
+    for chunk in spread(ranges(count, rows_per_chunk(width)), |rows| rows.map(&make).collect::<Vec<T>>()) {
+        results.extend(chunk);
     }
-    (0..count).into_par_iter().map(|row| run(&make, row)).collect()
+    results
 }
 
 /// Visits the rows of `width` values of a field.
 pub(crate) fn rows_mut<T: Send>(field: &mut [T], width: usize, visit: impl Fn(usize, &mut [T]) + Sync) {
-    if field.len() <= CHUNK || is_alone() {
-        field.chunks_mut(width).enumerate().for_each(|(row, values)| visit(row, values));
-    } else {
-        field.par_chunks_mut(width).enumerate().for_each(|(row, values)| visit(row, values));
-    }
+    let rows = rows_per_chunk(width);
+    spread(field.chunks_mut(rows * width).enumerate(), |(chunk, values)| {
+        values.chunks_mut(width).zip(chunk * rows..).for_each(|(values, row)| visit(row, values));
+    });
 }
 
 /// Visits items, each of about `width` values.
 pub(crate) fn each<T: Send>(items: &mut [T], width: usize, visit: impl Fn(usize, &mut T) + Sync) {
-    if items.len() * width <= CHUNK || is_alone() {
-        items.iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
-    } else {
-        items.par_iter_mut().enumerate().for_each(|(i, item)| visit(i, item));
-    }
+    each_with(items, width, || (), |_, i, item| visit(i, item));
 }
 
 /// Visits items, each of about `width` values, with scratch that tasks make for themselves.
 pub(crate) fn each_with<T: Send, S>(
     items: &mut [T],
     width: usize,
-    make: impl Fn() -> S + Sync + Send,
-    visit: impl Fn(&mut S, usize, &mut T) + Sync + Send,
+    make: impl Fn() -> S + Sync,
+    visit: impl Fn(&mut S, usize, &mut T) + Sync,
 ) {
-    if items.len() * width <= CHUNK || is_alone() {
+    let count = rows_per_chunk(width);
+    spread(items.chunks_mut(count).enumerate(), |(chunk, items)| {
         let mut scratch = make();
-        items.iter_mut().enumerate().for_each(|(i, item)| visit(&mut scratch, i, item));
-    } else {
-        items.par_iter_mut().enumerate().for_each_init(make, |scratch, (i, item)| visit(scratch, i, item));
-    }
+        items.iter_mut().zip(chunk * count..).for_each(|(item, i)| visit(&mut scratch, i, item));
+    });
 }
 
 /// The places of positive values within `range`, in order. Blocks without any are passed over at once.

@@ -1,7 +1,8 @@
 //! The columns of a matrix that is stored row by row, transformed in place.
 
 use super::Real;
-use super::worker::{Worker, share};
+use super::worker::Worker;
+use crate::chunks::spread;
 use ndarray::{ArrayViewMut2, Axis, ShapeBuilder};
 use rustfft::num_complex::Complex;
 
@@ -28,7 +29,7 @@ pub(super) fn for_each_column<T: Real>(
     let per_worker = width.div_ceil(workers.len()).next_multiple_of(BAND);
     let mut matrix = ArrayViewMut2::from_shape((rows, width), matrix).expect("rows of equal width");
     let tasks = matrix.axis_chunks_iter_mut(Axis(1), per_worker).zip(workers).enumerate();
-    share(tasks, |(task, (mut columns, Worker { row, band, scratch }))| {
+    spread(tasks, |(task, (mut columns, Worker { row, band, scratch }))| {
         for (i, mut columns) in columns.axis_chunks_iter_mut(Axis(1), BAND).enumerate() {
             let shape = columns.dim();
             let indices = (task * per_worker + i * BAND..width).take(shape.1);

@@ -3,7 +3,8 @@
 use super::Real;
 use super::columns::{band_len, for_each_column};
 use super::wave::Wave;
-use super::worker::{Worker, share};
+use super::worker::Worker;
+use crate::chunks::spread;
 use crate::grid::Grid;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
@@ -76,7 +77,7 @@ impl<T: Real> LongLineFilter<T> {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks_mut(per_worker * n2).zip(&mut self.workers).enumerate();
-        share(tasks, |(task, (z, Worker { row, .. }))| {
+        spread(tasks, |(task, (z, Worker { row, .. }))| {
             for (i, z) in z.chunks_exact_mut(n2).enumerate() {
                 fill(task * per_worker + i, row);
                 z.iter_mut().zip(row.chunks_exact(2)).for_each(|(z, f)| *z = Complex::new(f[0], f[1]));
@@ -88,7 +89,7 @@ impl<T: Real> LongLineFilter<T> {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks(per_worker * n2).zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
-        share(tasks, |(task, ((z, sinks), Worker { row, .. }))| {
+        spread(tasks, |(task, ((z, sinks), Worker { row, .. }))| {
             for (i, (z, sink)) in z.chunks_exact(n2).zip(sinks).enumerate() {
                 row.chunks_exact_mut(2).zip(z).for_each(|(f, z)| f.copy_from_slice(&[z.re, z.im]));
                 store(task * per_worker + i, row, sink);
@@ -118,7 +119,7 @@ impl<T: Real> LongLineFilter<T> {
         let (front, middle) = front.split_at_mut((n1 - 1) / 2 * n2);
         let per_worker = (n1 / 2).div_ceil(self.workers.len());
         let pairs = front.chunks_mut(per_worker * n2).zip(back.rchunks_mut(per_worker * n2));
-        share(pairs.zip(&mut self.workers).enumerate(), |(task, ((front, back), Worker { scratch, .. }))| {
+        spread(pairs.zip(&mut self.workers).enumerate(), |(task, ((front, back), Worker { scratch, .. }))| {
             let pairs = front.chunks_exact_mut(n2).zip(back.rchunks_exact_mut(n2));
             for (i, (row, mirror)) in pairs.enumerate() {
                 forward.process_with_scratch(row, scratch);

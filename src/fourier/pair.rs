@@ -2,7 +2,8 @@
 
 use super::Complex;
 use super::plans::Plans;
-use super::worker::{Worker, share};
+use super::worker::Worker;
+use crate::chunks::spread;
 use crate::grid::Grid;
 
 /// Columns (forward) or rows (inverse) that are gathered and transformed together: eight complex numbers span two cache
@@ -38,7 +39,7 @@ impl Fourier {
         let mut by_rows = vec![Complex::default(); ny * half];
         let per_worker = ny.div_ceil(self.workers.len());
         let tasks = field.chunks(per_worker * nx).zip(by_rows.chunks_mut(per_worker * half)).zip(&mut self.workers);
-        share(tasks, |((field, spectra), Worker { row, scratch, .. })| {
+        spread(tasks, |((field, spectra), Worker { row, scratch, .. })| {
             for (values, spectrum) in field.chunks_exact(nx).zip(spectra.chunks_exact_mut(half)) {
                 row.copy_from_slice(values);
                 self.plans.forward_row(row, spectrum, scratch);
@@ -47,7 +48,7 @@ impl Fourier {
         let scale = 1.0 / (ny * nx) as f64;
         let per_worker = half.div_ceil(self.workers.len());
         let tasks = spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers).enumerate();
-        share(tasks, |(task, (spectrum, worker))| {
+        spread(tasks, |(task, (spectrum, worker))| {
             for (band, columns) in spectrum.chunks_mut(BAND * ny).enumerate() {
                 gather(&by_rows, half, task * per_worker + band * BAND, columns, ny, scale);
                 self.plans.forward_columns.process_with_scratch(columns, &mut worker.scratch);
@@ -64,13 +65,13 @@ impl Fourier {
         let half = nx / 2 + 1;
         assert_eq!((field.len(), spectrum.len()), (ny * nx, ny * half), "field and spectrum must fit the grid");
         let per_worker = half.div_ceil(self.workers.len());
-        share(spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers), |(spectrum, worker)| {
+        spread(spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers), |(spectrum, worker)| {
             self.plans.inverse_columns.process_with_scratch(spectrum, &mut worker.scratch);
         });
         let spectrum = &*spectrum;
         let per_worker = ny.div_ceil(self.workers.len());
         let tasks = field.chunks_mut(per_worker * nx).zip(&mut self.workers).enumerate();
-        share(tasks, |(task, (field, Worker { band, scratch, .. }))| {
+        spread(tasks, |(task, (field, Worker { band, scratch, .. }))| {
             for (i, rows) in field.chunks_mut(BAND * nx).enumerate() {
                 let band = &mut band[..rows.len() / nx * half];
                 gather(spectrum, ny, task * per_worker + i * BAND, band, half, 1.0);

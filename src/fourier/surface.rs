@@ -4,7 +4,8 @@ use super::Real;
 use super::columns::{band_len, for_each_column};
 use super::plans::Plans;
 use super::wave::Wave;
-use super::worker::{Worker, share};
+use super::worker::Worker;
+use crate::chunks::spread;
 use crate::grid::Grid;
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
@@ -58,7 +59,7 @@ impl<T: Real> SurfaceFilter<T> {
         let half = nx / 2 + 1;
         let per_worker = ny.div_ceil(self.workers.len());
         let tasks = self.spectrum.chunks_mut(per_worker * half).zip(&mut self.workers).enumerate();
-        share(tasks, |(task, (spectra, Worker { row, scratch, .. }))| {
+        spread(tasks, |(task, (spectra, Worker { row, scratch, .. }))| {
             for (i, spectrum) in spectra.chunks_exact_mut(half).enumerate() {
                 if task * per_worker + i >= self.used_rows {
                     spectrum.fill(Complex::new(T::zero(), T::zero()));
@@ -96,7 +97,7 @@ impl<T: Real> SurfaceFilter<T> {
         let per_worker = self.used_rows.div_ceil(self.workers.len());
         let spectra = self.spectrum[..self.used_rows * half].chunks_mut(per_worker * half);
         let tasks = spectra.zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
-        share(tasks, |(task, ((spectra, sinks), Worker { row, scratch, .. }))| {
+        spread(tasks, |(task, ((spectra, sinks), Worker { row, scratch, .. }))| {
             for (i, (spectrum, sink)) in spectra.chunks_exact_mut(half).zip(sinks).enumerate() {
                 self.plans.inverse_row(spectrum, &mut row[..nx], scratch);
                 store(task * per_worker + i, &row[..nx], sink);

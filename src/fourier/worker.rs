@@ -2,7 +2,6 @@
 
 use super::Real;
 use crate::chunks::is_alone;
-use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 
 /// Points of the smallest grid that is shared: the pair on 128 x 128 takes 60 us, of which a second core saves what it takes
@@ -31,15 +30,6 @@ impl<T: Real> Worker<T> {
         let worker = Self { row: vec![T::zero(); row], band: zeros(band), scratch: zeros(scratch) };
         let tasks = if points < WORTH_SHARING { 1 } else { TASKS * rayon::current_num_threads() };
         vec![worker; tasks.min(units)]
-    }
-}
-
-/// Does all `tasks`: here if there is one, else on all threads.
-pub(super) fn share<T: Send>(tasks: impl ExactSizeIterator<Item = T>, work: impl Fn(T) + Sync + Send) {
-    if tasks.len() == 1 || is_alone() {
-        tasks.for_each(work);
-    } else {
-        tasks.collect::<Vec<_>>().into_par_iter().with_max_len(1).for_each(work);
     }
 }
 

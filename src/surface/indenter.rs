@@ -2,10 +2,10 @@
 
 use super::plateau::Plateaus;
 use super::{Field, Surface, check_positive};
+use crate::chunks;
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use crate::quantity;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -174,7 +174,7 @@ pub(crate) fn about_peak(grid: &Grid, value: impl Fn([f64; 2]) -> f64 + Sync) ->
     let ([ny, nx], [dy, dx]) = (grid.shape(), grid.spacing());
     let offset = |i: usize, n: usize, spacing: f64| (i as f64 - (n / 2) as f64) * spacing;
     let at = |node: usize| value([offset(node / nx, ny, dy), offset(node % nx, nx, dx)]);
-    let values = (0..grid.len()).into_par_iter().map(at).collect();
+    let values = chunks::visit(grid.len(), |nodes| nodes.map(at).collect::<Vec<f64>>()).concat();
     Field::from_shape_vec([ny, nx], values).expect("one value per node")
 }
 
