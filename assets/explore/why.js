@@ -3,7 +3,7 @@
 /** Digits that the picture of the errors spans. */
 const DIGITS = 8;
 /** The names of what solvers decide, in the order of their lanes. */
-const DECISIONS = ["start", "conjugate", "exchange", "descend", "whole-set", "guarded", "damped", "coast", "accelerate", "halt"];
+const DECISIONS = ["start", "conjugate", "exchange", "descend", "whole-set", "single-precision", "split-compliance", "guarded", "damped", "coast", "accelerate", "halt"];
 
 function beginWhy() {
   byId("why").addEventListener("click", openWhy);

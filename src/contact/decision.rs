@@ -43,6 +43,13 @@ pub enum Decision {
     /// A free update of the whole contact set.
     #[strum(message = "active-set update, free")]
     WholeSet,
+    /// Active-set updates on candidate nodes with transforms in single precision, and then a displacement in double precision.
+    #[strum(message = "active-set updates in single precision")]
+    SinglePrecision,
+    /// Active-set updates on candidate nodes with a compliance that is split into near and far sums, and then a displacement in
+    /// double precision.
+    #[strum(message = "active-set updates, split compliance")]
+    SplitCompliance,
     /// A guarded step, which always lowers the energy.
     #[strum(message = "guarded step")]
     Guarded,

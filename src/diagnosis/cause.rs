@@ -100,7 +100,7 @@ impl Cause {
                 "conjugate" => "a step of conjugate gradients on the same contact set",
                 "descend" => "a gradient step",
                 "guarded" => "a guarded step",
-                "whole-set" => "an update of the whole contact set",
+                "whole-set" | "single-precision" | "split-compliance" => "an update of the whole contact set",
                 "halt" => "a restart of FIRE",
                 _ => "a step like the others",
             }),

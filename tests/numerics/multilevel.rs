@@ -2,7 +2,7 @@
 
 use crate::common::{relative_l2, solve, solvers};
 use asperity::contact::{
-    Contact, ContactModulus, Each, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
+    Contact, ContactModulus, Decision, Each, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
 };
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Surface};
@@ -272,6 +272,34 @@ fn contacts_are_the_same_on_any_number_of_threads() {
             let many = on(threads);
             assert!(many.pressure == one.pressure && many.gap == one.gap, "{threads} threads, {:?}", problem.load());
             assert_eq!(many.work.transforms, one.work.transforms);
+        }
+    }
+}
+
+/// On a half-space, the outer steps on the finest grid, each of which takes two transforms in double precision, are few at any load.
+/// Each says how its sets were updated.
+#[test]
+fn few_steps_are_exact_and_each_says_how_it_was_made() {
+    for is_periodic in [true, false] {
+        let grid = Grid::surface([256, 256], [1.0, 1.0]).unwrap().with_periodic([is_periodic; 2]);
+        for load in [1e-4, 2e-3, 1e-2, 0.1, 0.4] {
+            let mut decisions = Vec::new();
+            let mut watch = Each(|step: &Step<'_>| {
+                if step.phase().level == 0 && step.phase().inner == 0 {
+                    decisions.extend(step.decision());
+                }
+                ControlFlow::Continue(())
+            });
+            let problem = rough(grid, 0.8, load);
+            Multilevel.solve(&problem, &Stop::default(), &mut watch).unwrap().converged().unwrap();
+            println!("periodic {is_periodic}, p* = {load}: {decisions:?}");
+            assert!(decisions.len() <= 4, "{decisions:?}");
+            let expected: &[Decision] = match load {
+                ..=2e-3 => &[Decision::SplitCompliance],
+                0.1.. => &[Decision::SinglePrecision],
+                _ => &[Decision::SplitCompliance, Decision::SinglePrecision],
+            };
+            assert!(decisions.iter().all(|decision| expected.contains(decision)), "{decisions:?}");
         }
     }
 }

@@ -38,12 +38,14 @@ impl Level<'_> {
         let nodes = self.pressure.values.len();
         if nodes == 0 || nodes == self.problem.nodes() {
             self.refresh();
+            self.decision = Decision::WholeSet;
             return self.update(watch);
         }
         let candidates = self.candidates(self.lambda());
         // the transforms of inner steps and those in double precision are not used at the same time
         self.response.release();
         let mut operator = self.take_operator();
+        self.decision = self.method.decision();
         let SparsePressure { support, values } = &self.pressure;
         let v = if self.displacement == Displacement::Interpolated {
             let (u, h) = (operator.comply(support, values, &candidates), candidates.of_field(self.problem.height()));

@@ -49,6 +49,8 @@ pub(super) struct Level<'a> {
     /// Transforms by earlier operators.
     pub spent: f64,
     pub mode: Mode,
+    /// The way in which this state was reached.
+    pub decision: Decision,
     /// Whether it is the grid of the problem that is to be solved.
     is_finest: bool,
     /// Contact sets, and the nodes of them that yield, after free updates so far, as their hashes.
@@ -100,6 +102,7 @@ impl<'a> Level<'a> {
             operator: None,
             spent: 0.0,
             mode: Mode::Free { mark: f64::INFINITY, stale: 0 },
+            decision: Decision::Start,
             is_finest: true,
             seen: HashSet::new(),
             guarded_phases: 0,
@@ -168,17 +171,14 @@ impl<'a> Level<'a> {
     pub fn advance(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         match self.mode {
             Mode::Free { .. } if self.method.has_inner_iterations() => self.settle(goal, watch),
-            Mode::Free { .. } => self.update(watch),
-            Mode::Guarded { steps, .. } => self.descend(steps.is_multiple_of(2), watch),
-        }
-    }
-
-    /// The decision behind this state, `outer` steps after the start of the grid.
-    pub fn decision(&self, outer: usize) -> Decision {
-        match self.mode {
-            _ if outer == 0 => Decision::Start,
-            Mode::Free { .. } => Decision::WholeSet,
-            Mode::Guarded { .. } => Decision::Guarded,
+            Mode::Free { .. } => {
+                self.decision = Decision::WholeSet;
+                self.update(watch)
+            }
+            Mode::Guarded { steps, .. } => {
+                self.decision = Decision::Guarded;
+                self.descend(steps.is_multiple_of(2), watch)
+            }
         }
     }
 

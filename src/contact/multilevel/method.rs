@@ -1,7 +1,7 @@
 //! The way in which free updates are made.
 
 use super::support::SparsePressure;
-use crate::contact::Problem;
+use crate::contact::{Decision, Problem};
 
 /// How free updates are made, from the cheapest way to the most accurate one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +40,15 @@ impl UpdateMethod {
             Self::Split => Self::Single,
             Self::Single => Self::Exact,
             Self::Exact | Self::Double => Self::Double,
+        }
+    }
+
+    /// What a free update in this way is called.
+    pub fn decision(self) -> Decision {
+        match self {
+            Self::Split => Decision::SplitCompliance,
+            Self::Single => Decision::SinglePrecision,
+            Self::Exact | Self::Double => Decision::WholeSet,
         }
     }
 

@@ -275,7 +275,7 @@ impl Cascade<'_> {
     fn show(&mut self, level: &Level<'_>, phase: Phase, certificate: Certificate) -> Option<Status> {
         let (work, pressure) = (self.run.work(self.transforms(level)), Values::lazy(|| level.completed().spread()));
         let step = Step::new(level.problem, work, pressure, &level.u).with_certificate(certificate).with_phase(phase);
-        let step = step.with_decision(level.decision(phase.outer));
+        let step = step.with_decision(level.decision);
         let ended = if phase.level == 0 { self.run.show(&step) } else { self.run.pass(&step) };
         if ended.is_none() {
             self.run.advance();

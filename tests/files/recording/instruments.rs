@@ -134,6 +134,8 @@ fn lanes_tell_what_solvers_decided() {
         (&PolonskyKeer, vec!["conjugate", "exchange", "start"]),
         (&Multilevel, vec!["conjugate", "start", "whole-set"]),
     ];
+    record(&path, &rough_surface(), &Multilevel, &[Part::Decisions], false);
+    assert!(states(&path, "2_step").iter().any(|kind| kind == "single-precision"), "{:?}", states(&path, "2_step"));
     for (solver, expected) in expected {
         record(&path, &rough_line(), solver, &[Part::Decisions], false);
         let met: BTreeSet<String> = states(&path, "2_step").into_iter().collect();
