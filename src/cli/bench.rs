@@ -1,19 +1,21 @@
 //! `asperity bench`: how fast the solvers are.
 
 use super::choice::{choice, count};
-use super::exit_status::ExitStatus;
+use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};
 use asperity::files::{check_named, write_csv};
-use asperity::lab::bench::{Contest, Group, HEAD, Timing};
+use asperity::lab::bench::{Contest, Group, HEAD, PEER_HEAD, PeerTiming, Python, Timing};
+use asperity::plot::write_svg;
 use asperity::setup::Method;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::io::{Write, stdout};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::time::Duration;
 
 const HELP: &str = "\
 Examples:
@@ -31,7 +33,14 @@ Each row is one case solved by one solver:
   MiB         peak resident memory of surface and solve (Linux only; else -);
               includes memory that the allocator kept from earlier rows; with glibc, set the
               environment variable MALLOC_MMAP_THRESHOLD_=131072 to avoid this
-  ratio       solve s divided by that of the first solver of the case (- for a single solver)";
+  ratio       solve s divided by that of the first solver of the case (- for a single solver)
+
+The group rivals is run alone. Each row is one case solved by one code on one thread or on all threads. All codes get the same
+heights, load and tolerance; this program judges all pressures:
+  seconds     of the solve alone
+  eta         certificate of the pressure
+  ratio       seconds divided by those of this program
+The other codes are those that the interpreter finds: tamaas, ContactMechanics and aspher; a code that is missing is skipped.";
 
 #[derive(Args)]
 #[command(after_help = HELP)]
@@ -60,6 +69,15 @@ pub struct Bench {
     /// Write the rows in full precision; the file is updated after each row
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
+    /// Group rivals: interpreter with the other codes
+    #[arg(long, value_name = "PROGRAM", default_value = "python3")]
+    python: PathBuf,
+    /// Group rivals: largest time of a solve by another code, in seconds
+    #[arg(long, value_name = "S", default_value = "120", value_parser = count)]
+    time_limit: NonZeroUsize,
+    /// Group rivals: draw certificates against seconds
+    #[arg(long, value_name = "FILE.svg")]
+    figure: Option<PathBuf>,
     /// Print the cases instead of solving them
     #[arg(long, conflicts_with = "out")]
     list: bool,
@@ -73,6 +91,12 @@ impl Bench {
         let stops = self.groups.iter().map(|group| self.stop(*group)).collect::<Result<Vec<_>>>()?;
         if let Some(path) = &self.out {
             check_named(path, &["csv"])?;
+        }
+        if self.groups.contains(&Group::Rivals) {
+            return self.rivals();
+        }
+        if self.figure.is_some() {
+            return usage("--figure is drawn of the group rivals: name that group, or leave the option out");
         }
         let mut timings = Vec::new();
         writeln!(stdout(), "{HEAD}")?;
@@ -91,6 +115,36 @@ impl Bench {
         self.out.iter().for_each(|path| wrote(path));
         let all_converged = timings.iter().all(|timing| timing.status == Status::Converged);
         Ok(if all_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
+    }
+
+    /// This code beside others.
+    fn rivals(&self) -> Result<ExitStatus> {
+        if self.groups.len() > 1 || !self.methods.is_empty() {
+            return usage("the group rivals has other columns and its own codes: name it alone, and without --solver");
+        }
+        if let Some(path) = &self.figure {
+            check_named(path, &["svg"])?;
+        }
+        let python = Python { program: self.python.clone(), limit: Duration::from_secs(self.time_limit.get() as u64) };
+        let stop = self.stop(Group::Rivals)?;
+        let mut rows = Vec::new();
+        writeln!(stdout(), "{PEER_HEAD}\n\n{}", self.title(Group::Rivals))?;
+        for contest in Contest::all(Group::Rivals, self.quick, self.seed) {
+            let mut written = Ok(());
+            PeerTiming::all(&contest, &stop, self.repeats, &python, bar, |row| {
+                written = writeln!(stdout(), "{row}");
+                rows.push(row);
+            })?;
+            written?;
+            if let Some(path) = &self.out {
+                write_csv(path, &rows)?;
+            }
+            if let Some(path) = &self.figure {
+                write_svg(path, &PeerTiming::figure(&rows))?;
+            }
+        }
+        [&self.out, &self.figure].into_iter().flatten().for_each(|path| wrote(path));
+        Ok(ExitStatus::Done)
     }
 
     fn list(&self) -> Result<ExitStatus> {

@@ -17,7 +17,7 @@ use std::sync::Arc;
 #[command(next_help_heading = "Output")]
 #[cfg_attr(feature = "record", command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
 pub struct RecordingArgs {
-    /// Record it for the Rerun viewer, as the steps of a solver are recorded
+    /// Record the result for the Rerun viewer, like the steps of a solver
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,
     /// Show it in the installed Rerun viewer

@@ -11,7 +11,7 @@ use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 #[serde(tag = "method", rename_all = "kebab-case", deny_unknown_fields)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Method {
-    /// Whole-set updates on nested grids, the fast one.
+    /// An active-set method on nested grids, the fastest.
     ///
     /// See [`Multilevel`].
     Multilevel {},

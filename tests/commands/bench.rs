@@ -63,6 +63,32 @@ fn rows_fit_in_120_columns() {
     assert!(text(&output.stdout).lines().all(|line| line.len() <= 120), "{}", text(&output.stdout));
 }
 
+/// Without other codes the rows of this one stand alone, and the others say why they have no numbers.
+#[test]
+fn codes_that_are_missing_are_skipped_with_a_sentence() {
+    let folder = Folder::new();
+    let output = folder.run("bench rivals --quick --python no-such-python --out x.csv --figure x.svg --threads 1");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let rows = rows(&folder, "x.csv");
+    assert_eq!(rows.len(), 12 * 5);
+    for (number, row) in rows.iter().enumerate() {
+        assert_eq!((row["points"].as_str(), row["threads"].as_str()), ("256x256", "1"));
+        if number % 5 == 0 {
+            assert!(row["code"].starts_with("asperity ") && row["skipped"].is_empty(), "{row:?}");
+            assert!(self::number(row, "certificate") <= 1e-8 && self::number(row, "ratio") == 1.0, "{row:?}");
+        } else {
+            assert!(
+                row["certificate"].is_empty() && row["skipped"].contains("no-such-python cannot be run"),
+                "{row:?}"
+            );
+        }
+    }
+    let codes: Vec<&str> = rows[1..5].iter().map(|row| row["code"].as_str()).collect();
+    assert_eq!(codes, ["tamaas", "contact-mechanics", "aspher", "aspher-mixed"]);
+    let figure = std::fs::read_to_string(folder.join("x.svg")).unwrap();
+    assert!(figure.contains("periodic") && figure.contains("without images"));
+}
+
 #[test]
 fn cases_are_listed_and_not_run() {
     let output = Folder::new().run("bench --list");
@@ -77,7 +103,7 @@ fn cases_are_listed_and_not_run() {
 #[test]
 fn what_cannot_be_is_refused_before_anything_runs() {
     let folder = Folder::new();
-    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "large"];
+    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "large", "rivals"];
     assert_refused(&folder.run("bench tiny"), &groups);
     assert_refused(&folder.run("bench --solver newton"), &["newton", "multilevel", "polonsky-keer", "gfmd"]);
     assert_refused(&folder.run("bench --quick growth --out missing/x.csv"), &["the folder missing does not exist"]);
@@ -86,4 +112,8 @@ fn what_cannot_be_is_refused_before_anything_runs() {
         &["'0' for '--repeats", "give a positive whole number"],
     );
     assert_refused(&folder.run("bench --quick growth --tolerance -1"), &["the tolerance is -1"]);
+    assert_refused(&folder.run("bench --quick rivals growth"), &["rivals", "alone"]);
+    assert_refused(&folder.run("bench --quick rivals --solver gfmd"), &["rivals", "without --solver"]);
+    assert_refused(&folder.run("bench --quick growth --figure x.svg"), &["--figure", "rivals"]);
+    assert_refused(&folder.run("bench --quick rivals --figure x.png"), &["x.png", "svg"]);
 }

@@ -61,6 +61,16 @@ impl Contest {
                 [lines(0.8), lines(0.2), surfaces(0.8), surfaces(0.2)].concat()
             }
             Group::Peers => vec![rough(surface(2048), 64.0, 0.8, 1e-1), rough(line(1 << 18), 512.0, 0.2, 1e-2)],
+            Group::Rivals => {
+                // the short cut-off is four spacings
+                let of_cell = |cell: Cell, hurst, load| rough(cell.clone(), cell.points[0] as f64 / 16.0, hurst, load);
+                let of_load = |is_free, hurst, load| {
+                    let cells = [512, 1024, 2048].map(surface).map(|cell| if is_free { cell.free() } else { cell });
+                    cells.map(|cell| of_cell(cell, hurst, load))
+                };
+                let of_hurst = |is_free, hurst| [1e-3, 1e-2, 1e-1].map(|load| of_load(is_free, hurst, load)).concat();
+                [false, true].map(|is_free| [0.8, 0.2].map(|hurst| of_hurst(is_free, hurst)).concat()).concat()
+            }
             Group::Large => vec![rough(surface(1 << 14), 64.0, 0.8, 1e-2)],
         };
         if is_quick {
@@ -90,7 +100,8 @@ impl Contest {
         let short_cutoff = rolloff_wavelength / waves;
         let spectrum = Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient: 1e-3 };
         let setup = Setup::new(Recipe::rough(spectrum, seed), cell, Load::ReducedPressure(reduced_pressure));
-        Self { group, name: format!("H {hurst} p* {reduced_pressure}"), setup }
+        let boundary = if setup.grid.boundary.is_empty() { "" } else { " free" };
+        Self { group, name: format!("H {hurst} p* {reduced_pressure}{boundary}"), setup }
     }
 
     /// Makes the grid small, and leaves out the waves that are shorter than four of its spacings.

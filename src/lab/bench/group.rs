@@ -20,6 +20,8 @@ pub enum Group {
     Peers,
     /// A rough surface of 16384^2 points, which takes minutes and many GiB of memory
     Large,
+    /// Rough surfaces of 512^2 to 2048^2 points by this code and by others, see --python
+    Rivals,
 }
 
 impl Group {

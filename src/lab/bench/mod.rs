@@ -7,8 +7,12 @@
 
 mod contest;
 mod group;
+mod peer;
+mod peer_timing;
 mod timing;
 
 pub use contest::Contest;
 pub use group::Group;
+pub use peer::Python;
+pub use peer_timing::{PEER_HEAD, PeerTiming};
 pub use timing::{HEAD, Timing};

@@ -1,0 +1,184 @@
+//! Times and certificates of this code and of others, on the same contacts.
+
+use super::contest::Contest;
+use super::peer::{Peer, Python};
+use crate::contact::{Certificate, Multilevel, Problem, Solver, Stop};
+use crate::error::SetupError;
+use crate::lab::ObserverMaker;
+use crate::lab::table::{median, or_dash};
+use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use serde::Serialize;
+use std::fmt;
+use std::num::NonZeroUsize;
+use std::time::Instant;
+use strum::IntoEnumIterator;
+
+/// The names of the columns in which a [`PeerTiming`] displays.
+pub const PEER_HEAD: &str = "\
+case                        points threads code                   seconds      eta    ratio";
+
+/// The name of this code.
+const THIS: &str = "asperity";
+
+/// One contest solved by one code on a number of threads. It displays as a row, and serialises with all digits.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PeerTiming {
+    case: String,
+    points: String,
+    is_periodic: bool,
+    threads: usize,
+    /// The code with its version.
+    code: String,
+    /// Median over the repeats, of the solve alone.
+    seconds: Option<f64>,
+    /// The certificate of its pressure.
+    certificate: Option<f64>,
+    /// Its seconds over those of this code.
+    ratio: Option<f64>,
+    /// Why the code did not solve it.
+    skipped: Option<String>,
+}
+
+impl PeerTiming {
+    /// Solves a contest by this code and by the others, on one thread and on all of them. Each row is given to `show` when it is known.
+    ///
+    /// # Errors
+    /// A contact that cannot be posed, or files of heights and pressures that cannot be written or read.
+    pub fn all(
+        contest: &Contest,
+        stop: &Stop,
+        repeats: NonZeroUsize,
+        python: &Python,
+        watch: ObserverMaker,
+        mut show: impl FnMut(Self),
+    ) -> Result<(), SetupError> {
+        let problem = contest.setup.problem()?;
+        let mut counts = vec![1, rayon::current_num_threads()];
+        counts.dedup();
+        for threads in counts {
+            let row = |code: &str| Self {
+                case: contest.name.clone(),
+                points: contest.points(),
+                is_periodic: problem.surface().grid().is_periodic(),
+                threads,
+                code: code.into(),
+                seconds: None,
+                certificate: None,
+                ratio: None,
+                skipped: None,
+            };
+            let title = format!("{} {}", contest.name, contest.points());
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+            let ours = Solved::of_repeats(repeats, || solve(&problem, stop, &pool, watch, &title))?;
+            let seconds = ours.seconds;
+            show(row(&format!("{THIS} {}", env!("CARGO_PKG_VERSION"))).with(ours, seconds));
+            for peer in Peer::iter() {
+                let mut code = String::from(<&str>::from(peer));
+                let solved = Solved::of_repeats(repeats, || {
+                    let solution = peer.solve(python, &problem, stop.tolerance(), threads)?;
+                    code = format!("{} {}", <&str>::from(peer), solution.version);
+                    let certificate = Certificate::new(&problem, &solution.pressure).eta;
+                    Ok(Solved { seconds: solution.seconds, certificate })
+                });
+                show(match solved {
+                    Ok(solved) => row(&code).with(solved, seconds),
+                    Err(reason) => Self { skipped: Some(reason), ..row(&code) },
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn with(self, solved: Solved, ours: f64) -> Self {
+        Self {
+            seconds: Some(solved.seconds),
+            certificate: Some(solved.certificate),
+            ratio: Some(solved.seconds / ours),
+            ..self
+        }
+    }
+
+    /// The figure of all rows: certificates against seconds, on periodic cells and without images.
+    pub fn figure(rows: &[Self]) -> Figure {
+        let panel = |title: &str, is_periodic| {
+            let rows = || rows.iter().filter(move |row| row.is_periodic == is_periodic);
+            let decades = |values: Vec<f64>| {
+                let [least, most] = values.iter().fold([f64::MAX, 0.0], |[a, b], &it| [it.min(a), it.max(b)]);
+                [10f64.powf(least.log10().floor()), 10f64.powf(most.log10().ceil())]
+            };
+            let seconds = decades(rows().filter_map(|row| row.seconds).collect());
+            let certificates = decades(rows().filter_map(|row| row.certificate).collect());
+            let axes = [Axis::log("seconds", seconds), Axis::log("certificate η", certificates)];
+            let [x, y] = axes;
+            let mut panel = Panel::new(title, x, y);
+            let mut codes: Vec<&str> =
+                rows().filter(|row| row.seconds.is_some()).map(|row| row.code.as_str()).collect();
+            codes.sort_unstable();
+            codes.dedup();
+            for code in codes {
+                let (colour, symbol) = look(code);
+                let of_code = rows().filter(|row| row.code == code);
+                let dots = of_code.filter_map(|row| Some(Dot::at(row.seconds?, row.certificate?)));
+                panel.add(code, colour, Mark::Symbol { symbol, filled: true }, dots);
+            }
+            panel
+        };
+        Figure {
+            title: "Rough surfaces: error against time".into(),
+            panels: vec![panel("periodic", true), panel("without images", false)],
+        }
+    }
+}
+
+impl fmt::Display for PeerTiming {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:<22} {:>11} {:>4} {:<24}", self.case, self.points, self.threads, self.code)?;
+        if let Some(reason) = &self.skipped {
+            return write!(f, " skipped: {reason}");
+        }
+        let [seconds, ratio] = [self.seconds, self.ratio].map(|value| or_dash(value, |value| format!("{value:.3}")));
+        write!(f, " {seconds:>9} {:>8} {ratio:>8}", or_dash(self.certificate, |eta| format!("{eta:.1e}")))
+    }
+}
+
+/// The colour and the symbol of a code.
+fn look(code: &str) -> (Colour, Symbol) {
+    match code.split(' ').next().unwrap_or_default() {
+        THIS => (Colour::BLUE, Symbol::Circle),
+        "tamaas" => (Colour::VERMILION, Symbol::Square),
+        "contact-mechanics" => (Colour::GREEN, Symbol::Triangle),
+        "aspher" => (Colour::PURPLE, Symbol::Diamond),
+        _ => (Colour::ORANGE, Symbol::Diamond),
+    }
+}
+
+/// Seconds, and the certificate of the pressure.
+struct Solved {
+    seconds: f64,
+    certificate: f64,
+}
+
+impl Solved {
+    /// The median of several solves.
+    fn of_repeats<E>(repeats: NonZeroUsize, mut solve: impl FnMut() -> Result<Self, E>) -> Result<Self, E> {
+        let mut all = (0..repeats.get()).map(|_| solve()).collect::<Result<Vec<_>, E>>()?;
+        all.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+        let seconds: Vec<f64> = all.iter().map(|solved| solved.seconds).collect();
+        let certificate = all.iter().map(|solved| solved.certificate).fold(0.0, f64::max);
+        Ok(Self { seconds: median(&seconds), certificate })
+    }
+}
+
+/// Solves a contact by this code.
+fn solve(
+    problem: &Problem,
+    stop: &Stop,
+    pool: &ThreadPool,
+    watch: ObserverMaker,
+    title: &str,
+) -> Result<Solved, SetupError> {
+    let clock = Instant::now();
+    let contact = pool.install(|| Multilevel.solve(problem, stop, &mut watch(title)))?;
+    Ok(Solved { seconds: clock.elapsed().as_secs_f64(), certificate: contact.certificate.eta })
+}
