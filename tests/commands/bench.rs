@@ -86,7 +86,7 @@ fn codes_that_are_missing_are_skipped_with_a_sentence() {
     let codes: Vec<&str> = rows[1..5].iter().map(|row| row["code"].as_str()).collect();
     assert_eq!(codes, ["tamaas", "contact-mechanics", "aspher", "aspher-mixed"]);
     let figure = std::fs::read_to_string(folder.join("x.svg")).unwrap();
-    assert!(figure.contains("periodic") && figure.contains("without images"));
+    assert!(figure.contains("periodic boundaries") && figure.contains("free boundaries"));
 }
 
 #[test]

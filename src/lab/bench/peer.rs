@@ -2,7 +2,7 @@
 
 use crate::contact::Problem;
 use crate::error::reason;
-use ndarray::Array2;
+use crate::surface::{read_field, write_heights};
 use serde::Deserialize;
 use serde_json::json;
 use std::fs::File;
@@ -85,7 +85,7 @@ impl Peer {
     ) -> io::Result<Result<PeerSolution, String>> {
         let folder = tempfile::tempdir()?;
         let [height, out, answer] = ["height.npy", "pressure.npy", "answer"].map(|name| folder.path().join(name));
-        ndarray_npy::write_npy(&height, problem.surface().height()).map_err(io::Error::other)?;
+        write_heights(&height, problem.surface().height().view().into_dyn()).map_err(io::Error::other)?;
         let task = json!({
             "height": height,
             "out": out,
@@ -116,7 +116,7 @@ impl Peer {
         let told = std::fs::read_to_string(&answer)?;
         match serde_json::from_str(told.lines().last().unwrap_or_default()) {
             Ok(Answer::Solved { version, seconds }) => {
-                let pressure: Array2<f64> = ndarray_npy::read_npy(&out).map_err(io::Error::other)?;
+                let pressure = read_field(&out, "pressure").map_err(io::Error::other)?;
                 Ok(Ok(PeerSolution { version, seconds, pressure: pressure.into_iter().collect() }))
             }
             Ok(Answer::Skipped { skipped }) => Ok(Err(skipped)),

@@ -9,6 +9,7 @@ use crate::lab::table::{median, or_dash};
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::time::Instant;
@@ -70,16 +71,16 @@ impl PeerTiming {
             };
             let title = format!("{} {}", contest.name, contest.points());
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
-            let ours = Solved::of_repeats(repeats, || solve(&problem, stop, &pool, watch, &title))?;
+            let ours = TimedSolve::of_repeats(repeats, || solve(&problem, stop, &pool, watch, &title))?;
             let seconds = ours.seconds;
             show(row(&format!("{THIS} {}", env!("CARGO_PKG_VERSION"))).with(ours, seconds));
             for peer in Peer::iter() {
                 let mut code = String::from(<&str>::from(peer));
-                let solved = Solved::of_repeats(repeats, || {
+                let solved = TimedSolve::of_repeats(repeats, || {
                     let solution = peer.solve(python, &problem, stop.tolerance(), threads)?;
                     code = format!("{} {}", <&str>::from(peer), solution.version);
                     let certificate = Certificate::new(&problem, &solution.pressure).eta;
-                    Ok(Solved { seconds: solution.seconds, certificate })
+                    Ok(TimedSolve { seconds: solution.seconds, certificate })
                 });
                 show(match solved {
                     Ok(solved) => row(&code).with(solved, seconds),
@@ -90,7 +91,7 @@ impl PeerTiming {
         Ok(())
     }
 
-    fn with(self, solved: Solved, ours: f64) -> Self {
+    fn with(self, solved: TimedSolve, ours: f64) -> Self {
         Self {
             seconds: Some(solved.seconds),
             certificate: Some(solved.certificate),
@@ -99,36 +100,35 @@ impl PeerTiming {
         }
     }
 
-    /// The figure of all rows: certificates against seconds, on periodic cells and without images.
+    /// The figure of all rows: certificates against seconds, with periodic and with free boundaries.
     pub fn figure(rows: &[Self]) -> Figure {
-        let panel = |title: &str, is_periodic| {
-            let rows = || rows.iter().filter(move |row| row.is_periodic == is_periodic);
-            let decades = |values: Vec<f64>| {
-                let [least, most] = values.iter().fold([f64::MAX, 0.0], |[a, b], &it| [it.min(a), it.max(b)]);
-                [10f64.powf(least.log10().floor()), 10f64.powf(most.log10().ceil())]
-            };
-            let seconds = decades(rows().filter_map(|row| row.seconds).collect());
-            let certificates = decades(rows().filter_map(|row| row.certificate).collect());
-            let axes = [Axis::log("seconds", seconds), Axis::log("certificate η", certificates)];
-            let [x, y] = axes;
-            let mut panel = Panel::new(title, x, y);
-            let mut codes: Vec<&str> =
-                rows().filter(|row| row.seconds.is_some()).map(|row| row.code.as_str()).collect();
-            codes.sort_unstable();
-            codes.dedup();
-            for code in codes {
-                let (colour, symbol) = look(code);
-                let of_code = rows().filter(|row| row.code == code);
-                let dots = of_code.filter_map(|row| Some(Dot::at(row.seconds?, row.certificate?)));
-                panel.add(code, colour, Mark::Symbol { symbol, filled: true }, dots);
-            }
-            panel
-        };
-        Figure {
-            title: "Rough surfaces: error against time".into(),
-            panels: vec![panel("periodic", true), panel("without images", false)],
-        }
+        let of = |is_periodic| rows.iter().filter(|row| row.is_periodic == is_periodic).collect::<Vec<_>>();
+        let panels = [("periodic boundaries", of(true)), ("free boundaries", of(false))];
+        let panels = panels.into_iter().filter_map(|(title, rows)| panel(title, &rows)).collect();
+        Figure { title: "Rough surfaces: error against time".into(), panels }
     }
+}
+
+/// The panel of some rows, unless none has numbers that can be drawn.
+fn panel(title: &str, rows: &[&PeerTiming]) -> Option<Panel> {
+    let x = Axis::log("seconds", decades(rows.iter().filter_map(|row| row.seconds))?);
+    let y = Axis::log("certificate η", decades(rows.iter().filter_map(|row| row.certificate))?);
+    let mut panel = Panel::new(title, x, y);
+    let codes: BTreeSet<&str> = rows.iter().filter(|row| row.seconds.is_some()).map(|row| row.code.as_str()).collect();
+    for code in codes {
+        let (colour, symbol) = look(code);
+        let of_code = rows.iter().filter(|row| row.code == code);
+        let dots = of_code.filter_map(|row| Some(Dot::at(row.seconds?, row.certificate?)));
+        panel.add(code, colour, Mark::Symbol { symbol, filled: true }, dots);
+    }
+    Some(panel)
+}
+
+/// The decades around those of the values that a logarithmic axis can show, if there are any.
+fn decades(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let logs = values.map(f64::log10).filter(|log| log.is_finite());
+    let [least, most] = logs.map(|log| [log, log]).reduce(|[a, b], [least, most]| [a.min(least), b.max(most)])?;
+    Some([10f64.powf(least.floor()), 10f64.powf((most + 1e-9).ceil())])
 }
 
 impl fmt::Display for PeerTiming {
@@ -154,12 +154,12 @@ fn look(code: &str) -> (Colour, Symbol) {
 }
 
 /// Seconds, and the certificate of the pressure.
-struct Solved {
+struct TimedSolve {
     seconds: f64,
     certificate: f64,
 }
 
-impl Solved {
+impl TimedSolve {
     /// The median of several solves.
     fn of_repeats<E>(repeats: NonZeroUsize, mut solve: impl FnMut() -> Result<Self, E>) -> Result<Self, E> {
         let mut all = (0..repeats.get()).map(|_| solve()).collect::<Result<Vec<_>, E>>()?;
@@ -177,8 +177,8 @@ fn solve(
     pool: &ThreadPool,
     watch: ObserverMaker,
     title: &str,
-) -> Result<Solved, SetupError> {
+) -> Result<TimedSolve, SetupError> {
     let clock = Instant::now();
     let contact = pool.install(|| Multilevel.solve(problem, stop, &mut watch(title)))?;
-    Ok(Solved { seconds: clock.elapsed().as_secs_f64(), certificate: contact.certificate.eta })
+    Ok(TimedSolve { seconds: clock.elapsed().as_secs_f64(), certificate: contact.certificate.eta })
 }
