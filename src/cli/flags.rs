@@ -1,6 +1,7 @@
 //! The flags that describe a contact to solve.
 
 use super::choice::one_of;
+#[cfg(feature = "record")]
 use super::exit_status::usage;
 use super::units::Units;
 use super::warnings;

@@ -13,6 +13,7 @@ pub struct SolvePlan<'a> {
     pub cost: &'a Cost,
     /// The length of a list of loads, if there is one.
     pub loads: Option<usize>,
+    #[cfg_attr(not(feature = "record"), expect(dead_code))]
     pub is_recorded: bool,
     /// Whether a first pass finds the final state, with which the steps are compared.
     pub is_passed_twice: bool,
@@ -20,7 +21,7 @@ pub struct SolvePlan<'a> {
 
 /// Writes the estimated cost of the solve, and the size of its recording, if any.
 pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
-    let SolvePlan { setup, cost, loads, is_recorded, is_passed_twice } = *plan;
+    let SolvePlan { setup, cost, loads, is_passed_twice, .. } = *plan;
     let shape = cost.grid.shape();
     writeln!(out, "Estimate for {}; nothing was solved.", setup.solver.name())?;
     writeln!(out, "  points      {}", points(shape))?;
@@ -43,7 +44,7 @@ pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     }
     #[cfg(feature = "record")]
     match loads {
-        _ if !is_recorded => {}
+        _ if !plan.is_recorded => {}
         Some(loads) => write_recording_of_loads(setup, cost, loads, out)?,
         None => write_recording(setup, cost, out)?,
     }

@@ -1,6 +1,8 @@
 //! `asperity surface`: makes a surface, or describes one.
 
-use super::exit_status::{ExitStatus, usage};
+use super::exit_status::ExitStatus;
+#[cfg(feature = "record")]
+use super::exit_status::usage;
 use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::problem_summary::along_axes;
@@ -14,7 +16,9 @@ use asperity::files::{check_apart, check_named};
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Surface, Survey};
+#[cfg(feature = "record")]
+use asperity::surface::Surface;
+use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Survey};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
