@@ -66,7 +66,7 @@ pub struct Bench {
     /// Use smaller grids: lines of 2^14 points, surfaces of 256^2, without the wavelengths that are too short for them
     #[arg(long)]
     quick: bool,
-    /// Write the rows in full precision; the file is updated after each row
+    /// Write the rows in full precision; the file is updated after each row, or in the group rivals after each case
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
     /// Group rivals: interpreter with the other codes
@@ -132,7 +132,9 @@ impl Bench {
         for contest in Contest::all(Group::Rivals, self.quick, self.seed) {
             let mut written = Ok(());
             PeerTiming::all(&contest, &stop, self.repeats, &python, bar, |row| {
-                written = writeln!(stdout(), "{row}");
+                if written.is_ok() {
+                    written = writeln!(stdout(), "{row}");
+                }
                 rows.push(row);
             })?;
             written?;
@@ -144,7 +146,8 @@ impl Bench {
             }
         }
         [&self.out, &self.figure].into_iter().flatten().for_each(|path| wrote(path));
-        Ok(ExitStatus::Done)
+        let all_converged = !rows.iter().any(PeerTiming::is_own_failure);
+        Ok(if all_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
     fn list(&self) -> Result<ExitStatus> {

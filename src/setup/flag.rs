@@ -98,7 +98,7 @@ pub const FLAGS: &[Flag] = &[
     flag("hardness", "law.hardness", FlagValue::One, "H_C", "Hardness of the softer body: it yields at this pressure, and no pressure is higher; with a unit, or in the unit of the modulus; without a modulus, divided by E*"),
     flag("pressure", "load.mean-pressure", FlagValue::List, "P[,P]", "Mean pressure, with a unit, or in the unit of the modulus; needs a modulus; several values are solved one after the other"),
     flag("reduced-pressure", "load.reduced-pressure", FlagValue::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus, pressures are divided by E*"),
-    flag("mean-gap", "load.mean-gap", FlagValue::List, "G[,G]", "Mean gap: distance of the mean planes of both surfaces; must be below the highest peak; not with --solver gfmd"),
+    flag("mean-gap", "load.mean-gap", FlagValue::List, "G[,G]", "Mean gap: distance between the mean planes of both surfaces, less than the height of the highest peak; not with --solver gfmd"),
     flag("friction", "friction.coefficient", FlagValue::One, "MU", "Coefficient of friction; needs --tangential"),
     flag("tangential", "friction.tangential", FlagValue::One, "Q", "Tangential load along x, less than MU times the normal load, and of the same kind as it: a mean traction, a reduced traction or a force"),
     flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),

@@ -63,6 +63,18 @@ fn rows_fit_in_120_columns() {
     assert!(text(&output.stdout).lines().all(|line| line.len() <= 120), "{}", text(&output.stdout));
 }
 
+/// A contact that this program does not solve has no time, and nothing is compared with it.
+#[test]
+fn what_is_not_converged_is_not_compared() {
+    let folder = Folder::new();
+    let output = folder.run("bench rivals --quick --python no-such-python --max-iterations 2 --out x.csv --threads 1");
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    for row in rows(&folder, "x.csv") {
+        assert!(row["seconds"].is_empty() && row["ratio"].is_empty(), "{row:?}");
+        assert!(!row["code"].starts_with("asperity") || row["skipped"].contains("after 2 iterations"), "{row:?}");
+    }
+}
+
 /// Without other codes the rows of this one stand alone, and the others say why they have no numbers.
 #[test]
 fn codes_that_are_missing_are_skipped_with_a_sentence() {

@@ -43,7 +43,7 @@ impl UpdateMethod {
         }
     }
 
-    /// What a free update in this way is called.
+    /// The kind of step that recordings and diagnoses show for a free update in this way.
     pub fn decision(self) -> Decision {
         match self {
             Self::Split => Decision::SplitCompliance,

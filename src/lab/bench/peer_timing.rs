@@ -1,13 +1,13 @@
 //! Times and certificates of this code and of others, on the same contacts.
 
 use super::contest::Contest;
-use super::peer::{Peer, Python};
-use crate::contact::{Certificate, Multilevel, Problem, Solver, Stop};
+use super::peer::{Peer, PeerSolution, Python};
+use crate::contact::{Certificate, Contact, Multilevel, Problem, Solver, Stop};
 use crate::error::SetupError;
 use crate::lab::ObserverMaker;
 use crate::lab::table::{median, or_dash};
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::ThreadPoolBuilder;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -17,7 +17,7 @@ use strum::IntoEnumIterator;
 
 /// The names of the columns in which a [`PeerTiming`] displays.
 pub const PEER_HEAD: &str = "\
-case                        points threads code                   seconds      eta    ratio";
+case                        points threads code                       seconds      eta    ratio";
 
 /// The name of this code.
 const THIS: &str = "asperity";
@@ -45,7 +45,7 @@ impl PeerTiming {
     /// Solves a contest by this code and by the others, on one thread and on all of them. Each row is given to `show` when it is known.
     ///
     /// # Errors
-    /// A contact that cannot be posed, or files of heights and pressures that cannot be written or read.
+    /// A contact that cannot be posed.
     pub fn all(
         contest: &Contest,
         stop: &Stop,
@@ -55,49 +55,50 @@ impl PeerTiming {
         mut show: impl FnMut(Self),
     ) -> Result<(), SetupError> {
         let problem = contest.setup.problem()?;
+        let title = format!("{} {}", contest.name, contest.points());
         let mut counts = vec![1, rayon::current_num_threads()];
         counts.dedup();
         for threads in counts {
-            let row = |code: &str| Self {
-                case: contest.name.clone(),
-                points: contest.points(),
-                is_periodic: problem.surface().grid().is_periodic(),
-                threads,
-                code: code.into(),
-                seconds: None,
-                certificate: None,
-                ratio: None,
-                skipped: None,
+            let row = |code: String, solved: Result<TimedSolve, String>, ours: Option<f64>| {
+                let (solved, skipped) =
+                    solved.map_or_else(|reason| (None, Some(reason)), |solved| (Some(solved), None));
+                let seconds = solved.as_ref().map(|solved| solved.seconds);
+                Self {
+                    case: contest.name.clone(),
+                    points: contest.points(),
+                    is_periodic: problem.surface().grid().is_periodic(),
+                    threads,
+                    code,
+                    seconds,
+                    certificate: solved.map(|solved| solved.certificate),
+                    ratio: seconds.zip(ours).map(|(seconds, ours)| seconds / ours),
+                    skipped,
+                }
             };
-            let title = format!("{} {}", contest.name, contest.points());
-            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
-            let ours = TimedSolve::of_repeats(repeats, || solve(&problem, stop, &pool, watch, &title))?;
-            let seconds = ours.seconds;
-            show(row(&format!("{THIS} {}", env!("CARGO_PKG_VERSION"))).with(ours, seconds));
+            let ours = TimedSolve::of_repeats(repeats, || solve(&problem, stop, threads, watch, &title));
+            let seconds = ours.as_ref().ok().map(|solved| solved.seconds);
+            show(row(format!("{THIS} {}", env!("CARGO_PKG_VERSION")), ours, seconds));
             for peer in Peer::iter() {
                 let mut code = String::from(<&str>::from(peer));
                 let solved = TimedSolve::of_repeats(repeats, || {
-                    let solution = peer.solve(python, &problem, stop.tolerance(), threads)?;
-                    code = format!("{} {}", <&str>::from(peer), solution.version);
-                    let certificate = Certificate::new(&problem, &solution.pressure).eta;
-                    Ok(TimedSolve { seconds: solution.seconds, certificate })
+                    let PeerSolution { version, seconds, pressure } =
+                        peer.solve(python, &problem, stop.tolerance(), threads)?;
+                    code = format!("{} {version}", <&str>::from(peer));
+                    let Certificate { eta, load_error, .. } = Certificate::new(&problem, &pressure);
+                    if load_error > stop.gap_tolerance() {
+                        return Err(format!("its mean pressure is wrong by {:.2} %", 100.0 * load_error));
+                    }
+                    Ok(TimedSolve { seconds, certificate: eta })
                 });
-                show(match solved {
-                    Ok(solved) => row(&code).with(solved, seconds),
-                    Err(reason) => Self { skipped: Some(reason), ..row(&code) },
-                });
+                show(row(code, solved, seconds));
             }
         }
         Ok(())
     }
 
-    fn with(self, solved: TimedSolve, ours: f64) -> Self {
-        Self {
-            seconds: Some(solved.seconds),
-            certificate: Some(solved.certificate),
-            ratio: Some(solved.seconds / ours),
-            ..self
-        }
+    /// Whether it is a contact that this program did not solve.
+    pub fn is_own_failure(&self) -> bool {
+        self.skipped.is_some() && self.code.starts_with(THIS)
     }
 
     /// The figure of all rows: certificates against seconds, with periodic and with free boundaries.
@@ -133,7 +134,7 @@ fn decades(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 
 impl fmt::Display for PeerTiming {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:<22} {:>11} {:>4} {:<24}", self.case, self.points, self.threads, self.code)?;
+        write!(f, "{:<22} {:>11} {:>7} {:<24}", self.case, self.points, self.threads, self.code)?;
         if let Some(reason) = &self.skipped {
             return write!(f, " skipped: {reason}");
         }
@@ -160,25 +161,34 @@ struct TimedSolve {
 }
 
 impl TimedSolve {
-    /// The median of several solves.
-    fn of_repeats<E>(repeats: NonZeroUsize, mut solve: impl FnMut() -> Result<Self, E>) -> Result<Self, E> {
-        let mut all = (0..repeats.get()).map(|_| solve()).collect::<Result<Vec<_>, E>>()?;
-        all.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
-        let seconds: Vec<f64> = all.iter().map(|solved| solved.seconds).collect();
-        let certificate = all.iter().map(|solved| solved.certificate).fold(0.0, f64::max);
-        Ok(Self { seconds: median(&seconds), certificate })
+    /// The median time of several solves, and the worst of their certificates; one that is no number counts as the worst.
+    fn of_repeats(repeats: NonZeroUsize, mut solve: impl FnMut() -> Result<Self, String>) -> Result<Self, String> {
+        let all = (0..repeats.get()).map(|_| solve()).collect::<Result<Vec<_>, _>>()?;
+        let (mut seconds, mut certificates): (Vec<f64>, Vec<f64>) =
+            all.iter().map(|solved| (solved.seconds, solved.certificate)).unzip();
+        seconds.sort_by(f64::total_cmp);
+        certificates.sort_by(f64::total_cmp);
+        Ok(Self { seconds: median(&seconds), certificate: certificates[certificates.len() - 1] })
     }
 }
 
-/// Solves a contact by this code.
+/// Solves a contact by this code on one thread or on all of them.
 fn solve(
     problem: &Problem,
     stop: &Stop,
-    pool: &ThreadPool,
+    threads: usize,
     watch: ObserverMaker,
     title: &str,
-) -> Result<TimedSolve, SetupError> {
-    let clock = Instant::now();
-    let contact = pool.install(|| Multilevel.solve(problem, stop, &mut watch(title)))?;
-    Ok(TimedSolve { seconds: clock.elapsed().as_secs_f64(), certificate: contact.certificate.eta })
+) -> Result<TimedSolve, String> {
+    let run = || {
+        let clock = Instant::now();
+        let contact = Multilevel.solve(problem, stop, &mut watch(title)).and_then(Contact::converged);
+        let contact = contact.map_err(|error| error.to_string())?;
+        Ok(TimedSolve { seconds: clock.elapsed().as_secs_f64(), certificate: contact.certificate.eta })
+    };
+    if threads == rayon::current_num_threads() {
+        return run();
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+    pool.install(run)
 }

@@ -38,6 +38,19 @@ struct Lanes {
     image: StepImage,
 }
 
+/// The colour of a kind of step. Kinds that one solver takes have different colours.
+fn colour_of(decision: Decision) -> Colour {
+    match decision {
+        Decision::Start => FAINT,
+        Decision::SplitCompliance => SERIES[0],
+        Decision::Conjugate { .. } => SERIES[1],
+        Decision::Exchange | Decision::Damped => SERIES[2],
+        Decision::Descend | Decision::Guarded | Decision::Coast => SERIES[3],
+        Decision::WholeSet | Decision::Accelerate => SERIES[4],
+        Decision::SinglePrecision | Decision::Halt => SERIES[5],
+    }
+}
+
 /// What the lanes show, of every step.
 struct LaneRows {
     /// Classes of the lanes; none where nothing is known.
@@ -58,9 +71,9 @@ impl Lanes {
         let share = |level: u8| f64::from(level) / f64::from(LEVELS - 1);
         let levels = (0..LEVELS)
             .map(move |level| (FIRST[0] + level, 0, format!("{level}"), mixed(SERIES[1], FAINT, share(level).sqrt())));
-        let kinds = Decision::iter().zip(0..).map(|(decision, kind)| {
-            (FIRST[1] + kind, 1, decision.name().to_owned(), SERIES[usize::from(kind) % SERIES.len()])
-        });
+        let kinds = Decision::iter()
+            .zip(0..)
+            .map(|(decision, kind)| (FIRST[1] + kind, 1, decision.name().to_owned(), colour_of(decision)));
         let colours = [FAINT, palette.contact, SERIES[1], SERIES[0]];
         let changes = CHANGES
             .iter()
@@ -240,5 +253,29 @@ impl RunDrawing for LanesOfRun {
 
     fn end(&mut self, contact: &Contact) {
         self.rows.end(contact);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_of_steps_of_one_solver_have_different_colours() {
+        let solvers: [&[&str]; 4] = [
+            &["start", "conjugate", "whole-set", "single-precision", "split-compliance", "guarded"],
+            &["start", "conjugate", "exchange", "descend"],
+            &["start", "damped"],
+            &["start", "coast", "accelerate", "halt"],
+        ];
+        for kinds in solvers {
+            let of_solver: Vec<Decision> =
+                Decision::iter().filter(|decision| kinds.contains(&decision.name())).collect();
+            assert_eq!(of_solver.len(), kinds.len());
+            for (number, one) in of_solver.iter().enumerate() {
+                assert!(of_solver[..number].iter().all(|other| colour_of(*other) != colour_of(*one)), "{one:?}");
+            }
+        }
+        assert!(Decision::iter().all(|decision| solvers.iter().any(|kinds| kinds.contains(&decision.name()))));
     }
 }
