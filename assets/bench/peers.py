@@ -51,8 +51,10 @@ def aspher(height, pressure, free, tolerance, precision="double"):
     ).pressure
 
 
-def aspher_mixed(*contact):
-    return aspher(*contact, precision="float_then_double")
+def aspher_mixed(height, pressure, free, tolerance):
+    if free:
+        raise NotImplementedError("it has no mixed precision at free boundaries")
+    return aspher(height, pressure, free, tolerance, precision="float_then_double")
 
 
 CODES = {
@@ -77,6 +79,8 @@ def answer():
         return {"version": version, "seconds": seconds}
     except metadata.PackageNotFoundError:
         return {"skipped": f"{package} is not installed"}
+    except ModuleNotFoundError as error:
+        return {"skipped": f"{error.name} is not installed"}
     except Exception as error:
         return {"skipped": " ".join(str(error).split()) or type(error).__name__}
 

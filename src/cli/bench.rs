@@ -38,9 +38,10 @@ Each row is one case solved by one solver:
 The group rivals is run alone. Each row is one case solved by one code on one thread or on all threads. All codes get the same
 heights, load and tolerance; this program judges all pressures:
   seconds     of the solve alone
-  eta         certificate of the pressure
+  eta         certificate of the pressure; (!) ends a row in which it is above the tolerance
   ratio       seconds divided by those of this program
-The other codes are those that the interpreter finds: tamaas, ContactMechanics and aspher; a code that is missing is skipped.";
+The other codes are those that the interpreter finds: tamaas, ContactMechanics and aspher; aspher-mixed is aspher that begins in
+single precision. A code that is missing is skipped. --max-iterations holds for this program only.";
 
 #[derive(Args)]
 #[command(after_help = HELP)]
@@ -72,7 +73,7 @@ pub struct Bench {
     /// Group rivals: interpreter with the other codes
     #[arg(long, value_name = "PROGRAM", default_value = "python3")]
     python: PathBuf,
-    /// Group rivals: largest time of a solve by another code, in seconds
+    /// Group rivals: largest time of a run of another code, in seconds, with the start of the interpreter
     #[arg(long, value_name = "S", default_value = "120", value_parser = count)]
     time_limit: NonZeroUsize,
     /// Group rivals: draw certificates against seconds

@@ -71,7 +71,7 @@ fn what_is_not_converged_is_not_compared() {
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
     for row in rows(&folder, "x.csv") {
         assert!(row["seconds"].is_empty() && row["ratio"].is_empty(), "{row:?}");
-        assert!(!row["code"].starts_with("asperity") || row["skipped"].contains("after 2 iterations"), "{row:?}");
+        assert!(row["code"] != "asperity" || row["skipped"].contains("after 2 iterations"), "{row:?}");
     }
 }
 
@@ -86,7 +86,7 @@ fn codes_that_are_missing_are_skipped_with_a_sentence() {
     for (number, row) in rows.iter().enumerate() {
         assert_eq!((row["points"].as_str(), row["threads"].as_str()), ("256x256", "1"));
         if number % 5 == 0 {
-            assert!(row["code"].starts_with("asperity ") && row["skipped"].is_empty(), "{row:?}");
+            assert!(row["code"] == "asperity" && row["skipped"].is_empty(), "{row:?}");
             assert!(self::number(row, "certificate") <= 1e-8 && self::number(row, "ratio") == 1.0, "{row:?}");
         } else {
             assert!(

@@ -29,12 +29,15 @@ pub struct PeerTiming {
     points: String,
     is_periodic: bool,
     threads: usize,
-    /// The code with its version.
     code: String,
+    /// The version of the code, if it runs.
+    version: Option<String>,
     /// Median over the repeats, of the solve alone.
     seconds: Option<f64>,
     /// The certificate of its pressure.
     certificate: Option<f64>,
+    /// The certificate that was asked for.
+    tolerance: f64,
     /// Its seconds over those of this code.
     ratio: Option<f64>,
     /// Why the code did not solve it.
@@ -59,7 +62,7 @@ impl PeerTiming {
         let mut counts = vec![1, rayon::current_num_threads()];
         counts.dedup();
         for threads in counts {
-            let row = |code: String, solved: Result<TimedSolve, String>, ours: Option<f64>| {
+            let row = |code: &str, version: Option<String>, solved: Result<TimedSolve, String>, ours: Option<f64>| {
                 let (solved, skipped) =
                     solved.map_or_else(|reason| (None, Some(reason)), |solved| (Some(solved), None));
                 let seconds = solved.as_ref().map(|solved| solved.seconds);
@@ -68,29 +71,31 @@ impl PeerTiming {
                     points: contest.points(),
                     is_periodic: problem.surface().grid().is_periodic(),
                     threads,
-                    code,
+                    code: code.into(),
+                    version,
                     seconds,
                     certificate: solved.map(|solved| solved.certificate),
+                    tolerance: stop.tolerance(),
                     ratio: seconds.zip(ours).map(|(seconds, ours)| seconds / ours),
                     skipped,
                 }
             };
             let ours = TimedSolve::of_repeats(repeats, || solve(&problem, stop, threads, watch, &title));
             let seconds = ours.as_ref().ok().map(|solved| solved.seconds);
-            show(row(format!("{THIS} {}", env!("CARGO_PKG_VERSION")), ours, seconds));
+            show(row(THIS, Some(env!("CARGO_PKG_VERSION").into()), ours, seconds));
             for peer in Peer::iter() {
-                let mut code = String::from(<&str>::from(peer));
+                let mut of = None;
                 let solved = TimedSolve::of_repeats(repeats, || {
                     let PeerSolution { version, seconds, pressure } =
                         peer.solve(python, &problem, stop.tolerance(), threads)?;
-                    code = format!("{} {version}", <&str>::from(peer));
+                    of = Some(version);
                     let Certificate { eta, load_error, .. } = Certificate::new(&problem, &pressure);
                     if load_error > stop.gap_tolerance() {
                         return Err(format!("its mean pressure is wrong by {:.2} %", 100.0 * load_error));
                     }
                     Ok(TimedSolve { seconds, certificate: eta })
                 });
-                show(row(code, solved, seconds));
+                show(row(peer.into(), of, solved, seconds));
             }
         }
         Ok(())
@@ -98,7 +103,7 @@ impl PeerTiming {
 
     /// Whether it is a contact that this program did not solve.
     pub fn is_own_failure(&self) -> bool {
-        self.skipped.is_some() && self.code.starts_with(THIS)
+        self.skipped.is_some() && self.code == THIS
     }
 
     /// The figure of all rows: certificates against seconds, with periodic and with free boundaries.
@@ -106,21 +111,33 @@ impl PeerTiming {
         let of = |is_periodic| rows.iter().filter(|row| row.is_periodic == is_periodic).collect::<Vec<_>>();
         let panels = [("periodic boundaries", of(true)), ("free boundaries", of(false))];
         let panels = panels.into_iter().filter_map(|(title, rows)| panel(title, &rows)).collect();
-        Figure { title: "Rough surfaces: error against time".into(), panels }
+        Figure { title: "Rough surfaces: certificate against time".into(), panels }
     }
 }
 
 /// The panel of some rows, unless none has numbers that can be drawn.
 fn panel(title: &str, rows: &[&PeerTiming]) -> Option<Panel> {
-    let x = Axis::log("seconds", decades(rows.iter().filter_map(|row| row.seconds))?);
+    let x = Axis::log(
+        "seconds; filled: one thread, open: all threads",
+        decades(rows.iter().filter_map(|row| row.seconds))?,
+    );
     let y = Axis::log("certificate η", decades(rows.iter().filter_map(|row| row.certificate))?);
     let mut panel = Panel::new(title, x, y);
-    let codes: BTreeSet<&str> = rows.iter().filter(|row| row.seconds.is_some()).map(|row| row.code.as_str()).collect();
-    for code in codes {
+    let asked = rows.first()?.tolerance;
+    panel.add_curve("asked for", Colour::GREY, Mark::Dotted, |_| asked);
+    let codes: BTreeSet<(&str, Option<&str>)> = rows
+        .iter()
+        .filter(|row| row.seconds.is_some())
+        .map(|row| (row.code.as_str(), row.version.as_deref()))
+        .collect();
+    for (code, version) in codes {
         let (colour, symbol) = look(code);
-        let of_code = rows.iter().filter(|row| row.code == code);
-        let dots = of_code.filter_map(|row| Some(Dot::at(row.seconds?, row.certificate?)));
-        panel.add(code, colour, Mark::Symbol { symbol, filled: true }, dots);
+        for filled in [true, false] {
+            let of_code = rows.iter().filter(|row| row.code == code && (row.threads == 1) == filled);
+            let dots = of_code.filter_map(|row| Some(Dot::at(row.seconds?, row.certificate?)));
+            let name = if filled { format!("{code} {}", version.unwrap_or_default()) } else { String::new() };
+            panel.add(name, colour, Mark::Symbol { symbol, filled }, dots);
+        }
     }
     Some(panel)
 }
@@ -134,18 +151,23 @@ fn decades(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 
 impl fmt::Display for PeerTiming {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:<22} {:>11} {:>7} {:<24}", self.case, self.points, self.threads, self.code)?;
-        if let Some(reason) = &self.skipped {
-            return write!(f, " skipped: {reason}");
+        let code = format!("{} {}", self.code, self.version.as_deref().unwrap_or_default());
+        write!(f, "{:<22} {:>11} {:>7} {code:<24}", self.case, self.points, self.threads)?;
+        match &self.skipped {
+            Some(reason) if self.code == THIS => return write!(f, " {reason}"),
+            Some(reason) => return write!(f, " skipped: {reason}"),
+            None => {}
         }
         let [seconds, ratio] = [self.seconds, self.ratio].map(|value| or_dash(value, |value| format!("{value:.3}")));
-        write!(f, " {seconds:>9} {:>8} {ratio:>8}", or_dash(self.certificate, |eta| format!("{eta:.1e}")))
+        write!(f, " {seconds:>9} {:>8} {ratio:>8}", or_dash(self.certificate, |eta| format!("{eta:.1e}")))?;
+        let is_met = self.certificate.is_some_and(|eta| eta <= self.tolerance);
+        f.write_str(if is_met { "" } else { " (!)" })
     }
 }
 
 /// The colour and the symbol of a code.
 fn look(code: &str) -> (Colour, Symbol) {
-    match code.split(' ').next().unwrap_or_default() {
+    match code {
         THIS => (Colour::BLUE, Symbol::Circle),
         "tamaas" => (Colour::VERMILION, Symbol::Square),
         "contact-mechanics" => (Colour::GREEN, Symbol::Triangle),
