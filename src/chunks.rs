@@ -6,6 +6,7 @@
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// Values per chunk: 128 KiB, of which a few fit the second-level cache, and long against the cost of a task.
 const CHUNK: usize = 1 << 14;
@@ -21,14 +22,26 @@ fn run<A, T>(work: &impl Fn(A) -> T, chunk: A) -> T {
 }
 
 /// Whether there is one thread only. Then loops stay on the calling thread, which need not wake another one.
-pub(crate) fn is_alone() -> bool {
+fn is_alone() -> bool {
     rayon::current_num_threads() == 1
 }
 
 /// Does the tasks `0..count` on all threads. This function is not generic, so that a parallel loop is compiled once for all loops
 /// of the crate. With one copy for each loop the crate took a quarter longer to compile.
+///
+/// A thread outside of the pool does tasks as well, together with the threads of the pool but one. If it only waited for the pool,
+/// two threads would solve small contacts more slowly than one, since the operating system needs some 10 us to wake it again.
 fn on_all_threads(count: usize, task: &(dyn Fn(usize) + Sync)) {
-    (0..count).into_par_iter().with_max_len(1).for_each(task);
+    if rayon::current_thread_index().is_some() {
+        (0..count).into_par_iter().with_max_len(1).for_each(task);
+        return;
+    }
+    let next = AtomicUsize::new(0);
+    let take_tasks = || std::iter::repeat_with(|| next.fetch_add(1, Relaxed)).take_while(|n| *n < count).for_each(task);
+    rayon::in_place_scope(|scope| {
+        (1..rayon::current_num_threads().min(count)).for_each(|_| scope.spawn(|_| take_tasks()));
+        take_tasks();
+    });
 }
 
 /// Results of `work` on each item, in order: on the calling thread if there is one item or one thread, else on all threads.

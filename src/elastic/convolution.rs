@@ -46,9 +46,9 @@ impl<T: Real> Convolution<T> {
     /// `r` of the displacement with the sink of that row, one of [`Convolution::rows`].
     pub fn displace<S: Send>(
         &mut self,
-        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        fill: impl Fn(usize, &mut [T]) + Sync,
         sinks: &mut [S],
-        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+        store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
         let (unit, rows) = (self.unit, self.rows);
         match &self.compliance.kind {
@@ -63,9 +63,9 @@ impl<T: Real> Convolution<T> {
     /// The approximate inverse of [`Convolution::displace`], with zero mean: symmetric and positive.
     pub fn press<S: Send>(
         &mut self,
-        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        fill: impl Fn(usize, &mut [T]) + Sync,
         sinks: &mut [S],
-        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+        store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
         let per_unit = self.unit.recip();
         self.multiply(|k| per_unit * k, false, fill, sinks, store);
@@ -74,24 +74,23 @@ impl<T: Real> Convolution<T> {
     /// Multiplies the modes by `factor(k)`; the mean has the stiffness of a uniform pressure if `with_uniform`, or else zero.
     pub fn multiply<S: Send>(
         &mut self,
-        factor: impl Fn(f64) -> f64 + Sync + Send,
+        factor: impl Fn(f64) -> f64 + Sync,
         with_uniform: bool,
-        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        fill: impl Fn(usize, &mut [T]) + Sync,
         sinks: &mut [S],
-        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+        store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
         let Compliance { kind, grid, .. } = self.compliance.as_ref();
-        self.filter.get_or_insert_with(|| Filter::new(grid)).run(|filter| {
-            filter.load(fill);
-            match kind {
-                &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
-                    filter.scale(|wave| factor(0.5 * modulus * wave.q))
-                }
-                ComplianceKind::Table(table) => {
-                    filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
-                }
+        let filter = self.filter.get_or_insert_with(|| Filter::new(grid));
+        filter.load(fill);
+        match kind {
+            &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
+                filter.scale(|wave| factor(0.5 * modulus * wave.q))
             }
-            filter.store(sinks, store);
-        });
+            ComplianceKind::Table(table) => {
+                filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
+            }
+        }
+        filter.store(sinks, store);
     }
 }

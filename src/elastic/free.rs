@@ -118,9 +118,9 @@ impl<T: Real> FreeConvolution<T> {
         table: &FreeTable,
         unit: f64,
         rows: [usize; 2],
-        fill: impl Fn(usize, &mut [T]) + Sync + Send,
+        fill: impl Fn(usize, &mut [T]) + Sync,
         sinks: &mut [S],
-        store: impl Fn(usize, &[T], &mut S) + Sync + Send,
+        store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
         let Self { fields, stage } = self;
         let width = rows[1];

@@ -119,7 +119,7 @@ impl Response {
 
     /// Multiplies each mode of `cause` by `factor(k)` with its stiffness `k` in the periodic solid, which is zero for the mean: one
     /// transform pair.
-    pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync + Send) {
+    pub(crate) fn respond(&mut self, cause: &[f64], effect: &mut [f64], factor: impl Fn(f64) -> f64 + Sync) {
         self.check(cause, effect);
         self.transforms += 2;
         let width = self.rows()[1];
@@ -146,9 +146,9 @@ impl Response {
     /// The displacement under a pressure, see [`Convolution::displace`]: one transform pair.
     pub(crate) fn displace_by_rows<S: Send>(
         &mut self,
-        fill: impl Fn(usize, &mut [f64]) + Sync + Send,
+        fill: impl Fn(usize, &mut [f64]) + Sync,
         sinks: &mut [S],
-        store: impl Fn(usize, &[f64], &mut S) + Sync + Send,
+        store: impl Fn(usize, &[f64], &mut S) + Sync,
     ) {
         self.transforms += 2;
         self.waves.displace(fill, sinks, store);

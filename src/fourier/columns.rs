@@ -23,7 +23,7 @@ pub(super) fn for_each_column<T: Real>(
     matrix: &mut [Complex<T>],
     width: usize,
     workers: &mut [Worker<T>],
-    work: impl Fn(usize, &mut [Complex<T>], &mut [T], &mut [Complex<T>]) + Sync + Send,
+    work: impl Fn(usize, &mut [Complex<T>], &mut [T], &mut [Complex<T>]) + Sync,
 ) {
     let rows = matrix.len() / width;
     let per_worker = width.div_ceil(workers.len()).next_multiple_of(BAND);

@@ -5,7 +5,6 @@ use super::line::LineFilter;
 use super::long_line::LongLineFilter;
 use super::surface::SurfaceFilter;
 use super::wave::Wave;
-use super::worker::enter_pool;
 use crate::grid::Grid;
 
 /// Multiplies each mode of a real field by a factor that depends on its [`Wave`], `f -> F^-1[ factor F[f] ]`, in three
@@ -68,19 +67,13 @@ impl<T: Real> Filter<T> {
         each_kind!(self, filter => filter.rows())
     }
 
-    /// Makes the `passes`, without leaving the thread pool between them.
-    pub fn run(&mut self, passes: impl FnOnce(&mut Self) + Send) {
-        let [count, width] = self.rows();
-        enter_pool(count * width, || passes(self));
-    }
-
     /// Takes the field whose row `r` is written by `fill(r, row)`; what `row` holds before is undefined.
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
         each_kind!(self, filter => filter.load(fill))
     }
 
     /// Multiplies the modes by the factors of their waves.
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         each_kind!(self, filter => filter.scale(factor))
     }
 
@@ -88,7 +81,7 @@ impl<T: Real> Filter<T> {
     ///
     /// # Panics
     /// If there is not one sink per row.
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync + Send) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync) {
         assert_eq!(sinks.len(), self.rows()[0], "one sink per row");
         each_kind!(self, filter => filter.store(sinks, store))
     }
@@ -115,11 +108,9 @@ mod tests {
         let mut filter = Filter::new(grid);
         let [count, width] = filter.rows();
         let mut rows = vec![Vec::new(); count];
-        filter.run(|filter| {
-            filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
-            filter.scale(|wave| factor(wave.q));
-            filter.store(&mut rows, |_, row, sink| *sink = row.to_vec());
-        });
+        filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
+        filter.scale(|wave| factor(wave.q));
+        filter.store(&mut rows, |_, row, sink| *sink = row.to_vec());
         rows.concat()
     }
 

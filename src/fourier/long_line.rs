@@ -73,7 +73,7 @@ impl<T: Real> LongLineFilter<T> {
         pieces(self.shape)
     }
 
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks_mut(per_worker * n2).zip(&mut self.workers).enumerate();
@@ -85,7 +85,7 @@ impl<T: Real> LongLineFilter<T> {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync + Send) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks(per_worker * n2).zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
@@ -97,7 +97,7 @@ impl<T: Real> LongLineFilter<T> {
         });
     }
 
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         let n2 = self.shape[1];
         for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
@@ -111,7 +111,7 @@ impl<T: Real> LongLineFilter<T> {
     }
 
     /// Transforms each row `k1` and its mirror image `n1 - k1`, scales their modes, and transforms them back.
-    fn scale_rows(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
+    fn scale_rows(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         let ([n1, n2], modes) = (self.shape, &self.modes);
         let (forward, inverse) = (self.forward[1].as_ref(), self.inverse[1].as_ref());
         let (zeroth, others) = self.z.split_at_mut(n2);

@@ -17,21 +17,20 @@ impl<T: Real> Padded<T> {
     }
 
     /// Multiplies the modes of a padded field by the `weight` of the [`Filter::places`] of its grid.
-    pub fn scale(&mut self, field: &mut [T], weight: impl Fn(usize) -> f64 + Sync + Send) {
+    pub fn scale(&mut self, field: &mut [T], weight: impl Fn(usize) -> f64 + Sync) {
         let [ny, nx] = self.shape;
-        let (is_line, [count, padded_width]) = (ny == 1, self.filter.rows());
-        self.filter.run(|filter| {
-            filter.load(|r, row| {
-                let first = if is_line { nx.min(r * padded_width) } else { r * nx };
-                let values = &field[first..if is_line { nx.min(first + padded_width) } else { first + nx }];
-                row[..values.len()].copy_from_slice(values);
-                row[values.len()..].fill(T::zero());
-            });
-            filter.scale(|wave| weight(wave.place));
-            let mut parts: Vec<&mut [T]> = field.chunks_mut(if is_line { padded_width } else { nx }).collect();
-            parts.resize_with(count, Default::default);
-            filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));
+        let filter = &mut self.filter;
+        let (is_line, [count, padded_width]) = (ny == 1, filter.rows());
+        filter.load(|r, row| {
+            let first = if is_line { nx.min(r * padded_width) } else { r * nx };
+            let values = &field[first..if is_line { nx.min(first + padded_width) } else { first + nx }];
+            row[..values.len()].copy_from_slice(values);
+            row[values.len()..].fill(T::zero());
         });
+        filter.scale(|wave| weight(wave.place));
+        let mut parts: Vec<&mut [T]> = field.chunks_mut(if is_line { padded_width } else { nx }).collect();
+        parts.resize_with(count, Default::default);
+        filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));
     }
 }
 

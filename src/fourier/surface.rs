@@ -54,7 +54,7 @@ impl<T: Real> SurfaceFilter<T> {
         [self.used_rows, self.shape[1]]
     }
 
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync + Send) {
+    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         let per_worker = ny.div_ceil(self.workers.len());
@@ -71,7 +71,7 @@ impl<T: Real> SurfaceFilter<T> {
         });
     }
 
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync + Send) {
+    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         let norm = 1.0 / (ny * nx) as f64;
@@ -91,7 +91,7 @@ impl<T: Real> SurfaceFilter<T> {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync + Send) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync) {
         let nx = self.shape[1];
         let half = nx / 2 + 1;
         let per_worker = self.used_rows.div_ceil(self.workers.len());

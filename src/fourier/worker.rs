@@ -1,7 +1,6 @@
 //! Work in parallel, each task with scratch of its own.
 
 use super::Real;
-use crate::chunks::is_alone;
 use rustfft::num_complex::Complex;
 
 /// Points of the smallest grid that is shared: the pair on 128 x 128 takes 60 us, of which a second core saves what it takes
@@ -31,10 +30,4 @@ impl<T: Real> Worker<T> {
         let tasks = if points < WORTH_SHARING { 1 } else { TASKS * rayon::current_num_threads() };
         vec![worker; tasks.min(units)]
     }
-}
-
-/// Does `work` that shares tasks several times inside the thread pool, on grids that are shared: from outside, each time would
-/// wait some 10 us for a thread to wake.
-pub(super) fn enter_pool(points: usize, work: impl FnOnce() + Send) {
-    if points < WORTH_SHARING || is_alone() { work() } else { rayon::scope(|_| work()) }
 }

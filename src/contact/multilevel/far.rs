@@ -102,20 +102,18 @@ impl Smooth {
         let (height, width) = (*height, *width);
         let cells = spread.len() / SPREAD / width;
         let mut sinks: Vec<_> = field.chunks_exact_mut(width).collect();
-        filter.run(|filter| {
-            filter.load(|row, sums| {
-                sums.fill(0.0);
-                for part in 0..SPREAD {
-                    let cell = (row + height + 1 - part) % height;
-                    if cell < cells {
-                        let from = &spread[(cell * SPREAD + part) * width..][..width];
-                        sums.iter_mut().zip(from).for_each(|(sum, from)| *sum += from);
-                    }
+        filter.load(|row, sums| {
+            sums.fill(0.0);
+            for part in 0..SPREAD {
+                let cell = (row + height + 1 - part) % height;
+                if cell < cells {
+                    let from = &spread[(cell * SPREAD + part) * width..][..width];
+                    sums.iter_mut().zip(from).for_each(|(sum, from)| *sum += from);
                 }
-            });
-            filter.scale(|wave| f64::from(factors[wave.place]));
-            filter.store(&mut sinks, |_, row, sink| sink.copy_from_slice(row));
+            }
         });
+        filter.scale(|wave| f64::from(factors[wave.place]));
+        filter.store(&mut sinks, |_, row, sink| sink.copy_from_slice(row));
     }
 
     /// Interpolates to the nodes of a set.

@@ -174,11 +174,9 @@ impl SplitStiffness {
         extension.extend(support, |node| (down * residual[node]) as f32);
         let mut pressed = vec![0.0; extension.cells().len()];
         let mut sinks: Vec<_> = pressed.chunks_exact_mut(width).collect();
-        far.run(|filter| {
-            filter.load(|row, to| to.copy_from_slice(&extension.cells()[row * width..][..width]));
-            filter.scale(|wave| f64::from(factors[wave.place]));
-            filter.store(&mut sinks, |_, row, sink| sink.copy_from_slice(row));
-        });
+        far.load(|row, to| to.copy_from_slice(&extension.cells()[row * width..][..width]));
+        far.scale(|wave| f64::from(factors[wave.place]));
+        far.store(&mut sinks, |_, row, sink| sink.copy_from_slice(row));
         extension.cells_mut().copy_from_slice(&pressed);
         let mut pressure = vec![0.0; residual.len()];
         extension.restrict_cells(support, &mut pressure, up * STIFFNESS.nodes_per_cell());
