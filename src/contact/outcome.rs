@@ -4,7 +4,6 @@ use crate::contact::{
     Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
     multilevel,
 };
-use crate::elastic::Response;
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
 use std::sync::{Arc, OnceLock};
@@ -26,7 +25,7 @@ pub struct Contact {
     pub displacement: Field,
     /// Gap between the surfaces.
     pub gap: Field,
-    /// Error bounds of this pressure, computed with a separate transform pair.
+    /// Error bounds of this pressure, computed from a transform pair of it in double precision.
     pub certificate: Certificate,
     /// Area and gradient of the contact on the next coarser grid, if the solver found it there, to a certificate of 0.1.
     pub coarser: Option<Resolved>,
@@ -53,12 +52,8 @@ pub struct Work {
 }
 
 impl Contact {
-    /// The contact with `pressure`, its displacement and certificate recomputed. At most two more fields are needed at
-    /// a time, including that of the half-space.
-    pub(super) fn new(problem: &Problem, pressure: Vec<f64>, mut response: Response, work: Work, solver: &str) -> Self {
-        let mut displacement = vec![0.0; pressure.len()];
-        response.displacement(&pressure, &mut displacement);
-        drop(response);
+    /// The contact with a pressure and its displacement, and the certificate of both.
+    pub(super) fn new(problem: &Problem, pressure: Vec<f64>, displacement: Vec<f64>, work: Work, solver: &str) -> Self {
         let certificate = Certificate::from_displacement(problem, &pressure, &displacement);
         let datum = certificate::datum(problem, &pressure, &displacement);
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
@@ -71,7 +66,7 @@ impl Contact {
             gap: field(gap),
             certificate,
             coarser: None,
-            work: Work { transforms: work.transforms + 2, ..work },
+            work,
             status: Status::Stalled,
             solver: solver.into(),
             failure: None,

@@ -17,7 +17,7 @@ const PATIENCE: usize = 2000;
 ///
 /// A solver begins a run, and at each iteration certifies its pressure, offers it as the best one, shows the step, and
 /// advances, until the run returns a reason to stop. Then the run makes the contact of the best pressure, and computes
-/// its certificate with a separate transform pair.
+/// its certificate from a transform pair of its pressure.
 ///
 /// ```text
 /// let mut run = Run::begin(self, problem, stop, observer);
@@ -167,13 +167,28 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
         self.finish_after(status, transforms, response)
     }
 
-    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space. If the solver reports
-    /// convergence, the certificate of the contact is checked again for all goals.
-    pub fn finish_after(mut self, status: Status, transforms: u64, response: Response) -> Contact {
+    /// Ends the run like [`Run::finish`], after more transforms than those of one half-space.
+    pub fn finish_after(self, status: Status, transforms: u64, mut response: Response) -> Contact {
+        self.finish_with(status, transforms + 2, |pressure| {
+            let mut displacement = vec![0.0; pressure.len()];
+            response.displacement(pressure, &mut displacement);
+            displacement
+        })
+    }
+
+    /// Ends the run like [`Run::finish`], with the displacement that `displace` gives for a pressure, after as many transforms as it
+    /// needs in all. If the solver reports convergence, the certificate of the contact is checked again for all goals.
+    pub(super) fn finish_with(
+        mut self,
+        status: Status,
+        transforms: u64,
+        displace: impl FnOnce(&[f64]) -> Vec<f64>,
+    ) -> Contact {
         let work = self.work(transforms);
         let uniform = || vec![self.problem.expected_mean_pressure(); self.problem.nodes()];
         let pressure = self.best.pressure.take().map_or_else(uniform, P::into);
-        let mut contact = Contact::new(self.problem, pressure, response, work, self.solver.name());
+        let displacement = displace(&pressure);
+        let mut contact = Contact::new(self.problem, pressure, displacement, work, self.solver.name());
         contact.coarser = self.coarser;
         let is_missed = status == Status::Converged && !self.is_converged(&contact.certificate);
         contact.status = if is_missed { Status::Stalled } else { status };

@@ -54,20 +54,23 @@ fn padded(grid: &Grid) -> Result<Grid, GridError> {
 /// The influence transformed along all axes: of lines, and of surfaces without images.
 fn transformed(grid: &Grid, padded: &Grid, solid: &dyn ElasticSolid) -> Vec<f64> {
     let ([my, mx], [dy, dx], modulus) = (padded.shape(), grid.spacing(), solid.contact_modulus());
-    let distance = |i: usize, n: usize| i.min(n - i) as f64;
     let datum = datum(solid, grid.size()[1]);
-    let mut influence = vec![0.0; my * mx];
-    chunks::rows_mut(&mut influence, mx, |y, row| {
-        let y = dy * distance(y, my);
-        row[..=mx / 2].iter_mut().enumerate().for_each(|(x, value)| {
-            let x = dx * distance(x, mx);
-            *value = if my == 1 {
+    let half = mx / 2 + 1;
+    let mut quarter = vec![0.0; (my / 2 + 1) * half];
+    chunks::rows_mut(&mut quarter, half, |y, row| {
+        for (x, value) in row.iter_mut().enumerate() {
+            let [y, x] = [dy * y as f64, dx * x as f64];
+            *value = if grid.is_line() {
                 element::strip(x, dx, datum, modulus)
             } else {
                 element::rectangle([y, x], [dy, dx], modulus)
             };
-        });
-        (mx / 2 + 1..mx).for_each(|x| row[x] = row[mx - x]);
+        }
+    });
+    let mut influence = vec![0.0; my * mx];
+    chunks::rows_mut(&mut influence, mx, |y, row| {
+        row[..half].copy_from_slice(&quarter[y.min(my - y) * half..][..half]);
+        (half..mx).for_each(|x| row[x] = row[mx - x]);
     });
     let mut spectrum = vec![Complex::default(); padded.modes()];
     Fourier::new(padded).forward(&influence, &mut spectrum);

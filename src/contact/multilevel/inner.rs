@@ -42,9 +42,11 @@ impl Level<'_> {
             return self.update(watch);
         }
         let candidates = self.candidates(self.lambda());
-        // the transforms of inner steps and those in double precision are not used at the same time
-        self.response.release();
         let mut operator = self.take_operator();
+        if self.method != UpdateMethod::Split {
+            // the transforms of inner steps and those in double precision are not used at the same time
+            self.response.release();
+        }
         self.decision = self.method.decision();
         let SparsePressure { support, values } = &self.pressure;
         let v = if self.displacement == Displacement::Interpolated {

@@ -377,9 +377,9 @@ impl<'a> Level<'a> {
         values
     }
 
-    /// The half-space; the rest is dropped.
-    pub fn into_response(self) -> Response {
-        self.response
+    /// Whether the stored displacement is that of `pressure`.
+    pub fn is_displaced(&self, pressure: Option<&SparsePressure>) -> bool {
+        self.displacement == Displacement::Exact && pressure == Some(&self.pressure)
     }
 }
 

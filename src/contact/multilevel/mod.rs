@@ -199,7 +199,11 @@ impl Solver for Multilevel {
         };
         let status = cascade.relax(&mut level, 0, ended).unwrap_or(Status::Stalled);
         let transforms = cascade.transforms(&level);
-        Ok(cascade.run.finish_after(status, transforms, level.into_response()))
+        let run = cascade.run;
+        if level.is_displaced(run.best.pressure.as_ref()) {
+            return Ok(run.finish_with(status, transforms, |_| level.u));
+        }
+        Ok(run.finish_after(status, transforms, level.response))
     }
 }
 

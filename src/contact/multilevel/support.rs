@@ -164,7 +164,7 @@ impl Support {
 }
 
 /// A pressure and its support.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(super) struct SparsePressure {
     pub support: Support,
     pub values: Vec<f64>,
