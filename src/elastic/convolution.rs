@@ -60,15 +60,14 @@ impl<T: Real> Convolution<T> {
         }
     }
 
-    /// The approximate inverse of [`Convolution::displace`], with zero mean: symmetric and positive.
-    pub fn press<S: Send>(
-        &mut self,
-        fill: impl Fn(usize, &mut [T]) + Sync,
-        sinks: &mut [S],
-        store: impl Fn(usize, &[T], &mut S) + Sync,
-    ) {
-        let per_unit = self.unit.recip();
-        self.multiply(|k| per_unit * k, false, fill, sinks, store);
+    /// The inverse of [`Convolution::displace`] on a periodic grid, with zero mean, of a field that becomes the pressure.
+    pub fn press(&mut self, field: &mut [T]) {
+        let (per_unit, width) = (self.unit.recip(), self.rows[1]);
+        let filter = self.filter.get_or_insert_with(|| Filter::new(&self.compliance.grid));
+        filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
+        scale(filter, &self.compliance.kind, |k| per_unit * k, false);
+        let mut rows: Vec<_> = field.chunks_exact_mut(width).collect();
+        filter.store(&mut rows, |_, row, to| to.copy_from_slice(row));
     }
 
     /// Multiplies the modes by `factor(k)`; the mean has the stiffness of a uniform pressure if `with_uniform`, or else zero.
@@ -80,17 +79,26 @@ impl<T: Real> Convolution<T> {
         sinks: &mut [S],
         store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
-        let Compliance { kind, grid, .. } = self.compliance.as_ref();
-        let filter = self.filter.get_or_insert_with(|| Filter::new(grid));
+        let filter = self.filter.get_or_insert_with(|| Filter::new(&self.compliance.grid));
         filter.load(fill);
-        match kind {
-            &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
-                filter.scale(|wave| factor(0.5 * modulus * wave.q))
-            }
-            ComplianceKind::Table(table) => {
-                filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }))
-            }
-        }
+        scale(filter, &self.compliance.kind, factor, with_uniform);
         filter.store(sinks, store);
+    }
+}
+
+/// Multiplies the modes in a filter by `factor(k)`, as [`Convolution::multiply`] has it.
+fn scale<T: Real>(
+    filter: &mut Filter<T>,
+    kind: &ComplianceKind,
+    factor: impl Fn(f64) -> f64 + Sync,
+    with_uniform: bool,
+) {
+    match kind {
+        &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
+            filter.scale(|wave| factor(0.5 * modulus * wave.q));
+        }
+        ComplianceKind::Table(table) => {
+            filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }));
+        }
     }
 }

@@ -1,11 +1,16 @@
 //! The one-dimensional transforms of a grid.
 
 use super::Real;
+use super::real::Planners;
 use crate::grid::Grid;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use realfft::{ComplexToReal, RealToComplex};
+use rustfft::Fft;
 use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
+
+/// Plans of at most so many points are kept for the next grid. They take 32 bytes per point, and to make one takes as long as some
+/// transforms. Longer ones would take memory that is missed elsewhere.
+const LONGEST_KEPT: usize = 1 << 15;
 
 /// Transforms of the rows of a real field and of the columns of their half spectra, without scale.
 pub(super) struct Plans<T: Real = f64> {
@@ -18,7 +23,14 @@ pub(super) struct Plans<T: Real = f64> {
 impl<T: Real> Plans<T> {
     pub fn new(grid: &Grid) -> Self {
         let [ny, nx] = grid.shape();
-        let (mut rows, mut columns) = (RealFftPlanner::new(), FftPlanner::new());
+        if ny.max(nx) > LONGEST_KEPT {
+            return Self::by(&mut Planners::new(), [ny, nx]);
+        }
+        let mut planners = T::planners().lock().unwrap_or_else(PoisonError::into_inner);
+        Self::by(&mut planners, [ny, nx])
+    }
+
+    fn by(Planners { rows, columns }: &mut Planners<T>, [ny, nx]: [usize; 2]) -> Self {
         Self {
             forward_rows: rows.plan_fft_forward(nx),
             inverse_rows: rows.plan_fft_inverse(nx),

@@ -1,7 +1,21 @@
 //! The real numbers that filters compute with.
 
-use rustfft::FftNum;
+use realfft::RealFftPlanner;
 use rustfft::num_traits::Zero;
+use rustfft::{FftNum, FftPlanner};
+use std::sync::{LazyLock, Mutex};
+
+/// The planners of all transforms of one precision, which keep what they have planned.
+pub(crate) struct Planners<T: FftNum> {
+    pub rows: RealFftPlanner<T>,
+    pub columns: FftPlanner<T>,
+}
+
+impl<T: FftNum> Planners<T> {
+    pub fn new() -> Self {
+        Self { rows: RealFftPlanner::new(), columns: FftPlanner::new() }
+    }
+}
 
 /// A real number of a filter: double precision, or single precision for inner steps, whose results are corrected by others in
 /// double precision.
@@ -11,6 +25,9 @@ pub(crate) trait Real: FftNum + Zero {
 
     /// This number in double precision.
     fn to_double(self) -> f64;
+
+    /// The planners that the whole process shares.
+    fn planners() -> &'static Mutex<Planners<Self>>;
 }
 
 impl Real for f64 {
@@ -21,6 +38,11 @@ impl Real for f64 {
     fn to_double(self) -> f64 {
         self
     }
+
+    fn planners() -> &'static Mutex<Planners<Self>> {
+        static PLANNERS: LazyLock<Mutex<Planners<f64>>> = LazyLock::new(|| Mutex::new(Planners::new()));
+        &PLANNERS
+    }
 }
 
 impl Real for f32 {
@@ -30,5 +52,10 @@ impl Real for f32 {
 
     fn to_double(self) -> f64 {
         f64::from(self)
+    }
+
+    fn planners() -> &'static Mutex<Planners<Self>> {
+        static PLANNERS: LazyLock<Mutex<Planners<f32>>> = LazyLock::new(|| Mutex::new(Planners::new()));
+        &PLANNERS
     }
 }

@@ -30,8 +30,10 @@ const FAR: f64 = 0.25;
 /// The pyramid is the pull-push of Gortler, Grzeszczuk, Szeliski & Cohen, "The Lumigraph", SIGGRAPH 1996. Its use here, the
 /// blending by capacity and the exact transpose are this crate's own.
 pub(super) struct Extension<T> {
-    /// Shape of the nodes.
+    /// Shape of the nodes of the grid.
     shape: [usize; 2],
+    /// Shape of all nodes that vectors are extended to, of which those of the grid are the first ones along each axis.
+    wide: [usize; 2],
     /// Nodes along each side of the finest cells.
     side: usize,
     /// Rows of the half-space in a row of nodes.
@@ -51,17 +53,17 @@ struct Cells<T> {
 }
 
 impl<T: Real> Extension<T> {
-    /// The extension from `support` on a grid of `shape` nodes, with finest cells of `side` nodes along each side.
-    pub fn new(support: &Support, shape: [usize; 2], side: usize) -> Self {
+    /// The extension from `support` on a grid of `shape` nodes to `wide` ones, with finest cells of `side` nodes along each side.
+    pub fn new(support: &Support, [shape, wide]: [[usize; 2]; 2], side: usize) -> Self {
         let mut levels = Vec::new();
-        let mut finer = shape;
+        let mut finer = wide;
         while finer != [1, 1] {
             let side = if levels.is_empty() { side } else { 2 };
             finer = finer.map(|n| n.div_ceil(side));
             let values = vec![T::zero(); finer[0] * finer[1]];
             levels.push(Cells { shape: finer, share: Vec::new(), gain: Vec::new(), values });
         }
-        let mut extension = Self { shape, side, pieces: shape[1] / support.shape()[1], levels };
+        let mut extension = Self { shape, wide, side, pieces: shape[1] / support.shape()[1], levels };
         extension.pool(support, |_| T::one());
         let share = if shape[0] == 1 { |w: f64| 1.0 / (1.0 - w.ln()) } else { f64::sqrt };
         for cells in &mut extension.levels {
@@ -98,19 +100,20 @@ impl<T: Real> Extension<T> {
         self.levels.first().map_or(&[], |cells| &cells.values)
     }
 
-    /// Writes the extended vector to a row of the half-space; the nodes of the set are left to the caller. The finest cells must have
-    /// two nodes per side.
+    /// Writes the extended vector to a row of all nodes, or to a piece of a line; the nodes of the set are left to the caller. The finest
+    /// cells must have two nodes per side.
     pub fn fill(&self, row: usize, to: &mut [T]) {
         let Some(finest) = self.levels.first() else { return };
-        let (y, first) = self.place(row, to.len());
-        finest.interpolate(self.shape, y, first..first + to.len(), |x, value| to[x - first] = value);
+        let at = row * to.len();
+        let (y, first) = (at / self.wide[1], at % self.wide[1]);
+        finest.interpolate(self.wide, y, first..first + to.len(), |x, value| to[x - first] = value);
     }
 
     /// Adds to `values` on the set what the transpose of the extension makes of the `field` off the set; `field` is zero on it.
     pub fn restrict(&mut self, field: &[T], support: &Support, values: &mut [f64], scale: f64) {
-        let nx = self.shape[1];
+        let nx = self.wide[1];
         if let Some(finest) = self.levels.first_mut() {
-            finest.collect(self.shape, |y, x| field[y * nx + x]);
+            finest.collect(self.wide, |y, x| field[y * nx + x]);
         }
         self.restrict_cells(support, values, scale);
     }
@@ -170,6 +173,7 @@ impl<T: Real> Extension<T> {
         let (length, by_node) = (finest.shape[1], weight::<T>([ny, nx], side));
         chunks::rows_mut(&mut finest.values, length, |y, row| {
             row.fill(T::zero());
+            // cells beyond the grid are empty
             for piece in side * y * pieces..ny.min(side * (y + 1)) * pieces {
                 let first = piece % pieces * support.shape()[1];
                 for (run, nodes) in support.runs(piece) {
@@ -311,7 +315,7 @@ mod tests {
             [([1, 64], 64), ([1, 64], 16), ([1, 37], 37), ([8, 8], 8), ([5, 7], 7), ([13, 4], 4), ([4, 27], 27)]
         {
             let (support, values) = some_nodes(shape, width);
-            let mut extension = Extension::<f64>::new(&support, shape, 2);
+            let mut extension = Extension::<f64>::new(&support, [shape; 2], 2);
             let field: Vec<f64> = (0..shape[0] * shape[1]).map(|i| (i as f64 * 1.7).cos()).collect();
             let forward: f64 = extended(&mut extension, &support, &values).iter().zip(&field).map(|(a, b)| a * b).sum();
             let mut back = vec![0.0; values.len()];
@@ -334,14 +338,14 @@ mod tests {
         let (support, values) = Support::choose([16, 16], |row, nodes| {
             (0..16).filter(|x| (x + row) % 2 == 0).for_each(|x| nodes.push(x, 1.0));
         });
-        let field = extended(&mut Extension::new(&support, [16, 16], 2), &support, &values);
+        let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2), &support, &values);
         assert!(field.iter().all(|&e| (0.9..=1.0 + 1e-12).contains(&e)));
         let (support, values) = Support::choose([16, 16], |row, nodes| {
             if row == 5 {
                 nodes.push(6, 1.0);
             }
         });
-        let field = extended(&mut Extension::new(&support, [16, 16], 2), &support, &values);
+        let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2), &support, &values);
         assert!(field[13 * 16 + 14].abs() < 0.2 && field[5 * 16 + 6] == 1.0 && field[5 * 16 + 7] > 0.3);
     }
 }

@@ -130,7 +130,7 @@ impl SetOperator for Split {
     }
 
     fn prepare(&mut self, support: &Support) {
-        self.stiffness.extension = Some(Extension::new(support, self.stiffness.shape, STIFFNESS.side));
+        self.stiffness.extension = Some(Extension::new(support, [self.stiffness.shape; 2], STIFFNESS.side));
     }
 
     fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64> {
