@@ -10,32 +10,33 @@ const ROUNDS: usize = 100;
 /// Fraction of a load that may be lost by rounding.
 const LOST: f64 = 1e-14;
 
-/// Makes pressures between zero and `ceiling` carry `load`, which is their sum, if the nodes can carry it. Values below
-/// the ceiling are scaled, and none reaches the ceiling by that. If this is not enough, all values decrease by the same
-/// amount, or rise by the same fraction of the room up to the ceiling. Returns the factor if all values have been
-/// scaled by the same one.
+/// Makes pressures carry `load`, which is their sum, between zero and `ceiling`, if the nodes can carry it. Values at the
+/// ceiling stay, all others are scaled by one factor and cut: those that were above it at the ceiling, the rest just below. If
+/// this is not enough, all values decrease by the same factor, or rise by the same fraction of the room up to the ceiling.
+/// Returns the factor if all values have been scaled by the same one.
 pub(super) fn carry(values: &mut [f64], load: f64, ceiling: f64) -> Option<f64> {
     let below = ceiling.next_down();
+    let stays = |p: f64| p == below || p == ceiling;
+    let mut scale = 0.0;
     for round in 0..ROUNDS {
-        let free = sum(values, |p| if p < below { p } else { 0.0 });
-        let fixed = sum(values, |p| if p < below { 0.0 } else { p });
-        let scale = (load - fixed) / free;
-        if !(scale.is_finite() && scale > 0.0) {
+        // the sum of the scaled values is concave, so that the factor rises from round to round
+        let is_cut = |p: f64| stays(p) || scale * p > below;
+        let free = sum(values, |p| if is_cut(p) { 0.0 } else { p });
+        let fixed = sum(values, |p| if is_cut(p) { ceiling } else { 0.0 });
+        let next = (load - fixed) / free;
+        if !(next.is_finite() && next > 0.0) {
             break;
         }
-        let capped = chunks::update(values, |_, values| {
-            let free = values.iter_mut().filter(|p| **p < below);
-            free.fold(false, |capped, p| {
-                *p *= scale;
-                let is_above = *p > below;
-                *p = p.min(below);
-                capped | is_above
-            })
-        });
-        if !capped.contains(&true) {
-            return (round == 0 && fixed == 0.0).then_some(scale);
+        if round > 0 && next <= scale {
+            let scaled = |p: f64| (scale * p).min(if p > ceiling { ceiling } else { below });
+            chunks::update(values, |_, values| {
+                values.iter_mut().filter(|p| !stays(**p)).for_each(|p| *p = scaled(*p));
+            });
+            return (fixed == 0.0).then_some(scale);
         }
+        scale = next;
     }
+    chunks::update(values, |_, values| values.iter_mut().for_each(|p| *p = p.min(ceiling)));
     let (carried, most) = (sum(values, |p| p), values.len() as f64 * ceiling);
     if (load - carried).abs() <= LOST * load {
         return None;

@@ -39,13 +39,15 @@ pub(super) fn halved(grid: &Grid) -> Option<Grid> {
 }
 
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly. Nodes
-/// between a node with pressure and one without get none.
-pub(super) fn prolong(coarse: &[f64], from: &Grid, to: &Grid, rows: [usize; 2]) -> SparsePressure {
+/// between a node with pressure and one without get none. Where some nodes yield at `ceiling` they get some: patches that yield
+/// up to their edges could not carry the load of what is left out.
+pub(super) fn prolong(coarse: &[f64], [from, to]: [&Grid; 2], rows: [usize; 2], ceiling: f64) -> SparsePressure {
     let fine = to.shape()[1];
+    let fewest = if coarse.iter().any(|&p| p >= ceiling) { 1 } else { 3 };
     let (support, values) = Support::choose(rows, |row, nodes| {
         let first = row * rows[1];
         interpolate(coarse, from, to, first / fine, first % fine..first % fine + rows[1], |column, pressure| {
-            if pressure.iter().filter(|p| **p > 0.0).count() > 2 {
+            if pressure.iter().filter(|p| **p > 0.0).count() >= fewest {
                 nodes.push(column, mean(pressure));
             }
         });

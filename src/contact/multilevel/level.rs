@@ -9,8 +9,6 @@ use crate::contact::best::Best;
 use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
 use crate::elastic::Response;
 use std::borrow::Cow;
-use std::collections::HashSet;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 
 /// A state is better when its distance from the goals is this part of that of the last better one.
@@ -53,8 +51,9 @@ pub(super) struct Level<'a> {
     pub decision: Decision,
     /// Whether it is the grid of the problem that is to be solved.
     is_finest: bool,
-    /// Contact sets, and the nodes of them that yield, after free updates so far, as their hashes.
-    seen: HashSet<u64>,
+    /// The fewest nodes that a free update had to exchange where some yield so far, and whether the last one had fewer than any before.
+    fewest: usize,
+    has_fewer: bool,
     /// Phases of guarded steps so far.
     guarded_phases: usize,
 }
@@ -104,7 +103,8 @@ impl<'a> Level<'a> {
             mode: Mode::Free { mark: f64::INFINITY, stale: 0 },
             decision: Decision::Start,
             is_finest: true,
-            seen: HashSet::new(),
+            fewest: usize::MAX,
+            has_fewer: false,
             guarded_phases: 0,
         }
     }
@@ -184,10 +184,10 @@ impl<'a> Level<'a> {
 
     /// Decides how to go on from a state that is this far from the goals.
     pub fn choose_mode(&mut self, distance: f64, best: &Best<SparsePressure>) {
-        let recurs = matches!(self.mode, Mode::Free { .. }) && self.is_newton_guarded() && self.recurs();
         self.mode = match self.mode {
             Mode::Free { mark, .. } if distance <= BETTER * mark => Mode::Free { mark: distance, stale: 0 },
-            Mode::Free { mark, stale } if stale < STALE && !recurs => {
+            Mode::Free { mark, .. } if self.has_fewer => Mode::Free { mark, stale: 0 },
+            Mode::Free { mark, stale } if stale < STALE => {
                 self.slow_down();
                 self.reduction = (TIGHTENING * self.reduction).max(TIGHTEST);
                 Mode::Free { mark, stale: stale + 1 }
@@ -209,16 +209,6 @@ impl<'a> Level<'a> {
     /// Whether guarded steps are projected Newton steps, which pay on the finest grid below a hardness.
     pub fn is_newton_guarded(&self) -> bool {
         self.is_finest && self.ceiling().is_finite()
-    }
-
-    /// Whether the contact set, and the nodes of it that yield, are those after an earlier update: the updates are in a cycle.
-    fn recurs(&mut self) -> bool {
-        let SparsePressure { support, values } = &self.pressure;
-        let ceiling = self.ceiling();
-        let mut hasher = DefaultHasher::new();
-        support.hash(&mut hasher);
-        values.iter().enumerate().filter(|(_, p)| **p >= ceiling).for_each(|(node, _)| node.hash(&mut hasher));
-        !self.seen.insert(hasher.finish())
     }
 
     fn return_to(&mut self, best: &Best<SparsePressure>) {
@@ -264,12 +254,57 @@ impl<'a> Level<'a> {
     /// free again.
     pub fn admit(&mut self) {
         let lambda = self.lambda();
-        self.exchange(lambda);
+        self.exchange(lambda, |_| true);
     }
 
-    /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that have reached the ceiling,
-    /// frees those that yield and have `v > lambda`. Returns whether the pressure changed by that, or the set.
-    fn exchange(&mut self, lambda: f64) -> bool {
+    /// Exchanges nodes after a correction. Where some yield, all that want it are exchanged only if they are fewer than ever
+    /// before. Else, of neighbours in the order of nodes, the one that wants it most is: those that change together may overshoot
+    /// together, and so for ever. If too few nodes were left to carry the load, none leaves. Returns whether the pressure changed, or the set.
+    fn exchange_corrected(&mut self, lambda: f64) -> bool {
+        if !self.pressure.reaches(self.ceiling()) {
+            return self.exchange(lambda, |_| true);
+        }
+        let (urges, before) = (self.urges(lambda), self.pressure.clone());
+        let n = urges.len();
+        let count = urges.iter().filter(|urge| **urge > 0.0).count();
+        let has_fewer = count < self.fewest;
+        (self.has_fewer, self.fewest) = (has_fewer, self.fewest.min(count));
+        let leads = |node: usize| urges[(node + n - 1) % n] < urges[node] && urges[(node + 1) % n] <= urges[node];
+        let changed = self.exchange(lambda, |node| has_fewer || leads(node));
+        let capacity = self.pressure.values.len() as f64 * self.ceiling();
+        if self.problem.mean_pressure().is_none_or(|mean_pressure| capacity >= mean_pressure * n as f64) {
+            return changed;
+        }
+        self.pressure = before;
+        chunks::update(&mut self.pressure.values, |_, p| p.iter_mut().for_each(|p| *p = p.max(0.0)));
+        true
+    }
+
+    /// How far each node is beyond the bounds of its set, as a pressure; 0 where it is not. Gaps count by the pressure that the
+    /// shortest wave needs for them.
+    fn urges(&self, lambda: f64) -> Vec<f64> {
+        let [_, stiffest] = self.problem.compliance().stiffness_range();
+        let (u, h, ceiling) = (&self.u, self.problem.height(), self.ceiling());
+        let depth = |node: usize| stiffest * (lambda - (u[node] - h[node]));
+        let mut urges = vec![0.0; u.len()];
+        chunks::update(&mut urges, |range, urges| range.zip(urges).for_each(|(i, urge)| *urge = depth(i).max(0.0)));
+        let SparsePressure { support, values } = &self.pressure;
+        let [_, width] = support.shape();
+        chunks::rows_mut(&mut urges, width, |row, urges| {
+            for (run, at) in support.runs(row) {
+                for (x, &p) in run.zip(&values[at]) {
+                    let beyond = if p == ceiling { -depth(row * width + x) } else { (-p).max(p - ceiling) };
+                    urges[x] = beyond.max(0.0);
+                }
+            }
+        });
+        urges
+    }
+
+    /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that are above the ceiling, where
+    /// [`SparsePressure::carry`] cuts them, frees those that yield and have `v > lambda`: as far as they `may`. Returns whether the
+    /// pressure changed by that, or the set.
+    fn exchange(&mut self, lambda: f64, may: impl Fn(usize) -> bool + Sync) -> bool {
         let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
         let mut changed = ceiling.is_finite() && values.iter().any(|&p| p > ceiling);
@@ -279,15 +314,20 @@ impl<'a> Level<'a> {
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
             let mut column = 0;
             let enter = |columns: Range<usize>, nodes: &mut RowOfNodes| {
-                columns.filter(|&x| u[x] - h[x] < lambda).for_each(|x| nodes.push(x, 0.0));
+                columns.filter(|&x| u[x] - h[x] < lambda && may(at + x)).for_each(|x| nodes.push(x, 0.0));
             };
-            for (run, at) in support.runs(row) {
+            for (run, entries) in support.runs(row) {
                 enter(column..run.start, nodes);
                 column = run.end;
-                for (x, &p) in run.zip(&values[at]) {
-                    if p > 0.0 || p == 0.0 && u[x] - h[x] < lambda {
-                        let is_freed = p == ceiling && u[x] - h[x] > lambda;
-                        nodes.push(x, if is_freed { below } else { p.min(ceiling) });
+                for (x, &p) in run.zip(&values[entries]) {
+                    let v = u[x] - h[x];
+                    if p > 0.0 || p == 0.0 && v < lambda {
+                        // freed, or not to yield yet
+                        let is_below =
+                            if p == ceiling { v > lambda && may(at + x) } else { p > ceiling && !may(at + x) };
+                        nodes.push(x, if is_below { below } else { p });
+                    } else if p < 0.0 && !may(at + x) {
+                        nodes.push(x, 0.0);
                     }
                 }
             }
@@ -300,6 +340,7 @@ impl<'a> Level<'a> {
 
     /// The whole-set update: corrects the free nodes of the set, exchanges nodes by the signs of pressure and gap, clips and scales.
     pub fn update(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+        self.has_fewer = false;
         self.leave_extremes();
         let (ceiling, free) = (self.ceiling(), self.pressure.free(self.ceiling()));
         let free = free.as_ref();
@@ -314,7 +355,7 @@ impl<'a> Level<'a> {
         }
         self.refresh_from_pressure();
         let lambda = gap.map_or_else(|| mean(&self.on_set(free, |v| v)), |gap| -gap);
-        if self.exchange(lambda) {
+        if self.exchange_corrected(lambda) {
             self.pressure.carry(self.problem);
             self.displacement = Displacement::Outdated;
         }
@@ -361,7 +402,7 @@ impl<'a> Level<'a> {
         {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             chunks::update(values, |_, p| p.iter_mut().for_each(|p| *p -= least));
-            self.exchange(-gap);
+            self.exchange(-gap, |_| true);
         }
     }
 

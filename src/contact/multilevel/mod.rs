@@ -50,12 +50,18 @@
 //! There are three sets: open nodes without pressure, free ones, and those that yield, at `H_c` to the last bit. The correction acts on
 //! the free nodes, under the pressure of those that yield, and an exchange updates all sets by signs: out go free nodes below zero,
 //! in come open ones with `v < lambda`; free ones above `H_c` yield, and those that yield with `v > lambda` are free again, which
-//! is represented by the number next below `H_c`. Then free nodes are scaled to the load. Where none is free, `lambda` lies between
+//! is represented by the number next below `H_c`. Then free nodes are scaled to the load and cut at `H_c`. Where none is free, `lambda` lies between
 //! the nodes that would carry the load at `H_c` and the others, so that some enter and as many become free, unless it is the
 //! solution. Inner iterations know nothing of this. They are used until the first node yields.
 //!
-//! Two things differ on the finest grid. If an update returns to sets of an earlier one without a better state, the
-//! updates are in a cycle, and the guard takes over at once. Its steps are projected Newton steps there: the correction
+//! Two or three neighbours at the edge of a patch, of which one yields and the next one is open, may exchange together, overshoot,
+//! and exchange back for ever, which no tighter correction ends. So all nodes that want it are exchanged only if they are fewer than
+//! at any update before on this grid. Else, of neighbours, the one that wants it most is. An update with fewer ones counts as a
+//! better state, and its correction is not tightened. This cannot go on for ever either: numbers of nodes fall finitely often.
+//! If an exchange would leave too few nodes to carry the load at `H_c`, none leaves. Patches that yield up to their edges keep
+//! their load from grid to grid, as the interpolated pressure keeps its edges.
+//!
+//! One thing differs on the finest grid: guarded steps are projected Newton steps there. The correction
 //! on the free nodes is projected onto the bounds and the load of these nodes by a common shift, and `f` is minimised
 //! exactly on the way to the result. If `f` does not fall on that way, nor on shorter ones, a projected gradient step
 //! follows. After the second guarded phase, updates are not free again.
@@ -138,7 +144,7 @@ const PATIENCE: usize = 600;
 /// Memory on the finest grid, besides the heights, is the larger of two. An outer step needs 1 field of n doubles and the
 /// [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
 /// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs 6 fields, and
-/// 8 vectors on the contact set. Guarded steps take 4 fields more. Coarse grids are freed before the finest one is set up.
+/// 8 vectors on the contact set. Below a hardness an exchange takes 1 field more, guarded steps 4. Coarse grids are freed before the finest one is set up.
 ///
 /// # Why it is stable
 /// No step length is chosen: corrections are exact minimisers on their set, and guarded steps are exact minimisers on their way. The
@@ -242,7 +248,8 @@ impl Cascade<'_> {
         let pressure = self.run.best.pressure.take().unwrap_or_else(|| level.pressure.clone()).spread();
         self.run.best = Best::none(self.run.iterations());
         let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid());
-        let finer = Level::new(problem, |rows| prolong(&pressure, from, to, rows)).at_depth(depth);
+        let finer =
+            Level::new(problem, |rows| prolong(&pressure, [from, to], rows, problem.law().ceiling())).at_depth(depth);
         (finer.with_interpolated(|| interpolated(&level.u, from, to)), ended)
     }
 

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
 /// node, in the order of the nodes.
-#[derive(Clone, PartialEq, Hash)]
+#[derive(Clone, PartialEq)]
 pub(super) struct Support {
     /// Length of a row.
     width: usize,
@@ -17,7 +17,7 @@ pub(super) struct Support {
     rows: Vec<RowStart>,
 }
 
-#[derive(Clone, Copy, PartialEq, Hash)]
+#[derive(Clone, Copy, PartialEq)]
 struct RowStart {
     run: usize,
     node: usize,
@@ -199,11 +199,14 @@ impl SparsePressure {
         ceiling.is_finite() && self.values.iter().any(|&p| p >= ceiling)
     }
 
-    /// Scales it to the mean pressure of `problem`, if that is given, below the hardness if there is one.
+    /// Scales it to the mean pressure of `problem`, if that is given, and cuts it at the hardness if there is one.
     pub fn carry(&mut self, problem: &Problem) {
-        let Some(mean_pressure) = problem.mean_pressure() else { return };
-        if let Some(hardness) = problem.law().hardness() {
-            return self.carry_below(hardness, mean_pressure * problem.nodes() as f64);
+        let ceiling = problem.law().ceiling();
+        let Some(mean_pressure) = problem.mean_pressure() else {
+            return self.values.iter_mut().for_each(|p| *p = p.min(ceiling));
+        };
+        if ceiling.is_finite() {
+            return self.carry_below(ceiling, mean_pressure * problem.nodes() as f64);
         }
         let values = &self.values;
         let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
