@@ -60,12 +60,13 @@ impl<T: Real> Convolution<T> {
         }
     }
 
-    /// The inverse of [`Convolution::displace`] on a periodic grid, with zero mean, of a field that becomes the pressure.
-    pub fn press(&mut self, field: &mut [T]) {
+    /// The inverse of [`Convolution::displace`] on a periodic grid, with zero mean, of a field that becomes the pressure. The stiffness
+    /// of each wave is lowered by `less(q)`, but not below zero.
+    pub fn press(&mut self, field: &mut [T], less: impl Fn(f64) -> f64 + Sync) {
         let (per_unit, width) = (self.unit.recip(), self.rows[1]);
         let filter = self.filter.get_or_insert_with(|| Filter::new(&self.compliance.grid));
         filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
-        scale(filter, &self.compliance.kind, |k| per_unit * k, false);
+        scale(filter, &self.compliance.kind, |q, k| per_unit * (k - less(q)).max(0.0), false);
         let mut rows: Vec<_> = field.chunks_exact_mut(width).collect();
         filter.store(&mut rows, |_, row, to| to.copy_from_slice(row));
     }
@@ -81,24 +82,24 @@ impl<T: Real> Convolution<T> {
     ) {
         let filter = self.filter.get_or_insert_with(|| Filter::new(&self.compliance.grid));
         filter.load(fill);
-        scale(filter, &self.compliance.kind, factor, with_uniform);
+        scale(filter, &self.compliance.kind, |_, k| factor(k), with_uniform);
         filter.store(sinks, store);
     }
 }
 
-/// Multiplies the modes in a filter by `factor(k)`, as [`Convolution::multiply`] has it.
+/// Multiplies the modes in a filter by `factor(q, k)`, as [`Convolution::multiply`] has it.
 fn scale<T: Real>(
     filter: &mut Filter<T>,
     kind: &ComplianceKind,
-    factor: impl Fn(f64) -> f64 + Sync,
+    factor: impl Fn(f64, f64) -> f64 + Sync,
     with_uniform: bool,
 ) {
     match kind {
         &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
-            filter.scale(|wave| factor(0.5 * modulus * wave.q));
+            filter.scale(|Wave { q, .. }| factor(q, 0.5 * modulus * q));
         }
         ComplianceKind::Table(table) => {
-            filter.scale(|Wave { q, place }| factor(if q > 0.0 || with_uniform { table[place] } else { 0.0 }));
+            filter.scale(|Wave { q, place }| factor(q, if q > 0.0 || with_uniform { table[place] } else { 0.0 }));
         }
     }
 }

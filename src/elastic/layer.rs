@@ -1,6 +1,6 @@
 //! A layer on a rigid base.
 
-use super::ElasticSolid;
+use super::{ElasticSolid, LongWaves};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -99,6 +99,23 @@ impl ElasticSolid for Layer {
     fn uniform_compliance(&self) -> Option<f64> {
         let nu = self.poisson;
         Some(self.thickness * (1.0 - 2.0 * nu) / (self.contact_modulus * (1.0 - nu).powi(2)))
+    }
+
+    /// The next term of a bonded layer, from the series of the closed form: with `k = 3 - 4 nu` and
+    /// `d = k + 5 - 12 nu + 8 nu^2 = 8 (1 - nu)^2`,
+    ///
+    /// `c2 = (2 t^3 / E*) (4 k / (3 d) - 8 (1 - 2 nu) (k + 1) / d^2)`,
+    ///
+    /// which is negative below `nu = 1/4` and taken as zero there.
+    fn long_waves(&self) -> Option<LongWaves> {
+        if self.base == Base::Sliding {
+            return None;
+        }
+        let (nu, thickness) = (self.poisson, self.thickness);
+        let (k, d) = (3.0 - 4.0 * nu, 8.0 * (1.0 - nu).powi(2));
+        let square = 4.0 * k / (3.0 * d) - 8.0 * (1.0 - 2.0 * nu) * (k + 1.0) / (d * d);
+        let square = 2.0 * thickness.powi(3) / self.contact_modulus * square.max(0.0);
+        Some(LongWaves { thickness, longest: self.uniform_compliance()?, square })
     }
 
     fn description(&self) -> String {

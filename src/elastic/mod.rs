@@ -20,5 +20,5 @@ pub(crate) use convolution::Convolution;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use response::Response;
-pub use solid::ElasticSolid;
+pub use solid::{ElasticSolid, LongWaves};
 pub use stress::Stress;

@@ -49,6 +49,12 @@ pub trait ElasticSolid: Debug + Send + Sync {
         None
     }
 
+    /// The compliance of long waves as a polynomial, for solids that are thin between them and a rigid base; none for others. Solvers
+    /// may be faster with it.
+    fn long_waves(&self) -> Option<LongWaves> {
+        None
+    }
+
     /// Whether it is a half-space, whose factor is 1 for every wave.
     fn is_half_space(&self) -> bool {
         false
@@ -64,6 +70,24 @@ pub trait ElasticSolid: Debug + Send + Sync {
 
     /// A short description of the solid, with its numbers.
     fn description(&self) -> String;
+}
+
+/// The compliance `c0 + c2 q^2` of waves that are long compared with the thickness of a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LongWaves {
+    /// The thickness, a length.
+    pub thickness: f64,
+    /// `c0`, the compliance of the longest waves, a length per pressure; zero if the solid cannot be compressed.
+    pub longest: f64,
+    /// `c2`, by which shorter waves are more compliant, a cubed length per pressure; not negative.
+    pub square: f64,
+}
+
+impl LongWaves {
+    /// The stiffness `1 / (c0 + c2 q^2)` of a wave, a pressure per length.
+    pub fn stiffness(&self, q: f64) -> f64 {
+        (self.longest + self.square * q * q).recip()
+    }
 }
 
 /// Stiffness `k = E* q / (2 factor(q))` of a wave, a pressure per length; 0 for the mean.

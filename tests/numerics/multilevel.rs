@@ -2,8 +2,9 @@
 
 use crate::common::{relative_l2, solve, solvers};
 use asperity::contact::{
-    Contact, ContactModulus, Decision, Each, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
+    Contact, ContactModulus, Decision, Each, Law, Load, Multilevel, PolonskyKeer, Problem, Solver, Status, Step, Stop,
 };
+use asperity::elastic::{Base, Layer};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Surface};
 use ndarray::{Array1, Array2};
@@ -234,6 +235,48 @@ fn its_work_stays_low() {
     }
 }
 
+/// Rough contacts of thin bonded layers, compressible and not, under a pressure and to an approach.
+fn films(grid: Grid) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    for (thickness, poisson) in [(0.002, 0.5), (0.002, 0.45), (0.01, 0.49), (0.025, 0.5)] {
+        for hurst in [0.2, 0.8] {
+            let surface = rough(grid, hurst, 0.1).surface().clone();
+            let layer = Layer { contact_modulus: 1.0, poisson, thickness, base: Base::Bonded };
+            let problem = Problem::new(surface, layer, Load::ReducedPressure(0.1)).unwrap();
+            let approach = Load::Approach(0.3 * problem.highest());
+            problems.extend([problem.clone(), problem.with_load(approach).unwrap()]);
+        }
+    }
+    problems
+}
+
+#[test]
+fn thin_layers_take_little_work() {
+    let [line, surface] = [Grid::line(1 << 12, 1.0), Grid::surface([128, 128], [1.0, 1.0])].map(Result::unwrap);
+    for problem in [line, surface].into_iter().flat_map(films) {
+        let transforms = solve(&Multilevel, &problem, 1e-8).work.transforms;
+        println!("{} {:?}: {transforms}", problem.compliance().solid().description(), problem.load());
+        assert!(transforms <= 180, "{transforms}");
+    }
+}
+
+/// Nodes at the edges of patches that yield do not exchange for ever.
+#[test]
+fn a_hardness_takes_little_work() {
+    let line = Grid::line(1 << 14, 1.0).unwrap();
+    for hurst in [0.2, 0.5, 0.8] {
+        for reduced_pressure in [0.01, 0.1] {
+            let elastic = rough(line, hurst, reduced_pressure);
+            for ratio in [1.25, 2.0, 4.0] {
+                let law = Law::Hardness(ratio * elastic.mean_pressure().unwrap());
+                let transforms = solve(&Multilevel, &elastic.clone().with_law(law).unwrap(), 1e-8).work.transforms;
+                println!("H {hurst}, p* {reduced_pressure}, H_c {ratio} times the mean pressure: {transforms}");
+                assert!(transforms <= 300, "{transforms}");
+            }
+        }
+    }
+}
+
 /// Small contacts of a half-space without and with images, on which the compliance is split, and larger ones.
 fn sets_of_every_size() -> Vec<Problem> {
     let grid = |is_periodic| Grid::surface([256, 256], [1.0, 1.0]).unwrap().with_periodic([is_periodic; 2]);
@@ -262,7 +305,8 @@ fn small_contacts_need_few_transforms_of_the_whole_grid() {
 
 #[test]
 fn contacts_are_the_same_on_any_number_of_threads() {
-    for problem in sets_of_every_size() {
+    let film = films(Grid::surface([128, 128], [1.0, 1.0]).unwrap()).swap_remove(0);
+    for problem in sets_of_every_size().into_iter().chain([film]) {
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| solve(&Multilevel, &problem, 1e-8))

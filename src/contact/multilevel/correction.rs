@@ -11,8 +11,8 @@ const MOST_STEPS: usize = 100;
 /// The correction `delta` on the nodes of a set, found by conjugate gradients; vectors live on the set.
 ///
 /// Solves `(A delta)(x) + v(x) = lambda` on the set, with the compliance `A`. Either the load stays, `sum delta = 0` with
-/// `lambda` to be found, or `lambda` is given. The preconditioner of the [`SetOperator`] does not see the mean, which a given
-/// `lambda` needs as well; it gets the stiffness `1 / a` of the uniform pressure on the set.
+/// `lambda` to be found, or `lambda` is given. Where the preconditioner of the [`SetOperator`] does not see the mean, which a given
+/// `lambda` needs as well, it gets the stiffness `1 / a` of the uniform pressure on the set.
 pub(super) struct Correction<'a> {
     support: &'a Support,
     /// The nodes at which the displacement is asked for, the set among them.
@@ -24,8 +24,18 @@ pub(super) struct Correction<'a> {
     direction: Vec<f64>,
     /// The last step.
     pub last: Decision,
-    /// `1 / a`, where `lambda` is given and the load is free.
-    uniform_stiffness: Option<f64>,
+    mean: MeanRule,
+}
+
+/// What becomes of the mean of the residual.
+#[derive(Clone, Copy)]
+enum MeanRule {
+    /// It is removed, since the load stays.
+    Removed,
+    /// It is multiplied by the stiffness of the uniform pressure.
+    Multiplied(f64),
+    /// The preconditioner sees it.
+    Seen,
 }
 
 impl<'a> Correction<'a> {
@@ -40,13 +50,12 @@ impl<'a> Correction<'a> {
         let (delta, direction) = (zeros(), zeros());
         let moved = vec![0.0; reach.nodes()];
         let last = Decision::Start;
-        let mut correction = Self { support, reach, delta, moved, direction, residual, last, uniform_stiffness: None };
-        if !keeps_load {
-            let ones = vec![1.0; correction.residual.len()];
-            let compliance = dot(&ones, &operator.comply(support, &ones, support)) / ones.len() as f64;
-            let stiffness = if compliance > 0.0 { 1.0 / compliance } else { 0.0 };
-            correction.uniform_stiffness = Some(stiffness);
-        }
+        let mean = match keeps_load {
+            true => MeanRule::Removed,
+            false if operator.sees_mean() => MeanRule::Seen,
+            false => MeanRule::Multiplied(uniform_stiffness(support, operator)),
+        };
+        let mut correction = Self { support, reach, delta, moved, direction, residual, last, mean };
         correction.project_residual();
         operator.prepare(support);
         correction
@@ -101,8 +110,10 @@ impl<'a> Correction<'a> {
     /// The preconditioner applied to the residual.
     fn precondition(&self, operator: &mut (impl SetOperator + ?Sized)) -> Vec<f64> {
         let mut z = operator.precondition(self.support, &self.residual);
-        remove_mean(&mut z);
-        if let Some(stiffness) = self.uniform_stiffness {
+        if matches!(self.mean, MeanRule::Removed | MeanRule::Multiplied(_)) {
+            remove_mean(&mut z);
+        }
+        if let MeanRule::Multiplied(stiffness) = self.mean {
             let uniform = stiffness * mean(&self.residual);
             chunks::update(&mut z, |_, z| z.iter_mut().for_each(|z| *z += uniform));
         }
@@ -110,10 +121,17 @@ impl<'a> Correction<'a> {
     }
 
     fn project_residual(&mut self) {
-        if self.uniform_stiffness.is_none() {
+        if matches!(self.mean, MeanRule::Removed) {
             remove_mean(&mut self.residual);
         }
     }
+}
+
+/// `1 / a`, the stiffness of the uniform pressure on a set; zero if it displaces nothing.
+fn uniform_stiffness(support: &Support, operator: &mut (impl SetOperator + ?Sized)) -> f64 {
+    let ones = vec![1.0; support.nodes()];
+    let compliance = dot(&ones, &operator.comply(support, &ones, support)) / ones.len() as f64;
+    if compliance > 0.0 { 1.0 / compliance } else { 0.0 }
 }
 
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {

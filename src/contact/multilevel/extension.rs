@@ -22,7 +22,8 @@ const FAR: f64 = 0.25;
 /// of a field at the distance `s` is its capacity over that of the cell: `a = 1 / (1 + ln(s / b))` on a line, `a = b / s` on a
 /// surface, so `a = sqrt(w)` there.
 ///
-/// Where only long waves matter, the finest cells have more than two nodes per side, and the extension ends at these cells.
+/// Where only long waves matter, the finest cells have more than two nodes per side, and the extension ends at these cells. Where only
+/// short ones do, there are no cells beyond a size.
 ///
 /// Memory: 2 fields of n numbers on lines, two thirds of one on surfaces, with cells of two nodes.
 ///
@@ -38,7 +39,7 @@ pub(super) struct Extension<T> {
     side: usize,
     /// Rows of the half-space in a row of nodes.
     pieces: usize,
-    /// From the finest to the single cell.
+    /// From the finest to the coarsest cells.
     levels: Vec<Cells<T>>,
 }
 
@@ -53,11 +54,13 @@ struct Cells<T> {
 }
 
 impl<T: Real> Extension<T> {
-    /// The extension from `support` on a grid of `shape` nodes to `wide` ones, with finest cells of `side` nodes along each side.
-    pub fn new(support: &Support, [shape, wide]: [[usize; 2]; 2], side: usize) -> Self {
+    /// The extension from `support` on a grid of `shape` nodes to `wide` ones, with finest cells of `side` nodes along each side, and
+    /// coarsest ones of at most `largest` nodes.
+    pub fn new(support: &Support, [shape, wide]: [[usize; 2]; 2], side: usize, largest: f64) -> Self {
         let mut levels = Vec::new();
-        let mut finer = wide;
-        while finer != [1, 1] {
+        let (mut finer, mut nodes) = (wide, side as f64);
+        while finer != [1, 1] && nodes <= largest {
+            nodes *= 2.0;
             let side = if levels.is_empty() { side } else { 2 };
             finer = finer.map(|n| n.div_ceil(side));
             let values = vec![T::zero(); finer[0] * finer[1]];
@@ -103,7 +106,7 @@ impl<T: Real> Extension<T> {
     /// Writes the extended vector to a row of all nodes, or to a piece of a line; the nodes of the set are left to the caller. The finest
     /// cells must have two nodes per side.
     pub fn fill(&self, row: usize, to: &mut [T]) {
-        let Some(finest) = self.levels.first() else { return };
+        let Some(finest) = self.levels.first() else { return to.fill(T::zero()) };
         let at = row * to.len();
         let (y, first) = (at / self.wide[1], at % self.wide[1]);
         finest.interpolate(self.wide, y, first..first + to.len(), |x, value| to[x - first] = value);
@@ -315,7 +318,7 @@ mod tests {
             [([1, 64], 64), ([1, 64], 16), ([1, 37], 37), ([8, 8], 8), ([5, 7], 7), ([13, 4], 4), ([4, 27], 27)]
         {
             let (support, values) = some_nodes(shape, width);
-            let mut extension = Extension::<f64>::new(&support, [shape; 2], 2);
+            let mut extension = Extension::<f64>::new(&support, [shape; 2], 2, f64::INFINITY);
             let field: Vec<f64> = (0..shape[0] * shape[1]).map(|i| (i as f64 * 1.7).cos()).collect();
             let forward: f64 = extended(&mut extension, &support, &values).iter().zip(&field).map(|(a, b)| a * b).sum();
             let mut back = vec![0.0; values.len()];
@@ -338,14 +341,14 @@ mod tests {
         let (support, values) = Support::choose([16, 16], |row, nodes| {
             (0..16).filter(|x| (x + row) % 2 == 0).for_each(|x| nodes.push(x, 1.0));
         });
-        let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2), &support, &values);
+        let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2, f64::INFINITY), &support, &values);
         assert!(field.iter().all(|&e| (0.9..=1.0 + 1e-12).contains(&e)));
         let (support, values) = Support::choose([16, 16], |row, nodes| {
             if row == 5 {
                 nodes.push(6, 1.0);
             }
         });
-        let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2), &support, &values);
+        let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2, f64::INFINITY), &support, &values);
         assert!(field[13 * 16 + 14].abs() < 0.2 && field[5 * 16 + 6] == 1.0 && field[5 * 16 + 7] > 0.3);
     }
 }

@@ -10,7 +10,7 @@
 //! approximate extension `E` gives the preconditioner `E' K E`, symmetric and positive for any `E`. Extension by zero, the usual
 //! choice of opposite-order preconditioning, tears long waves apart at the rims of many small patches; the
 //! [`extension::Extension`] used here lets them fade as the capacity of a patch says, and two or three steps of conjugate gradients
-//! then reduce the residual fiftyfold, on any number of nodes.
+//! then reduce the residual fiftyfold, on any number of nodes. On thin bonded layers the long waves are stiff, and a [`film`] takes their part.
 //!
 //! Most updates need two digits only. So a free update on a surface is an [`inner`] iteration: several updates of the set, among the
 //! nodes near the contact, with displacements that are cheap. They are computed by transforms in single precision or, on small
@@ -74,10 +74,12 @@
 mod correction;
 mod extension;
 mod far;
+mod film;
 mod guard;
 mod hierarchy;
 mod inner;
 mod level;
+mod membrane;
 mod method;
 mod near;
 mod operator;
@@ -144,7 +146,8 @@ const PATIENCE: usize = 600;
 /// Memory on the finest grid, besides the heights, is the larger of two. An outer step needs 1 field of n doubles and the
 /// [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
 /// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs 6 fields, and
-/// 8 vectors on the contact set. Below a hardness an exchange takes 1 field more, guarded steps 4. Coarse grids are freed before the finest one is set up.
+/// 8 vectors on the contact set. On a thin bonded layer the preconditioner takes up to 6 fields more on a surface. Below a hardness an
+/// exchange takes 1 field more, guarded steps 4. Coarse grids are freed before the finest one is set up.
 ///
 /// # Why it is stable
 /// No step length is chosen: corrections are exact minimisers on their set, and guarded steps are exact minimisers on their way. The

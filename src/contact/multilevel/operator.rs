@@ -1,6 +1,7 @@
 //! The compliance on contact sets, and its preconditioner.
 
 use super::extension::Extension;
+use super::film::Film;
 use super::support::Support;
 use crate::chunks;
 use crate::contact::Problem;
@@ -26,8 +27,13 @@ pub(super) trait SetOperator {
     /// Prepares [`SetOperator::precondition`] for a set.
     fn prepare(&mut self, support: &Support);
 
-    /// An approximate inverse of the compliance on the set, without the mean: symmetric and positive.
+    /// An approximate inverse of the compliance on the set: symmetric and positive.
     fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64>;
+
+    /// Whether [`SetOperator::precondition`] sees the mean of the residual.
+    fn sees_mean(&self) -> bool {
+        false
+    }
 
     /// The part to which an inner iteration can bring the certificate before the error of displacements shows.
     fn accuracy(&self) -> f64;
@@ -46,7 +52,9 @@ pub(super) trait SetOperator {
 /// free axis vectors are extended to a margin beyond the grid. Without it the stiffness would be that of images that touch, and
 /// conjugate gradients would need two or three times as many steps.
 ///
-/// Memory: a half spectrum, a field, and the extension, all of the precision `T`.
+/// For thin bonded layers it is that of a [`Film`].
+///
+/// Memory: a half spectrum, a field, and the extension, all of the precision `T`, and the film.
 pub(super) struct Spectral<T: Real> {
     waves: Convolution<T>,
     /// The waves over the grid with margins, where there are any.
@@ -57,6 +65,7 @@ pub(super) struct Spectral<T: Real> {
     /// The unit of stiffness of `waves`.
     unit: f64,
     extension: Option<Extension<T>>,
+    film: Option<Film<T>>,
     /// A vector extended to all nodes, or the pressure on them.
     field: Vec<T>,
     transforms: u64,
@@ -88,6 +97,7 @@ impl<T: Real> Spectral<T> {
             wide: wide.shape(),
             unit,
             extension: None,
+            film: Film::new(problem, unit),
             field: Vec::new(),
             transforms: 0,
         }
@@ -113,13 +123,15 @@ impl<T: Real> SetOperator for Spectral<T> {
 
     fn prepare(&mut self, support: &Support) {
         self.field.resize(self.wide[0] * self.wide[1], T::zero());
+        let largest = self.film.as_ref().map_or(f64::INFINITY, Film::largest_cell);
         // the memory of an earlier one is free for this one
         self.extension = None;
-        self.extension = Some(Extension::new(support, [self.shape, self.wide], 2));
+        self.extension = Some(Extension::new(support, [self.shape, self.wide], 2, largest));
+        self.film.iter_mut().for_each(|film| film.prepare(support));
     }
 
     fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64> {
-        let Self { waves, with_margins, extension, field, shape, wide, .. } = self;
+        let Self { waves, with_margins, extension, film, field, shape, wide, .. } = self;
         let extension = extension.as_mut().expect("the operator is prepared for the set");
         self.transforms += 2;
         let largest = power_of_two(largest(residual));
@@ -132,7 +144,9 @@ impl<T: Real> SetOperator for Spectral<T> {
         let piece = stiffness.rows()[1];
         chunks::rows_mut(field, piece, |row, to| extension.fill(row, to));
         chunks::rows_mut(&mut field[..count * length], length, |row, to| support.scatter(row, residual, down, to));
-        stiffness.press(field);
+        film.iter_mut().for_each(|film| film.press(field));
+        stiffness.press(field, |q| film.as_ref().map_or(0.0, |film| film.stiffness(q)));
+        film.iter().for_each(|film| film.add_to(field));
         let mut pressure = vec![0.0; residual.len()];
         let mut sinks: Vec<_> = field.chunks_exact_mut(length).zip(support.pieces(&mut pressure)).collect();
         chunks::each(&mut sinks, width, |row, (field, on_set)| {
@@ -147,6 +161,10 @@ impl<T: Real> SetOperator for Spectral<T> {
         self.waves.release();
         self.with_margins.iter_mut().for_each(Convolution::release);
         (self.field, self.extension) = (Vec::new(), None);
+    }
+
+    fn sees_mean(&self) -> bool {
+        self.film.is_some()
     }
 
     fn accuracy(&self) -> f64 {

@@ -130,7 +130,8 @@ impl SetOperator for Split {
     }
 
     fn prepare(&mut self, support: &Support) {
-        self.stiffness.extension = Some(Extension::new(support, [self.stiffness.shape; 2], STIFFNESS.side));
+        self.stiffness.extension =
+            Some(Extension::new(support, [self.stiffness.shape; 2], STIFFNESS.side, f64::INFINITY));
     }
 
     fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64> {

@@ -10,9 +10,6 @@ use crate::grid::Grid;
 /// Thicknesses over the length of the cell, from far below the spacing to far beyond the cell.
 const THICKNESSES: [f64; 6] = [1e-5, 1e-3, 0.03, 0.3, 3.0, 1e3];
 
-/// Budgets that the one layer may take that crawls.
-const SLOW: u32 = 6;
-
 /// Layers thin and thick, on both bases, compressible and not, under pressures and at an approach.
 pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
     let mut trials = Vec::new();
@@ -30,10 +27,7 @@ pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
                             let approach = Load::Approach(0.3 * problem.highest());
                             Ok(if is_at_mean_gap { problem.with_load(approach)? } else { problem })
                         };
-                        // far thinner than the spacing and not to be compressed, it takes tens of thousands of steps to an approach
-                        let is_slow = name == "layer-line-bonded-0.5-1e-5-approach";
-                        let patience = if is_slow { SLOW } else { 1 };
-                        trials.push(Trial { is_at_mean_gap, patience, ..Trial::new(name, pose) });
+                        trials.push(Trial { is_at_mean_gap, ..Trial::new(name, pose) });
                     }
                 }
             }

@@ -21,8 +21,6 @@ pub struct Trial {
     pub(super) is_free: bool,
     /// The solver that may run out of its budget.
     pub(super) slow: Option<Rival>,
-    /// Budgets of time that a solve may take, for a contact that is solved, but slowly.
-    pub(super) patience: u32,
     pub(super) pose: Pose,
     /// The bound of the relative error of the pressure to reach as well.
     pub(super) pressure_tolerance: Option<f64>,
@@ -55,7 +53,6 @@ impl Trial {
             is_below_hardness: false,
             is_free: false,
             slow: None,
-            patience: 1,
             pose: Box::new(pose),
             twin: None,
             start: None,
@@ -89,7 +86,6 @@ impl Trial {
         budget: Duration,
         watch: ObserverMaker,
     ) -> Result<(Contact, Option<Contact>), SetupError> {
-        let budget = budget.saturating_mul(self.patience);
         let stop = Stop::new(self.tolerance, 1_000_000)?;
         let stop = self.pressure_tolerance.map_or(Ok(stop), |tolerance| stop.with_pressure_tolerance(tolerance))?;
         let solve = |problem: Problem, stop: Stop| -> Result<Contact, SetupError> {

@@ -207,3 +207,22 @@ fn the_elastic_energy_is_the_work_of_the_load() {
         }
     }
 }
+
+/// Differences of the compliance of long waves, two terms of whose series are known, with the third one extrapolated away.
+#[test]
+fn long_waves_of_a_bonded_layer_follow_their_polynomial() {
+    for poisson in [0.0, 0.2, 0.25, 0.3, 0.4, 0.45, 0.49, 0.4999, 0.5] {
+        let layer = Layer { contact_modulus: 3.0, ..layer(poisson, 0.2, Base::Bonded) };
+        let waves = layer.long_waves().unwrap();
+        let compliance = |x: f64| 2.0 * layer.factor(x / 0.2) / (3.0 * x / 0.2);
+        let square = |x: f64| (compliance(x) - waves.longest) / (x / 0.2).powi(2);
+        let found = (4.0 * square(0.02) - square(0.04)) / 3.0;
+        let scale = 0.2_f64.powi(3) / 3.0;
+        assert!((found.max(0.0) - waves.square).abs() < 1e-5 * scale, "{poisson}: {found} and {}", waves.square);
+        assert!((waves.stiffness(0.1) * compliance(0.02) - 1.0).abs() < 2e-3 || poisson < 0.25, "{poisson}");
+    }
+    let incompressible = layer(0.5, 0.2, Base::Bonded).long_waves().unwrap();
+    assert_eq!((incompressible.longest, incompressible.thickness), (0.0, 0.2));
+    assert!((incompressible.square / (4.0 / 3.0 * 0.2_f64.powi(3)) - 1.0).abs() < 1e-12);
+    assert!(layer(0.5, 0.2, Base::Sliding).long_waves().is_none() && HalfSpace::new(1.0).long_waves().is_none());
+}
