@@ -76,7 +76,7 @@ pub struct Bench {
     /// Group rivals: largest time of a run of another code, in seconds, with the start of the interpreter
     #[arg(long, value_name = "S", default_value = "120", value_parser = count)]
     time_limit: NonZeroUsize,
-    /// Group rivals: draw certificates against seconds
+    /// Draw certificates against seconds (group rivals) or seconds against the contact area (group contact)
     #[arg(long, value_name = "FILE.svg")]
     figure: Option<PathBuf>,
     /// Print the cases instead of solving them
@@ -96,8 +96,13 @@ impl Bench {
         if self.groups.contains(&Group::Rivals) {
             return self.rivals();
         }
-        if self.figure.is_some() {
-            return usage("--figure is drawn of the group rivals: name that group, or leave the option out");
+        if let Some(path) = &self.figure {
+            if self.groups != [Group::Contact] {
+                return usage(
+                    "--figure is drawn of the groups rivals and contact: name one of them alone, or leave the option out",
+                );
+            }
+            check_named(path, &["svg"])?;
         }
         let mut timings = Vec::new();
         writeln!(stdout(), "{HEAD}")?;
@@ -110,10 +115,13 @@ impl Bench {
                     if let Some(path) = &self.out {
                         write_csv(path, &timings)?;
                     }
+                    if let Some(path) = &self.figure {
+                        write_svg(path, &Timing::figure(&timings))?;
+                    }
                 }
             }
         }
-        self.out.iter().for_each(|path| wrote(path));
+        [&self.out, &self.figure].into_iter().flatten().for_each(|path| wrote(path));
         let all_converged = timings.iter().all(|timing| timing.status == Status::Converged);
         Ok(if all_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
     }

@@ -40,6 +40,13 @@ impl Axis {
         Self { name: name.into(), scale: AxisScale::Log, range }
     }
 
+    /// A logarithmic axis over the decades around those of the values that it can show; none if there are no such values.
+    pub fn log_over(name: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Option<Self> {
+        let logs = values.into_iter().map(f64::log10).filter(|log| log.is_finite());
+        let [least, most] = logs.map(|log| [log, log]).reduce(|[a, b], [least, most]| [a.min(least), b.max(most)])?;
+        Some(Self::log(name, [10f64.powf(least.floor()), 10f64.powf((most + 1e-9).ceil())]))
+    }
+
     /// The place of `value` along the axis: 0 at its start, 1 at its end, not finite for a value that has no place.
     pub fn place(&self, value: f64) -> f64 {
         let [start, end, at] = [self.range[0], self.range[1], value].map(|value| match self.scale {

@@ -18,7 +18,7 @@ pub(super) enum UpdateMethod {
 
 /// Largest ratio of the stiffnesses of waves for corrections in single precision. Short waves displace by so much less than long ones
 /// that the rounding of these, some 1e-7, would hide them.
-const WIDEST: f64 = 2e4;
+const WIDEST: f64 = 1e5;
 
 impl UpdateMethod {
     /// The way to begin with. Lines, on which transforms are cheap and the stiffnesses of waves differ most, do not gain from single

@@ -71,6 +71,12 @@ impl Contest {
                 let of_hurst = |is_free, hurst| [1e-3, 1e-2, 1e-1].map(|load| of_load(is_free, hurst, load)).concat();
                 [false, true].map(|is_free| [0.8, 0.2].map(|hurst| of_hurst(is_free, hurst)).concat()).concat()
             }
+            Group::Contact => {
+                let cells = [surface(4096), surface(4096).free()];
+                let loads = [1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1];
+                let of_cell = |cell: Cell| loads.map(|load| rough(cell.clone(), 64.0, 0.8, load));
+                cells.map(of_cell).concat()
+            }
             Group::Large => vec![rough(surface(1 << 14), 64.0, 0.8, 1e-2)],
         };
         if is_quick {

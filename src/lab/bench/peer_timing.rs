@@ -117,11 +117,9 @@ impl PeerTiming {
 
 /// The panel of some rows, unless none has numbers that can be drawn.
 fn panel(title: &str, rows: &[&PeerTiming]) -> Option<Panel> {
-    let x = Axis::log(
-        "seconds; filled: one thread, open: all threads",
-        decades(rows.iter().filter_map(|row| row.seconds))?,
-    );
-    let y = Axis::log("certificate η", decades(rows.iter().filter_map(|row| row.certificate))?);
+    let seconds = rows.iter().filter_map(|row| row.seconds);
+    let x = Axis::log_over("seconds; filled: one thread, open: all threads", seconds)?;
+    let y = Axis::log_over("certificate η", rows.iter().filter_map(|row| row.certificate))?;
     let mut panel = Panel::new(title, x, y);
     let asked = rows.first()?.tolerance;
     panel.add_curve("asked for", Colour::GREY, Mark::Dotted, |_| asked);
@@ -140,13 +138,6 @@ fn panel(title: &str, rows: &[&PeerTiming]) -> Option<Panel> {
         }
     }
     Some(panel)
-}
-
-/// The decades around those of the values that a logarithmic axis can show, if there are any.
-fn decades(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    let logs = values.map(f64::log10).filter(|log| log.is_finite());
-    let [least, most] = logs.map(|log| [log, log]).reduce(|[a, b], [least, most]| [a.min(least), b.max(most)])?;
-    Some([10f64.powf(least.floor()), 10f64.powf((most + 1e-9).ceil())])
 }
 
 impl fmt::Display for PeerTiming {

@@ -6,6 +6,7 @@ use crate::contact::{Observables, Status, Stop};
 use crate::error::SetupError;
 use crate::lab::ObserverMaker;
 use crate::lab::table::{median, or_dash, points};
+use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use crate::setup::{Method, Setup};
 use serde::Serialize;
 use std::fmt;
@@ -63,6 +64,23 @@ impl Timing {
             let first = *first.get_or_insert(timing.solve_seconds);
             Ok(Self { ratio: (methods.len() > 1).then(|| timing.solve_seconds / first), ..timing })
         })
+    }
+
+    /// The figure of all rows: seconds against relative contact area, with periodic and with free boundaries.
+    pub fn figure(rows: &[Self]) -> Figure {
+        let panel = || {
+            let x = Axis::log_over("relative contact area", rows.iter().map(|row| row.relative_area))?;
+            let y = Axis::log_over("seconds in the solver", rows.iter().map(|row| row.solve_seconds))?;
+            let mut panel = Panel::new("", x, y);
+            let kinds = [("periodic", Colour::BLUE, Symbol::Circle), ("free", Colour::VERMILION, Symbol::Square)];
+            for (boundary, colour, symbol) in kinds {
+                let rows = rows.iter().filter(|row| row.case.ends_with(" free") == (boundary == "free"));
+                let dots = rows.map(|row| Dot::at(row.relative_area, row.solve_seconds));
+                panel.add(boundary, colour, Mark::Symbol { symbol, filled: true }, dots);
+            }
+            Some(panel)
+        };
+        Figure { title: "Rough surfaces: time against contact".into(), panels: panel().into_iter().collect() }
     }
 
     /// Makes and solves a contact.
