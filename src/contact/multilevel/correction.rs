@@ -2,6 +2,7 @@
 
 use super::operator::SetOperator;
 use super::support::Support;
+use super::workspace::Workspace;
 use crate::chunks;
 use crate::contact::{Decision, Status};
 
@@ -22,9 +23,18 @@ pub(super) struct Correction<'a> {
     pub moved: Vec<f64>,
     residual: Vec<f64>,
     direction: Vec<f64>,
+    steps: StepVectors,
     /// The last step.
     pub last: Decision,
     mean: MeanRule,
+}
+
+/// The vectors of a step: the preconditioned residual, and the displacement under the direction at the nodes of the set and of the
+/// reach.
+struct StepVectors {
+    preconditioned: Vec<f64>,
+    on_set: Vec<f64>,
+    on_reach: Vec<f64>,
 }
 
 /// What becomes of the mean of the residual.
@@ -45,17 +55,18 @@ impl<'a> Correction<'a> {
         residual: Vec<f64>,
         keeps_load: bool,
         operator: &mut (impl SetOperator + ?Sized),
+        workspace: &mut Workspace,
     ) -> Self {
-        let zeros = || vec![0.0; residual.len()];
-        let (delta, direction) = (zeros(), zeros());
-        let moved = vec![0.0; reach.nodes()];
+        let [delta, direction, preconditioned, on_set] = [(); 4].map(|()| workspace.zeros(residual.len()));
+        let [moved, on_reach] = [(); 2].map(|()| workspace.zeros(reach.nodes()));
+        let steps = StepVectors { preconditioned, on_set, on_reach };
         let last = Decision::Start;
         let mean = match keeps_load {
             true => MeanRule::Removed,
             false if operator.sees_mean() => MeanRule::Seen,
             false => MeanRule::Multiplied(uniform_stiffness(support, operator)),
         };
-        let mut correction = Self { support, reach, delta, moved, direction, residual, last, mean };
+        let mut correction = Self { support, reach, delta, moved, direction, residual, steps, last, mean };
         correction.project_residual();
         operator.prepare(support);
         correction
@@ -72,18 +83,20 @@ impl<'a> Correction<'a> {
         let goal = reduction * reduction * dot(&self.residual, &self.residual);
         let mut previous = None;
         for _ in 0..MOST_STEPS {
-            let z = self.precondition(operator);
-            let square = dot(&self.residual, &z);
+            self.precondition(operator);
+            let Self { support, reach, residual, direction, steps, .. } = self;
+            let z = &steps.preconditioned;
+            let square = dot(residual, z);
             let beta = previous.map_or(0.0, |previous| square / previous);
             previous = Some(square);
-            chunks::update(&mut self.direction, |range, d| range.zip(d).for_each(|(i, d)| *d = z[i] + beta * *d));
-            let effect = operator.comply(self.support, &self.direction, self.reach);
-            let q = self.reach.transfer(&effect, self.support);
-            let curvature = dot(&self.direction, &q);
+            chunks::update(direction, |range, d| range.zip(d).for_each(|(i, d)| *d = z[i] + beta * *d));
+            operator.comply(support, direction, reach, &mut steps.on_reach);
+            reach.transfer(&steps.on_reach, support, &mut steps.on_set);
+            let curvature = dot(direction, &steps.on_set);
             if !(square > 0.0 && curvature > 0.0) {
                 return None;
             }
-            self.step(square / curvature, &q, &effect);
+            self.step(square / curvature);
             self.last = Decision::Conjugate { length: square / curvature, share: beta };
             if let Some(status) = watch(self, operator.transforms()) {
                 return Some(status);
@@ -95,29 +108,36 @@ impl<'a> Correction<'a> {
         None
     }
 
-    fn step(&mut self, alpha: f64, q: &[f64], effect: &[f64]) {
-        let Self { delta, moved, residual, direction, .. } = self;
-        chunks::update(moved, |range, moved| range.zip(moved).for_each(|(i, moved)| *moved += alpha * effect[i]));
+    fn step(&mut self, alpha: f64) {
+        let Self { delta, moved, residual, direction, steps: StepVectors { on_set, on_reach, .. }, .. } = self;
+        chunks::update(moved, |range, moved| range.zip(moved).for_each(|(i, moved)| *moved += alpha * on_reach[i]));
         chunks::update_both(delta, residual, |range, delta, residual| {
             for ((i, delta), residual) in range.zip(delta).zip(residual) {
                 *delta += alpha * direction[i];
-                *residual -= alpha * q[i];
+                *residual -= alpha * on_set[i];
             }
         });
         self.project_residual();
     }
 
-    /// The preconditioner applied to the residual.
-    fn precondition(&self, operator: &mut (impl SetOperator + ?Sized)) -> Vec<f64> {
-        let mut z = operator.precondition(self.support, &self.residual);
+    /// Applies the preconditioner to the residual.
+    fn precondition(&mut self, operator: &mut (impl SetOperator + ?Sized)) {
+        let z = &mut self.steps.preconditioned;
+        operator.precondition(self.support, &self.residual, z);
         if matches!(self.mean, MeanRule::Removed | MeanRule::Multiplied(_)) {
-            remove_mean(&mut z);
+            remove_mean(z);
         }
         if let MeanRule::Multiplied(stiffness) = self.mean {
             let uniform = stiffness * mean(&self.residual);
-            chunks::update(&mut z, |_, z| z.iter_mut().for_each(|z| *z += uniform));
+            chunks::update(z, |_, z| z.iter_mut().for_each(|z| *z += uniform));
         }
-        z
+    }
+
+    /// Ends the iteration: `delta` and `moved` are left, and the other vectors go back to the workspace.
+    pub fn finish(self, workspace: &mut Workspace) -> [Vec<f64>; 2] {
+        let StepVectors { preconditioned, on_set, on_reach } = self.steps;
+        workspace.keep([self.residual, self.direction, preconditioned, on_set, on_reach]);
+        [self.delta, self.moved]
     }
 
     fn project_residual(&mut self) {
@@ -130,7 +150,9 @@ impl<'a> Correction<'a> {
 /// `1 / a`, the stiffness of the uniform pressure on a set; zero if it displaces nothing.
 fn uniform_stiffness(support: &Support, operator: &mut (impl SetOperator + ?Sized)) -> f64 {
     let ones = vec![1.0; support.nodes()];
-    let compliance = dot(&ones, &operator.comply(support, &ones, support)) / ones.len() as f64;
+    let mut displacement = vec![0.0; ones.len()];
+    operator.comply(support, &ones, support, &mut displacement);
+    let compliance = dot(&ones, &displacement) / ones.len() as f64;
     if compliance > 0.0 { 1.0 / compliance } else { 0.0 }
 }
 

@@ -290,7 +290,7 @@ mod tests {
 
     /// Some nodes of a grid in rows of `width`, and numbers on them.
     fn some_nodes([ny, nx]: [usize; 2], width: usize) -> (Support, Vec<f64>) {
-        Support::choose([ny * nx / width, width], |row, nodes| {
+        Support::choose_values([ny * nx / width, width], |row, nodes| {
             for x in 0..width {
                 let i = row * width + x;
                 let noise = ((i * i) as f64 * 0.37).sin();
@@ -338,12 +338,12 @@ mod tests {
     /// Nothing is known of the field but one number, and of the surroundings of a single node next to nothing.
     #[test]
     fn a_dense_set_extends_constants_and_a_sparse_one_on_a_surface_fades() {
-        let (support, values) = Support::choose([16, 16], |row, nodes| {
+        let (support, values) = Support::choose_values([16, 16], |row, nodes| {
             (0..16).filter(|x| (x + row) % 2 == 0).for_each(|x| nodes.push(x, 1.0));
         });
         let field = extended(&mut Extension::new(&support, [[16, 16]; 2], 2, f64::INFINITY), &support, &values);
         assert!(field.iter().all(|&e| (0.9..=1.0 + 1e-12).contains(&e)));
-        let (support, values) = Support::choose([16, 16], |row, nodes| {
+        let (support, values) = Support::choose_values([16, 16], |row, nodes| {
             if row == 5 {
                 nodes.push(6, 1.0);
             }

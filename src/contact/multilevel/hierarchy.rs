@@ -44,7 +44,7 @@ pub(super) fn halved(grid: &Grid) -> Option<Grid> {
 pub(super) fn prolong(coarse: &[f64], [from, to]: [&Grid; 2], rows: [usize; 2], ceiling: f64) -> SparsePressure {
     let fine = to.shape()[1];
     let fewest = if coarse.iter().any(|&p| p >= ceiling) { 1 } else { 3 };
-    let (support, values) = Support::choose(rows, |row, nodes| {
+    let (support, values) = Support::choose_values(rows, |row, nodes| {
         let first = row * rows[1];
         interpolate(coarse, from, to, first / fine, first % fine..first % fine + rows[1], |column, pressure| {
             if pressure.iter().filter(|p| **p > 0.0).count() >= fewest {

@@ -6,6 +6,7 @@ use super::method::UpdateMethod;
 use super::operator::{SetOperator, Spectral};
 use super::split::Split;
 use super::support::{RowOfNodes, SparsePressure, Support};
+use super::workspace::Workspace;
 use crate::chunks;
 use crate::contact::{Decision, Problem, Status};
 
@@ -50,12 +51,15 @@ impl Level<'_> {
         self.decision = self.method.decision();
         let SparsePressure { support, values } = &self.pressure;
         let v = if self.displacement == Displacement::Interpolated {
-            let (u, h) = (operator.comply(support, values, &candidates), candidates.of_field(self.problem.height()));
-            u.iter().zip(h).map(|(u, h)| u - h).collect()
+            let (mut v, h) = (vec![0.0; candidates.nodes()], candidates.of_field(self.problem.height()));
+            operator.comply(support, values, &candidates, &mut v);
+            v.iter_mut().zip(h).for_each(|(v, h)| *v -= h);
+            v
         } else {
             self.on_set(Some(&candidates), |v| v)
         };
-        let pressure = support.transfer(values, &candidates);
+        let mut pressure = vec![0.0; candidates.nodes()];
+        support.transfer(values, &candidates, &mut pressure);
         (self.u, self.displacement) = (Vec::new(), Displacement::Outdated);
         let mut inner = Inner::new(self.problem, candidates, pressure, v);
         self.first_eta.get_or_insert(inner.certificate() / self.problem.rms_height());
@@ -129,9 +133,9 @@ impl Level<'_> {
             }
             let at = row * width;
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
-            (0..width).filter(|&x| is_near[x] || u[x] - h[x] < near).for_each(|x| nodes.push(x, 0.0));
+            (0..width).filter(|&x| is_near[x] || u[x] - h[x] < near).for_each(|x| nodes.push(x));
         };
-        Support::choose([height, width], choose).0
+        Support::choose([height, width], choose)
     }
 }
 
@@ -145,6 +149,7 @@ struct Inner<'a> {
     lambda: f64,
     /// The best pressure so far.
     best: Vec<f64>,
+    workspace: Workspace,
 }
 
 /// The watch of inner steps: the set, the signed pressure on it, the step, and the transforms of the operator.
@@ -152,8 +157,8 @@ type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, f64) -> Op
 
 impl<'a> Inner<'a> {
     fn new(problem: &'a Problem, candidates: Support, pressure: Vec<f64>, v: Vec<f64>) -> Self {
-        let best = pressure.clone();
-        let mut inner = Self { problem, candidates, pressure, v, lambda: f64::NAN, best };
+        let (best, workspace) = (pressure.clone(), Workspace::new(pressure.len()));
+        let mut inner = Self { problem, candidates, pressure, v, lambda: f64::NAN, best, workspace };
         inner.place_datum();
         inner
     }
@@ -203,32 +208,46 @@ impl<'a> Inner<'a> {
         watch: &mut Watch<'_>,
     ) -> (Option<Support>, Option<Status>) {
         let gap = self.problem.datum();
-        let candidates = &self.candidates;
-        let residual = candidates.transfer(&self.v, set).into_iter().map(|v| -(v + gap.unwrap_or(0.0))).collect();
-        let from = candidates.transfer(&self.pressure, set);
-        let mut correction = Correction::new([set, candidates], residual, gap.is_none(), operator);
-        let sum = |delta: &[f64]| from.iter().zip(delta).map(|(p, delta)| p + delta).collect::<Vec<_>>();
+        let Self { candidates, pressure, v, lambda, workspace, .. } = self;
+        let [mut residual, mut on_set] = [(); 2].map(|()| workspace.zeros(set.nodes()));
+        candidates.transfer(v, set, &mut residual);
+        chunks::update(&mut residual, |_, v| v.iter_mut().for_each(|v| *v = -(*v + gap.unwrap_or(0.0))));
+        candidates.transfer(pressure, set, &mut on_set);
+        let mut correction = Correction::new([set, candidates], residual, gap.is_none(), operator, workspace);
         let status = correction.solve(reduction, operator, &mut |correction, spent| {
-            watch(set, &|| sum(&correction.delta), correction.last, spent)
+            let sum = || on_set.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
+            watch(set, &sum, correction.last, spent)
         });
-        let Correction { delta, moved, .. } = correction;
-        let signed = set.transfer(&sum(&delta), candidates);
-        add(&mut self.v, &moved);
-        self.lambda = gap.map_or_else(|| mean(&candidates.transfer(&self.v, set)), |gap| -gap);
-        let (v, lambda) = (&self.v, self.lambda);
-        let next = candidates.filter(|i| signed[i] > 0.0 || signed[i] == 0.0 && v[i] < lambda);
-        let negative = candidates.filter(|i| signed[i] < 0.0);
-        let lifted: Vec<f64> = candidates.transfer(&signed, &negative).into_iter().map(|p| -p).collect();
-        self.pressure = signed.into_iter().map(|p| p.max(0.0)).collect();
-        self.press(&negative, &lifted, operator);
+        let [delta, moved] = correction.finish(workspace);
+        add(&mut on_set, &delta);
+        set.transfer(&on_set, candidates, pressure);
+        add(v, &moved);
+        *lambda = gap.map_or_else(
+            || {
+                candidates.transfer(v, set, &mut on_set);
+                mean(&on_set)
+            },
+            |gap| -gap,
+        );
+        workspace.keep([delta, moved, on_set]);
+        let next = candidates.filter(|i| pressure[i] > 0.0 || pressure[i] == 0.0 && v[i] < *lambda);
+        self.clip(operator);
         (self.carry().then_some(next), status)
     }
 
-    /// Adds the displacement of a pressure on some nodes.
-    fn press(&mut self, nodes: &Support, pressure: &[f64], operator: &mut dyn SetOperator) {
-        if nodes.nodes() > 0 {
-            add(&mut self.v, &operator.comply(nodes, pressure, &self.candidates));
+    /// Lifts negative pressures to zero, and adds the displacement of that.
+    fn clip(&mut self, operator: &mut dyn SetOperator) {
+        let Self { candidates, pressure, v, workspace, .. } = self;
+        let negative = candidates.filter(|i| pressure[i] < 0.0);
+        if negative.nodes() == 0 {
+            return;
         }
+        let (mut lifted, mut moved) = (workspace.zeros(negative.nodes()), workspace.zeros(candidates.nodes()));
+        candidates.transfer(pressure, &negative, &mut lifted);
+        operator.comply(&negative, &lifted, candidates, &mut moved);
+        chunks::update(v, |range, v| range.zip(v).for_each(|(i, v)| *v -= moved[i]));
+        chunks::update(pressure, |_, p| p.iter_mut().for_each(|p| *p = p.max(0.0)));
+        workspace.keep([lifted, moved]);
     }
 
     /// Scales pressure and displacement to the load, if that is given. Returns whether there is any pressure.
@@ -239,10 +258,12 @@ impl<'a> Inner<'a> {
                 return false;
             }
             let scale = mean_pressure * self.problem.nodes() as f64 / load;
-            let h = self.candidates.of_field(self.problem.height());
-            chunks::update_both(&mut self.pressure, &mut self.v, |range, p, v| {
-                p.iter_mut().for_each(|p| *p *= scale);
-                range.zip(v).for_each(|(i, v)| *v = scale * (*v + h[i]) - h[i]);
+            let Self { candidates, pressure, v, .. } = self;
+            chunks::update(pressure, |_, p| p.iter_mut().for_each(|p| *p *= scale));
+            let (h, [_, width]) = (self.problem.height(), candidates.shape());
+            chunks::each(&mut candidates.pieces(v), width, |row, piece| {
+                let h = candidates.runs(row).flat_map(|(run, _)| &h[row * width..][run]);
+                piece.iter_mut().zip(h).for_each(|(v, h)| *v = scale * (*v + h) - h);
             });
         }
         self.place_datum();
@@ -278,7 +299,8 @@ impl<'a> Inner<'a> {
     fn into_pressure(self) -> SparsePressure {
         let Self { candidates, best, .. } = self;
         let support = candidates.filter(|i| best[i] > 0.0);
-        let values = candidates.transfer(&best, &support);
+        let mut values = vec![0.0; support.nodes()];
+        candidates.transfer(&best, &support, &mut values);
         SparsePressure { support, values }
     }
 }

@@ -3,7 +3,8 @@
 use super::correction::{Correction, mean};
 use super::method::UpdateMethod;
 use super::operator::SetOperator;
-use super::support::{RowOfNodes, SparsePressure, Support, corrected};
+use super::support::{RowOfValues, SparsePressure, Support, corrected};
+use super::workspace::Workspace;
 use crate::chunks;
 use crate::contact::best::Best;
 use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
@@ -309,11 +310,11 @@ impl<'a> Level<'a> {
         let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
         let mut changed = ceiling.is_finite() && values.iter().any(|&p| p > ceiling);
         let [count, width] = support.shape();
-        let (support, values) = Support::choose([count, width], |row, nodes| {
+        let (support, values) = Support::choose_values([count, width], |row, nodes| {
             let at = row * width;
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
             let mut column = 0;
-            let enter = |columns: Range<usize>, nodes: &mut RowOfNodes| {
+            let enter = |columns: Range<usize>, nodes: &mut RowOfValues| {
                 columns.filter(|&x| u[x] - h[x] < lambda && may(at + x)).for_each(|x| nodes.push(x, 0.0));
             };
             for (run, entries) in support.runs(row) {
@@ -377,12 +378,14 @@ impl<'a> Level<'a> {
         let mut operator = self.take_operator();
         let before = self.transforms();
         let Self { response, pressure: SparsePressure { support, values }, .. } = self;
-        let mut correction = Correction::new([free.unwrap_or(support); 2], residual, gap.is_none(), operator.as_mut());
+        let set = free.unwrap_or(support);
+        let mut workspace = Workspace::new(set.nodes());
+        let mut correction = Correction::new([set; 2], residual, gap.is_none(), operator.as_mut(), &mut workspace);
         let status = correction.solve(self.reduction, operator.as_mut(), &mut |correction, spent| {
             let signed = || corrected(values, &correction.delta, ceiling);
             watch(support, &signed, correction.last, before + spent, response)
         });
-        let delta = correction.delta;
+        let [delta, _] = correction.finish(&mut workspace);
         self.operator = Some(operator);
         Some((delta, status))
     }

@@ -86,6 +86,7 @@ mod operator;
 mod split;
 mod stiffness;
 mod support;
+mod workspace;
 
 use crate::contact::best::Best;
 use crate::contact::{Certificate, Contact, Observer, Phase, Problem, Run, Solver, Status, Step, Stop, Values};

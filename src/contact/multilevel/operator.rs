@@ -21,14 +21,14 @@ const MARGIN: f64 = 0.25;
 /// Inner steps use it. What it loses in precision is made up for by outer steps, whose displacements are computed in double precision
 /// by [`crate::elastic::Response`].
 pub(super) trait SetOperator {
-    /// The displacement at the nodes of `to` under a pressure on the nodes of `from`.
-    fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support) -> Vec<f64>;
+    /// Writes the displacement at the nodes of `to` under a pressure on the nodes of `from`.
+    fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support, displacement: &mut [f64]);
 
     /// Prepares [`SetOperator::precondition`] for a set.
     fn prepare(&mut self, support: &Support);
 
-    /// An approximate inverse of the compliance on the set: symmetric and positive.
-    fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64>;
+    /// Writes an approximate inverse of the compliance on the set, symmetric and positive, applied to a residual.
+    fn precondition(&mut self, support: &Support, residual: &[f64], pressure: &mut [f64]);
 
     /// Whether [`SetOperator::precondition`] sees the mean of the residual.
     fn sees_mean(&self) -> bool {
@@ -105,20 +105,18 @@ impl<T: Real> Spectral<T> {
 }
 
 impl<T: Real> SetOperator for Spectral<T> {
-    fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support) -> Vec<f64> {
+    fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support, displacement: &mut [f64]) {
         self.transforms += 2;
         let largest = power_of_two(largest(pressure));
         let (down, up) = (largest.recip(), largest / self.unit);
-        let mut displacement = vec![0.0; to.nodes()];
         self.waves.displace(
             |row, cause| {
                 cause.fill(T::zero());
                 from.scatter(row, pressure, down, cause);
             },
-            &mut to.pieces(&mut displacement),
+            &mut to.pieces(displacement),
             |row, effect, piece| to.gather(row, effect, up, piece),
         );
-        displacement
     }
 
     fn prepare(&mut self, support: &Support) {
@@ -130,7 +128,7 @@ impl<T: Real> SetOperator for Spectral<T> {
         self.film.iter_mut().for_each(|film| film.prepare(support));
     }
 
-    fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64> {
+    fn precondition(&mut self, support: &Support, residual: &[f64], pressure: &mut [f64]) {
         let Self { waves, with_margins, extension, film, field, shape, wide, .. } = self;
         let extension = extension.as_mut().expect("the operator is prepared for the set");
         self.transforms += 2;
@@ -147,14 +145,12 @@ impl<T: Real> SetOperator for Spectral<T> {
         film.iter_mut().for_each(|film| film.press(field));
         stiffness.press(field, |q| film.as_ref().map_or(0.0, |film| film.stiffness(q)));
         film.iter().for_each(|film| film.add_to(field));
-        let mut pressure = vec![0.0; residual.len()];
-        let mut sinks: Vec<_> = field.chunks_exact_mut(length).zip(support.pieces(&mut pressure)).collect();
+        let mut sinks: Vec<_> = field.chunks_exact_mut(length).zip(support.pieces(pressure)).collect();
         chunks::each(&mut sinks, width, |row, (field, on_set)| {
             support.gather(row, field, up, on_set);
             support.runs(row).for_each(|(run, _)| field[run].fill(T::zero()));
         });
-        extension.restrict(field, support, &mut pressure, up);
-        pressure
+        extension.restrict(field, support, pressure, up);
     }
 
     fn release(&mut self) {

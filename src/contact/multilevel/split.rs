@@ -119,14 +119,13 @@ fn suits(grid: &Grid) -> bool {
 }
 
 impl SetOperator for Split {
-    fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support) -> Vec<f64> {
+    fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support, displacement: &mut [f64]) {
         self.transforms += 2.0 * self.share;
         let largest = power_of_two(largest(pressure));
         let scales = [largest.recip(), largest * self.unit];
-        let mut displacement = vec![0.0; to.nodes()];
-        self.near.add(from, pressure, to, scales, &mut displacement);
-        self.far.add(from, pressure, to, scales, &mut displacement);
-        displacement
+        displacement.fill(0.0);
+        self.near.add(from, pressure, to, scales, displacement);
+        self.far.add(from, pressure, to, scales, displacement);
     }
 
     fn prepare(&mut self, support: &Support) {
@@ -134,10 +133,10 @@ impl SetOperator for Split {
             Some(Extension::new(support, [self.stiffness.shape; 2], STIFFNESS.side, f64::INFINITY));
     }
 
-    fn precondition(&mut self, support: &Support, residual: &[f64]) -> Vec<f64> {
+    fn precondition(&mut self, support: &Support, residual: &[f64], pressure: &mut [f64]) {
         self.transforms += 2.0 * self.stiffness.share;
         let largest = power_of_two(largest(residual));
-        self.stiffness.press(support, residual, [largest.recip(), largest / self.unit])
+        self.stiffness.press(support, residual, [largest.recip(), largest / self.unit], pressure);
     }
 
     /// The coarse grids need little.
@@ -167,8 +166,8 @@ impl SplitStiffness {
         Self { shape, near, factors: factors.collect(), far: Filter::new(&cells), extension: None, share }
     }
 
-    /// The pressure on the set that the residual asks for, times `down` before and `up` after.
-    fn press(&mut self, support: &Support, residual: &[f64], [down, up]: [f64; 2]) -> Vec<f64> {
+    /// Writes the pressure on the set that the residual asks for, times `down` before and `up` after.
+    fn press(&mut self, support: &Support, residual: &[f64], [down, up]: [f64; 2], pressure: &mut [f64]) {
         let Self { near, far, factors, extension, shape, .. } = self;
         let extension = extension.as_mut().expect("the operator is prepared for the set");
         let width = shape[1] / STIFFNESS.side;
@@ -179,10 +178,9 @@ impl SplitStiffness {
         far.scale(|wave| f64::from(factors[wave.place]));
         far.store(&mut sinks, |_, row, sink| sink.copy_from_slice(row));
         extension.cells_mut().copy_from_slice(&pressed);
-        let mut pressure = vec![0.0; residual.len()];
-        extension.restrict_cells(support, &mut pressure, up * STIFFNESS.nodes_per_cell());
-        near.add(support, residual, support, [down, up], &mut pressure);
-        pressure
+        pressure.fill(0.0);
+        extension.restrict_cells(support, pressure, up * STIFFNESS.nodes_per_cell());
+        near.add(support, residual, support, [down, up], pressure);
     }
 }
 
@@ -269,7 +267,7 @@ mod tests {
     /// Some round patches of nodes, with a pressure of either sign on them.
     fn patches() -> (Support, Vec<f64>) {
         let centres = [[20.0, 30.0], [22.0, 41.0], [64.0, 64.0], [100.0, 5.0], [127.0, 120.0], [3.0, 90.0]];
-        Support::choose([POINTS; 2], |row, nodes| {
+        Support::choose_values([POINTS; 2], |row, nodes| {
             for column in 0..POINTS {
                 let inside = |centre: &[f64; 2]| (row as f64 - centre[0]).hypot(column as f64 - centre[1]) < 4.5;
                 if centres.iter().any(inside) {
@@ -292,8 +290,9 @@ mod tests {
         for is_periodic in [true, false] {
             let (problem, (support, pressure)) = (problem(is_periodic), patches());
             let mut split = Split::new(&problem, 1).unwrap();
-            let (everywhere, _) = Support::choose([POINTS; 2], |_, nodes| (0..POINTS).for_each(|x| nodes.push(x, 0.0)));
-            let found = split.comply(&support, &pressure, &everywhere);
+            let everywhere = Support::choose([POINTS; 2], |_, nodes| (0..POINTS).for_each(|x| nodes.push(x)));
+            let mut found = vec![0.0; POINTS * POINTS];
+            split.comply(&support, &pressure, &everywhere, &mut found);
             let mut expected = vec![0.0; found.len()];
             problem.response().displacement(&support.spread(&pressure), &mut expected);
             let error = found.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -311,7 +310,11 @@ mod tests {
             split.prepare(&support);
             let b: Vec<f64> = (0..a.len()).map(|i| (i as f64 * 0.3).cos()).collect();
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let [of_a, of_b] = [&a, &b].map(|it| split.precondition(&support, it));
+            let [of_a, of_b] = [&a, &b].map(|it| {
+                let mut pressed = vec![0.0; it.len()];
+                split.precondition(&support, it, &mut pressed);
+                pressed
+            });
             let [forth, back] = [dot(&a, &of_b), dot(&b, &of_a)];
             let size = (dot(&a, &of_a) * dot(&b, &of_b)).sqrt();
             assert!(dot(&a, &of_a) > 0.0 && dot(&b, &of_b) > 0.0);

@@ -3,6 +3,7 @@
 use super::correction::{Correction, dot};
 use super::operator::Spectral;
 use super::support::SparsePressure;
+use super::workspace::Workspace;
 use crate::contact::Problem;
 
 /// Reduction of the residual. The stiffness errs by the square of it.
@@ -44,7 +45,9 @@ fn stiffness_on(problem: &Problem, SparsePressure { support, values }: SparsePre
     }
     let u = support.of_field(displacement);
     let mut operator = Spectral::<f64>::new(problem);
-    let mut correction = Correction::new([&support; 2], u.iter().map(|u| -u).collect(), true, &mut operator);
+    let residual = u.iter().map(|u| -u).collect();
+    let mut workspace = Workspace::new(u.len());
+    let mut correction = Correction::new([&support; 2], residual, true, &mut operator, &mut workspace);
     correction.solve(REDUCTION, &mut operator, &mut |_, _| None);
     let load: f64 = values.iter().sum();
     // the residual is orthogonal to the correction

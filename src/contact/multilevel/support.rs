@@ -23,43 +23,75 @@ struct RowStart {
     node: usize,
 }
 
-/// The nodes of one row with their values, put in from left to right.
+/// The nodes of one row, put in from left to right.
 #[derive(Default)]
 pub(super) struct RowOfNodes {
     runs: Vec<Range<usize>>,
-    values: Vec<f64>,
+    nodes: usize,
 }
 
 impl RowOfNodes {
     /// Adds a node.
-    pub fn push(&mut self, column: usize, value: f64) {
+    pub fn push(&mut self, column: usize) {
         match self.runs.last_mut() {
             Some(run) if run.end == column => run.end += 1,
             _ => self.runs.push(column..column + 1),
         }
+        self.nodes += 1;
+    }
+}
+
+/// The nodes of one row with their values, put in from left to right.
+#[derive(Default)]
+pub(super) struct RowOfValues {
+    nodes: RowOfNodes,
+    values: Vec<f64>,
+}
+
+impl RowOfValues {
+    /// Adds a node.
+    pub fn push(&mut self, column: usize, value: f64) {
+        self.nodes.push(column);
         self.values.push(value);
     }
 }
 
 impl Support {
-    /// The nodes that `choose` puts into each of `count` rows of `width` nodes, and their values.
-    pub fn choose([count, width]: [usize; 2], choose: impl Fn(usize, &mut RowOfNodes) + Sync) -> (Self, Vec<f64>) {
-        let chosen = chunks::rows(count, width, |row| {
+    /// The nodes that `choose` puts into each of `count` rows of `width` nodes.
+    pub fn choose([count, width]: [usize; 2], choose: impl Fn(usize, &mut RowOfNodes) + Sync) -> Self {
+        let rows = chunks::rows(count, width, |row| {
             let mut nodes = RowOfNodes::default();
             choose(row, &mut nodes);
             nodes
         });
-        let (runs, nodes) =
-            chosen.iter().fold((0, 0), |(runs, nodes), row| (runs + row.runs.len(), nodes + row.values.len()));
-        let mut support = Self { width, runs: Vec::with_capacity(runs), rows: Vec::with_capacity(count + 1) };
-        let mut values = Vec::with_capacity(nodes);
-        for row in chosen {
-            support.rows.push(RowStart { run: support.runs.len(), node: values.len() });
+        Self::of_rows(width, rows)
+    }
+
+    /// The nodes that `choose` puts into each of `count` rows of `width` nodes, and their values.
+    pub fn choose_values(
+        [count, width]: [usize; 2],
+        choose: impl Fn(usize, &mut RowOfValues) + Sync,
+    ) -> (Self, Vec<f64>) {
+        let rows = chunks::rows(count, width, |row| {
+            let mut row_of_values = RowOfValues::default();
+            choose(row, &mut row_of_values);
+            row_of_values
+        });
+        let (rows, values): (Vec<_>, Vec<_>) = rows.into_iter().map(|row| (row.nodes, row.values)).unzip();
+        (Self::of_rows(width, rows), values.concat())
+    }
+
+    fn of_rows(width: usize, rows: Vec<RowOfNodes>) -> Self {
+        let runs = Vec::with_capacity(rows.iter().map(|row| row.runs.len()).sum());
+        let mut support = Self { width, runs, rows: Vec::with_capacity(rows.len() + 1) };
+        let mut node = 0;
+        for row in rows {
+            support.rows.push(RowStart { run: support.runs.len(), node });
             support.runs.extend(row.runs);
-            values.extend(row.values);
+            node += row.nodes;
         }
-        support.rows.push(RowStart { run: support.runs.len(), node: values.len() });
-        (support, values)
+        support.rows.push(RowStart { run: support.runs.len(), node });
+        support
     }
 
     /// The first node.
@@ -117,16 +149,16 @@ impl Support {
     pub fn filter(&self, keep: impl Fn(usize) -> bool + Sync) -> Self {
         let choose = |row: usize, nodes: &mut RowOfNodes| {
             for (run, at) in self.runs(row) {
-                run.zip(at).filter(|(_, node)| keep(*node)).for_each(|(x, _)| nodes.push(x, 0.0));
+                run.zip(at).filter(|(_, node)| keep(*node)).for_each(|(x, _)| nodes.push(x));
             }
         };
-        Self::choose(self.shape(), choose).0
+        Self::choose(self.shape(), choose)
     }
 
-    /// The values of this set at the nodes of another one, zero where this set has none.
-    pub fn transfer(&self, values: &[f64], to: &Self) -> Vec<f64> {
-        let mut result = vec![0.0; to.nodes()];
-        chunks::each(&mut to.pieces(&mut result), self.width, |row, piece| {
+    /// The values of this set at the nodes of another one, zero where this set has none, written to `result`.
+    pub fn transfer(&self, values: &[f64], to: &Self, result: &mut [f64]) {
+        chunks::each(&mut to.pieces(result), self.width, |row, piece| {
+            piece.fill(0.0);
             let first = to.rows[row].node;
             let mut sources = self.runs(row).peekable();
             for (run, at) in to.runs(row) {
@@ -144,7 +176,6 @@ impl Support {
                 }
             }
         });
-        result
     }
 
     /// A vector, row by row.
@@ -173,7 +204,7 @@ pub(super) struct SparsePressure {
 impl SparsePressure {
     /// The pressure of a whole field.
     pub fn from_field(field: &[f64], rows: [usize; 2]) -> Self {
-        let (support, values) = Support::choose(rows, |row, nodes| {
+        let (support, values) = Support::choose_values(rows, |row, nodes| {
             let pressures = field[row * rows[1]..][..rows[1]].iter().enumerate();
             pressures.filter(|(_, p)| **p > 0.0).for_each(|(column, &p)| nodes.push(column, p));
         });
@@ -183,7 +214,7 @@ impl SparsePressure {
     /// The pressure to start from without a better one: the uniform one or, at a given mean gap, none.
     pub fn first(problem: &Problem, [count, width]: [usize; 2]) -> Self {
         let mean_pressure = problem.mean_pressure();
-        let (support, values) = Support::choose([count, width], |_, nodes| {
+        let (support, values) = Support::choose_values([count, width], |_, nodes| {
             mean_pressure.iter().for_each(|&p| (0..width).for_each(|column| nodes.push(column, p)));
         });
         Self { support, values }
@@ -230,9 +261,9 @@ impl SparsePressure {
             return None;
         }
         let Self { support, values } = self;
-        let (free, _) = Support::choose(support.shape(), |row, nodes| {
+        let free = Support::choose(support.shape(), |row, nodes| {
             for (run, at) in support.runs(row) {
-                run.zip(&values[at]).filter(|(_, p)| **p < ceiling).for_each(|(x, &p)| nodes.push(x, p));
+                run.zip(&values[at]).filter(|(_, p)| **p < ceiling).for_each(|(x, _)| nodes.push(x));
             }
         });
         Some(free)
