@@ -16,16 +16,20 @@ pub(super) enum UpdateMethod {
     Double,
 }
 
-/// Largest ratio of the stiffnesses of waves for corrections in single precision. Short waves displace by so much less than long ones
-/// that the rounding of these, some 1e-7, would hide them.
-const WIDEST: f64 = 1e5;
+/// Largest ratio of the stiffnesses of waves for corrections in single precision, with images and without. Short waves displace by so
+/// much less than long ones that the rounding of these, some 1e-7, would hide them. Without images the softest field is that of a
+/// uniform pressure on the padded grid, which is softer than any that occurs.
+const WIDEST: f64 = 2e4;
+const WIDEST_FREE: f64 = 1e5;
 
 impl UpdateMethod {
     /// The way to begin with. Lines, on which transforms are cheap and the stiffnesses of waves differ most, do not gain from single
     /// precision, and inner iterations know nothing of nodes that yield.
     pub fn first(problem: &Problem, pressure: &SparsePressure) -> Self {
-        let [softest, stiffest] = problem.compliance().stiffness_range();
-        if problem.surface().grid().is_line() || stiffest > WIDEST * softest {
+        let compliance = problem.compliance();
+        let [softest, stiffest] = compliance.stiffness_range();
+        let widest = if compliance.is_diagonal() { WIDEST } else { WIDEST_FREE };
+        if problem.surface().grid().is_line() || stiffest > widest * softest {
             Self::Double
         } else if pressure.reaches(problem.law().ceiling()) {
             Self::Exact

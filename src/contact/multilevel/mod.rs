@@ -176,7 +176,12 @@ impl Multilevel {
     /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
     /// contact.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
-        if grid.is_line() { 6.8 + 3.0 * relative_area } else { 2.0 + 2.0 / 3.0 + 16.0 * relative_area }
+        let (fields, with_margins) = if grid.is_line() {
+            (8.6 + 3.0 * relative_area, 5.0)
+        } else {
+            (2.0 + 2.0 / 3.0 + 16.0 * relative_area, 2.0)
+        };
+        fields + if grid.is_periodic() { 0.0 } else { with_margins }
     }
 
     /// Largest number of coarse grids above `grid`, each with half as many points per side.
