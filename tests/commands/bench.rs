@@ -58,9 +58,24 @@ fn a_run_that_does_not_converge_says_so_and_the_others_follow() {
 
 #[test]
 fn rows_fit_in_120_columns() {
-    let output = Folder::new().run("bench --quick smooth --solver multilevel,polonsky-keer");
+    let output = Folder::new().run("bench --quick smooth contact --solver multilevel,polonsky-keer");
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(text(&output.stdout).lines().all(|line| line.len() <= 120), "{}", text(&output.stdout));
+}
+
+/// Each boundary has a series of eight loads; the larger the load, the larger the contact.
+#[test]
+fn time_is_drawn_against_contact() {
+    let folder = Folder::new();
+    let output = folder.run("bench contact --quick --out x.csv --figure x.svg");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let areas: Vec<f64> = rows(&folder, "x.csv").iter().map(|row| number(row, "relative_area")).collect();
+    assert_eq!(areas.len(), 16);
+    assert!(areas.chunks(8).all(|areas| areas.is_sorted() && areas[0] < 1e-3 && areas[7] > 0.4), "{areas:?}");
+    let figure = std::fs::read_to_string(folder.join("x.svg")).unwrap();
+    for words in ["relative contact area", "seconds in the solver", "periodic", "free"] {
+        assert!(figure.contains(words), "{words}");
+    }
 }
 
 /// A contact that this program does not solve has no time, and nothing is compared with it.
@@ -115,7 +130,7 @@ fn cases_are_listed_and_not_run() {
 #[test]
 fn what_cannot_be_is_refused_before_anything_runs() {
     let folder = Folder::new();
-    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "large", "rivals"];
+    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "contact", "large", "rivals"];
     assert_refused(&folder.run("bench tiny"), &groups);
     assert_refused(&folder.run("bench --solver newton"), &["newton", "multilevel", "polonsky-keer", "gfmd"]);
     assert_refused(&folder.run("bench --quick growth --out missing/x.csv"), &["the folder missing does not exist"]);
@@ -126,6 +141,8 @@ fn what_cannot_be_is_refused_before_anything_runs() {
     assert_refused(&folder.run("bench --quick growth --tolerance -1"), &["the tolerance is -1"]);
     assert_refused(&folder.run("bench --quick rivals growth"), &["rivals", "alone"]);
     assert_refused(&folder.run("bench --quick rivals --solver gfmd"), &["rivals", "without --solver"]);
-    assert_refused(&folder.run("bench --quick growth --figure x.svg"), &["--figure", "rivals"]);
+    assert_refused(&folder.run("bench --quick growth --figure x.svg"), &["--figure", "rivals", "contact"]);
+    assert_refused(&folder.run("bench --quick contact growth --figure x.svg"), &["--figure", "one of them alone"]);
+    assert_refused(&folder.run("bench --quick contact --figure x.png"), &["x.png", "svg"]);
     assert_refused(&folder.run("bench --quick rivals --figure x.png"), &["x.png", "svg"]);
 }

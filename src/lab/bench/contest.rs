@@ -107,7 +107,9 @@ impl Contest {
         let spectrum = Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient: 1e-3 };
         let setup = Setup::new(Recipe::rough(spectrum, seed), cell, Load::ReducedPressure(reduced_pressure));
         let boundary = if setup.grid.boundary.is_empty() { "" } else { " free" };
-        Self { group, name: format!("H {hurst} p* {reduced_pressure}{boundary}"), setup }
+        // the names of a group with one exponent leave it out, so that they fit the column
+        let exponent = if group == Group::Contact { String::new() } else { format!("H {hurst} ") };
+        Self { group, name: format!("{exponent}p* {reduced_pressure}{boundary}"), setup }
     }
 
     /// Makes the grid small, and leaves out the waves that are shorter than four of its spacings.

@@ -18,7 +18,7 @@ pub enum Group {
     Growth,
     /// A rough surface of 2048^2 and a line of 2^18 points, by conjugate gradients as well
     Peers,
-    /// Rough surfaces of 4096^2 points from light to heavy contact, periodic and free
+    /// Rough surfaces of 4096^2 points, Hurst exponent 0.8, from light to heavy contact, periodic and free
     Contact,
     /// A rough surface of 16384^2 points, which takes minutes and many GiB of memory
     Large,
