@@ -22,6 +22,8 @@ pub struct Step<'a> {
     certificate: Option<Certificate>,
     phase: Phase,
     decision: Option<Decision>,
+    /// Ones at the candidates, zeros elsewhere.
+    candidates: Option<Values<'a>>,
     /// The net force, of methods that move the surface.
     force: Option<&'a [f64]>,
     /// The potential energy, if it is known without the force.
@@ -121,6 +123,7 @@ impl<'a> Step<'a> {
             certificate: None,
             phase: Phase { level: 0, outer: work.iterations, inner: 0 },
             decision: None,
+            candidates: None,
             force: None,
             potential: None,
             found_datum: OnceCell::new(),
@@ -149,6 +152,11 @@ impl<'a> Step<'a> {
     /// The step with the decision of the solver.
     pub fn with_decision(self, decision: impl Into<Option<Decision>>) -> Self {
         Self { decision: decision.into(), ..self }
+    }
+
+    /// The step of an iteration that lets only some nodes come into contact: ones at these candidates, zeros elsewhere, row by row.
+    pub fn with_candidates(self, candidates: Values<'a>) -> Self {
+        Self { candidates: Some(candidates), ..self }
     }
 
     /// The step of a method that moves the surface `w`, the displacement, under the net force `f`: then
@@ -185,6 +193,12 @@ impl<'a> Step<'a> {
     /// What the solver did in this step, if it reports it.
     pub fn decision(&self) -> Option<Decision> {
         self.decision
+    }
+
+    /// Ones at the nodes that may come into contact in this iteration, the candidates, and zeros elsewhere, row by row; none if all
+    /// nodes may.
+    pub fn candidates(&self) -> Option<&[f64]> {
+        self.candidates.as_deref()
     }
 
     /// Work of the solver so far; observers are not counted.

@@ -260,6 +260,27 @@ fn thin_layers_take_little_work() {
     }
 }
 
+/// Inner iterations show their candidates, among which all contact is; outer steps and lines have none.
+#[test]
+fn candidates_contain_the_contact() {
+    let surface = rough(Grid::surface([64, 64], [1.0, 1.0]).unwrap(), 0.8, 0.05);
+    let line = rough(Grid::line(1 << 12, 1.0).unwrap(), 0.8, 0.05);
+    let mut shown = [0, 0];
+    for (problem, shown) in [&surface, &line].into_iter().zip(&mut shown) {
+        let mut watch = Each(|step: &Step<'_>| {
+            let Some(candidates) = step.candidates() else { return ControlFlow::Continue(()) };
+            let inside = candidates.iter().filter(|it| **it == 1.0).count();
+            assert!(step.phase().inner > 0 && (inside < candidates.len() || step.phase().level > 0));
+            assert_eq!(inside, candidates.iter().filter(|it| **it != 0.0).count());
+            assert!(step.pressure().iter().zip(candidates).all(|(p, it)| *p == 0.0 || *it == 1.0));
+            *shown += 1;
+            ControlFlow::Continue(())
+        });
+        Multilevel.solve(problem, &Stop::default(), &mut watch).unwrap().converged().unwrap();
+    }
+    assert!(shown[0] > 10 && shown[1] == 0, "{shown:?}");
+}
+
 /// Nodes at the edges of patches that yield do not exchange for ever.
 #[test]
 fn a_hardness_takes_little_work() {

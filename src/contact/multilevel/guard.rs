@@ -201,7 +201,7 @@ mod tests {
                 }
                 before = now;
                 level.choose_mode(eta, &best);
-                level.advance(0.0, &mut |_, _, _, _, _| None);
+                level.advance(0.0, &mut |_, _| None);
                 eta = level.certify().eta;
             }
             assert!(eta <= 1e-9, "{eta} with {} nodes in contact", level.pressure.values.len());
@@ -216,7 +216,7 @@ mod tests {
             let first = energy(&level);
             for _ in 0..50 {
                 let before = energy(&level);
-                level.descend(false, &mut |_, _, _, _, _| None);
+                level.descend(false, &mut |_, _| None);
                 level.certify();
                 assert!(energy(&level) <= before + 1e-12 * before.abs());
             }
@@ -236,7 +236,7 @@ mod tests {
             let mean = |level: &Level<'_>| level.pressure.values.iter().sum::<f64>() / points as f64;
             let [before, least] = [mean(&level), full.iter().copied().fold(f64::INFINITY, f64::min)];
             assert_eq!(level.pressure.values.len(), points);
-            level.descend(false, &mut |_, _, _, _, _| None);
+            level.descend(false, &mut |_, _| None);
             assert!((mean(&level) - (before - least)).abs() < 1e-12, "{} after {before}", mean(&level));
             assert!(level.pressure.values.len() < points);
         }

@@ -1,7 +1,7 @@
 //! Inner iterations: active-set updates on candidate nodes, without a product in double precision.
 
 use super::correction::{Correction, mean};
-use super::level::{Displacement, InnerStepCallback, Level};
+use super::level::{Displacement, InnerStep, InnerStepCallback, Level};
 use super::method::UpdateMethod;
 use super::operator::{SetOperator, Spectral};
 use super::split::Split;
@@ -64,10 +64,9 @@ impl Level<'_> {
         let mut inner = Inner::new(self.problem, candidates, pressure, v);
         self.first_eta.get_or_insert(inner.certificate() / self.problem.rms_height());
         let spent = self.transforms();
-        let status =
-            inner.iterate(goal.max(operator.accuracy()), operator.as_mut(), &mut |set, signed, decision, more| {
-                watch(set, signed, decision, spent + more, &mut self.response)
-            });
+        let status = inner.iterate(goal.max(operator.accuracy()), operator.as_mut(), &mut |step| {
+            watch(InnerStep { transforms: spent + step.transforms, ..step }, &mut self.response)
+        });
         self.pressure = inner.into_pressure();
         self.pressure.carry(self.problem);
         operator.release();
@@ -152,8 +151,8 @@ struct Inner<'a> {
     workspace: Workspace,
 }
 
-/// The watch of inner steps: the set, the signed pressure on it, the step, and the transforms of the operator.
-type Watch<'w> = dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, f64) -> Option<Status> + 'w;
+/// The watch of inner steps, with the transforms of the operator alone.
+type Watch<'w> = dyn FnMut(InnerStep<'_>) -> Option<Status> + 'w;
 
 impl<'a> Inner<'a> {
     fn new(problem: &'a Problem, candidates: Support, pressure: Vec<f64>, v: Vec<f64>) -> Self {
@@ -216,7 +215,8 @@ impl<'a> Inner<'a> {
         let mut correction = Correction::new([set, candidates], residual, gap.is_none(), operator, workspace);
         let status = correction.solve(reduction, operator, &mut |correction, spent| {
             let sum = || on_set.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
-            watch(set, &sum, correction.last, spent)
+            let candidates = Some(&*candidates);
+            watch(InnerStep { set, candidates, signed: &sum, decision: correction.last, transforms: spent })
         });
         let [delta, moved] = correction.finish(workspace);
         add(&mut on_set, &delta);

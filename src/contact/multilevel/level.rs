@@ -3,14 +3,13 @@
 use super::correction::{Correction, mean};
 use super::method::UpdateMethod;
 use super::operator::SetOperator;
-use super::support::{RowOfValues, SparsePressure, Support, corrected};
+use super::support::{SparsePressure, Support, corrected};
 use super::workspace::Workspace;
 use crate::chunks;
 use crate::contact::best::Best;
 use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
 use crate::elastic::Response;
 use std::borrow::Cow;
-use std::ops::Range;
 
 /// A state is better when its distance from the goals is this part of that of the last better one.
 const BETTER: f64 = 0.9;
@@ -53,8 +52,8 @@ pub(super) struct Level<'a> {
     /// Whether it is the grid of the problem that is to be solved.
     is_finest: bool,
     /// The fewest nodes that a free update had to exchange where some yield so far, and whether the last one had fewer than any before.
-    fewest: usize,
-    has_fewer: bool,
+    pub fewest: usize,
+    pub has_fewer: bool,
     /// Phases of guarded steps so far.
     guarded_phases: usize,
 }
@@ -78,10 +77,20 @@ pub(super) enum Mode {
     Guarded { release: f64, steps: usize },
 }
 
-/// The watch of the inner steps of a correction: the set, the signed pressure on it, the step, transforms of the grid so far,
-/// and the half-space. It may end the run.
-pub(super) type InnerStepCallback<'w> =
-    dyn FnMut(&Support, &dyn Fn() -> Vec<f64>, Decision, f64, &mut Response) -> Option<Status> + 'w;
+/// An inner step of a correction.
+pub(super) struct InnerStep<'s> {
+    pub set: &'s Support,
+    /// The nodes that the set may grow to, of an inner iteration.
+    pub candidates: Option<&'s Support>,
+    /// The signed pressure on the set.
+    pub signed: &'s dyn Fn() -> Vec<f64>,
+    pub decision: Decision,
+    /// Transforms of the grid so far.
+    pub transforms: f64,
+}
+
+/// The watch of inner steps, with the half-space. It may end the run.
+pub(super) type InnerStepCallback<'w> = dyn FnMut(InnerStep<'_>, &mut Response) -> Option<Status> + 'w;
 
 impl<'a> Level<'a> {
     /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
@@ -251,94 +260,6 @@ impl<'a> Level<'a> {
         parts.into_iter().fold(none, CertificateSums::plus)
     }
 
-    /// Makes the set that of the pressure, and of the nodes where `v < lambda`; of those that yield, the ones where `v > lambda` are
-    /// free again.
-    pub fn admit(&mut self) {
-        let lambda = self.lambda();
-        self.exchange(lambda, |_| true);
-    }
-
-    /// Exchanges nodes after a correction. Where some yield, all that want it are exchanged only if they are fewer than ever
-    /// before. Else, of neighbours in the order of nodes, the one that wants it most is: those that change together may overshoot
-    /// together, and so for ever. If too few nodes were left to carry the load, none leaves. Returns whether the pressure changed, or the set.
-    fn exchange_corrected(&mut self, lambda: f64) -> bool {
-        if !self.pressure.reaches(self.ceiling()) {
-            return self.exchange(lambda, |_| true);
-        }
-        let (urges, before) = (self.urges(lambda), self.pressure.clone());
-        let n = urges.len();
-        let count = urges.iter().filter(|urge| **urge > 0.0).count();
-        let has_fewer = count < self.fewest;
-        (self.has_fewer, self.fewest) = (has_fewer, self.fewest.min(count));
-        let leads = |node: usize| urges[(node + n - 1) % n] < urges[node] && urges[(node + 1) % n] <= urges[node];
-        let changed = self.exchange(lambda, |node| has_fewer || leads(node));
-        let capacity = self.pressure.values.len() as f64 * self.ceiling();
-        if self.problem.mean_pressure().is_none_or(|mean_pressure| capacity >= mean_pressure * n as f64) {
-            return changed;
-        }
-        self.pressure = before;
-        chunks::update(&mut self.pressure.values, |_, p| p.iter_mut().for_each(|p| *p = p.max(0.0)));
-        true
-    }
-
-    /// How far each node is beyond the bounds of its set, as a pressure; 0 where it is not. Gaps count by the pressure that the
-    /// shortest wave needs for them.
-    fn urges(&self, lambda: f64) -> Vec<f64> {
-        let [_, stiffest] = self.problem.compliance().stiffness_range();
-        let (u, h, ceiling) = (&self.u, self.problem.height(), self.ceiling());
-        let depth = |node: usize| stiffest * (lambda - (u[node] - h[node]));
-        let mut urges = vec![0.0; u.len()];
-        chunks::update(&mut urges, |range, urges| range.zip(urges).for_each(|(i, urge)| *urge = depth(i).max(0.0)));
-        let SparsePressure { support, values } = &self.pressure;
-        let [_, width] = support.shape();
-        chunks::rows_mut(&mut urges, width, |row, urges| {
-            for (run, at) in support.runs(row) {
-                for (x, &p) in run.zip(&values[at]) {
-                    let beyond = if p == ceiling { -depth(row * width + x) } else { (-p).max(p - ceiling) };
-                    urges[x] = beyond.max(0.0);
-                }
-            }
-        });
-        urges
-    }
-
-    /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that are above the ceiling, where
-    /// [`SparsePressure::carry`] cuts them, frees those that yield and have `v > lambda`: as far as they `may`. Returns whether the
-    /// pressure changed by that, or the set.
-    fn exchange(&mut self, lambda: f64, may: impl Fn(usize) -> bool + Sync) -> bool {
-        let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
-        let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
-        let mut changed = ceiling.is_finite() && values.iter().any(|&p| p > ceiling);
-        let [count, width] = support.shape();
-        let (support, values) = Support::choose_values([count, width], |row, nodes| {
-            let at = row * width;
-            let (u, h) = (&u[at..at + width], &h[at..at + width]);
-            let mut column = 0;
-            let enter = |columns: Range<usize>, nodes: &mut RowOfValues| {
-                columns.filter(|&x| u[x] - h[x] < lambda && may(at + x)).for_each(|x| nodes.push(x, 0.0));
-            };
-            for (run, entries) in support.runs(row) {
-                enter(column..run.start, nodes);
-                column = run.end;
-                for (x, &p) in run.zip(&values[entries]) {
-                    let v = u[x] - h[x];
-                    if p > 0.0 || p == 0.0 && v < lambda {
-                        // freed, or not to yield yet
-                        let is_below =
-                            if p == ceiling { v > lambda && may(at + x) } else { p > ceiling && !may(at + x) };
-                        nodes.push(x, if is_below { below } else { p });
-                    } else if p < 0.0 && !may(at + x) {
-                        nodes.push(x, 0.0);
-                    }
-                }
-            }
-            enter(column..width, nodes);
-        });
-        changed |= support != self.pressure.support;
-        self.pressure = SparsePressure { support, values };
-        changed
-    }
-
     /// The whole-set update: corrects the free nodes of the set, exchanges nodes by the signs of pressure and gap, clips and scales.
     pub fn update(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.has_fewer = false;
@@ -383,7 +304,8 @@ impl<'a> Level<'a> {
         let mut correction = Correction::new([set; 2], residual, gap.is_none(), operator.as_mut(), &mut workspace);
         let status = correction.solve(self.reduction, operator.as_mut(), &mut |correction, spent| {
             let signed = || corrected(values, &correction.delta, ceiling);
-            watch(support, &signed, correction.last, before + spent, response)
+            let (decision, transforms) = (correction.last, before + spent);
+            watch(InnerStep { set: support, candidates: None, signed: &signed, decision, transforms }, response)
         });
         let [delta, _] = correction.finish(&mut workspace);
         self.operator = Some(operator);

@@ -72,6 +72,7 @@
 //! the length zero, at the solution only.
 
 mod correction;
+mod exchange;
 mod extension;
 mod far;
 mod film;
@@ -94,7 +95,7 @@ use crate::error::SolveError;
 use crate::grid::Grid;
 use crate::surface::Field;
 use hierarchy::{coarser, halved, interpolated, prolong};
-use level::{Displacement, Level, displace};
+use level::{Displacement, InnerStep, Level, displace};
 use support::{SparsePressure, Support};
 
 pub(super) use stiffness::stiffness;
@@ -307,10 +308,10 @@ impl Cascade<'_> {
     fn advance(&mut self, level: &mut Level<'_>, mut phase: Phase, goal: f64) -> Option<Status> {
         let (spent, share, problem) = (self.spent, self.share(level), level.problem);
         let run = &mut self.run;
-        level.advance(goal, &mut |support, signed, decision, transforms, response| {
+        level.advance(goal, &mut |InnerStep { set, candidates, signed, decision, transforms }, response| {
             phase.inner += 1;
             let transforms = (spent + share * transforms).ceil() as u64;
-            let feasible = || feasible(support, signed(), problem);
+            let feasible = || feasible(set, signed(), problem);
             let displaced = || {
                 let mut u = vec![0.0; problem.nodes()];
                 response.uncounted(|response| displace(&feasible(), response, &mut u));
@@ -318,7 +319,10 @@ impl Cascade<'_> {
             };
             let pressure = Values::lazy(|| feasible().spread());
             let step = Step::new(problem, run.work(transforms), pressure, Values::lazy(displaced)).with_phase(phase);
-            let step = step.with_decision(decision);
+            let mut step = step.with_decision(decision);
+            if let Some(candidates) = candidates {
+                step = step.with_candidates(Values::lazy(|| candidates.spread(&vec![1.0; candidates.nodes()])));
+            }
             let ended = run.pass(&step);
             drop(step);
             if ended.is_none() {

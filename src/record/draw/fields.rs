@@ -19,6 +19,8 @@ pub struct FrameFields<'a> {
     pub pressure: Cow<'a, [f64]>,
     /// Gap; empty if nothing shows it.
     pub gap: Cow<'a, [f64]>,
+    /// Ones at the candidates, zeros elsewhere; empty if all nodes may come into contact, or nothing shows them.
+    pub candidates: Cow<'a, [f64]>,
     /// The outline of the contact; empty if nothing shows it.
     pub outline: Outline,
     /// The largest contact patches; none if nothing shows them.
@@ -68,7 +70,9 @@ impl<'a> FrameFields<'a> {
         let outline = || Outline::new(step.problem().surface().grid(), step.pressure(), &step.edges());
         let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
         let patches = if parts.has(Part::Mask) { largest(step.problem(), step.pressure()) } else { Vec::new() };
-        Self { stride, pressure: step.pressure().into(), gap: gap.into(), outline, patches }
+        let candidates = step.candidates().filter(|_| parts.has(Part::Mask)).unwrap_or_default();
+        let (pressure, gap, candidates) = (step.pressure().into(), gap.into(), candidates.into());
+        Self { stride, pressure, gap, candidates, outline, patches }
     }
 
     /// The fields with the past of their patches.
@@ -83,13 +87,15 @@ impl<'a> FrameFields<'a> {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
         let outline = Outline::new(contact.problem.surface().grid(), pressure, &contact.edges());
         let patches = largest(&contact.problem, pressure);
-        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), outline, patches }
+        let candidates = Cow::default();
+        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), candidates, outline, patches }
     }
 
     /// A copy that outlives its step.
     pub fn into_owned(self) -> FrameFields<'static> {
-        let [pressure, gap] = [self.pressure, self.gap].map(|values| values.into_owned().into());
-        FrameFields { stride: self.stride, pressure, gap, outline: self.outline, patches: self.patches }
+        let [pressure, gap, candidates] =
+            [self.pressure, self.gap, self.candidates].map(|values| values.into_owned().into());
+        FrameFields { stride: self.stride, pressure, gap, candidates, outline: self.outline, patches: self.patches }
     }
 }
 

@@ -71,6 +71,7 @@ fn a_recording_that_was_cut_off_says_so() {
 }
 
 /// Drawings of a study that is solved afresh would contradict the table that is not there yet.
+/// The signal is one that a shell does not make its background jobs ignore.
 #[cfg(unix)]
 #[test]
 fn a_fresh_study_that_is_interrupted_leaves_no_older_drawings() {
@@ -86,7 +87,7 @@ fn a_fresh_study_that_is_interrupted_leaves_no_older_drawings() {
     let views = ["study.parquet", "study.svg", "study.png"].map(|name| folder.join(name));
     assert!(views.iter().all(|path| path.is_file()));
     std::fs::write(folder.join("study.toml"), study("1-2000")).unwrap();
-    signalled(&folder, "study study.toml --fresh", "-INT", || folder.join("study.unfinished").is_file());
+    signalled(&folder, "study study.toml --fresh", "-TERM", || folder.join("study.unfinished").is_file());
     assert!(!folder.join("study.csv").exists() && views.iter().all(|path| !path.exists()));
 }
 

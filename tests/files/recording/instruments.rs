@@ -102,6 +102,26 @@ fn rasters_of_a_surface_run_along_the_row_and_the_column_that_are_chosen() {
     assert!((width, height) == (48, 32) && flips.iter().any(|&flips| flips > 0.0));
 }
 
+/// The mask of an inner iteration shows the nodes that may come into contact; the last one shows the contact alone.
+#[test]
+fn masks_have_the_candidates_of_inner_iterations() {
+    const CONTACT: u8 = 1;
+    const CANDIDATE: u8 = 3;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    let contact = record(&path, &rough_surface(), &Multilevel, &[Part::Mask], false);
+    let buffer = SegmentationImage::descriptor_buffer().component;
+    let of_mask = chunks(&path).into_iter().filter(|chunk| chunk.entity_path().to_string() == "/it/contact");
+    let masks = of_mask.flat_map(|chunk| {
+        let mask = |row| chunk.component_batch::<ImageBuffer>(buffer, row).map(|batch| batch.unwrap()[0].0.to_vec());
+        (0..chunk.num_rows()).filter_map(mask).collect::<Vec<_>>()
+    });
+    assert!(masks.into_iter().filter(|mask| mask.contains(&CANDIDATE) && mask.contains(&CONTACT)).count() > 5);
+    let ([width, height], last) = classes(&path, "/it/contact");
+    let class = |(y, x): (usize, usize)| last[(height - 1 - y) * width + x];
+    assert!(contact.pressure.indexed_iter().all(|(node, &p)| class(node) == if p > 0.0 { CONTACT } else { 0 }));
+}
+
 #[test]
 fn waterfalls_fall_to_the_end_that_they_are_held_against() {
     let folder = tempfile::tempdir().unwrap();

@@ -185,6 +185,7 @@ mod tests {
             stride: [1, 1],
             pressure: pressure.as_slice().into(),
             gap: gap.as_slice().into(),
+            candidates: (&[]).into(),
             outline: Outline::default(),
             patches: Vec::new(),
         };

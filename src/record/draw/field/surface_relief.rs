@@ -7,6 +7,7 @@ use crate::record::draw::ink::eye::Eye;
 use crate::record::draw::ink::palette::Palette;
 use crate::surface::Surface;
 use rerun::{RecordingStream, RecordingStreamResult};
+use std::borrow::Cow;
 
 /// A surface in three dimensions, peaks up.
 pub struct SurfaceRelief {
@@ -23,7 +24,8 @@ impl SurfaceRelief {
         // what is drawn lies at the negative of height and gap: that of the surface as far below its highest peak as it is
         let gap = heights.iter().map(|h| high - 2.0 * h).collect::<Vec<_>>().into();
         let pressure = heights.iter().map(|h| h - low).collect::<Vec<_>>().into();
-        let fields = FrameFields { stride: [1, 1], pressure, gap, outline: Outline::default(), patches: Vec::new() };
+        let (outline, patches, candidates) = (Outline::default(), Vec::new(), Cow::default());
+        let fields = FrameFields { stride: [1, 1], pressure, gap, candidates, outline, patches };
         Self { relief, fields }
     }
 

@@ -27,6 +27,10 @@ pub const SERIES: [Colour; 6] = [
 pub const GAP_CLASS: u16 = 0;
 pub const CONTACT_CLASS: u16 = 1;
 pub const YIELDING_CLASS: u16 = 2;
+pub const CANDIDATE_CLASS: u16 = 3;
+
+/// Opacity of candidates.
+const CANDIDATE_OPACITY: u8 = 96;
 
 /// The contour of a contact, over the dark ends of the scales of pressure and gap that meet there.
 pub const CONTOUR: Colour = Colour::WHITE;
@@ -104,13 +108,17 @@ impl Palette {
         (0..=SHADES).map(shade).find(is_seen).unwrap_or(self.ink)
     }
 
-    /// The names and colours of contact, of what yields of it, and of the gap.
+    /// The names and colours of contact, of what yields of it, of the gap, and of the candidates of an inner iteration, through
+    /// which the picture below is seen.
     pub fn classes(&self) -> AnnotationContext {
         let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
         let clear = rerun::Rgba32::from_unmultiplied_rgba(0, 0, 0, 0);
         let contact = class(CONTACT_CLASS, "contact", colour(self.contact).0);
         let yielding = class(YIELDING_CLASS, "yielding", colour(self.yielding).0);
-        AnnotationContext::new([class(GAP_CLASS, "gap", clear), contact, yielding])
+        let Colour([r, g, b]) = self.solid;
+        let candidate =
+            class(CANDIDATE_CLASS, "candidate", rerun::Rgba32::from_unmultiplied_rgba(r, g, b, CANDIDATE_OPACITY));
+        AnnotationContext::new([class(GAP_CLASS, "gap", clear), contact, yielding, candidate])
     }
 }
 

@@ -4,14 +4,14 @@ use crate::record::draw::drawing::{Drawing, Place, Subject};
 use crate::record::draw::fields::FrameFields;
 use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::image::format;
-use crate::record::draw::ink::palette::{CONTACT_CLASS, CONTOUR, GAP_CLASS, YIELDING_CLASS};
+use crate::record::draw::ink::palette::{CANDIDATE_CLASS, CONTACT_CLASS, CONTOUR, GAP_CLASS, YIELDING_CLASS};
 use crate::record::draw::ink::pane::Pane;
 use crate::record::draw::ink::surface_plane::SurfacePlane;
 use crate::record::draw::patch::patch_points;
 use crate::record::sdk::ChannelDatatype;
 use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
 
-/// The nodes in contact, those of them that yield, the contour, and the patches as points.
+/// The nodes in contact, those of them that yield, the candidates of an inner iteration, the contour, and the patches as points.
 pub struct ContactMask {
     plane: SurfacePlane,
     title: String,
@@ -26,13 +26,27 @@ impl ContactMask {
         Self { plane: plane.clone(), title, is_alone: subject.options.what.has_mask_alone() }
     }
 
-    /// The class of a pressure.
-    fn class(&self, pressure: f64) -> u16 {
+    /// The class of a pressure, of a candidate or not.
+    fn class(&self, pressure: f64, is_candidate: bool) -> u16 {
         match pressure > 0.0 {
             true if self.plane.law.yields(pressure) => YIELDING_CLASS,
             true => CONTACT_CLASS,
+            false if is_candidate => CANDIDATE_CLASS,
             false => GAP_CLASS,
         }
+    }
+
+    /// The classes of the pixels, from the top row down.
+    fn classes(&self, FrameFields { stride, pressure, candidates, .. }: &FrameFields<'_>) -> Vec<u8> {
+        let blocks = &self.plane.blocks;
+        let largest = |values: &[f64]| blocks.fold(values, *stride, 0.0, f64::max);
+        let pressure = largest(pressure);
+        if candidates.is_empty() {
+            return blocks.rows_down(&pressure).map(|p| self.class(p, false) as u8).collect();
+        }
+        let candidates = largest(candidates);
+        let both = blocks.rows_down(&pressure).zip(blocks.rows_down(&candidates));
+        both.map(|(p, candidate)| self.class(p, candidate > 0.0) as u8).collect()
     }
 
     /// The lines of the contour in pixels.
@@ -69,9 +83,7 @@ impl Drawing for ContactMask {
 
     fn log_frame(&self, to: &RecordingStream, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         let SurfacePlane { root, blocks, .. } = &self.plane;
-        let pressure = blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
-        let classes = blocks.rows_down(&pressure).map(|p| self.class(p) as u8);
-        let mask = SegmentationImage::update_fields().with_buffer(classes.collect::<Vec<u8>>());
+        let mask = SegmentationImage::update_fields().with_buffer(self.classes(fields));
         to.log(format!("{root}/contact"), &mask)?;
         let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));
         to.log(format!("{root}/contact/contour"), &contour)?;
