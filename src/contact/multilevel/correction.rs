@@ -37,7 +37,7 @@ struct StepVectors {
     on_reach: Vec<f64>,
 }
 
-/// What becomes of the mean of the residual.
+/// How a correction treats the mean of its residual.
 #[derive(Clone, Copy)]
 enum MeanRule {
     /// It is removed, since the load stays.

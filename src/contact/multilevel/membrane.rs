@@ -16,7 +16,7 @@ const LINK: f32 = 0.5;
 /// correction by the coarser cells, which is the same in the four finer ones. A V-cycle whose steps after the correction are those before
 /// it is symmetric, and positive if these steps converge.
 ///
-/// Memory: 4 fields of n numbers in single precision and 3 2/3 of the precision `T`.
+/// Memory: 4 fields of n numbers in single precision and 4 of the precision `T`.
 ///
 /// # Source
 /// Briggs, Henson & McCormick, *A Multigrid Tutorial* (2000). Aggregation with rescaled links: Braess, Computing 55, 379 (1995).
@@ -34,9 +34,11 @@ struct MembraneGrid<T> {
     links: [Vec<f32>; 2],
     load: Vec<T>,
     values: Vec<T>,
+    /// Values after a Jacobi step.
+    relaxed: Vec<T>,
 }
 
-/// What the diagonal of a grid consists of besides links within the patches.
+/// The parts of the diagonal of a grid, besides the links within the patches.
 struct MembraneGround {
     /// Nodes of the patches in a cell.
     nodes: Vec<f32>,
@@ -106,7 +108,7 @@ impl<T: Real> MembraneGrid<T> {
         let nodes = shape[0] * shape[1];
         let pivots = (0..nodes).map(pivot).collect();
         let zeros = || vec![T::zero(); nodes];
-        Self { shape, pivots, links, load: zeros(), values: zeros() }
+        Self { shape, pivots, links, load: zeros(), values: zeros(), relaxed: zeros() }
     }
 
     /// The shape, ground and links of cells of two by two.
@@ -133,7 +135,7 @@ impl<T: Real> MembraneGrid<T> {
         i / self.shape[1] / 2 * shape[1] + i % self.shape[1] / 2
     }
 
-    /// What the values leave of the load of a node.
+    /// The load of a node minus what the values carry of it.
     fn residual(&self, i: usize) -> T {
         if self.pivots[i] == 0.0 {
             return T::zero();
@@ -170,14 +172,12 @@ impl<T: Real> MembraneGrid<T> {
     /// A Jacobi step.
     fn relax(&mut self) {
         let width = self.shape[1];
-        let mut relaxed = self.values.clone();
+        let mut relaxed = std::mem::take(&mut self.relaxed);
         chunks::rows_mut(&mut relaxed, width, |y, row| {
-            let nodes = y * width..;
-            row.iter_mut()
-                .zip(nodes)
-                .for_each(|(value, i)| *value = *value + damped::<T>(self.pivots[i]) * self.residual(i));
+            let step = |i: usize| damped::<T>(self.pivots[i]) * self.residual(i);
+            row.iter_mut().zip(y * width..).for_each(|(value, i)| *value = self.values[i] + step(i));
         });
-        self.values = relaxed;
+        self.relaxed = std::mem::replace(&mut self.values, relaxed);
     }
 }
 

@@ -233,13 +233,16 @@ impl SparsePressure {
     /// Scales it to the mean pressure of `problem`, if that is given, and cuts it at the hardness if there is one.
     pub fn carry(&mut self, problem: &Problem) {
         let ceiling = problem.law().ceiling();
+        let values = &mut self.values;
         let Some(mean_pressure) = problem.mean_pressure() else {
-            return self.values.iter_mut().for_each(|p| *p = p.min(ceiling));
+            if ceiling.is_finite() {
+                chunks::update(values, |_, p| p.iter_mut().for_each(|p| *p = p.min(ceiling)));
+            }
+            return;
         };
         if ceiling.is_finite() {
             return self.carry_below(ceiling, mean_pressure * problem.nodes() as f64);
         }
-        let values = &self.values;
         let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
         chunks::update(&mut self.values, |_, p| p.iter_mut().for_each(|p| *p *= scale));
     }
