@@ -29,8 +29,9 @@ pub const CONTACT_CLASS: u16 = 1;
 pub const YIELDING_CLASS: u16 = 2;
 pub const CANDIDATE_CLASS: u16 = 3;
 
-/// Opacity of candidates.
-const CANDIDATE_OPACITY: u8 = 96;
+/// Colour of candidates, seen on either ground and over the dark end of the scale of gaps, and their opacity.
+const CANDIDATE: Colour = Colour([0xb0, 0xb4, 0xbc]);
+const CANDIDATE_OPACITY: u8 = 140;
 
 /// The contour of a contact, over the dark ends of the scales of pressure and gap that meet there.
 pub const CONTOUR: Colour = Colour::WHITE;
@@ -115,7 +116,7 @@ impl Palette {
         let clear = rerun::Rgba32::from_unmultiplied_rgba(0, 0, 0, 0);
         let contact = class(CONTACT_CLASS, "contact", colour(self.contact).0);
         let yielding = class(YIELDING_CLASS, "yielding", colour(self.yielding).0);
-        let Colour([r, g, b]) = self.solid;
+        let Colour([r, g, b]) = CANDIDATE;
         let candidate =
             class(CANDIDATE_CLASS, "candidate", rerun::Rgba32::from_unmultiplied_rgba(r, g, b, CANDIDATE_OPACITY));
         AnnotationContext::new([class(GAP_CLASS, "gap", clear), contact, yielding, candidate])
