@@ -21,9 +21,10 @@ fn run<A, T>(work: &impl Fn(A) -> T, chunk: A) -> T {
     work(chunk)
 }
 
-/// Whether there is one thread only. Then loops stay on the calling thread, which need not wake another one.
+/// Whether there is one thread only. Then loops stay on the calling thread, which need not wake another one. In a browser this is known
+/// to the compiler, which leaves out all else: a third of the module.
 fn is_alone() -> bool {
-    rayon::current_num_threads() == 1
+    cfg!(target_arch = "wasm32") || rayon::current_num_threads() == 1
 }
 
 /// Does the tasks `0..count` on all threads. This function is not generic, so that a parallel loop is compiled once for all loops

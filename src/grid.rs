@@ -29,8 +29,9 @@ impl Grid {
     /// The fewest points along an axis: below it a central difference and its neighbours coincide.
     pub const MIN_POINTS: usize = 4;
 
-    /// The most points of a grid: one field of doubles on it takes 128 GiB.
-    pub const MAX_POINTS: usize = 1 << 34;
+    /// The most points of a grid: one field of doubles on it takes 128 GiB, or 1 GiB where addresses have 32 bits, as in
+    /// a browser.
+    pub const MAX_POINTS: usize = 1 << if usize::BITS > 34 { 34 } else { 27 };
 
     /// A line of `points` points and period `length`.
     ///

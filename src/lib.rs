@@ -43,6 +43,7 @@
 //!
 //! | layer | module | content | feature |
 //! |---|---|---|---|
+//! | 0 | [`clock`] | the clock of solves, also in a browser | |
 //! | 0 | [`error`] | what can go wrong, one enum for each concern | |
 //! | 0 | [`warning`] | reasons to doubt a result, with what to do about them | |
 //! | 0 | [`files`] | output files that appear completely or not at all; CSV | |
@@ -62,8 +63,9 @@
 //! | 7 | [`job`] | one run of a setup: cost, solve, record, diagnose, warn | |
 //! | 8 | `lab` | experiments on the solvers: accuracy, stability, speed | `figures` |
 //! | 8 | `paper` | the tables and figures of van Dokkum et al. (2018) | `figures` |
-//! | 8 | `explore` | the page in the browser | `explore` |
-//! | 9 | `cli` | the command line | `cli` |
+//! | 8 | `explore` | what the page in the browser does: knobs, lessons, and sessions that solve; it runs without a server too | `explore` |
+//! | 9 | `serve` | the page on this machine with the viewer inside, and the page as a folder of files | `serve` |
+//! | 10 | `cli` | the command line | `cli` |
 //!
 //! A feature in brackets extends a module. Without features the crate has the numerics and few dependencies. The Python package is a crate of its own
 //! in the folder `python`, above all of these.
@@ -96,6 +98,7 @@
 extern crate self as asperity;
 
 mod chunks;
+pub mod clock;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod contact;
@@ -119,6 +122,8 @@ pub mod plot;
 pub mod quantity;
 #[cfg(feature = "record")]
 pub mod record;
+#[cfg(feature = "serve")]
+pub mod serve;
 pub mod setup;
 pub mod study;
 pub mod surface;

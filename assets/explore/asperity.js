@@ -2,7 +2,7 @@
 
 window.asperity = {
   answered, ask, byId, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
-  moveHandle, openLesson, press, read, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, solvedRun, takeFile, takeGrip, topOf, unbend, wake, words,
+  moveHandle, openLesson, press, read, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, words,
   awake, wholeRuns,
   get beside() { return beside; },
   get chosen() { return chosen; },

@@ -1,84 +1,52 @@
-// The one way to the server: what the page asks, what it orders, and where recordings are. Every tab has a session of its own there.
+// The way to the solver: what the page asks, what it orders, and where recordings are. A server solves, or the module in the browser, which
+// has the same answers.
 
-/** The name of the session of this tab, below which all of its paths lie. */
+/** What a site of files has in the place of a server: the state to start with, lessons, a first run, and which runs have recordings. None
+ * where there is a server. */
+const site = typeof SITE === "object" ? SITE : null;
+/** The largest grids that the solver takes. */
+const MOST = site ? LIMITS.module : LIMITS.program;
+
+/** The name of the session of this tab. A solver that begins again has another one, and has lost the runs of before. */
 let session = null;
-/** How long another page may take to let go of a session before this one takes another, in milliseconds: a page that is left for its
- * successor in the same tab takes a moment, a tab that this one was duplicated from never does. */
-const PARTING = 1000;
-/** Time between two tries to reach a server that has no room, or is not there. */
-const BREAK = 1000;
-/** Status of an answer for a session that has ended, and for an invalid order. */
-const ENDED = 410;
-const REFUSED = 400;
 
-/** The JSON of an answer; a refusal is an error with the sentence of the server, and the status. */
-async function answered(request) {
-  const answer = await request.catch(() => { throw new Error(say("fault.server")); });
-  if (!answer.ok) throw Object.assign(new Error(translated(await answer.text())), { status: answer.status });
-  return answer.json();
-}
-
-const sent = (body, type = "application/json") => ({ method: "POST", headers: { "Content-Type": type }, body });
-const below = (path, name = session) => solved ? path : `session/${name}/${path}`;
-
-/** The reply of the session at a path. */
-const ask = async (path) => solved ? answerBeforehand(path) : answered(fetch(below(`api/${path}`)));
+/** The JSON at a path of the session. */
+const ask = async (path) => site ? askBrowser(path) : askServer(path);
 
 /** What the session answers to an order. */
-const post = async (path, body) => solved ? orderBeforehand(path, body) : answered(fetch(below(`api/${path}`), sent(JSON.stringify(body))));
+const post = async (path, body) => site ? postBrowser(path, JSON.stringify(body)) : postServer(path, JSON.stringify(body));
 
 /** What the session answers to a file. */
-const postFile = async (path, file) => solved ? orderBeforehand(path) : answered(fetch(below(`api/${path}`), sent(file, "application/octet-stream")));
+const postFile = async (path, file) => site ? postBrowser(path, await file.arrayBuffer()) : postServer(path, file, "application/octet-stream");
+
+/** Begins to work with the session that this tab has. */
+const joinSession = async () => site ? joinBrowser() : joinServer();
 
 /** The address of a file beside the page. */
 const nextTo = (path) => new URL(path, document.baseURI).href;
 
-/** The address of the recording of a run, from which the viewer reads as it grows. */
-const recordingAddress = (run) => nextTo(below(`run/${run.id}.rrd`, run.session));
-
-/** The address under which something of a run is saved, by its ending. */
-const savingAddress = (run, ending) => nextTo(below(`${solved ? "run" : "save"}/${run.id}.${ending}`, run.session));
-
-/** Whether there still is what belongs to a run: a server lost the runs of sessions before, a course page keeps all. */
-const isKept = (run) => Boolean(solved) || run.session === session;
-
-/** Takes the session that this tab had before, if there is one that no other tab has, or a new one. */
-async function joinSession() {
-  if (solved) return;
-  window.addEventListener("pagehide", () => { fetch(below("api/leave"), { ...sent("{}"), keepalive: true }); });
-  session = sessionStorage.getItem("session");
-  const isMine = session !== null && await holdSession(session) && await ask("state").then(() => true, () => false);
-  if (!isMine) await beginSession(0);
-}
-
-/** Begins a session, as soon as the server has room for it, whose runs are numbered on from a number. */
-async function beginSession(after) {
-  for (;;) {
-    try {
-      ({ session } = await answered(fetch("api/session", sent(String(after)))));
-      sessionStorage.setItem("session", session);
-      holdSession(session);
-      return;
-    } catch (error) {
-      miss(error);
-      await pause();
-    }
-  }
-}
-
-const pause = () => new Promise((done) => setTimeout(done, BREAK));
-
-/** Says why the server does not answer. */
-function miss(error) {
-  document.body.dataset.server = error.status ? "full" : "gone";
-  fault(error.message);
-  numbers();
-}
-
-/** Holds the name of a session for as long as this page is open; false if another page does not let go of it. */
-function holdSession(name) {
-  return new Promise((told) => {
-    const taken = () => { told(true); return new Promise(() => {}); };
-    navigator.locks.request(`session ${name}`, { signal: AbortSignal.timeout(PARTING) }, taken).catch(() => told(false));
+/** Loads a script beside the page. A page that is opened from a folder may load nothing else. */
+function loadScript(name) {
+  return new Promise((done, failed) => {
+    const script = element("script", { src: name });
+    script.addEventListener("load", done);
+    script.addEventListener("error", () => failed(new Error(say("fault.script", { name }))));
+    document.head.append(script);
   });
+}
+
+/** The name of the recording of a run or a sweep; none without one. */
+const recordingName = (run) => site ? recordedBeforehand(run)?.id ?? null : run.id;
+
+/** The address of the recording of a run, from which the viewer reads as it grows. */
+const recordingAddress = (run) => nextTo(site ? `run/${recordingName(run)}.rrd` : below(`run/${run.id}.rrd`, run.session));
+
+/** Whether the session still has what belongs to a run. */
+const isKept = (run) => run.session === session;
+
+/** Which solver runs, in the words of the page. */
+function nameSolver() {
+  const kind = site ? "browser" : "server";
+  byId("solver").textContent = say(`solver.${kind}`);
+  byId("solver").title = say(`solver.${kind}.tip`, { line: MOST.line, side: MOST.side });
 }

@@ -81,6 +81,7 @@ async function begin() {
   byId("theme").addEventListener("click", toggleTheme);
   window.addEventListener("keydown", key, true);
   if (isView) { byId("title").textContent = say("title.recording"); beginViewer(); return; }
+  nameSolver();
   beginViews();
   await joinSession();
   await tellWindow();
@@ -90,7 +91,7 @@ async function begin() {
   const start = await ask("start");
   if (!isOwn(start)) sceneStart = start;
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : structuredClone(start);
-  const isPainted = knobs.theme === document.documentElement.dataset.theme;
+  const isPainted = site || knobs.theme === document.documentElement.dataset.theme; // a site has recordings on both grounds
   takeTheme();
   remember(await ask("runs"));
   build();

@@ -47,7 +47,7 @@ function chart(target, title, top, curves, note) {
     const now = curve.points.find(([a]) => a === moment?.numbers.reduced_pressure);
     if (now && now[1] <= top) svg.append(drawn("circle", { class: `of-${curve.style}`, cx: x(now[0]), cy: y(now[1]), r: 5 }));
   }
-  const said = note || (shown.length ? "" : byId("sweep").disabled ? say("chart.none") : say("chart.sweep"));
+  const said = note || (shown.length ? "" : say("chart.sweep"));
   said.split(", ").filter(Boolean).forEach((line, i) => {
     svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
   });
@@ -128,6 +128,7 @@ function stepLoad(event) {
 function showLoad(point) {
   const { id } = report.sweep;
   if (shownRun !== id && runOf(id)) showRun(id);
-  if (viewer?.get_timeline_time_range(id, "load")) goTo(id, "load", point.number);
+  const run = runOf(id);
+  if (run && isInViewer(run) && rangeOf(run)) goTo(run, "load", point.number);
   momentOfLoad(point);
 }

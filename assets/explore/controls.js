@@ -13,9 +13,17 @@ const HAS = {
   gfmd: isGfmd, damped: (k) => isGfmd(k) && k.solver.dynamics === "damped",
 };
 
+/** The knob of a control in a state. */
+const knobOf = ({ path }, state) => path.reduce((it, name) => it?.[name], state);
+
 /** The knobs of the program. Labels and what they do in physics are texts.
  * @type {any[]} */
-const ALL_KNOBS = KNOBS.map((knob) => ({ ...knob, path: knob.path.split(".") }));
+const ALL_KNOBS = KNOBS.map((knob) => ({ ...knob, path: knob.path.split("."), ...(knob.id === "points" && limitsOf(knob)) }));
+/** The range and the slider of a number of points, up to the largest line that the solver takes. */
+function limitsOf({ range: [least], slider: [first, , step] }) {
+  return { range: [least, MOST.line], slider: [first, Math.log2(MOST.line), step] };
+}
+
 /** Those with a control in the list, which are not of a file. A slider has a field beside it for values between its notches. */
 const CONTROLS = ALL_KNOBS.filter(({ group }) => group && group !== "file");
 /** Whether a knob takes one of the options of a list, which are words, and what it takes for one of them. */
@@ -104,6 +112,7 @@ function row(control) {
   }
   line.addEventListener("input", (event) => { if (event.target.type !== "text") { take(control); changed(); } });
   explain(line, tip);
+  if (site && control.id === "points") line.append(element("small", { id: "points-limit" }, say("solver.points", MOST)));
   return line;
 }
 
@@ -168,12 +177,9 @@ function take(control) {
 }
 
 function set(control, value) {
-  if (solved) takeSolved(control, value);
-  else {
-    const [holder, name] = place(control);
-    holder[name] = value;
-    mend(control.id);
-  }
+  const [holder, name] = place(control);
+  holder[name] = value;
+  mend(control.id);
   show();
 }
 
@@ -184,10 +190,10 @@ function mend(id) {
   knobs.solver = method === "gfmd" ? { method, ...gfmd } : { method };
   if (id === "body" && !isOwn(knobs)) ({ domain: knobs.domain, scene: knobs.scene } = sceneStart);
   if (id === "domain") {
-    knobs.points = knobs.domain === "line" ? controlOf("points").default : LIMITS.side.usual;
+    knobs.points = knobs.domain === "line" ? controlOf("points").default : LIMITS.side;
     if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;
   }
-  if (knobs.domain === "surface") knobs.points = Math.min(knobs.points, LIMITS.side.most);
+  if (knobs.domain === "surface") knobs.points = Math.min(knobs.points, MOST.side);
   if (knobs.domain === "surface" || knobs.body === "file") knobs.bumps = [];
   if (knobs.body === "flat" && knobs.roughness === 0) {
     if (id === "roughness") knobs.body = "round"; else knobs.roughness = controlOf("roughness").default;
@@ -195,13 +201,13 @@ function mend(id) {
   if (knobs.cutoff > knobs.points / 2) {
     if (id === "cutoff") knobs.points = 2 ** Math.ceil(Math.log2(2 * knobs.cutoff)); else knobs.cutoff = knobs.points / 2;
   }
-  if (knobs.domain === "surface" && knobs.points > LIMITS.side.most) { knobs.points = LIMITS.side.most; knobs.cutoff = knobs.points / 2; }
+  const most = knobs.domain === "surface" ? MOST.side : MOST.line;
+  if (knobs.points > most) { knobs.points = most; knobs.cutoff = knobs.points / 2; }
   if (knobs.rolloff >= knobs.cutoff) knobs.rolloff = Math.max(1, Math.floor(knobs.cutoff / 2));
 }
 
 /** Shows the knobs in the controls. */
 function show() {
-  if (solved) offerSolved();
   for (const control of CONTROLS) {
     const id = `control-${control.id}`;
     const input = byId(id);

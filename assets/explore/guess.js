@@ -156,7 +156,7 @@ function watchWish(run) {
 }
 
 /** Shows the surface of a state before it is pressed, and no numbers; what it will have is known to the question alone. */
-async function showUnpressed(wanted) {
+function showUnpressed(wanted) {
   const { at, name } = lesson;
   takeKnobs(wanted);
   sectionRun = null;
@@ -169,7 +169,5 @@ async function showUnpressed(wanted) {
     showSection(liftedClear(its, UNPRESSED * its.highest), null);
     document.body.dataset.unpressed = at;
   };
-  const run = solved && solvedRun(knobs);
-  if (run) show({ section: await facet(run, "section"), numbers: run.numbers });
-  else if (!solved) hold({ knobs, "mean-gap": null, "is-deep": false }, show);
+  hold({ knobs, "mean-gap": null, "is-deep": false }, show);
 }

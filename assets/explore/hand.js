@@ -70,10 +70,10 @@ function followRigid({ rigid }) {
 const isDeep = () => byId("fringes").checked;
 
 /** Whether points of the profile can be dragged: those of lines that the knobs make. */
-const canBend = () => !solved && !isAsked() && knobs.domain === "line" && isMade(knobs);
+const canBend = () => !isAsked() && knobs.domain === "line" && isMade(knobs);
 
-/** Whether the rigid surface can be pressed: not where the boundary is free, nor where all is solved beforehand. */
-const canPress = () => section.is_pressed_by_gap && !solved && !isAsked();
+/** Whether the rigid surface can be pressed: not where the boundary is free. */
+const canPress = () => section.is_pressed_by_gap && !isAsked();
 
 /** Whether a question is open whose answer the hand would show. */
 const isAsked = () => document.body.dataset.asked === "true" && lesson?.steps[lesson.at].ask.kind !== "act";

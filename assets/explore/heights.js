@@ -1,4 +1,5 @@
-// The file of heights: dropped on the page or opened, described, and prepared before it is pressed. It goes to the server on this machine only.
+// The file of heights: dropped on the page or opened, described, and prepared before it is pressed. It goes to the solver on this machine
+// only: to the server, or to the module in the browser.
 
 /** The controls of the file. Those that set a step of its preparation stand in `prepare`. */
 const HEIGHT_CONTROLS = ALL_KNOBS.filter(({ group }) => group === "file");
@@ -19,7 +20,7 @@ function buildHeights() {
   choose.addEventListener("change", () => { takeFile(choose.files[0]); choose.value = ""; });
   byId("group-surface").append(element("div", { class: "buttons" }, open, choose));
   const rows = HEIGHT_CONTROLS.map(heightRow);
-  const group = foldable("file", ...rows, element("div", { id: "heights", role: "group", "aria-label": say("heights.holds") }));
+  const group = foldable("file", ...rows, element("p", { id: "heights-place" }, say(site ? "heights.place.browser" : "heights.place.server")), element("div", { id: "heights", role: "group", "aria-label": say("heights.holds") }));
   group.hidden = true;
   byId("group-surface").after(group);
   for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) window.addEventListener(kind, dragged, true);

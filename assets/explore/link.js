@@ -20,10 +20,11 @@ function heardSelection({ recording_id: recording, items }) {
 
 /** Goes to the step at a share of the width of the images. */
 function goToPlace(recording, share) {
-  const range = viewer && viewer.get_timeline_time_range(recording, "step");
+  const run = runWith(recording);
+  const range = run && rangeOf(run);
   if (!range) return;
   const step = Math.floor(share * stepsShown(range.max + 1));
-  goTo(recording, "step", Math.min(step, range.max));
+  goTo(run, "step", Math.min(step, range.max));
   document.body.dataset.picked = String(step);
 }
 

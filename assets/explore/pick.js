@@ -19,7 +19,7 @@ function facet(run, name) {
 /** Shows in the table where the viewer stands in the run or the sweep that it shows, once a person went there. */
 async function showMoment() {
   const run = runOf(shownRun);
-  const now = run && viewer?.get_time_for_timeline(run.id, timeline(run));
+  const now = run && isInViewer(run) ? viewer.get_time_for_timeline(recordingName(run), timeline(run)) : null;
   if (grip || visited !== shownRun || now === null || now === undefined) return;
   if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= now));
   else if (run.ended) await momentOfStep(run, Math.round(now));
@@ -42,7 +42,7 @@ async function momentOfLoad(point) {
     const at = steps.indexOf(point.number);
     const all = axesOf(sections);
     show(sections[at], null, { ...all, pressure: sections[at].highest_pressure });
-  } else if (!solved) {
+  } else {
     const load = Number(point.reduced_pressure.toPrecision(12));
     hold({ knobs: { ...its.knobs, load }, "mean-gap": null, "is-deep": isDeep() }, (contact) => show(...deepened(contact)));
   }
@@ -73,6 +73,7 @@ let sectionRun = null;
 
 /** Shows the section of a run that has ended, if it is not shown, unless a hand holds another or a moment has its own. */
 async function showSectionOf(run) {
+  if (run?.section && !run.ended) { showRunning(run); return; }
   if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
@@ -83,6 +84,14 @@ async function showSectionOf(run) {
   showSection(...deepened({ section: shown, beside: shownBeside, shear, shear_beside: shearBeside }));
   run.steps = (await facet(run, "steps").catch(() => null))?.iterations;
   document.body.dataset.section = run.id;
+}
+
+/** Shows the section of the latest step of a run that has not ended, which the solver reports now and then. */
+function showRunning(run) {
+  if (grip || moment || isSweep(run)) return;
+  sectionRun = null;
+  showSection(run.section, beside, axesOf([run.section, beside].filter(Boolean)));
+  document.body.dataset.running = run.id;
 }
 
 /** The patch that is chosen, with its number, or none. */
@@ -126,7 +135,7 @@ const VIEW = { image: 512, line: 1000, relief: 10 };
 
 /** Chooses the patch that was picked in the viewer, in a profile, an image or a relief. */
 async function heardPick(recording, items) {
-  const run = runOf(recording);
+  const run = runWith(recording);
   const item = items.find((it) => it.position && it.entity_path && !it.entity_path.startsWith("/beside"));
   if (!run || !item || isSweep(run) || !run.ended) return;
   const table = await facet(run, "patches").catch((error) => fault(error.message));

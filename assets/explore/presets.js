@@ -14,7 +14,6 @@ const PRESETS = [
 ];
 
 function beginPresets() {
-  if (solved) return;
   const buttons = PRESETS.map((preset) => {
     const made = button(`preset-${preset.id}`, "", say(`preset.${preset.id}.tip`), () => takePreset(preset));
     const picture = drawn("svg", { viewBox: "0 0 48 32", "aria-hidden": "true" });

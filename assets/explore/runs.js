@@ -173,11 +173,11 @@ function follow(run) {
   stopPlaying();
   byId("scrub").value = 1000;
   byId("scrub-step").value = say("play.latest");
-  if (!viewer) return;
+  if (!viewer || !offerRecording(run)) return;
   next = setTimeout(() => {
     followed = performance.now();
     run.followed = true;
-    viewer.add_receiver(recordingAddress(run));
+    if (rangeOf(run)) viewer.set_active_recording_id(recordingName(run)); else viewer.add_receiver(recordingAddress(run));
     wake();
     watchFirst(run, asked);
   }, Math.max(0, followed + BREATH[run.knobs.domain] - performance.now()));
@@ -185,8 +185,7 @@ function follow(run) {
 
 /** Notes how long after the change of a control the viewer had the first steps of its run. */
 function watchFirst(run, since) {
-  const range = viewer && viewer.get_timeline_time_range(run.id, timeline(run));
-  if (range) {
+  if (isInViewer(run) && rangeOf(run)) {
     document.body.dataset.shown = `${run.id} ${Math.round(performance.now() - since)} ms`;
     wake();
     byId("viewer-note").hidden = true;
@@ -194,7 +193,8 @@ function watchFirst(run, since) {
 }
 
 function forget(run) {
-  if (started && run.followed) started.remove_receiver(recordingAddress(run));
+  const isShared = runs.some((other) => other !== run && other.followed && recordingName(other) === recordingName(run));
+  if (started && run.followed && !isShared) started.remove_receiver(recordingAddress(run));
 }
 
 function listRuns() {
@@ -274,7 +274,7 @@ function showRun(id) {
   byId("runs").value = id;
   const run = runOf(id);
   clearTimeout(next);
-  if (viewer && run.followed) { viewer.set_active_recording_id(id); watchFirst(run, performance.now()); }
+  if (viewer && run.followed) { viewer.set_active_recording_id(recordingName(run)); watchFirst(run, performance.now()); }
   else follow(run);
   numbers();
   offerSaves();

@@ -4,8 +4,9 @@
 function offerSaves() {
   const it = current();
   const offer = (id, isThere) => { byId(id).disabled = !isThere; };
-  offer("save-rrd", it && it.ended && isKept(it));
-  offer("save-npz", it && it.ended && isKept(it) && !isSweep(it) && !solved);
+  offer("save-rrd", it && it.ended && isKept(it) && recordingName(it));
+  byId("save-rrd").title = say(it && !recordingName(it) ? "viewer.unrecorded" : "save.rrd.tip");
+  offer("save-npz", it && it.ended && isKept(it) && !isSweep(it));
   offer("save-setup", it && !isSweep(it));
   offer("copy-command", it && !isSweep(it));
   offer("save-picture", it && (viewer || section));
@@ -27,8 +28,15 @@ function saveBlob(blob, name) {
   setTimeout(() => URL.revokeObjectURL(address), 60000);
 }
 
-const saveRecording = () => save(savingAddress(current(), "rrd"));
-const saveArrays = () => save(savingAddress(current(), "npz"));
+const savingAddress = (run, ending) => nextTo(below(`save/${run.id}.${ending}`, run.session));
+const saveRecording = () => site ? save(recordingAddress(current()), `${current().file_stem}.rrd`) : save(savingAddress(current(), "rrd"));
+
+async function saveArrays() {
+  const run = current();
+  if (!site) { save(savingAddress(run, "npz")); return; }
+  await arraysOf(run).then((bytes) => saveBlob(new Blob([bytes]), `${run.file_stem}.npz`), (error) => fault(error.message));
+}
+
 const saveSetup = () => saveText(current().setup, "application/toml", `${current().file_stem}.toml`);
 
 /** The sweep as a table: all observables of each load, and what theories say. */

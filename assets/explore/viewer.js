@@ -39,21 +39,21 @@ function draw() {
 /** The viewer turns to every recording that it begins to read: back to the one that is shown, if another one was begun before. */
 function keepShown() {
   const run = runOf(shownRun);
-  const isThere = run?.followed && viewer.get_timeline_time_range(run.id, timeline(run));
-  if (isThere && viewer.get_active_recording_id() !== run.id) viewer.set_active_recording_id(run.id);
+  const isThere = run?.followed && rangeOf(run);
+  if (isThere && viewer.get_active_recording_id() !== recordingName(run)) viewer.set_active_recording_id(recordingName(run));
 }
 
 /** Whether the run that is shown has ended and the viewer has not read all of it. */
 function isReading() {
   const run = runOf(shownRun);
-  return Boolean(run && run.ended && !wholeRuns.has(run.id));
+  return Boolean(run && run.ended && recordingName(run) && !wholeRuns.has(recordingName(run)));
 }
 
 /** How far the viewer has read what it shows, and where it stands in it. */
 function read() {
   const run = runOf(shownRun);
-  const range = run && viewer.get_timeline_time_range(run.id, timeline(run));
-  return range ? `${run.id} ${range.max} ${viewer.get_time_for_timeline(run.id, timeline(run))}` : "";
+  const range = run && isInViewer(run) && rangeOf(run);
+  return range ? `${run.id} ${range.max} ${viewer.get_time_for_timeline(recordingName(run), timeline(run))}` : "";
 }
 
 /** Shows the viewer, which is loaded when it is first shown. */
@@ -63,7 +63,7 @@ function beginViewer() {
   document.body.dataset.viewer = "loading";
   startViewer().catch((error) => {
     document.body.dataset.viewer = "failed";
-    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error }));
+    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error.message ?? error }));
   });
 }
 
@@ -79,6 +79,7 @@ function resumeViewer() {
 
 async function startViewer() {
   const query = new URLSearchParams(location.search);
+  await loadScript("re_viewer.js");
   await wasm_bindgen({ module_or_path: "re_viewer_bg.wasm" });
   const canvas = element("canvas", { id: "canvas" });
   byId("viewer").append(canvas);
@@ -110,17 +111,17 @@ let toldWindow = "";
 async function tellWindow() {
   const { clientWidth, clientHeight } = byId("viewer");
   const size = `${clientWidth} ${clientHeight}`;
-  if (isView || solved || !session || !clientWidth || !clientHeight || size === toldWindow) return;
+  if (isView || site || !session || !clientWidth || !clientHeight || size === toldWindow) return;
   toldWindow = size;
   await post("window", [clientWidth, clientHeight]).catch(() => { toldWindow = ""; });
 }
 
 /** Has the viewer draw when it has read a recording to its end, and notes which. */
 function noteWhole({ name }) {
-  const run = runs.find((run) => recordingAddress(run) === name);
+  const run = runs.find((run) => recordingName(run) && recordingAddress(run) === name);
   if (!run) return;
   document.body.dataset.whole = run.id;
-  wholeRuns.add(run.id);
+  wholeRuns.add(recordingName(run));
   wake();
 }
 
@@ -151,9 +152,22 @@ function noteViewer(sentence) {
 
 let playing = null;
 
+/** Whether the viewer shows a run, or will show it: it is there, and there is a recording. */
+const isInViewer = (run) => Boolean(viewer && recordingName(run));
+
+/** The latest run that a recording of the viewer is of. */
+const runWith = (recording) => runs.findLast((run) => recordingName(run) === recording);
+
+/** Says where there is no recording of a run, and returns whether there is one. */
+function offerRecording(run) {
+  const isThere = recordingName(run) !== null;
+  if (!isThere) noteViewer(say("viewer.unrecorded"));
+  return isThere;
+}
+
 /** First and last step of a run, or load of a sweep, that the viewer has; without a viewer those that have numbers. */
 function rangeOf(run) {
-  if (viewer) return viewer.get_timeline_time_range(run.id, timeline(run));
+  if (isInViewer(run)) return viewer.get_timeline_time_range(recordingName(run), timeline(run));
   const known = isSweep(run) ? run.points.map(({ number }) => number) : run.steps;
   return known?.length ? { min: known[0], max: known.at(-1) } : null;
 }
@@ -170,7 +184,7 @@ function seek(share) {
   const run = runOf(shownRun);
   const step = stepAt(run, share);
   if (step === null) return false;
-  if (viewer) goTo(run.id, timeline(run), step);
+  if (isInViewer(run)) goTo(run, timeline(run), step);
   else if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= step));
   else momentOfStep(run, step);
   byId("scrub").value = 1000 * share;
@@ -181,9 +195,10 @@ function seek(share) {
 /** The recording in which a person went to a step or a load: all others move on by themselves as they are read. */
 let visited = null;
 
-/** Has the viewer stand at a step or a load of a recording. */
-function goTo(recording, line, at) {
-  visited = recording;
+/** Has the viewer stand at a step or a load of a run. */
+function goTo(run, line, at) {
+  const recording = recordingName(run);
+  visited = run.id;
   viewer.set_playing(recording, false);
   viewer.set_active_timeline(recording, line);
   viewer.set_time_for_timeline(recording, line, at);

@@ -33,7 +33,11 @@ function beginViews() {
   byId("projector").addEventListener("click", () => putProjector(!("projector" in document.body.dataset)));
   if (localStorage.getItem("projector")) putProjector(true);
   const wishes = [new URLSearchParams(location.search).get("view"), localStorage.getItem("view")];
-  wantedView = wishes.find((wish) => VIEWS.includes(wish)) ?? "both";
+  wantedView = wishes.find((wish) => VIEWS.includes(wish)) ?? (site ? "picture" : "both");
+  if (site?.recorded.length === 0) {
+    wantedView = "picture";
+    for (const view of ["viewer", "both"]) Object.assign(byId(`view-${view}`), { disabled: true, title: say("viewer.left-out") });
+  }
   ROOMY.addEventListener("change", showView);
   showView();
 }

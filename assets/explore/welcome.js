@@ -3,7 +3,6 @@
 /** Offers them to who comes for the first time, by an address that asks for nothing. */
 function beginWelcome() {
   byId("welcome").hidden = Boolean(location.hash || localStorage.getItem("welcomed"));
-  byId("welcome-file").hidden = Boolean(solved);
   const begins = { "welcome-lesson": startLessons, "welcome-try": () => byId("control-load").focus(), "welcome-file": openFile };
   for (const [id, action] of Object.entries(begins)) byId(id).addEventListener("click", () => { endWelcome(); action(); });
 }

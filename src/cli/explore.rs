@@ -6,7 +6,8 @@ use super::flags::{OfSetup, SceneArgs};
 use super::interrupt::interrupted;
 use super::warnings::print;
 use anyhow::Result;
-use asperity::explore::{Explorer, Knobs, Lesson, Refusal, SceneFile, Server, Sessions, SiteExport, Start};
+use asperity::explore::{Knobs, Lesson, Refusal, SceneFile, Start};
+use asperity::serve::{Explorer, Server, Sessions, SiteExport};
 use asperity::setup::Setup;
 use asperity::surface::HeightFile;
 use clap::{Args, ValueEnum};
@@ -32,7 +33,8 @@ Examples:
   asperity explore scene.toml
   asperity explore --height patch.x3p
   asperity explore --lessons my-lessons
-  asperity explore --lessons my-lessons --export course";
+  asperity explore --export site
+  asperity explore --lessons my-lessons --export course --no-recordings";
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -47,9 +49,12 @@ pub struct Explore {
     /// A folder of lessons (one .toml file each) to show instead of the built-in lessons
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
-    /// Solve all states that the lessons show, and write a static site into a new or empty folder
+    /// Write the page as a static site into a new or empty folder: the solver runs in the browser
     #[arg(long, value_name = "DIR", conflicts_with_all = ["height", "port", "no_open"])]
     export: Option<PathBuf>,
+    /// Leave out recordings of the lessons and the viewer for them: the site is then 1 MB instead of more than 50 MB
+    #[arg(long, requires = "export")]
+    no_recordings: bool,
     #[command(flatten)]
     page: PageArgs,
 }
@@ -72,7 +77,10 @@ impl Explore {
             Err(refusal) => return usage(refusal.to_string()),
         };
         if let Some(folder) = &self.export {
-            return export(folder, lessons);
+            let Begin::Start(start) = self.start else {
+                return usage("a site cannot begin with a scene: give hertz-line, hertz-surface, rough-line or rough-surface");
+            };
+            return export(folder, SiteExport::new(start.knobs(), lessons, !self.no_recordings));
         }
         let (sessions, knobs) = match (&self.start, &self.height) {
             (Begin::Scene(_), Some(_)) => return usage("a scene already has heights: leave --height out"),
@@ -136,23 +144,27 @@ fn left_out(setup: &Setup) -> Vec<String> {
     load.into_iter().chain(friction).collect()
 }
 
-/// Writes lessons as a site, and prints the progress on standard error.
-fn export(folder: &Path, lessons: Vec<Lesson>) -> Result<ExitStatus> {
-    let export = match SiteExport::new(lessons) {
+/// Writes a site, and prints the progress on standard error.
+fn export(folder: &Path, export: Result<SiteExport, Refusal>) -> Result<ExitStatus> {
+    let export = match export {
         Ok(export) => export,
         Err(refusal) => return usage(refusal.to_string()),
     };
-    let interrupted = interrupted()?;
+    let (interrupted, recordings) = (interrupted()?, export.recordings());
     let mut shown = None;
     let mut goes_on = |done: usize| {
-        if shown != Some(done) {
+        if shown != Some(done) && recordings > 0 {
             shown = Some(done);
-            remark(format_args!("solving {} of {}", done + 1, export.runs()));
+            remark(format_args!("recording {} of {recordings}", done + 1));
         }
         if interrupted.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     export.write(folder, &mut goes_on).map_err(with_file_error)?;
-    writeln!(stdout(), "{}: {} runs; copy this folder to any web server", folder.display(), export.runs())?;
+    writeln!(
+        stdout(),
+        "{}: {recordings} recordings. Open index.html there, or copy the folder to any web server.",
+        folder.display()
+    )?;
     Ok(ExitStatus::Done)
 }
 

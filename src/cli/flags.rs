@@ -86,7 +86,7 @@ pub struct SceneArgs<E> {
 
 impl<E: Extent> SceneArgs<E> {
     /// A scene as it is in its file.
-    #[cfg(feature = "explore")]
+    #[cfg(feature = "serve")]
     pub fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
     }

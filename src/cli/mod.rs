@@ -13,7 +13,7 @@ mod completions;
 mod demo;
 mod density;
 mod exit_status;
-#[cfg(feature = "explore")]
+#[cfg(feature = "serve")]
 mod explore;
 mod fields;
 mod finding;
@@ -44,7 +44,7 @@ mod study_table;
 mod surface;
 mod survey;
 mod units;
-#[cfg(feature = "explore")]
+#[cfg(feature = "serve")]
 mod view;
 mod warnings;
 mod wrote;
@@ -101,7 +101,7 @@ enum Command {
     #[cfg(feature = "record")]
     Demo(demo::Demo),
     /// Open the interactive page: change parameters and see the contact
-    #[cfg(feature = "explore")]
+    #[cfg(feature = "serve")]
     Explore(explore::Explore),
     /// Analyse another solver's iterations, from files of its steps
     ///
@@ -137,7 +137,7 @@ enum Command {
     /// Generate a surface, or describe one
     Surface(Box<surface::Describe>),
     /// Open a recording in the browser, or compare several
-    #[cfg(feature = "explore")]
+    #[cfg(feature = "serve")]
     #[command(after_help = "Examples:\n  asperity view demo.rrd\n  asperity view demo.rrd --port 9000 --no-open")]
     View(view::View),
 }
@@ -171,7 +171,7 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Completions(completions) => completions.run(Cli::command()),
         #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
-        #[cfg(feature = "explore")]
+        #[cfg(feature = "serve")]
         Command::Explore(explore) => explore.run(),
         Command::Inspect(inspect) => inspect.run(),
         Command::Man(man) => man.run(Cli::command()),
@@ -181,7 +181,7 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Stability(stability) => stability.run(),
         Command::Study(study) => study.run(),
         Command::Surface(describe) => describe.run(),
-        #[cfg(feature = "explore")]
+        #[cfg(feature = "serve")]
         Command::View(view) => view.run(),
     }
 }

@@ -4,7 +4,7 @@ use super::exit_status::{ExitStatus, usage};
 use super::explore::PageArgs;
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
-use asperity::explore::Viewing;
+use asperity::serve::Viewing;
 use asperity::record::{compare, is_recording};
 use clap::Args;
 use std::path::{Path, PathBuf};

@@ -1,12 +1,12 @@
 //! The bookkeeping of a run.
 
+use crate::clock::Instant;
 use crate::contact::best::Best;
 use crate::contact::{
     Certificate, Contact, Failure, Observer, Problem, Resolved, Solver, Status, Step, Stop, Wish, Work,
 };
 use crate::elastic::Response;
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 /// Iterations without a better state after which a run stops, see [`Best::is_stale`]: long enough for the plateaus of
 /// conjugate gradients and damped dynamics.

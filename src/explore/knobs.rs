@@ -167,7 +167,7 @@ impl Knobs {
     }
 
     /// The same state, recorded on another ground.
-    pub(super) fn with_theme(self, theme: Theme) -> Self {
+    pub fn with_theme(self, theme: Theme) -> Self {
         Self { theme, ..self }
     }
 

@@ -1,60 +1,65 @@
-//! The explorer: a page on this machine with controls on the left and the viewer on the right.
+//! What the page of the explorer does: knobs, lessons, and sessions that solve what the knobs describe.
 //!
 //! ```text
-//! page --(Knobs)--> Session: orders --> worker: solve, sweep --(record::Output)--> GET /run/ID.rrd --> viewer in the page
-//!   ^                 |                      |
-//!   +----(Report)-----+<---(Turn)------------+
+//! page --(Knobs)--> Session: orders --> solve, sweep --> Report, facets --> page
 //! ```
 //!
-//! Page, viewer, state and growing recordings all use one port of the loopback interface. Each tab has its own session
-//! in [`Sessions`], and a request changes only this session. Saved files are downloads of the browser. A file of
-//! heights that is dropped on the page stays in the memory of the session until the next file replaces it.
+//! There is no network here. The server in [`serve`](crate::serve) runs each session in a thread of its own, and records its runs. A browser
+//! runs a session without a server: the crate in the folder `browser` compiles this module to WebAssembly. Both answer the same
+//! [`Request`]s, so that the page is the same with and without a server.
+//!
+//! A file of heights that is dropped on the page stays in the memory of the session until the next file replaces it.
 
+mod answer;
 mod description;
-mod export;
 mod facet;
-mod guard;
 mod hand;
 mod height_knobs;
 mod height_name;
 mod knobs;
 mod lesson;
+mod listener;
 mod motion;
-mod page;
 mod patches;
-mod policy;
 mod question;
 mod refusal;
 mod report;
-mod route;
 mod schema;
 mod section;
-mod server;
 mod session;
 mod session_recording;
-mod sessions;
-mod site;
 mod solve;
 mod source;
 mod step_numbers;
-mod stream;
 mod sweep;
+#[cfg(feature = "record")]
+mod tape;
+#[cfg(not(feature = "record"))]
+#[path = "no_tape.rs"]
+mod tape;
 mod why;
 mod words;
-mod worker;
+mod work;
 
+pub use answer::{Answer, Request};
 pub use description::Description;
-pub use export::SiteExport;
 pub use hand::{Held, Hold};
 pub use height_knobs::HeightKnobs;
 pub use knobs::{Knobs, Start};
 pub use lesson::{Challenge, End, Lesson, LessonStep};
-pub use page::Viewing;
+pub use listener::Listener;
 pub use question::{Choice, Goal, Question, SweepCurve};
 pub use refusal::Refusal;
-pub use route::Explorer;
+pub use report::{Beside, ExactNumbers, KnownFault, Numbers, Report, RunReport, RunWarning, SweepPoint, SweepReport};
 pub use schema::{KNOBS, Knob, KnobGroup, KnobKind, KnobScenes, NumericKnob, SliderScale};
-pub use server::Server;
-pub use sessions::Sessions;
+pub use section::Section;
+pub use session::{RunKind, Session, Stock};
 pub use source::{SceneFile, SurfaceSource};
 pub use words::Words;
+
+#[cfg(feature = "serve")]
+pub(crate) use answer::read;
+#[cfg(feature = "serve")]
+pub(crate) use schema::{MOST_HEIGHTS, MOST_POINTS_OF_MODULE, script};
+#[cfg(feature = "serve")]
+pub(crate) use session_recording::SessionRecording;

@@ -1,6 +1,7 @@
 //! The state of a session, as the page gets it.
 
 use super::knobs::{Knobs, MODULUS};
+use super::section::Section;
 use crate::contact::{Contact, Failure, Observables, Step};
 use crate::error::{ProblemError, SetupError};
 use crate::theory::Exact;
@@ -14,7 +15,9 @@ pub struct Report {
     pub revision: u64,
     /// Whether something is being solved.
     pub busy: bool,
+    /// The latest solve.
     pub run: Option<RunReport>,
+    /// The latest sweep over the load.
     pub sweep: Option<SweepReport>,
     /// Name of the recording whose curves stand beside those of new ones.
     pub pinned: Option<String>,
@@ -29,7 +32,12 @@ pub struct Report {
 #[serde(tag = "key", rename_all = "kebab-case")]
 pub enum KnownFault {
     /// The mean pressure is above the hardness.
-    AboveHardness { pressure: f64, hardness: f64 },
+    AboveHardness {
+        /// The mean pressure.
+        pressure: f64,
+        /// The hardness.
+        hardness: f64,
+    },
 }
 
 impl KnownFault {
@@ -51,6 +59,7 @@ pub struct RunReport {
     pub id: String,
     /// Name, without ending, of the files that it is saved as.
     pub file_stem: String,
+    /// Surface and load in words.
     pub title: String,
     /// Command that repeats the solve.
     pub command: String,
@@ -60,14 +69,19 @@ pub struct RunReport {
     pub prepared: Vec<String>,
     /// Reasons to doubt the numbers, first of the surface, then of the surface beside.
     pub warnings: Vec<RunWarning>,
+    /// The state of the knobs.
     pub knobs: Knobs,
     /// Whether solver and recording have ended.
     pub ended: bool,
     /// Numbers of its latest state.
     pub numbers: Option<Numbers>,
+    /// Exact values, if there is an exact solution.
     pub exact: Option<ExactNumbers>,
     /// The surface beside, under the same mean pressure.
     pub beside: Option<Beside>,
+    /// The section of its latest step, while it runs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub section: Option<Section>,
 }
 
 /// A warning about one of the surfaces of a run.
@@ -75,6 +89,7 @@ pub struct RunReport {
 pub struct RunWarning {
     /// Whether the warning is about the surface that is pressed beside the first one.
     pub is_beside: bool,
+    /// The warning.
     #[serde(flatten)]
     pub warning: Warning,
 }
@@ -82,6 +97,7 @@ pub struct RunWarning {
 /// What is reported for the surface beside.
 #[derive(Clone, Serialize)]
 pub struct Beside {
+    /// Surface in words.
     pub title: String,
     /// Numbers of its contact, once it is solved.
     pub numbers: Option<Numbers>,
@@ -97,8 +113,11 @@ pub fn file_stem(surface: &str, load: &str, solver: &str) -> String {
 /// Exact values of a contact.
 #[derive(Clone, Serialize)]
 pub struct ExactNumbers {
+    /// Name of the exact solution.
     pub name: &'static str,
+    /// Relative contact area.
     pub relative_area: f64,
+    /// Area-load factor `kappa_r`, where it is known.
     pub kappa_r: Option<f64>,
 }
 
@@ -111,6 +130,7 @@ pub struct Numbers {
     pub level: usize,
     /// Seconds of the solver, recording left out.
     pub seconds: f64,
+    /// All other numbers.
     #[serde(flatten)]
     pub observables: Observables,
 }
@@ -122,6 +142,7 @@ pub struct SweepReport {
     pub id: String,
     /// Name, without ending, of the files that it is saved as.
     pub file_stem: String,
+    /// Surface in words.
     pub title: String,
     /// The state of the knobs; the load does not count.
     pub knobs: Knobs,
@@ -136,10 +157,12 @@ pub struct SweepReport {
 pub struct SweepPoint {
     /// The number of its load in the recording, from 0 on.
     pub number: usize,
+    /// All other numbers.
     #[serde(flatten)]
     pub observables: Observables,
     /// Persson's relative area, of a rough flat on an elastic half-space.
     pub persson: Option<f64>,
+    /// Exact values, if there is an exact solution.
     pub exact: Option<ExactNumbers>,
 }
 
@@ -150,11 +173,13 @@ impl From<&Exact> for ExactNumbers {
 }
 
 impl Numbers {
+    /// The numbers of a step.
     pub fn from_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
         Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
     }
 
+    /// The numbers of a contact.
     pub fn from_contact(contact: &Contact) -> Self {
         let (status, seconds) = (contact.status.to_string(), contact.work.seconds);
         Self { status, level: 0, seconds, observables: Observables::new(contact) }

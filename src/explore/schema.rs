@@ -8,14 +8,21 @@ use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// The largest number of points of a line, and of a surface, that can be solved while the user waits.
-pub const MOST_POINTS: [usize; 2] = [1 << 18, 1 << 20];
+/// The largest number of points of a line, and of a surface, that can be solved while the user waits: by a program, and by the
+/// module in a browser, which has one thread.
+pub const MOST_POINTS_OF_PROGRAM: [usize; 2] = [1 << 18, 1 << 20];
+pub const MOST_POINTS_OF_MODULE: [usize; 2] = [1 << 16, 1 << 18];
+
+/// The largest number of points of a line, and of a surface, here.
+pub const MOST_POINTS: [usize; 2] =
+    if cfg!(target_arch = "wasm32") { MOST_POINTS_OF_MODULE } else { MOST_POINTS_OF_PROGRAM };
+
 /// Points along each side of a surface to start with.
 pub(super) const SURFACE_SIDE: usize = 1 << 8;
 /// The most bumps of a line.
 pub(super) const MOST_BUMPS: usize = 32;
 /// The largest file of heights, in bytes.
-pub(super) const MOST_HEIGHTS: usize = 1 << 26;
+pub const MOST_HEIGHTS: usize = 1 << 26;
 
 /// A group of controls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -283,7 +290,13 @@ fn in_words(value: f64) -> String {
 
 /// The schema as a part of the script of the page, with limits that are not those of one knob.
 pub fn script() -> String {
-    let side = json!({ "usual": SURFACE_SIDE, "most": MOST_POINTS[1].isqrt() });
-    let limits = json!({ "side": side, "bumps": MOST_BUMPS, "bytes": MOST_HEIGHTS });
+    let most = |[line, surface]: [usize; 2]| json!({ "line": line, "side": surface.isqrt() });
+    let limits = json!({
+        "side": SURFACE_SIDE,
+        "program": most(MOST_POINTS_OF_PROGRAM),
+        "module": most(MOST_POINTS_OF_MODULE),
+        "bumps": MOST_BUMPS,
+        "bytes": MOST_HEIGHTS,
+    });
     format!("const KNOBS = {};\nconst LIMITS = {limits};\n", json!(KNOBS))
 }

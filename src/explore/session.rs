@@ -9,10 +9,11 @@ use super::refusal::Refusal;
 use super::report::{KnownFault, Numbers, Report, SweepReport};
 use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
+use super::listener::Listener;
 use super::step_numbers::StepNumbers;
+use super::tape::{TapeCurves, TapeView};
 use crate::contact::{Contact, Failure};
-use crate::record::{Ghost, Options};
-use crate::setup::{Method, Record, Setup};
+use crate::setup::{Method, Setup};
 use crate::surface::{Field, HeightFile};
 use crate::theory::Exact;
 use std::collections::VecDeque;
@@ -33,11 +34,15 @@ pub type Heights = (HeightFile, Description);
 /// What a session begins with, if there is any: a file of heights, and a scene.
 #[derive(Clone, Default)]
 pub struct Stock {
+    /// A file of heights with its description.
     pub heights: Option<Heights>,
+    /// A scene.
     pub scene: Option<Arc<SceneFile>>,
     /// The interval of steps at which fields are recorded (not for GFMD, which needs many steps); if it is left out, as
     /// in every recording.
     pub every: Option<usize>,
+    /// Who hears of the session while it solves.
+    pub listener: Option<Listener>,
 }
 
 /// The orders of the page, one at a time, and their results; a new order ends the previous one.
@@ -46,6 +51,7 @@ pub struct Session {
     /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
     hand: Mutex<[Option<Field>; 2]>,
     changed: Condvar,
+    listener: Option<Listener>,
 }
 
 #[derive(Default)]
@@ -86,7 +92,7 @@ impl SessionState {
     }
 
     /// The curves of the recording that is pinned.
-    fn ghost(&self) -> Option<Arc<Ghost>> {
+    fn pinned_curves(&self) -> Option<Arc<TapeCurves>> {
         Some(Arc::clone(&self.recording(self.report.pinned.as_ref()?)?.solved()?.curves))
     }
 }
@@ -119,14 +125,17 @@ pub struct Turn<'a> {
 
 impl Session {
     /// A session with what it begins with, whose orders are numbered on from `after`.
-    pub(super) fn new(Stock { heights, scene, every }: Stock, after: u64) -> Self {
+    pub fn new(Stock { heights, scene, every, listener }: Stock, after: u64) -> Self {
         let state = SessionState { heights, scene, every, generation: after, ..SessionState::default() };
-        Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new() }
+        Self { state: Mutex::new(state), hand: Mutex::default(), changed: Condvar::new(), listener }
     }
 
     /// Takes an order, and ends what runs. Returns the revision from which on the report speaks of it. Invalid knobs
     /// are refused; a running solve then continues.
-    pub(super) fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
+    ///
+    /// # Errors
+    /// A refusal for knobs that describe no contact.
+    pub fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         Ok(self.change(|state| {
@@ -217,8 +226,13 @@ impl Session {
         });
     }
 
-    /// The report, as soon as it is newer than `revision`, or after `patience`.
-    pub(super) fn report(&self, revision: u64, patience: Duration) -> Report {
+    /// The report.
+    pub fn report(&self) -> Report {
+        self.lock().report.clone()
+    }
+
+    /// The report, as soon as it is newer than `revision`, or after `patience`. It blocks the thread.
+    pub fn report_after(&self, revision: u64, patience: Duration) -> Report {
         let is_old = |state: &mut SessionState| state.report.revision <= revision && !state.closed;
         let waited = self.changed.wait_timeout_while(self.lock(), patience, is_old);
         waited.unwrap_or_else(PoisonError::into_inner).0.report.clone()
@@ -235,7 +249,7 @@ impl Session {
     }
 
     /// The recording of that name, if it is one of the latest.
-    pub(super) fn recording(&self, name: &str) -> Option<SessionRecording> {
+    pub(crate) fn recording(&self, name: &str) -> Option<SessionRecording> {
         self.lock().recording(name).cloned()
     }
 
@@ -248,7 +262,15 @@ impl Session {
     pub(super) fn next(&self) -> Option<(Turn<'_>, Order)> {
         let is_idle = |state: &mut SessionState| state.order.is_none() && !state.closed;
         let waited = self.changed.wait_while(self.lock(), is_idle);
-        let mut state = waited.unwrap_or_else(PoisonError::into_inner);
+        self.begin_turn(waited.unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The order that waits, if there is one.
+    pub(super) fn take_order(&self) -> Option<(Turn<'_>, Order)> {
+        self.begin_turn(self.lock())
+    }
+
+    fn begin_turn<'s>(&'s self, mut state: MutexGuard<'s, SessionState>) -> Option<(Turn<'s>, Order)> {
         let order = state.order.take().filter(|_| !state.closed)?;
         state.running = true;
         Some((Turn { session: self, number: state.generation }, order))
@@ -264,6 +286,9 @@ impl Session {
         change(&mut state);
         state.report.revision += 1;
         self.changed.notify_all();
+        if let Some(listener) = self.listener {
+            (listener.report)(&state.report);
+        }
         state.report.revision
     }
 }
@@ -271,20 +296,14 @@ impl Session {
 impl Turn<'_> {
     /// Whether there was no order since.
     pub fn goes_on(self) -> bool {
-        self.session.lock().generation == self.number
+        self.session.listener.is_none_or(|listener| (listener.goes_on)())
+            && self.session.lock().generation == self.number
     }
 
-    /// The options of a recording for the viewer on the page.
-    pub fn options(self, record: &Record) -> Options {
-        let options = Options::from(record);
-        // the viewer on the page has no bars of its own
-        let window = self.session.lock().window.map(|[width, height]| [width, height + Options::BARS]);
-        Options { window: window.unwrap_or(options.window), ..options }
-    }
-
-    /// The curves that stand beside new ones.
-    pub fn ghost(self) -> Option<Arc<Ghost>> {
-        self.session.lock().ghost()
+    /// How a recording is drawn: for the viewer on the page, and with the curves of the run that is pinned.
+    pub fn view(self) -> TapeView {
+        let state = self.session.lock();
+        (state.window, state.pinned_curves())
     }
 
     pub fn keep(self, recording: SessionRecording) {
@@ -303,7 +322,7 @@ impl Turn<'_> {
         contact: Contact,
         exact: Option<Exact>,
         beside: Option<Contact>,
-        curves: Ghost,
+        curves: TapeCurves,
         (steps, motion): (StepNumbers, Motion),
     ) {
         let numbers = Numbers::from_contact(&contact);
@@ -312,6 +331,7 @@ impl Turn<'_> {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;
             run.numbers = Some(numbers);
+            run.section = None;
             run.beside.iter_mut().for_each(|it| it.numbers = numbers_beside.clone());
             let report = run.clone();
             let id = report.id.clone();

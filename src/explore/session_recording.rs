@@ -4,8 +4,8 @@ use super::motion::Motion;
 use super::report::{RunReport, SweepReport};
 use super::section::Section;
 use super::step_numbers::StepNumbers;
+use super::tape::{TapeBytes, TapeCurves};
 use crate::contact::{Contact, archive};
-use crate::record::{Ghost, Output};
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
@@ -17,7 +17,9 @@ pub struct SessionRecording {
     pub id: String,
     /// Name, without ending, of the files that it is saved as.
     pub file_stem: String,
-    pub live: Output,
+    /// Its bytes, as they grow.
+    #[cfg_attr(not(feature = "serve"), expect(dead_code, reason = "only a server sends recordings"))]
+    pub live: TapeBytes,
     /// Its result, when it is complete.
     pub ended: Option<Ended>,
 }
@@ -40,7 +42,7 @@ pub struct SolvedRun {
     /// The contact of the surface beside, if there is one.
     pub beside: Option<Contact>,
     /// Curves of the recording, to stand beside those of others.
-    pub curves: Arc<Ghost>,
+    pub curves: Arc<TapeCurves>,
     pub steps: StepNumbers,
     pub motion: Motion,
 }
@@ -55,7 +57,7 @@ pub enum RecordingReport {
 
 impl SessionRecording {
     /// A recording that has begun.
-    pub fn new(id: &str, file_stem: &str, live: Output) -> Self {
+    pub fn new(id: &str, file_stem: &str, live: TapeBytes) -> Self {
         Self { id: id.into(), file_stem: file_stem.into(), live, ended: None }
     }
 

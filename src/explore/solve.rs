@@ -5,15 +5,17 @@ use super::motion::Motion;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
 use super::session::Turn;
 use super::session_recording::SessionRecording;
+use super::section::Section;
 use super::step_numbers::StepNumbers;
+use super::tape::{self, TapeCurves};
+use crate::clock::Instant;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
 use crate::job::{self, Job, JobRun, Pass, Solved};
-use crate::record::{Ghost, Options, Recording, Scene};
 use crate::setup::{Setup, command};
 use crate::surface::Surface;
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Time between two reports of a running solve.
 const INTERVAL: Duration = Duration::from_millis(60);
@@ -24,11 +26,13 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let problem = setup.problem()?;
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
     let rank = setup.surface.rank(&setup.grid)?;
-    let scene = Scene::from_setup(&setup, &problem);
-    let (title, exact) = (format!("{}, p* = {}", scene.title, knobs.load), scene.exact.clone());
+    let grid = problem.surface().grid();
+    let exact = problem.mean_pressure().and_then(|pressure| setup.exact(grid, pressure));
+    let surface = setup.surface.title(grid);
+    let title = format!("{surface}, p* = {}", knobs.load);
     let report = RunReport {
         id: format!("run-{}", turn.number),
-        file_stem: file_stem(&scene.title, &format!("p{}", knobs.load), setup.solver.name()),
+        file_stem: file_stem(&surface, &format!("p{}", knobs.load), setup.solver.name()),
         title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),
@@ -38,26 +42,27 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         ended: false,
         numbers: None,
         exact: exact.as_ref().map(ExactNumbers::from),
-        beside: beside
-            .as_ref()
-            .map(|(setup, problem)| Beside { title: Scene::from_setup(setup, problem).title, numbers: None }),
+        beside: beside.as_ref().map(|(setup, problem)| {
+            let title = setup.surface.title(problem.surface().grid());
+            Beside { title, numbers: None }
+        }),
+        section: None,
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
-    let options = Options { ghost: turn.ghost(), ..turn.options(&setup.record) };
+    let record = setup.record.clone();
     let job = Job::from_run(JobRun { title: Some(title), problem: Some(problem), ..JobRun::new(setup) });
     let job = beside.into_iter().fold(job, |job, (setup, problem)| {
         job.beside(JobRun { name: "beside".into(), problem: Some(problem), ..JobRun::new(setup) })
     });
-    let job = job.recorded_with(options, |scenes, options| {
-        let (recording, live) = Recording::live(&id, scenes, options)?;
+    let curves = tape::curves(&id);
+    let job = tape::recorded(job, &id, &record, turn.view(), |live| {
         turn.keep(SessionRecording::new(&id, &file_stem, live));
         turn.update_report(|news| news.run = Some(report));
-        Ok(recording)
     });
     let mut watch = RunCollector {
         turn,
         reported: Instant::now(),
-        curves: Ghost::new(&format!("pinned {id}")),
+        curves,
         steps: StepNumbers::default(),
         motion: Motion::default(),
     };
@@ -99,7 +104,7 @@ fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError>
 struct RunCollector<'a> {
     turn: Turn<'a>,
     reported: Instant,
-    curves: Ghost,
+    curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
 }
@@ -130,10 +135,10 @@ impl Observer for ProgressReport<'_, '_> {
         }
         if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
             **reported = Instant::now();
-            let numbers = Numbers::from_step(step);
+            let (numbers, section) = (Numbers::from_step(step), Section::from_step(step));
             self.turn.update_report(|news| {
                 if let Some(run) = &mut news.run {
-                    run.numbers = Some(numbers);
+                    (run.numbers, run.section) = (Some(numbers), Some(section));
                 }
             });
         }

@@ -6,11 +6,10 @@ use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
 use super::section::Section;
 use super::session::Turn;
 use super::session_recording::SessionRecording;
+use super::tape::SweepTape;
 use crate::contact::{Contact, Each, Failure, Law, Load, Multilevel, Observables, Problem, Solver, Step};
 use crate::error::ProblemError;
-use crate::plot::Colour;
-use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Output, RecordedCurve, Scene};
-use crate::setup::{Part, Setup, Solid};
+use crate::setup::{Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
 
@@ -23,44 +22,11 @@ const FULL: f64 = 0.9999;
 /// With fewer nodes in contact than this, the numbers are not accurate.
 const FEWEST_NODES: usize = 4;
 
-/// A curve of the recording: its view, name, kind and colour, and its value at a point.
-type PointCurve = (&'static str, &'static str, CurveKind, Colour, fn(&SweepPoint) -> f64);
-
-const AREA: &str = "Relative area a_rel";
-const KAPPA_R: &str = "kappa_r";
-const KAPPA: &str = "kappa";
-const GREY: Colour = Colour([0x80; 3]);
-
-/// Curves of every sweep, behind them those of Persson's theory where it applies, and those of an exact solution where there is one.
-const CURVES: [PointCurve; 3] = [
-    (AREA, "a_rel", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_area().unwrap_or(f64::NAN)),
-    (KAPPA_R, "kappa_r", CurveKind::Computed, Colour::ORANGE, |point| {
-        point.observables.resolved_kappa_r().unwrap_or(f64::NAN)
-    }),
-    (KAPPA, "kappa", CurveKind::Computed, Colour::SKY, |point| point.observables.resolved_kappa().unwrap_or(f64::NAN)),
-];
-const PERSSON: [PointCurve; 2] = [
-    (AREA, "Persson", CurveKind::Theory, GREY, |point| point.persson.unwrap_or(f64::NAN)),
-    (KAPPA, "Persson", CurveKind::Theory, GREY, |point| {
-        point.persson.unwrap_or(f64::NAN) / point.observables.reduced_pressure
-    }),
-];
-const EXACT: [PointCurve; 2] = [
-    (AREA, "exact", CurveKind::Exact, Colour::GREEN, |point| {
-        point.exact.as_ref().map_or(f64::NAN, |exact| exact.relative_area)
-    }),
-    (KAPPA_R, "exact kappa_r", CurveKind::Exact, Colour::GREEN, |point| {
-        point.exact.as_ref().and_then(|exact| exact.kappa_r).unwrap_or(f64::NAN)
-    }),
-];
-
 /// Solves one load after the other, each from the previous contact, until the contact is full or the turn is over.
 pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let loads: Vec<f64> = loads().collect();
     let problem = at_load(&setup.problem()?, FIRST)?;
-    let persson = is_rough_flat(&setup).then_some(PERSSON).into_iter().flatten();
-    let exact = exact(&setup, &problem).map(|_| EXACT).into_iter().flatten();
-    let curves: Vec<PointCurve> = CURVES.into_iter().chain(persson).chain(exact).collect();
+    let theories = [is_rough_flat(&setup), exact(&setup, &problem).is_some()];
     let surface = setup.surface.title(problem.surface().grid());
     let report = SweepReport {
         id: format!("sweep-{}", turn.number),
@@ -71,14 +37,13 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
         points: Vec::new(),
     };
     let heaviest = at_load(&problem, heaviest(&loads))?;
-    let (recording, live) = record(turn, &report, &setup, &heaviest, &loads, &curves)?;
+    let (tape, live) = SweepTape::begin((&report, &setup, &heaviest), &loads, theories, turn.view())?;
     turn.keep(SessionRecording::new(&report.id, &report.file_stem, live));
     let mut press = Press {
         turn,
         setup: &setup,
         report,
-        recording: &recording,
-        curves: &curves,
+        tape: &tape,
         row: None,
         motion: Motion::default(),
     };
@@ -86,7 +51,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let pressed = press.all(&problem, &loads);
     press.report.ended = true;
     let Press { report, motion, .. } = press;
-    recording.finish()?;
+    tape.finish()?;
     turn.finish_sweep(report, motion);
     pressed
 }
@@ -118,45 +83,12 @@ fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
     setup.exact(problem.surface().grid(), problem.expected_mean_pressure())
 }
 
-/// Begins the recording: the requested pictures, and always curves and contact.
-fn record(
-    turn: Turn<'_>,
-    report: &SweepReport,
-    setup: &Setup,
-    problem: &Problem,
-    loads: &[f64],
-    curves: &[PointCurve],
-) -> Result<(LoadRecording, Output), Failure> {
-    let (title, description) = (report.title.clone(), setup.surface.description());
-    let loads = Loads {
-        title: title.clone(),
-        description: format!("{description}, each load solved from the previous contact, until the contact is full."),
-        axis: LoadAxis::log("p*", loads.to_vec()),
-        captions: loads.iter().map(|load| Load::ReducedPressure(*load).to_string()).collect(),
-        curves: curves
-            .iter()
-            .map(|&(view, name, kind, colour, _)| RecordedCurve {
-                view: view.into(),
-                name: name.into(),
-                colour: colour.0,
-                kind,
-            })
-            .collect(),
-        figure: None,
-        scenes: &[Scene { title, exact: None, ..Scene::from_setup(setup, problem) }],
-    };
-    let mut parts = setup.record.clone();
-    parts.what.extend([Part::Traces, Part::Mask]);
-    Ok(LoadRecording::live(&report.id, &loads, turn.options(&parts))?)
-}
-
 /// A running sweep.
 struct Press<'a> {
     turn: Turn<'a>,
     setup: &'a Setup,
     report: SweepReport,
-    recording: &'a LoadRecording,
-    curves: &'a [PointCurve],
+    tape: &'a SweepTape,
     /// The row of the sections, in which contact began.
     row: Option<usize>,
     motion: Motion,
@@ -186,7 +118,7 @@ impl Press<'_> {
 
     /// Records load number `number`, from 0 on, and reports it if it is more than a few nodes.
     fn show(&mut self, number: usize, load: f64, contact: &Contact) -> Result<(), Failure> {
-        self.recording.contact(0, number, contact)?;
+        self.tape.contact(number, contact)?;
         if contact.counted().contact_nodes < FEWEST_NODES {
             return Ok(());
         }
@@ -196,8 +128,7 @@ impl Press<'_> {
             persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
         };
-        let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(&point)).collect();
-        self.recording.values(number, &values)?;
+        self.tape.point(&point)?;
         self.report.points.push(point);
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
         self.motion.add_load(number, Section::from_load(contact, row));

@@ -91,7 +91,7 @@ fn a_fresh_study_that_is_interrupted_leaves_no_older_drawings() {
     assert!(!folder.join("study.csv").exists() && views.iter().all(|path| !path.exists()));
 }
 
-#[cfg(all(unix, feature = "explore"))]
+#[cfg(all(unix, feature = "serve"))]
 #[test]
 fn a_course_that_is_ended_leaves_no_folder() {
     let folder = Folder::new();

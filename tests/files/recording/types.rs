@@ -60,7 +60,7 @@ fn each_component_of_every_kind_of_recording_has_one_type_and_no_name_of_a_timel
     recordings.iter().for_each(|path| check(path));
 }
 
-#[cfg(feature = "explore")]
+#[cfg(feature = "serve")]
 #[test]
 fn so_it_is_in_the_recordings_of_the_explorer() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,7 +1,8 @@
 //! One setup by command line, study, page and library: the same numbers to the bit, and the same warnings.
 
 use super::Page;
-use asperity::explore::{Explorer, Knobs, Lesson, SceneFile, Sessions};
+use asperity::explore::{Knobs, Lesson, SceneFile};
+use asperity::serve::{Explorer, Sessions};
 use asperity::job::Job;
 use asperity::setup::Setup;
 use assert_cmd::Command;

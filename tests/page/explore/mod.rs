@@ -16,7 +16,8 @@ mod texts;
 
 use asperity::Stop;
 use asperity::contact::{Multilevel, Solver};
-use asperity::explore::{Explorer, Knobs, Lesson, Server, Sessions, Start};
+use asperity::explore::{Knobs, Lesson, Start};
+use asperity::serve::{Explorer, Server, Sessions};
 use asperity::setup::Setup;
 use assert_cmd::Command;
 use rerun::components::Color;

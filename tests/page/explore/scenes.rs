@@ -1,7 +1,8 @@
 //! Scenes of setup files on the page.
 
 use super::{Page, with};
-use asperity::explore::{Explorer, Knobs, Lesson, SceneFile, Sessions};
+use asperity::explore::{Knobs, Lesson, SceneFile};
+use asperity::serve::{Explorer, Sessions};
 use asperity::setup::Setup;
 use assert_cmd::Command;
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@
 macro_rules! policy {
     () => {
         "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; \
-         img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'"
+         img-src 'self' data: blob:; worker-src 'self' blob:; connect-src 'self' blob:; base-uri 'none'; form-action 'none'"
     };
 }
 

@@ -1,9 +1,9 @@
 //! The page and the viewer inside it, all of them in the binary.
 
 use super::policy::IN_PAGE;
-use super::schema;
-use super::site::{Reply, Request, Site};
+use super::site::{Reply, Site};
 use super::stream::RecordingBytes;
+use crate::explore::{self, Request};
 use axum::body::Bytes;
 use re_web_viewer_server::WebViewerData;
 use std::fs::File;
@@ -41,7 +41,7 @@ macro_rules! scripts {
 
 /// All scripts of the page in the order in which they run.
 const SCRIPTS: &str = scripts!(
-    "say" "beforehand" "backend" "link" "viewer" "views" "controls" "heights" "runs" "charts" "save" "address" "welcome" "presets" "guess"
+    "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "heights" "runs" "charts" "save" "address" "welcome" "presets" "guess"
     "lessons" "picture" "hand" "pick" "why" "undo" "asperity" "begin"
 );
 
@@ -52,9 +52,20 @@ const FILES: &[(&str, &str, &str)] =
 /// The path of the one script of the page.
 const SCRIPT: &str = "/explore.js";
 
+/// The script that runs the module in a Web Worker. The page has its text, as a page that is opened from a folder may not load a worker
+/// from a file.
+const WORKER: &str = include_str!("../../assets/explore/worker.js");
+
+/// The module, compressed, as a text in a script. The script `browser/build` makes it.
+const MODULE: &str = include_str!("../../assets/explore/module.js");
+
+/// The service worker of a site, which keeps its files for when there is no network.
+const OFFLINE: &str = include_str!("../../assets/explore/offline.js");
+
 /// The script of the page: the schema of the knobs, the texts and all scripts in one function, so that their names are not global.
 fn script() -> String {
-    format!("(() => {{\n\"use strict\";\n{}{TEXTS}{SCRIPTS}}})();\n", schema::script())
+    let worker = serde_json::Value::from(WORKER);
+    format!("(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{TEXTS}{SCRIPTS}}})();\n", explore::script())
 }
 
 /// Answers to the paths of the page.
@@ -102,16 +113,25 @@ impl Page {
         })
     }
 
-    /// All files, by their names, as they lie in a folder beside the script `solved.js`, which the page then loads.
-    pub fn files(&self) -> impl Iterator<Item = (&'static str, Bytes)> {
+    /// All files of a site, by their names, but for its data in `site.js`, which the page loads first; the viewer if there
+    /// is something to view.
+    pub fn files(&self, has_viewer: bool) -> impl Iterator<Item = (&'static str, Bytes)> {
         let kind = "<meta charset=\"utf-8\">";
         let policy = format!("{kind}\n<meta http-equiv=\"Content-Security-Policy\" content=\"{IN_PAGE}\">");
         let script = "<script src=\"explore.js\" defer></script>";
-        let solved = format!("<script src=\"solved.js\" defer></script>\n{script}");
-        let html = self.html().replace(kind, &policy).replace(script, &solved);
+        let site = format!("<script src=\"site.js\" defer></script>\n{script}");
+        let html = self.html().replace(kind, &policy).replace(script, &site);
         let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
         let viewer = [("re_viewer.js", self.viewer.clone()), ("re_viewer_bg.wasm", self.module.clone())];
-        own.chain(viewer).chain([(&SCRIPT[1..], self.script.clone()), ("index.html", html.into())])
+        let scripts = [(&SCRIPT[1..], self.script.clone()), ("module.js", Bytes::from_static(MODULE.as_bytes()))];
+        let viewer = viewer.into_iter().filter(move |_| has_viewer);
+        own.chain(viewer).chain(scripts).chain([("index.html", html.into())])
+    }
+
+    /// The service worker of a site: it keeps these files, under a mark that differs from that of other files.
+    pub fn offline<'n>(&self, mark: &str, files: impl Iterator<Item = &'n str>) -> String {
+        let kept: Vec<&str> = files.filter(|name| !name.starts_with("re_viewer")).collect();
+        OFFLINE.replace("{mark}", mark).replace("{files}", &serde_json::Value::from(kept).to_string())
     }
 
     fn html(&self) -> String {

@@ -2,7 +2,8 @@
 
 use super::guard;
 use super::policy::IN_HEADER;
-use super::site::{Intake, Reply, Request, Site};
+use super::site::{Intake, Reply, Site};
+use crate::explore::Request;
 use axum::Router;
 use axum::body::{Body, HttpBody, to_bytes};
 use axum::extract::{Request as Incoming, State};

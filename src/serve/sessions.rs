@@ -1,10 +1,7 @@
 //! The sessions of a server: every tab of a browser has its own.
 
-use super::description::Description;
-use super::height_knobs::HeightKnobs;
-use super::refusal::Refusal;
-use super::session::{Session, Stock};
-use super::source::SceneFile;
+use super::worker;
+use crate::explore::{Description, HeightKnobs, Refusal, SceneFile, Session, Stock};
 use crate::surface::HeightFile;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -65,7 +62,7 @@ impl Sessions {
             open.remove(longest.ok_or_else(all_live)?).session.close();
         }
         let name = unguessable();
-        let (session, solver) = Session::start(self.stock.clone(), after.into());
+        let (session, solver) = worker::start(self.stock.clone(), after.into());
         open.push(Open { name: name.clone(), session, solver, asked: Some(Instant::now()) });
         Ok(name)
     }

@@ -1,17 +1,8 @@
-//! Requests and replies, free of any network.
+//! The replies to requests, free of any network.
 
 use super::stream::RecordingBytes;
+use crate::explore::{Answer, Request};
 use axum::body::Bytes;
-
-/// A request that passed the guards.
-pub struct Request<'a> {
-    pub method: &'a str,
-    /// Path, from the first `/` on.
-    pub path: &'a str,
-    /// Query, all after the `?`.
-    pub query: &'a str,
-    pub body: &'a [u8],
-}
 
 /// An answer.
 pub enum Reply {
@@ -29,19 +20,25 @@ pub enum Reply {
 
 impl Reply {
     pub fn json(value: &impl serde::Serialize) -> Self {
-        match serde_json::to_vec(value) {
-            Ok(json) => Self::Page("application/json", json.into()),
-            Err(error) => Self::Error(500, error.to_string()),
-        }
+        Answer::json(value).into()
     }
 
     pub fn missing(path: &str) -> Self {
-        let path: String = path.chars().take(80).collect();
-        Self::Error(404, format!("there is nothing at {path}"))
+        Answer::missing(path).into()
     }
 
     pub fn wrong_method(right: &str) -> Self {
-        Self::Error(405, format!("only {right} is accepted here"))
+        Answer::wrong_method(right).into()
+    }
+}
+
+impl From<Answer> for Reply {
+    fn from(answer: Answer) -> Self {
+        match answer {
+            Answer::Json(json) => Self::Page("application/json", json.into()),
+            Answer::Download(name, bytes) => Self::Download(name, bytes),
+            Answer::Refused(status, sentence) => Self::Error(status, sentence),
+        }
     }
 }
 
