@@ -98,9 +98,9 @@
 extern crate self as asperity;
 
 mod chunks;
-pub mod clock;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod clock;
 pub mod contact;
 pub mod diagnosis;
 pub mod elastic;

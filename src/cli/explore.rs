@@ -78,7 +78,9 @@ impl Explore {
         };
         if let Some(folder) = &self.export {
             let Begin::Start(start) = self.start else {
-                return usage("a site cannot begin with a scene: give hertz-line, hertz-surface, rough-line or rough-surface");
+                return usage(
+                    "a site cannot begin with a scene: give hertz-line, hertz-surface, rough-line or rough-surface",
+                );
             };
             return export(folder, SiteExport::new(start.knobs(), lessons, !self.no_recordings));
         }

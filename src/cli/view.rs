@@ -4,8 +4,8 @@ use super::exit_status::{ExitStatus, usage};
 use super::explore::PageArgs;
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
-use asperity::serve::Viewing;
 use asperity::record::{compare, is_recording};
+use asperity::serve::Viewing;
 use clap::Args;
 use std::path::{Path, PathBuf};
 

@@ -96,9 +96,7 @@ impl Session {
             ("/api/state", _) => Answer::json(&self.report()),
             ("/api/runs", _) => Answer::json(&self.reports()),
             ("/api/heights", _) => Answer::json(&self.description()),
-            (path, _) => {
-                self.facet(path).or_else(|| self.saved_arrays(path)).unwrap_or_else(|| Answer::missing(path))
-            }
+            (path, _) => self.facet(path).or_else(|| self.saved_arrays(path)).unwrap_or_else(|| Answer::missing(path)),
         }
     }
 

@@ -18,13 +18,7 @@ pub type TapeView = (Option<[f64; 2]>, Option<Arc<TapeCurves>>);
 pub fn curves(_: &str) -> TapeCurves {}
 
 /// The job as it is.
-pub fn recorded<'a>(
-    job: Job<'a>,
-    _: &'a str,
-    _: &Record,
-    _: TapeView,
-    begun: impl FnOnce(TapeBytes) + 'a,
-) -> Job<'a> {
+pub fn recorded<'a>(job: Job<'a>, _: &'a str, _: &Record, _: TapeView, begun: impl FnOnce(TapeBytes) + 'a) -> Job<'a> {
     begun(());
     job
 }

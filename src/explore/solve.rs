@@ -3,9 +3,9 @@
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
+use super::section::Section;
 use super::session::Turn;
 use super::session_recording::SessionRecording;
-use super::section::Section;
 use super::step_numbers::StepNumbers;
 use super::tape::{self, TapeCurves};
 use crate::clock::Instant;

@@ -39,14 +39,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let heaviest = at_load(&problem, heaviest(&loads))?;
     let (tape, live) = SweepTape::begin((&report, &setup, &heaviest), &loads, theories, turn.view())?;
     turn.keep(SessionRecording::new(&report.id, &report.file_stem, live));
-    let mut press = Press {
-        turn,
-        setup: &setup,
-        report,
-        tape: &tape,
-        row: None,
-        motion: Motion::default(),
-    };
+    let mut press = Press { turn, setup: &setup, report, tape: &tape, row: None, motion: Motion::default() };
     press.publish();
     let pressed = press.all(&problem, &loads);
     press.report.ended = true;

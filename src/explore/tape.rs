@@ -5,7 +5,9 @@ use crate::contact::{Contact, Failure, Load, Problem};
 use crate::error::FileError;
 use crate::job::Job;
 use crate::plot::Colour;
-use crate::record::{CurveKind, Ghost, LoadAxis, LoadRecording, Loads, Options, Output, RecordedCurve, Recording, Scene};
+use crate::record::{
+    CurveKind, Ghost, LoadAxis, LoadRecording, Loads, Options, Output, RecordedCurve, Recording, Scene,
+};
 use crate::setup::{Part, Record, Setup};
 use std::sync::Arc;
 
@@ -101,7 +103,9 @@ impl SweepTape {
         let (title, description) = (report.title.clone(), setup.surface.description());
         let loads = Loads {
             title: title.clone(),
-            description: format!("{description}, each load solved from the previous contact, until the contact is full."),
+            description: format!(
+                "{description}, each load solved from the previous contact, until the contact is full."
+            ),
             axis: LoadAxis::log("p*", loads.to_vec()),
             captions: loads.iter().map(|load| Load::ReducedPressure(*load).to_string()).collect(),
             curves: curves

@@ -3,3 +3,4 @@
 #[cfg(unix)]
 mod browser;
 mod explore;
+mod module;

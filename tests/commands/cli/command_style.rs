@@ -69,9 +69,7 @@ fn the_version_says_commit_and_features() {
     let is_commit = commit.len() >= 10 && commit.bytes().take(10).all(|byte| byte.is_ascii_hexdigit());
     assert!(is_commit || commit.starts_with("unknown, "), "{commit}");
     let features: Vec<&str> = lines[2].strip_prefix("features: ").unwrap().split(", ").collect();
-    for (name, is_built) in
-        [("cli", true), ("record", cfg!(feature = "record")), ("serve", cfg!(feature = "serve"))]
-    {
+    for (name, is_built) in [("cli", true), ("record", cfg!(feature = "record")), ("serve", cfg!(feature = "serve"))] {
         assert_eq!(features.contains(&name), is_built, "{features:?}");
     }
 }

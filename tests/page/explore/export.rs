@@ -1,7 +1,7 @@
-//! The lessons as a folder of files: all that they show is there, or nothing.
+//! The page as a folder of files: all that it needs is there, or nothing.
 
 use assert_cmd::Command;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -30,89 +30,104 @@ fn names(folder: &Path) -> BTreeSet<String> {
     std::fs::read_dir(folder).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap()).collect()
 }
 
-#[test]
-fn all_that_lessons_show_is_solved_beforehand() {
-    let folder = tempfile::tempdir().unwrap();
-    let (lessons, site) = (folder.path().join("lessons"), folder.path().join("site"));
+/// A folder with a lesson, and the name of a site in it.
+fn lessons(folder: &Path, text: &str) -> [std::path::PathBuf; 2] {
+    let lessons = folder.join("lessons");
     std::fs::create_dir(&lessons).unwrap();
-    std::fs::write(lessons.join("two.toml"), LESSON).unwrap();
+    std::fs::write(lessons.join("two.toml"), text).unwrap();
+    [lessons, folder.join("site")]
+}
+
+/// The data of a site.
+fn data(site: &Path) -> Value {
+    let script = std::fs::read_to_string(site.join("site.js")).unwrap();
+    let json = script.trim_start_matches("\"use strict\";\nconst SITE = ").trim_end().trim_end_matches(';');
+    serde_json::from_str(json).unwrap()
+}
+
+/// What every site has.
+const FILES: [&str; 7] =
+    ["index.html", "explore.js", "explore.css", "favicon.svg", "module.js", "site.js", "offline.js"];
+
+#[test]
+fn a_site_has_all_that_the_page_loads_and_recordings_of_its_lessons() {
+    let folder = tempfile::tempdir().unwrap();
+    let [lessons, site] = lessons(folder.path(), LESSON);
     let output = export(&lessons, &site).output().unwrap();
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.success(), "{told}");
-    assert!(told.contains("solving 10 of 10"), "{told}");
+    assert!(told.contains("recording 10 of 10"), "{told}");
     assert_eq!(names(folder.path()), ["lessons", "site"].map(String::from).into());
     let files = names(&site);
-    for name in ["index.html", "re_viewer.js", "re_viewer_bg.wasm", "solved.js", "explore.js", "explore.css", "run"] {
-        assert!(files.contains(name), "{name} is not among {files:?}");
-    }
+    assert_eq!(
+        files,
+        FILES.into_iter().chain(["re_viewer.js", "re_viewer_bg.wasm", "run"]).map(String::from).collect()
+    );
     let html = std::fs::read_to_string(site.join("index.html")).unwrap();
     assert!(html.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "), "{html}");
     for script in html.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
         assert!(files.contains(script), "{script} is not among {files:?}");
     }
-    let script = std::fs::read_to_string(site.join("solved.js")).unwrap();
-    let json = script.trim_start_matches("\"use strict\";\nconst SOLVED = ").trim_end().trim_end_matches(';');
-    let solved: Value = serde_json::from_str(json).unwrap();
-    let runs = solved["runs"].as_array().unwrap();
-    let loads: Vec<f64> =
-        runs.iter().filter(|run| run["points"].is_null()).map(|run| run["knobs"]["load"].as_f64().unwrap()).collect();
-    assert_eq!((runs.len(), loads.len()), (10, 8), "{loads:?}");
-    assert!(loads.contains(&0.02) && loads.contains(&0.2) && loads.contains(&0.05), "{loads:?}");
-    for run in runs {
+    let data = data(&site);
+    let recorded = data["recorded"].as_array().unwrap();
+    for run in recorded {
         let id = run["id"].as_str().unwrap();
-        assert_eq!(run["ended"], true, "{id}");
         assert!(std::fs::metadata(site.join("run").join(format!("{id}.rrd"))).unwrap().len() > 1000, "{id}");
-        let is_sweep = !run["points"].is_null();
-        let facets = std::fs::read_to_string(site.join("run").join(format!("{id}.js")));
-        let has = |name: &str| facets.as_ref().is_ok_and(|script| script.contains(&format!("\"{name}\":")));
-        assert_eq!([has("iterations"), has("section"), has("why"), has("patches")], [!is_sweep; 4], "{id}");
-        assert!(has("motion"), "{id}");
-        assert!(is_sweep || run["numbers"]["status"] == "converged", "{id}");
     }
-    assert_eq!(names(&site.join("run")).len(), 2 * runs.len());
-    let of_theme = |theme: &str| runs.iter().filter(|run| run["knobs"]["theme"] == theme).count();
+    assert_eq!((recorded.len(), names(&site.join("run")).len()), (10, 10));
+    let loads =
+        recorded.iter().filter(|run| run["is_sweep"] == false).map(|run| run["knobs"]["load"].as_f64().unwrap());
+    let loads: BTreeSet<String> = loads.map(|load| load.to_string()).collect();
+    assert_eq!(loads, ["0.02", "0.05", "0.2"].map(String::from).into());
+    let of_theme = |theme: &str| recorded.iter().filter(|run| run["knobs"]["theme"] == theme).count();
     assert_eq!([of_theme("dark"), of_theme("light")], [5, 5]);
-    the_bodies_stand_as_they_press(&site, runs);
-    assert_eq!(solved["start"], solved["lessons"][0]["steps"][0]["knobs"]);
+    assert_eq!(data["lessons"][0]["steps"].as_array().unwrap().len(), 2);
+    let offline = std::fs::read_to_string(site.join("offline.js")).unwrap();
+    assert!(
+        offline.contains("\"module.js\"") && !offline.contains("re_viewer") && !offline.contains("{mark}"),
+        "{offline}"
+    );
 }
 
-/// The section of every run: the solid is lower where it is pressed, and the rigid surface of the first step has one shape at all loads.
-fn the_bodies_stand_as_they_press(site: &Path, runs: &[Value]) {
-    let mut shapes = Vec::new();
-    for run in runs.iter().filter(|run| run["points"].is_null()) {
-        let id = run["id"].as_str().unwrap();
-        let script = std::fs::read_to_string(site.join("run").join(format!("{id}.js"))).unwrap();
-        let facets = script.split_once(" = ").unwrap().1.trim_end().trim_end_matches(';');
-        let section = serde_json::from_str::<Value>(facets).unwrap()["section"].clone();
-        let [rigid, solid, pressure] = ["rigid", "solid", "pressure"]
-            .map(|name| section[name].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>());
-        let mean = |is_pressed: bool| {
-            let (sum, count) = (0..solid.len())
-                .filter(|&i| (pressure[i] > 0.0) == is_pressed)
-                .fold((0.0, 0.0), |(sum, count), i| (sum + solid[i], count + 1.0));
-            sum / count
-        };
-        assert!(mean(true) < mean(false), "{id}: {} below the contact, {} beside it", mean(true), mean(false));
-        if run["knobs"]["body"] == "flat" {
-            shapes.push(rigid.iter().map(|z| z - rigid[0]).collect::<Vec<_>>());
-        }
-    }
-    let most = shapes[0].iter().map(|z| z.abs()).fold(0.0, f64::max);
-    assert_eq!(shapes.len(), 6);
-    for shape in &shapes {
-        assert!(
-            shape.iter().zip(&shapes[0]).all(|(a, b)| (a - b).abs() < 1e-5 * most),
-            "the shape changes with the load"
-        );
-    }
+#[test]
+fn a_site_without_recordings_has_a_first_picture_and_no_viewer() {
+    let folder = tempfile::tempdir().unwrap();
+    let [lessons, site] = lessons(folder.path(), LESSON);
+    let output = export(&lessons, &site).args(["--no-recordings", "hertz-line"]).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(names(&site), FILES.map(String::from).into());
+    let data = data(&site);
+    assert_eq!((&data["recorded"], &data["start"]["body"]), (&json!([]), &json!("round")));
+    assert_eq!(data["first"]["run"]["numbers"]["status"], "converged");
+    let [solid, pressure] = ["solid", "pressure"].map(|name| {
+        let values = data["first"]["section"][name].as_array().unwrap().iter();
+        values.map(|z| z.as_f64().unwrap()).collect::<Vec<_>>()
+    });
+    let mean = |is_pressed: bool| {
+        let chosen: Vec<f64> =
+            (0..solid.len()).filter(|&i| (pressure[i] > 0.0) == is_pressed).map(|i| solid[i]).collect();
+        chosen.iter().sum::<f64>() / chosen.len() as f64
+    };
+    assert!(mean(true) < mean(false), "the solid is lower where it is pressed");
+    let size: u64 = FILES.iter().map(|name| std::fs::metadata(site.join(name)).unwrap().len()).sum();
+    assert!(size < 2_000_000, "{size} bytes");
+}
+
+#[test]
+fn states_that_are_too_large_for_a_browser_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let [lessons, site] = lessons(folder.path(), &LESSON.replace("points = 512", "points = 131072"));
+    let output = export(&lessons, &site).output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told.contains("a step of the lesson two has 131072 points") && told.contains("at most 65536"), "{told}");
+    assert!(!site.exists());
 }
 
 #[test]
 fn nothing_is_written_over() {
     let folder = tempfile::tempdir().unwrap();
-    let lessons = folder.path().join("lessons");
-    std::fs::create_dir(&lessons).unwrap();
-    std::fs::write(lessons.join("two.toml"), LESSON).unwrap();
+    let [lessons, _] = lessons(folder.path(), LESSON);
     let file = lessons.join("two.toml");
     for (site, reason) in [
         (&lessons, "it is not empty"),
@@ -126,8 +141,17 @@ fn nothing_is_written_over() {
         assert!(told.contains(reason) && told.contains(site.to_str().unwrap()), "{reason} is not in {told}");
     }
     assert_eq!(names(folder.path()), ["lessons".to_owned()].into());
-    let clash = export(&lessons, &folder.path().join("site")).args(["--port", "9"]).output().unwrap();
-    assert_eq!(clash.status.code(), Some(2));
+    let site = folder.path().join("site");
+    for (arguments, reason) in
+        [(&["--port", "9"][..], "cannot be used with"), (&["scene.toml"], "a site cannot begin with a scene")]
+    {
+        let clash = export(&lessons, &site).args(arguments).output().unwrap();
+        let told = String::from_utf8(clash.stderr).unwrap();
+        assert_eq!(clash.status.code(), Some(2), "{told}");
+        assert!(told.contains(reason), "{told}");
+    }
+    let alone = Command::new(env!("CARGO_BIN_EXE_asperity")).args(["explore", "--no-recordings"]).output().unwrap();
+    assert_eq!(alone.status.code(), Some(2));
 }
 
 /// An export that is interrupted leaves nothing behind.
@@ -135,22 +159,20 @@ fn nothing_is_written_over() {
 #[test]
 fn an_interrupt_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    let lessons = folder.path().join("lessons");
-    std::fs::create_dir(&lessons).unwrap();
     let endless = "title = \"T\"\n[[step]]\ntext = \"Wait.\"\nknobs = { solver = { method = \"gfmd\" }, points = 32768, stop = { tolerance = 1e-13, max-iterations = 100000 } }\n";
-    std::fs::write(lessons.join("long.toml"), endless).unwrap();
+    let [lessons, site] = lessons(folder.path(), endless);
     let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_asperity"))
         .args(["explore", "--lessons"])
         .arg(&lessons)
         .arg("--export")
-        .arg(folder.path().join("site"))
+        .arg(site)
         .stderr(std::process::Stdio::piped())
         .spawn()
         .unwrap();
     let mut told = String::new();
     let mut pipe = std::io::BufReader::new(child.stderr.take().unwrap());
     std::io::BufRead::read_line(&mut pipe, &mut told).unwrap();
-    assert_eq!(told, "solving 1 of 2\n");
+    assert_eq!(told, "recording 1 of 2\n");
     std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(1));
     std::io::Read::read_to_string(&mut pipe, &mut told).unwrap();

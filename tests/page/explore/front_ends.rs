@@ -2,8 +2,8 @@
 
 use super::Page;
 use asperity::explore::{Knobs, Lesson, SceneFile};
-use asperity::serve::{Explorer, Sessions};
 use asperity::job::Job;
+use asperity::serve::{Explorer, Sessions};
 use asperity::setup::Setup;
 use assert_cmd::Command;
 use serde_json::Value;
