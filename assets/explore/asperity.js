@@ -2,7 +2,7 @@
 
 window.asperity = {
   answered, ask, byId, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
-  moveHandle, openLesson, press, read, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, words,
+  moveHandle, openLesson, press, read, replace, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, words,
   awake, wholeRuns,
   get beside() { return beside; },
   get chosen() { return chosen; },
@@ -23,6 +23,7 @@ window.asperity = {
   get runs() { return runs; },
   get section() { return section; },
   get sectionRun() { return sectionRun; },
+  get solver() { return solver; },
   get session() { return session; },
   get shownRun() { return shownRun; },
   get states() { return states; },

@@ -6,8 +6,9 @@ let latestNews = { revision: 0, busy: false, run: site?.first.run ?? null, sweep
 /** Those who wait for the next report. */
 let listeners = [];
 
+/** Takes news. Revisions are counted here, as one module may follow another, which knows no run of before. */
 function tell(news) {
-  latestNews = { ...latestNews, ...news };
+  latestNews = { ...latestNews, ...news, run: news.run ?? latestNews.run, revision: latestNews.revision + 1 };
   listeners.splice(0).forEach((done) => done(latestNews));
 }
 
@@ -15,6 +16,9 @@ function tell(news) {
 const WRITTEN = { start: "start", lessons: "lessons", observables: "observables" };
 /** Orders that end what runs. */
 const ENDING = ["solve", "sweep", "cancel", "heights"];
+
+/** Milliseconds that an order has to end by itself where it cannot be ended. */
+const RESPITE = 300;
 
 /** One module in its worker: the requests that wait for an answer, and the address that is there as long as the latest order is wanted. */
 class Engine {
@@ -24,13 +28,17 @@ class Engine {
     this.worker = new Worker(URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })));
     this.worker.addEventListener("message", ({ data }) => this.heard(data));
     this.sign = URL.createObjectURL(new Blob());
-    this.compiled = this.send({ begin, sign: this.sign });
+    this.begun = this.send({ begin, sign: this.sign });
   }
 
-  /** Ends what the worker solves. A worker that solves hears no message, but sees whether an address is still there. */
-  interrupt() {
+  /** Ends what the worker solves, and returns whether it can: a worker that solves hears no message, but sees whether an address is still
+   * there. Where the browser does not let it look, as on a page from disk, the order has some time to end by itself. */
+  async interrupt() {
     URL.revokeObjectURL(this.sign);
     this.sign = URL.createObjectURL(new Blob());
+    if ((await this.begun).canLook) return true;
+    for (let waited = 0; latestNews.busy && waited < RESPITE; waited += 20) await new Promise((done) => setTimeout(done, 20));
+    return !latestNews.busy;
   }
 
   send(message) {
@@ -41,17 +49,22 @@ class Engine {
 
   heard({ number, status, answer, news, broken }) {
     if (news) { tell(JSON.parse(news)); return; }
-    if (broken) { restart(broken); return; }
+    if (broken) { replace(this, broken); return; }
     const { done, failed } = this.waiting.get(number);
     this.waiting.delete(number);
     if (status === 200) done(answer); else failed(refusal(status, answer));
   }
 
-  /** The answer to a request: a text, or bytes. An order ends the one before it. */
+  /** The answer to a request: a text, or bytes. */
   async request(method, path, body) {
-    await this.compiled;
-    if (ENDING.includes(path.split("?")[0])) this.interrupt();
+    await this.begun;
     return this.send({ method, path, body, sign: this.sign });
+  }
+
+  /** Ends the worker, and with it what waits. */
+  end(sentence) {
+    this.worker.terminate();
+    for (const { failed } of this.waiting.values()) failed(new Error(sentence));
   }
 }
 
@@ -64,37 +77,48 @@ let heightOrders = [];
 /** Loads the module, once. */
 function loadModule() {
   solver ??= loadScript("module.js").then(() => {
-    document.body.dataset.solver = "loading";
     return begun(new Engine({ compressed: MODULE, after: 0, first: JSON.stringify(site.first.run.knobs) }));
   });
   return solver;
 }
 
 async function begun(engine) {
-  await engine.compiled;
+  await engine.begun;
   document.body.dataset.solver = "ready";
   keepOffline();
   return engine;
 }
 
-/** Begins another module in the place of one that broke. It has lost the runs of before. */
-function restart(reason) {
-  const compiled = solver.then((engine) => { engine.worker.terminate(); return engine.compiled; });
+/** A module in the place of another one, with its file of heights. */
+async function made(other, after) {
+  const engine = new Engine({ module: (await other.begun).compiled, after });
+  for (const order of heightOrders) await engine.request(...order);
+  return engine;
+}
+
+/** Begins another module in the place of the one that solves, which has lost the runs of before. */
+function renew(engine, sentence) {
+  engine.end(sentence);
   session = String(Number(session) + 1);
-  hand = null;
-  const after = Math.max(0, ...runs.map(numberOf));
-  solver = compiled.then((module) => begun(new Engine({ module, after })));
-  solver.then((engine) => Promise.all(heightOrders.map((order) => engine.request(...order))));
-  tell({ busy: false, fault: say("fault.module", { reason }), revision: latestNews.revision + 1 });
+  solver = made(engine, Math.max(0, ...runs.map(numberOf)));
+  const { run } = latestNews;
+  const stopped = run && !run.ended ? { ...run, ended: true, numbers: run.numbers && { ...run.numbers, status: "stopped by the observer" } } : run;
+  tell({ busy: false, run: stopped });
+}
+
+/** Begins another module in the place of one that failed, and says so. */
+function replace(engine, reason) {
+  const sentence = say("fault.module", { reason });
+  solver.then((current) => {
+    if (current === engine) renew(engine, sentence);
+    else { engine.end(sentence); hand = null; }
+    tell({ fault: sentence });
+  });
 }
 
 /** The module for what a hand holds. */
 function loadHand() {
-  hand ??= loadModule().then(async (engine) => {
-    const made = new Engine({ module: await engine.compiled, after: 0 });
-    for (const order of heightOrders) await made.request(...order);
-    return made;
-  });
+  hand ??= loadModule().then((engine) => made(engine, 0));
   return hand;
 }
 
@@ -115,14 +139,16 @@ async function askBrowser(path) {
 }
 
 async function postBrowser(path, body) {
-  const engine = await (path === "hold" ? loadHand() : loadModule());
-  const answer = JSON.parse(await engine.request("POST", path, body));
-  const isFile = path.startsWith("heights");
-  if (isFile || path === "describe") {
-    heightOrders = [...(isFile ? [] : heightOrders.slice(0, 1)), ["POST", path, body]];
+  const [name] = path.split("?");
+  if (name === "hold") return JSON.parse(await (await loadHand()).request("POST", path, body));
+  const engine = await loadModule();
+  if (ENDING.includes(name) && !await engine.interrupt()) renew(engine, say("fault.superseded"));
+  const answer = JSON.parse(await (await loadModule()).request("POST", path, body));
+  if (name === "heights" || name === "describe") {
+    heightOrders = [...(name === "describe" ? heightOrders.slice(0, 1) : []), ["POST", path, body]];
     await hand?.then((other) => other.request("POST", path, body));
   }
-  return answer;
+  return "revision" in answer ? { revision: latestNews.revision } : answer;
 }
 
 /** The arrays of a run as a file. */

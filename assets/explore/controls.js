@@ -67,6 +67,7 @@ function build() {
     button("sweep", say("control.sweep"), say("control.sweep.tip"), sweep), button("cancel", say("control.cancel"), say("control.cancel.tip"), cancel), button("undo", say("control.undo"), say("control.undo.tip"), undo)));
   offerUndo();
   buildHeights();
+  groups.get("recording").hidden = Boolean(site);
   byId("control-body").querySelector("[value=scene]").hidden = !sceneStart;
   byId("controls").addEventListener("submit", (event) => event.preventDefault());
 }

@@ -73,7 +73,7 @@ let sectionRun = null;
 
 /** Shows the section of a run that has ended, if it is not shown, unless a hand holds another or a moment has its own. */
 async function showSectionOf(run) {
-  if (run?.section && !run.ended) { showRunning(run); return; }
+  if (run?.section && !(run.ended && isKept(run))) { showRunning(run); return; }
   if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
@@ -86,7 +86,8 @@ async function showSectionOf(run) {
   document.body.dataset.section = run.id;
 }
 
-/** Shows the section of the latest step of a run that has not ended, which the solver reports now and then. */
+/** Shows the section of the latest step of a run that has not ended, which the solver reports now and then, or that was ended with its
+ * solver. */
 function showRunning(run) {
   if (grip || moment || isSweep(run)) return;
   sectionRun = null;

@@ -32,6 +32,7 @@ function showSection(shown, shownBeside, given = null) {
   byId("section-beside-box").hidden = !beside;
   drawSections();
   placeHandles();
+  offerSaves();
 }
 
 function drawSections() {

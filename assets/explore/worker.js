@@ -88,7 +88,7 @@ async function heard(message) {
   ({ sign } = message);
   if (!message.begin) { answer(message); return; }
   const compiled = await begin(message.begin);
-  postMessage({ number: message.number, status: 200, answer: compiled });
+  postMessage({ number: message.number, status: 200, answer: { compiled, canLook } });
 }
 
 addEventListener("message", ({ data }) => heard(data).catch((error) => postMessage({ broken: String(error.message ?? error) })));

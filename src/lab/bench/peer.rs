@@ -47,7 +47,7 @@ pub(super) struct PeerSolution {
 /// The answer of the script.
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Answer {
+enum PeerAnswer {
     Solved { version: String, seconds: f64 },
     Skipped { skipped: String },
 }
@@ -115,11 +115,11 @@ impl Peer {
         }
         let told = std::fs::read_to_string(&answer)?;
         match serde_json::from_str(told.lines().last().unwrap_or_default()) {
-            Ok(Answer::Solved { version, seconds }) => {
+            Ok(PeerAnswer::Solved { version, seconds }) => {
                 let pressure = read_field(&out, "pressure").map_err(io::Error::other)?;
                 Ok(Ok(PeerSolution { version, seconds, pressure: pressure.into_iter().collect() }))
             }
-            Ok(Answer::Skipped { skipped }) => Ok(Err(skipped)),
+            Ok(PeerAnswer::Skipped { skipped }) => Ok(Err(skipped)),
             Err(_) => Ok(Err("it ended without an answer".into())),
         }
     }

@@ -6,7 +6,6 @@
 mod appearance;
 mod blind;
 mod chromium;
-mod course;
 mod downloads;
 mod everyone;
 mod explorer;
@@ -20,5 +19,6 @@ mod measures;
 mod newcomers;
 mod page;
 mod person;
+mod site;
 mod strangers;
 mod tabs;
