@@ -18,7 +18,7 @@ async function fileOf(request) {
   const cache = await caches.open(NAME);
   const kept = await cache.match(request, { ignoreSearch: true });
   if (kept) return kept;
-  const file = await fetch(request);
+  const file = await fetch(request).catch(() => Response.error());
   if (file.status === 200) await cache.put(request, file.clone());
   return file;
 }

@@ -116,29 +116,3 @@ fn report(report: &Report) {
         news(json.as_ptr(), json.len());
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn requests_are_read_as_they_are_written() {
-        let session = Session::new(Stock::default(), 0);
-        for (written, status) in [
-            ("GET /api/state\n", 200),
-            ("GET /api/state?since=3\n", 200),
-            ("POST /api/cancel\n{}", 200),
-            ("POST /api/state\n", 405),
-            ("GET /api/none\n", 404),
-            ("POST /api/solve\n{\"load\": 1}", 400),
-            ("GET /api/state", 400),
-            ("", 400),
-        ] {
-            let found = match reply(&session, written.as_bytes()) {
-                Answer::Json(_) | Answer::Download(..) => 200,
-                Answer::Refused(status, _) => status,
-            };
-            assert_eq!(found, status, "{written:?}");
-        }
-    }
-}

@@ -20,7 +20,7 @@ const KEYS: &[(&str, u32, &str)] = &[
 ];
 
 /// How long a state is waited for: no test passes or fails by the time that a busy machine takes.
-const PATIENCE: Duration = Duration::from_secs(30);
+const PATIENCE: Duration = Duration::from_secs(240);
 
 /// What the page shows, and what its viewer is about.
 const SEEN: &str = "({ ...document.body.dataset, text: document.body.innerText.slice(0, 2000), \

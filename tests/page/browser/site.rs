@@ -258,10 +258,14 @@ fn a_file_stays_in_the_browser(page: &mut Page) {
 
 /// A module that fails is replaced, and the page says so and works on.
 fn a_solver_that_breaks_begins_again(page: &mut Page) {
-    page.value("(knobs = { ...knobs, body: 'flat', domain: 'line', points: 512, cutoff: 64 }, show(), changed(), true)");
+    page.value(
+        "(knobs = { ...knobs, body: 'flat', domain: 'line', points: 512, cutoff: 64 }, show(), changed(), true)",
+    );
     rested(page);
     page.value("solver.then((engine) => (replace(engine, 'unreachable'), true))");
-    page.until("byId('fault').innerText.startsWith('The solver in the browser failed on these settings (unreachable)')");
+    page.until(
+        "byId('fault').innerText.startsWith('The solver in the browser failed on these settings (unreachable)')",
+    );
     turn_the_load(page);
 }
 
@@ -283,14 +287,18 @@ fn a_site_shows_recordings_on_demand() {
     let is_viewer = |it: &Value| it["request"]["url"].as_str().unwrap().contains("re_viewer");
     assert_eq!(page.chromium.events("Network.requestWillBeSent").filter(|it| is_viewer(it)).count(), 0);
     page.click("view-both");
-    page.until("document.body.dataset.viewer === 'started' && (document.body.dataset.shown || '').startsWith(latest().id)");
+    page.until(
+        "document.body.dataset.viewer === 'started' && (document.body.dataset.shown || '').startsWith(latest().id)",
+    );
     page.until("!isReading() && !isAwake()");
     page.type_into("control-load-value", "0.07");
     rested_in_picture(&mut page);
     assert!(page.text("byId('viewer-note').innerText").starts_with("There is no recording of this state."));
     assert_eq!(page.value("byId('save-rrd').disabled"), true);
     page.type_into("control-load-value", "0.2");
-    page.until("latest().knobs.load === 0.2 && latest().ended && (document.body.dataset.shown || '').startsWith(latest().id)");
+    page.until(
+        "latest().knobs.load === 0.2 && latest().ended && (document.body.dataset.shown || '').startsWith(latest().id)",
+    );
     assert_eq!(page.value("byId('viewer-note').hidden && !byId('save-rrd').disabled"), true);
     page.click("lesson-next");
     page.until("document.body.dataset.sweep === 'ended' && (document.body.dataset.shown || '').startsWith('sweep-')");
