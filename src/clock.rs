@@ -1,6 +1,6 @@
 //! The clock of solves: that of the system or, in a browser, one that the page hands in.
 //!
-//! A WebAssembly module has no clock of its own. Without [`set_clock`] all durations in a browser are 0.
+//! A WebAssembly module has no clock of its own. Without `set_clock` all durations in a browser are 0.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use std::time::Instant;

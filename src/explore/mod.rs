@@ -51,7 +51,10 @@ pub use listener::Listener;
 pub use question::{Choice, Goal, Question, SweepCurve};
 pub use refusal::Refusal;
 pub use report::{Beside, ExactNumbers, KnownFault, Numbers, Report, RunReport, RunWarning, SweepPoint, SweepReport};
-pub use schema::{KNOBS, Knob, KnobGroup, KnobKind, KnobScenes, NumericKnob, SliderScale};
+pub use schema::{
+    KNOBS, Knob, KnobGroup, KnobKind, KnobScenes, MOST_HEIGHTS, MOST_POINTS_OF_MODULE, NumericKnob, SliderScale,
+    schema_script,
+};
 pub use section::Section;
 pub use session::{RunKind, Session, Stock};
 pub use source::{SceneFile, SurfaceSource};
@@ -59,7 +62,5 @@ pub use words::Words;
 
 #[cfg(feature = "serve")]
 pub(crate) use answer::read;
-#[cfg(feature = "serve")]
-pub(crate) use schema::{MOST_HEIGHTS, MOST_POINTS_OF_MODULE, script};
 #[cfg(feature = "serve")]
 pub(crate) use session_recording::SessionRecording;

@@ -8,9 +8,11 @@ use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-/// The largest number of points of a line, and of a surface, that can be solved while the user waits: by a program, and by the
-/// module in a browser, which has one thread.
-pub const MOST_POINTS_OF_PROGRAM: [usize; 2] = [1 << 18, 1 << 20];
+/// The largest number of points of a line, and of a surface, that the program solves while the user waits.
+const MOST_POINTS_OF_PROGRAM: [usize; 2] = [1 << 18, 1 << 20];
+
+/// The largest number of points of a line, and of a surface, that the module in a browser solves while the user waits: it has one
+/// thread.
 pub const MOST_POINTS_OF_MODULE: [usize; 2] = [1 << 16, 1 << 18];
 
 /// The largest number of points of a line, and of a surface, here.
@@ -289,7 +291,7 @@ fn in_words(value: f64) -> String {
 }
 
 /// The schema as a part of the script of the page, with limits that are not those of one knob.
-pub fn script() -> String {
+pub fn schema_script() -> String {
     let most = |[line, surface]: [usize; 2]| json!({ "line": line, "side": surface.isqrt() });
     let limits = json!({
         "side": SURFACE_SIDE,

@@ -54,7 +54,6 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let job = beside.into_iter().fold(job, |job, (setup, problem)| {
         job.beside(JobRun { name: "beside".into(), problem: Some(problem), ..JobRun::new(setup) })
     });
-    let curves = tape::curves(&id);
     let job = tape::recorded(job, &id, &record, turn.view(), |live| {
         turn.keep(SessionRecording::new(&id, &file_stem, live));
         turn.update_report(|news| news.run = Some(report));
@@ -62,7 +61,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let mut watch = RunCollector {
         turn,
         reported: Instant::now(),
-        curves,
+        curves: tape::curves(&id),
         steps: StepNumbers::default(),
         motion: Motion::default(),
     };

@@ -65,7 +65,10 @@ const OFFLINE: &str = include_str!("../../assets/explore/offline.js");
 /// The script of the page: the schema of the knobs, the texts and all scripts in one function, so that their names are not global.
 fn script() -> String {
     let worker = serde_json::Value::from(WORKER);
-    format!("(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{TEXTS}{SCRIPTS}}})();\n", explore::script())
+    format!(
+        "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{TEXTS}{SCRIPTS}}})();\n",
+        explore::schema_script()
+    )
 }
 
 /// Answers to the paths of the page.
