@@ -43,6 +43,11 @@ function wished() {
   return wish;
 }
 
+/** Whether the address is of a file of heights, which a page that is loaded anew no longer has. */
+function wantsFile() {
+  try { return wished()?.knobs?.body === "file"; } catch { return false; }
+}
+
 /** Carries out what the address says, and returns whether there was anything; the server refuses knobs that stand for nothing. What is
  * shown instead of an address that is refused takes its sentence off, so that is said after it. */
 async function openAddress(instead) {
@@ -52,7 +57,8 @@ async function openAddress(instead) {
     if (wish === null) await instead();
   } catch (error) {
     await instead();
-    fault(say("fault.address", { reason: error.inWords ?? error.message }));
+    const isFileGone = wantsFile() && !description;
+    fault(isFileGone ? say("fault.file-gone") : say("fault.address", { reason: error.inWords ?? error.message }));
   } finally {
     isOpened = true;
   }

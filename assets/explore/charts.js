@@ -68,11 +68,11 @@ function legend(svg, top, curves, width) {
   names.forEach((name, i) => { name.setAttribute("x", place); place += widths[i]; });
 }
 
-/** The knobs that make the surface of a sweep. */
-function surfaceOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps }) {
+/** The knobs that make surface and solid of a sweep. */
+function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps, hardness, layer }) {
   if (body === "scene") return scene;
-  if (body === "file") return JSON.stringify(heights);
-  return JSON.stringify([domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
+  if (body === "file") return JSON.stringify([heights, hardness, layer]);
+  return JSON.stringify([hardness, layer, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 
 /** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */
@@ -87,7 +87,7 @@ function topOf(curves) {
 function charts() {
   const { sweep: shown } = report;
   const points = shown ? shown.points : [];
-  const isStale = points.length > 0 && surfaceOf(shown.knobs) !== surfaceOf(knobs);
+  const isStale = points.length > 0 && pressedOf(shown.knobs) !== pressedOf(knobs);
   const note = isStale ? say("chart.stale") : "";
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), say("chart.area"), 1, [

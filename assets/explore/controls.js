@@ -87,7 +87,7 @@ function button(id, label, tip, action) {
 }
 
 const labelOf = ({ id }) => say(`control.${id}`);
-const tipOf = ({ id }) => say(`control.${id}.tip`);
+const tipOf = ({ id }) => say(`control.${id}.tip`, MOST);
 const unitOf = ({ unit }) => say(`unit.${unit}`);
 const optionOf = ({ id }, value) => say(`control.${id}.${String(value).replace(" ", "-")}`);
 

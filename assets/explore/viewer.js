@@ -61,9 +61,12 @@ function beginViewer() {
   if (started) { resumeViewer(); return; }
   if (document.body.dataset.viewer !== "unused") return;
   document.body.dataset.viewer = "loading";
-  startViewer().catch((error) => {
+  loadScript("re_viewer.js").then(startViewer, () => {
+    document.body.dataset.viewer = "unused"; // it is loaded when it is shown the next time
+    noteViewer(say("viewer.unloaded"));
+  }).catch((error) => {
     document.body.dataset.viewer = "failed";
-    noteViewer(location.protocol === "file:" ? say("viewer.disk") : say("viewer.unstarted", { reason: error.message ?? error }));
+    noteViewer(say("viewer.unstarted", { reason: error.message ?? error }));
   });
 }
 
@@ -79,7 +82,6 @@ function resumeViewer() {
 
 async function startViewer() {
   const query = new URLSearchParams(location.search);
-  await loadScript("re_viewer.js");
   await wasm_bindgen({ module_or_path: "re_viewer_bg.wasm" });
   const canvas = element("canvas", { id: "canvas" });
   byId("viewer").append(canvas);

@@ -8,6 +8,10 @@ use crate::setup::{Boundary, Cell, Recipe};
 use crate::surface::{Crop, HeightFile, Layout, Preparation, PreparationChoice};
 use serde::{Deserialize, Serialize};
 
+/// How often the steps are chosen anew for a smaller part of a file: mirror images make more points of it, and a smaller part
+/// may need them where a larger one did not.
+const MOST_CHOICES: usize = 3;
+
 /// How the heights of a file are read and prepared. Lengths are in metres.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
@@ -78,11 +82,16 @@ impl HeightKnobs {
         let most = most(layout.is_profile);
         let part = |points: usize| (points > most).then(|| middle(&layout, most as f64 / points as f64));
         let [rows, columns] = layout.shape;
-        let first = self.choice(file, part(rows * columns))?;
-        let mirrored = first.preparation.mirror.map_or([rows, columns], |mirror| mirror.shape([rows, columns]));
-        let crop = part(mirrored[0] * mirrored[1]);
-        let mut choice = if crop == first.preparation.crop { first } else { self.choice(file, crop.clone())? };
-        if crop.is_some() {
+        let mut choice = self.choice(file, part(rows * columns))?;
+        for _ in 0..MOST_CHOICES {
+            let mirrored = choice.preparation.mirror.map_or([rows, columns], |mirror| mirror.shape([rows, columns]));
+            let crop = part(mirrored[0] * mirrored[1]);
+            if crop == choice.preparation.crop {
+                break;
+            }
+            choice = self.choice(file, crop)?;
+        }
+        if choice.preparation.crop.is_some() {
             let reason = format!(
                 "{rows} x {columns} points (with mirror images, if any) are too many for this page: only the middle \
                  part is kept"

@@ -171,7 +171,7 @@ fn stale_curves_say_so(page: &mut Page) {
     let fresh = page.text(colour);
     let seed = page.value("knobs.seed").to_string();
     page.click("dice");
-    assert_eq!(page.text(note), "New surface: sweep again");
+    assert_eq!(page.text(note), "Settings changed: sweep again");
     assert_ne!(page.text(colour), fresh);
     rested(page);
     page.type_into("control-seed", &seed);

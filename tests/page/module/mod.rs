@@ -265,3 +265,26 @@ fn the_module_has_limits_of_its_own() {
     assert_eq!((*status, sentence.as_str()), (400, "`points` cannot be 131072: give a whole number from 4 to 65536"));
     assert_eq!(native(&Session::new(Stock::default(), 0), &order(&large)).0, 200);
 }
+
+/// A measured map of 624 x 834 heights is too large for a browser, the more so with mirror images: the part that is kept automatically can be
+/// solved.
+#[test]
+fn a_large_map_is_cut_to_what_a_browser_solves() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/surfaces/plu-1.plu");
+    let Ok(bytes) = std::fs::read(&file) else {
+        writeln!(std::io::stderr(), "skipped: there is no {}", file.display()).ok();
+        return;
+    };
+    let open: Asked = ("POST", "heights?name=map.plu".into(), json!({"base64": BASE64_STANDARD.encode(bytes)}));
+    let Some(found) = answers(&[open]) else { return };
+    let told: Value = serde_json::from_str(&found[0].1).unwrap();
+    assert_eq!(told["fault"], Value::Null);
+    let crop: Vec<usize> = serde_json::from_value(told["knobs"]["prepare"]["crop"].clone()).unwrap();
+    let points = (crop[1] - crop[0]) * (crop[3] - crop[2]);
+    let images = match told["knobs"]["prepare"]["mirror"].as_str() {
+        Some("both") => 4,
+        Some(_) => 2,
+        None => 1,
+    };
+    assert!((1 << 17..=1 << 18).contains(&(images * points)), "{told}");
+}
