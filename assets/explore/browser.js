@@ -34,6 +34,7 @@ class Engine {
   /** Ends what the worker solves, and returns whether it can: a worker that solves hears no message, but sees whether an address is still
    * there. Where the browser does not let it look, as on a page from disk, the order has some time to end by itself. */
   async interrupt() {
+    if (!latestNews.busy) return true;
     URL.revokeObjectURL(this.sign);
     this.sign = URL.createObjectURL(new Blob());
     if ((await this.begun).canLook) return true;

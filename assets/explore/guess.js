@@ -162,6 +162,7 @@ function showUnpressed(wanted) {
   sectionRun = null;
   choosePatch(null);
   setMoment({ name: say("moment.asked"), title: say("title.asked"), numbers: {}, exact: null, isClear: true });
+  charts();
   if (viewer) noteViewer(say("viewer.asked"));
   const show = ({ section: its, numbers: told }) => {
     if (lesson?.name !== name || lesson.at !== at || document.body.dataset.asked !== "true") return;

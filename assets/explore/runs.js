@@ -367,7 +367,8 @@ function valueOf(told, name) {
 
 function numbers() {
   const shown = runOf(shownRun);
-  if (shown && isSweep(shown)) titleSweep(shown);
+  const isOfSweep = shown && isSweep(shown) && !moment?.title;
+  if (isOfSweep) titleSweep(shown);
   const run = shownOrLatest();
   if (!run) return;
   const before = rival(run);
@@ -380,7 +381,7 @@ function numbers() {
   });
   byId("numbers").tBodies[0].replaceChildren(...body);
   const status = run.numbers ? run.numbers.status : "begun";
-  if (!shown || shown === run) titleRun(run);
+  if (!isOfSweep) titleRun(run);
   byId("this").textContent = moment ? moment.name : say("numbers.this");
   byId("rival").textContent = run.beside ? named(say("numbers.beside"), run.beside.numbers ?? {}) : pinned ? say("numbers.pinned") : say("numbers.before");
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
