@@ -27,8 +27,10 @@ class Engine {
     this.asked = 0;
     this.worker = new Worker(URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" })));
     this.worker.addEventListener("message", ({ data }) => this.heard(data));
+    this.worker.addEventListener("error", ({ message }) => this.broke(message));
     this.sign = URL.createObjectURL(new Blob());
-    this.begun = this.send({ begin, sign: this.sign });
+    this.isBegun = false;
+    this.begun = this.send({ begin, sign: this.sign }).then((it) => { this.isBegun = true; return it; });
   }
 
   /** Ends what the worker solves, and returns whether it can: a worker that solves hears no message, but sees whether an address is still
@@ -50,10 +52,15 @@ class Engine {
 
   heard({ number, status, answer, news, broken }) {
     if (news) { tell(JSON.parse(news)); return; }
-    if (broken) { replace(this, broken); return; }
+    if (broken) { this.broke(broken); return; }
     const { done, failed } = this.waiting.get(number);
     this.waiting.delete(number);
     if (status === 200) done(answer); else failed(refusal(status, answer));
+  }
+
+  /** A module that fails is replaced. One that cannot even begin is beyond this browser. */
+  broke(reason) {
+    if (this.isBegun) replace(this, reason); else this.end(say("fault.old-browser", { reason }));
   }
 
   /** The answer to a request: a text, or bytes. */
@@ -77,9 +84,8 @@ let heightOrders = [];
 
 /** Loads the module, once. */
 function loadModule() {
-  solver ??= loadScript("module.js").then(() => {
-    return begun(new Engine({ compressed: MODULE, after: 0, first: JSON.stringify(site.first.run.knobs) }));
-  });
+  const begin = () => begun(new Engine({ compressed: MODULE, after: 0, first: JSON.stringify(site.first.run.knobs) }));
+  solver ??= loadScript("module.js").then(begin);
   return solver;
 }
 

@@ -215,6 +215,19 @@ fn a_page_from_disk_solves() {
     a_solver_that_breaks_begins_again(&mut page);
 }
 
+/// Where the module cannot begin, the page says so and keeps its first picture.
+#[test]
+fn a_browser_that_cannot_run_the_module_is_told() {
+    let Some(program) = installed() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let site = export(folder.path(), &["--no-recordings"]);
+    std::fs::write(site.join("module.js"), "const MODULE = \"AAAA\";").unwrap();
+    let mut page = Page { chromium: Chromium::without_graphics(&program) };
+    page.open(&on_disk(&site));
+    page.until("byId('fault').innerText.startsWith('This browser cannot run the solver (')");
+    assert_eq!(page.value("section.pressure.some((p) => p > 0)"), true);
+}
+
 /// GFMD shows its steps while it runs, and ends when it is told to.
 fn a_relaxation_is_watched_and_stopped(page: &mut Page) {
     let long = "{ solver: { method: 'gfmd', ...{ masses: 'uniform', dynamics: 'damped', damping: 1, 'time-step': 0.5 } }, points: 65536, stop: { tolerance: 1e-12, 'max-iterations': 20000 } }";
