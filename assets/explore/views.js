@@ -34,10 +34,10 @@ function beginViews() {
   if (localStorage.getItem("projector")) putProjector(true);
   const wishes = [new URLSearchParams(location.search).get("view"), localStorage.getItem("view")];
   wantedView = wishes.find((wish) => VIEWS.includes(wish)) ?? (site ? "picture" : "both");
-  const why = site?.recorded.length === 0 ? "viewer.left-out" : location.protocol === "file:" ? "viewer.disk" : "";
+  const why = site?.recorded.length === 0 ? say("viewer.left-out") : location.protocol === "file:" ? say("viewer.disk") : "";
   if (why) {
     wantedView = "picture";
-    for (const view of ["viewer", "both"]) Object.assign(byId(`view-${view}`), { disabled: true, title: say(why) });
+    for (const view of ["viewer", "both"]) Object.assign(byId(`view-${view}`), { disabled: true, title: why });
   }
   ROOMY.addEventListener("change", showView);
   showView();

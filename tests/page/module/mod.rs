@@ -266,8 +266,8 @@ fn the_module_has_limits_of_its_own() {
     assert_eq!(native(&Session::new(Stock::default(), 0), &order(&large)).0, 200);
 }
 
-/// A measured map of 624 x 834 heights is too large for a browser, the more so with mirror images: the part that is kept automatically can be
-/// solved.
+/// A measured map of 576 x 768 heights is too large for a browser, the more so with mirror images: the part that is kept automatically can be
+/// solved, and is about as large as it can be.
 #[test]
 fn a_large_map_is_cut_to_what_a_browser_solves() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/surfaces/plu-1.plu");
@@ -281,10 +281,6 @@ fn a_large_map_is_cut_to_what_a_browser_solves() {
     assert_eq!(told["fault"], Value::Null);
     let crop: Vec<usize> = serde_json::from_value(told["knobs"]["prepare"]["crop"].clone()).unwrap();
     let points = (crop[1] - crop[0]) * (crop[3] - crop[2]);
-    let images = match told["knobs"]["prepare"]["mirror"].as_str() {
-        Some("both") => 4,
-        Some(_) => 2,
-        None => 1,
-    };
-    assert!((1 << 17..=1 << 18).contains(&(images * points)), "{told}");
+    assert_eq!(told["knobs"]["prepare"]["mirror"], "both");
+    assert!(points.abs_diff(1 << 16) < 1000, "{points} points, of which mirror images make four times as many");
 }
