@@ -97,6 +97,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
                 true => ["control-layer-value", "0.05"],
                 false => ["control-load-value", "0.28"],
             };
+            page.value(&format!("byId('{control}').closest('details').open = true")); // a telephone folds most controls
             page.type_into(control, value);
         }
         "number" => guess_number(page, ask, means),
