@@ -129,6 +129,6 @@ function showLoad(point) {
   const { id } = report.sweep;
   if (shownRun !== id && runOf(id)) showRun(id);
   const run = runOf(id);
-  if (run && isInViewer(run) && rangeOf(run)) goTo(run, "load", point.number);
+  if (run && isInViewer(run) && rangeOf(run)) goTo(recordingName(run), "load", point.number);
   momentOfLoad(point);
 }

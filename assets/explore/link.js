@@ -20,11 +20,10 @@ function heardSelection({ recording_id: recording, items }) {
 
 /** Goes to the step at a share of the width of the images. */
 function goToPlace(recording, share) {
-  const run = runWith(recording);
-  const range = run && rangeOf(run);
+  const range = viewer && viewer.get_timeline_time_range(recording, "step");
   if (!range) return;
   const step = Math.floor(share * stepsShown(range.max + 1));
-  goTo(run, "step", Math.min(step, range.max));
+  goTo(recording, "step", Math.min(step, range.max));
   document.body.dataset.picked = String(step);
 }
 

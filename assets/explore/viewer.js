@@ -186,7 +186,7 @@ function seek(share) {
   const run = runOf(shownRun);
   const step = stepAt(run, share);
   if (step === null) return false;
-  if (isInViewer(run)) goTo(run, timeline(run), step);
+  if (isInViewer(run)) goTo(recordingName(run), timeline(run), step);
   else if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= step));
   else momentOfStep(run, step);
   byId("scrub").value = 1000 * share;
@@ -197,10 +197,9 @@ function seek(share) {
 /** The recording in which a person went to a step or a load: all others move on by themselves as they are read. */
 let visited = null;
 
-/** Has the viewer stand at a step or a load of a run. */
-function goTo(run, line, at) {
-  const recording = recordingName(run);
-  visited = run.id;
+/** Has the viewer stand at a step or a load of a recording, which is of no run where the viewer is alone. */
+function goTo(recording, line, at) {
+  visited = runWith(recording)?.id ?? null;
   viewer.set_playing(recording, false);
   viewer.set_active_timeline(recording, line);
   viewer.set_time_for_timeline(recording, line, at);
