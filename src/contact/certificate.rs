@@ -340,7 +340,7 @@ fn length(rounding: f64, square: f64) -> f64 {
 /// The range of a prescribed datum: `min(D, h_max - D)` of a mean gap `D`, beyond which everything touches, or nothing;
 /// the approach, beyond which nothing does.
 fn room(problem: &Problem, datum: f64) -> f64 {
-    let above_mean = datum - problem.mean_height();
+    let above_mean = datum + problem.shift() - problem.mean_height();
     let left = problem.highest() - above_mean;
     if problem.mean_gap().is_some() { above_mean.min(left) } else { left }
 }

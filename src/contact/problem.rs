@@ -2,7 +2,7 @@
 
 use crate::contact::{Law, Load, chunks, feasible};
 use crate::elastic::{Compliance, ElasticSolid, HalfSpace, Response};
-use crate::error::ProblemError;
+use crate::error::{ProblemError, SurfaceError};
 use crate::surface::{Field, Surface};
 use std::sync::{Arc, OnceLock};
 
@@ -65,6 +65,8 @@ pub struct Problem {
     highest: f64,
     rms_gradient: OnceLock<f64>,
     yielded: Option<Yielded>,
+    /// Mean of the heights above the mean plane of the surface that the problem was first posed for, a length.
+    shift: f64,
 }
 
 /// The history of a surface that has yielded and is elastic now.
@@ -129,6 +131,7 @@ impl Problem {
             highest,
             rms_gradient,
             yielded: None,
+            shift: 0.0,
         }
         .with_load(load)
     }
@@ -148,6 +151,33 @@ impl Problem {
         let start = (self.rms_height, self.highest, OnceLock::from(self.rms_gradient()));
         let elastic = Self::new(left, solid, Load::MeanPressure(mean_pressure))?;
         Ok(Self { yielded, rms_height: start.0, highest: start.1, rms_gradient: start.2, ..elastic })
+    }
+
+    /// The same problem with other heights, on the same grid, solid and plans. Heights are counted from the mean plane of
+    /// this problem's surface, shape `(ny, nx)`. Rms height, rms gradient and highest peak stay those of that surface: so a
+    /// certificate, a reduced pressure, a mean gap and an approach mean the same as before.
+    ///
+    /// A step of a history is such a problem: a solid that remembers earlier pressures meets heights less what it remembers.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Shape`] for an array that does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity.
+    ///
+    /// ```
+    /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
+    /// use asperity::{Grid, Indenter, Problem, Stop};
+    /// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+    /// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
+    /// // heights that are twice as large under twice the pressure make twice the gap
+    /// let twice = problem.with_heights(2.0 * problem.surface().height())?.with_load(Load::MeanPressure(0.02))?;
+    /// let [one, two] = [&problem, &twice].map(|problem| Multilevel.solve(problem, &Stop::default(), &mut ()));
+    /// assert!((two?.mean_gap() / one?.mean_gap() - 2.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_heights(&self, height: Field) -> Result<Self, SurfaceError> {
+        let surface = Surface::new(*self.surface.grid(), height)?;
+        let rms_gradient = OnceLock::from(self.rms_gradient());
+        let (shift, mean_height) = (self.shift + surface.mean_height(), chunks::compensated_mean(surface.heights()));
+        Ok(Self { surface: surface.into(), shift, mean_height, rms_gradient, ..self.clone() })
     }
 
     /// The problem of the same surface and solid under another load.
@@ -293,8 +323,8 @@ impl Problem {
     /// mean of the heights.
     pub fn datum(&self) -> Option<f64> {
         match self.load {
-            Load::MeanGap(mean_gap) => Some(mean_gap + self.mean_height),
-            Load::Approach(approach) => Some(self.highest - approach + self.mean_height),
+            Load::MeanGap(mean_gap) => Some(mean_gap - self.shift + self.mean_height),
+            Load::Approach(approach) => Some(self.highest - approach - self.shift + self.mean_height),
             Load::MeanPressure(_) | Load::ReducedPressure(_) | Load::Force(_) => None,
         }
     }
@@ -302,6 +332,11 @@ impl Problem {
     /// The mean of the heights, which is at most rounding.
     pub(super) fn mean_height(&self) -> f64 {
         self.mean_height
+    }
+
+    /// Mean of the heights above the mean plane of the surface that the problem was first posed for.
+    pub(super) fn shift(&self) -> f64 {
+        self.shift
     }
 
     /// The load, as it was given.

@@ -16,18 +16,19 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
     let coarse = halved(surface.grid())?;
     let height = Field::from_shape_fn(coarse.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
     let surface = Surface::new(coarse, height).ok()?;
-    let load = match problem.load() {
-        Load::MeanGap(gap) => Load::MeanGap(gap - surface.mean_height()),
-        Load::Approach(approach) => Load::Approach(approach - lost(problem, &surface)),
-        _ => Load::MeanPressure(problem.expected_mean_pressure()),
+    // the datum of the heights of this grid, above their own mean
+    let datum = problem.datum().map(|datum| datum - surface.mean_height());
+    let load = match (problem.load(), datum) {
+        (Load::Approach(_), Some(datum)) => Load::Approach(highest(&surface) - datum),
+        (_, Some(datum)) => Load::MeanGap(datum),
+        (_, None) => Load::MeanPressure(problem.expected_mean_pressure()),
     };
     Problem::new(surface, problem.solid().clone(), load).ok()?.with_law(problem.law()).ok()
 }
 
-/// By how much the highest peak of every other node is lower than that of all.
-fn lost(problem: &Problem, coarse: &Surface) -> f64 {
-    let highest = coarse.heights().iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    problem.highest() - (highest + coarse.mean_height())
+/// The highest height above the mean.
+fn highest(surface: &Surface) -> f64 {
+    surface.heights().iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// The grid of every other node along each side, if the sides are even and long enough.
