@@ -2,7 +2,7 @@
 
 use crate::contact::rounding::Rounding;
 use crate::contact::slack::{Slack, level};
-use crate::contact::{CertificateSums, Problem};
+use crate::contact::{Ceiling, CertificateSums, Problem};
 use serde::Serialize;
 
 /// Rigorous bounds of the error of a feasible pressure `p >= 0` (below the hardness, if there is one) under the load
@@ -71,6 +71,9 @@ use serde::Serialize;
 ///
 /// Where no node of `p` yields, the bounds of the hard wall hold as well, as more pressures are allowed there, and are used; at a mean
 /// gap the smaller of both.
+///
+/// Where each node has a [`Ceiling`](crate::contact::Ceiling) of its own, `H_c` is that of the node in all of this, and the
+/// knapsack is filled until the ceilings of its nodes carry the load.
 ///
 /// **The datum.** Nodes that yield lie below zero, so `<p g> = 0` does not find it. Let `m = min(p, H_c - p)`, the room of the
 /// pressure. At the solution nodes with room lie at zero, and `d = -<m v>/<m>`; where `p <= H_c/2` everywhere that is `<p g> = 0`.
@@ -175,10 +178,10 @@ impl Certificate {
     /// both row by row.
     pub fn from_displacement(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let sums = CertificateSums::new(problem, pressure, displacement);
-        match problem.law().hardness() {
-            None => Self::from_sums(problem, &sums),
-            Some(_) => Self::below_hardness(problem, &sums, &Slack::new(problem, pressure, displacement)),
+        if problem.ceiling().is_finite() {
+            return Self::below_ceiling(problem, &sums, &Slack::new(problem, pressure, displacement));
         }
+        Self::from_sums(problem, &sums)
     }
 
     /// The certificate of the state with these sums on a hard wall.
@@ -186,13 +189,13 @@ impl Certificate {
         Self::from_bounds(problem, sums, |mean_pressure| Bounds::new(problem, sums, mean_pressure))
     }
 
-    /// The certificate of the state with these sums below a hardness.
-    fn below_hardness(problem: &Problem, sums: &CertificateSums, slack: &Slack) -> Self {
-        let above_hardness = problem.law().excess(slack.highest_pressure);
+    /// The certificate of the state with these sums below a ceiling.
+    fn below_ceiling(problem: &Problem, sums: &CertificateSums, slack: &Slack) -> Self {
+        let above_hardness = Ceiling::excess(slack.highest_share);
         if above_hardness > 0.0 {
             return Self { above_hardness, ..Self::NONE };
         }
-        Self::from_bounds(problem, sums, |mean_pressure| Bounds::below_hardness(problem, sums, slack, mean_pressure))
+        Self::from_bounds(problem, sums, |mean_pressure| Bounds::below_ceiling(problem, sums, slack, mean_pressure))
     }
 
     /// The certificate of the state with these sums, by the bounds under its mean pressure.
@@ -271,11 +274,10 @@ impl Bounds {
         }
     }
 
-    /// The bounds below a hardness; those of a hard wall hold as well, except for the datum of the gap.
-    fn below_hardness(problem: &Problem, sums: &CertificateSums, slack: &Slack, mean_pressure: f64) -> Self {
+    /// The bounds below a ceiling; those of a hard wall hold as well, except for the datum of the gap.
+    fn below_ceiling(problem: &Problem, sums: &CertificateSums, slack: &Slack, mean_pressure: f64) -> Self {
         let wall = Self::new(problem, sums, mean_pressure);
-        let law = problem.law();
-        if 2.0 * slack.highest_pressure <= law.ceiling() {
+        if 2.0 * slack.highest_share <= 1.0 {
             return wall;
         }
         let [softest, _] = problem.compliance().stiffness_range();
@@ -287,7 +289,7 @@ impl Bounds {
             ..wall
         };
         let depth = slack.gain / mean_pressure;
-        if law.yields(slack.highest_pressure) && depth < own.depth + own.above_gap.abs() {
+        if Ceiling::is_reached(slack.highest_share) && depth < own.depth + own.above_gap.abs() {
             let rounding = own.rounding.with_depth(depth);
             return Self { depth, above_gap: 0.0, rounding, ..own };
         }

@@ -1,10 +1,8 @@
 //! The allowed pressures.
 
+use crate::contact::Ceiling;
 use crate::quantity;
 use serde::{Deserialize, Deserializer, Serialize};
-
-/// Relative distance from the hardness up to which a node counts as yielding, because of rounding.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The law of the contact: which pressures are allowed.
 ///
@@ -44,18 +42,7 @@ impl Law {
 
     /// Whether a node under this pressure yields: it lies at the hardness, except for rounding.
     pub fn yields(self, pressure: f64) -> bool {
-        pressure >= self.ceiling() * (1.0 - ROUNDING)
-    }
-
-    /// The room of this pressure, `min(p, H_c - p)`; for a hard wall, the pressure itself.
-    pub(super) fn room(self, pressure: f64) -> f64 {
-        if pressure < self.ceiling() { pressure.min(self.ceiling() - pressure) } else { 0.0 }
-    }
-
-    /// The excess of this pressure above the hardness, divided by the hardness; 0 within rounding.
-    pub(super) fn excess(self, pressure: f64) -> f64 {
-        let excess = pressure / self.ceiling() - 1.0;
-        if excess > ROUNDING { excess } else { 0.0 }
+        Ceiling::Uniform(self.ceiling()).yields(0, pressure)
     }
 }
 

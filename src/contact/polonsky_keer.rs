@@ -7,7 +7,7 @@
 use crate::contact::bound::{is_uniform, to_bound};
 use crate::contact::slack::level;
 use crate::contact::{
-    Certificate, Contact, Decision, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks, feasible,
+    Ceiling, Certificate, Contact, Decision, Observer, Problem, Run, Solver, Step, Stop, certificate, chunks, feasible,
 };
 use crate::elastic::Response;
 use crate::error::SolveError;
@@ -105,7 +105,7 @@ impl Solver for PolonskyKeer {
 struct Iterate<'a> {
     problem: &'a Problem,
     /// The highest pressure that is allowed.
-    ceiling: f64,
+    ceiling: &'a Ceiling,
     response: Response,
     p: Vec<f64>,
     u: Vec<f64>,
@@ -132,7 +132,7 @@ impl<'a> Iterate<'a> {
             response.displacement(&p, &mut u);
         }
         let zeros = || vec![0.0; n];
-        let (t, r, before, ceiling) = (zeros(), zeros(), zeros(), problem.law().ceiling());
+        let (t, r, before, ceiling) = (zeros(), zeros(), zeros(), problem.ceiling());
         Self { problem, ceiling, response, p, u, t, r, before, previous_square: None, fresh: true, yields: false }
     }
 
@@ -166,7 +166,7 @@ impl<'a> Iterate<'a> {
         }
         let (p, u, h, ceiling) = (&self.p, &self.u, self.problem.height(), self.ceiling);
         let parts = chunks::visit(p.len(), |range| {
-            let inside = range.filter(|&i| (p[i] > 0.0) & (p[i] < ceiling));
+            let inside = range.filter(|&i| (p[i] > 0.0) & (p[i] < ceiling.at(i)));
             inside.fold((0usize, 0.0), |(n, sum), i| (n + 1, sum + (u[i] - h[i])))
         });
         let (n, sum) = parts.into_iter().fold((0, 0.0), |(n, s), (m, t)| (n + m, s + t));
@@ -176,17 +176,18 @@ impl<'a> Iterate<'a> {
     /// `t <- g + beta t` on the contact with the share `beta = |g|^2 / |g_previous|^2` that is returned, zero elsewhere.
     fn conjugate(&mut self, datum: f64) -> f64 {
         let (p, u, h, ceiling) = (&self.p, &self.u, self.problem.height(), self.ceiling);
-        let is_free = |p: f64| (p > 0.0) & (p < ceiling);
-        let square = chunks::sum(p.len(), |i| if is_free(p[i]) { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
+        let is_free = |i: usize| (p[i] > 0.0) & (p[i] < ceiling.at(i));
+        let square = chunks::sum(p.len(), |i| if is_free(i) { (u[i] - h[i] + datum).powi(2) } else { 0.0 });
         let beta = self.previous_square.map_or(0.0, |previous| square / previous);
         self.previous_square = (square > 0.0).then_some(square);
         chunks::update(&mut self.t, |range, t| {
             for (i, t) in range.zip(t) {
-                *t = if is_free(p[i]) { u[i] - h[i] + datum + beta * *t } else { 0.0 };
+                *t = if is_free(i) { u[i] - h[i] + datum + beta * *t } else { 0.0 };
             }
         });
         self.yields = ceiling.is_finite()
-            && chunks::visit(p.len(), |range| range.into_iter().any(|i| p[i] >= ceiling)).contains(&true);
+            && chunks::visit(p.len(), |range| range.into_iter().any(|i| (p[i] > 0.0) & (p[i] >= ceiling.at(i))))
+                .contains(&true);
         if self.yields && self.problem.mean_pressure().is_some() {
             self.keep_load();
         }
@@ -196,7 +197,7 @@ impl<'a> Iterate<'a> {
     /// Takes the mean over the free nodes off `t`: below a ceiling no scaling makes up for it.
     fn keep_load(&mut self) {
         let (p, ceiling) = (&self.p, self.ceiling);
-        let is_free = |i: &usize| (p[*i] > 0.0) & (p[*i] < ceiling);
+        let is_free = |i: &usize| (p[*i] > 0.0) & (p[*i] < ceiling.at(*i));
         let t = &self.t;
         let parts = chunks::visit(p.len(), |range| {
             range.filter(is_free).fold((0usize, 0.0), |(count, sum), i| (count + 1, sum + t[i]))
@@ -217,7 +218,7 @@ impl<'a> Iterate<'a> {
         let ceiling = self.ceiling;
         let parts = chunks::visit(p.len(), |range| {
             let mut sums = [0.0; 6];
-            for i in range.filter(|&i| (p[i] > 0.0) & (p[i] < ceiling)) {
+            for i in range.filter(|&i| (p[i] > 0.0) & (p[i] < ceiling.at(i))) {
                 let terms = [1.0, t[i], r[i], r[i] * t[i], (u[i] - h[i] + datum) * t[i], t[i] * t[i]];
                 sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             }
@@ -263,10 +264,11 @@ impl<'a> Iterate<'a> {
         let (u, h, t, ceiling) = (&self.u, self.problem.height(), &self.t, self.ceiling);
         let parts = chunks::update_both(&mut self.p, &mut self.before, |range, p, before| {
             let mut change = UpdateEffect { load: 0.0, left: false, entered: false };
+            let nodes = range.clone();
             let (u, h, t) = (&u[range.clone()], &h[range.clone()], &t[range]);
-            for ((((p, before), u), h), t) in p.iter_mut().zip(before).zip(u).zip(h).zip(t) {
+            for (((((node, p), before), u), h), t) in nodes.zip(p).zip(before).zip(u).zip(h).zip(t) {
                 *before = *p;
-                let gap = u - h + datum;
+                let (gap, ceiling) = (u - h + datum, ceiling.at(node));
                 if *p >= ceiling {
                     *p = (*p - tau * gap.max(0.0)).max(0.0);
                     change.entered |= *p < ceiling;
@@ -274,7 +276,7 @@ impl<'a> Iterate<'a> {
                     *p = (*p - tau * t).max(0.0).min(ceiling);
                     change.left |= (*p <= 0.0) | (*p >= ceiling);
                 }
-                if (*p <= 0.0) & (gap < 0.0) {
+                if (*p <= 0.0) & (gap < 0.0) & (ceiling > 0.0) {
                     *p = (-tau * gap).min(ceiling);
                     change.entered = true;
                 }
@@ -302,13 +304,14 @@ impl<'a> Iterate<'a> {
         self.project();
         let share = self.arrive(datum).lowest();
         let (before, before_u) = (&self.before, &self.r);
-        let between = |values: &mut [f64], before: &[f64], most: f64| {
+        let between = |values: &mut [f64], before: &[f64], most: &Ceiling| {
             chunks::update(values, |range, values| {
-                range.zip(values).for_each(|(i, value)| *value = (before[i] + share * (*value - before[i])).min(most));
+                let reached = |i: usize, value: f64| (before[i] + share * (value - before[i])).min(most.at(i));
+                range.zip(values).for_each(|(i, value)| *value = reached(i, *value));
             });
         };
         between(&mut self.p, before, self.ceiling);
-        between(&mut self.u, before_u, f64::INFINITY);
+        between(&mut self.u, before_u, &Ceiling::Uniform(f64::INFINITY));
         self.fresh = false;
     }
 
@@ -320,7 +323,9 @@ impl<'a> Iterate<'a> {
             let load = mean * self.p.len() as f64;
             self.p = feasible::nearest(std::mem::take(&mut self.p), load, ceiling);
         } else {
-            chunks::update(&mut self.p, |_, p| p.iter_mut().for_each(|p| *p = p.max(0.0).min(ceiling)));
+            chunks::update(&mut self.p, |range, p| {
+                range.zip(p).for_each(|(i, p)| *p = p.max(0.0).min(ceiling.at(i)));
+            });
             self.carry(chunks::sum(self.p.len(), |i| self.p[i]));
         }
     }

@@ -1,8 +1,8 @@
 //! The problem that all solvers solve.
 
-use crate::contact::{Law, Load, chunks, feasible};
+use crate::contact::{Ceiling, Law, Load, chunks, feasible};
 use crate::elastic::{Compliance, ElasticSolid, HalfSpace, Response};
-use crate::error::{ProblemError, SurfaceError};
+use crate::error::ProblemError;
 use crate::surface::{Field, Surface};
 use std::sync::{Arc, OnceLock};
 
@@ -52,30 +52,31 @@ const OF_HARDNESS: f64 = 0.5;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Problem {
-    surface: Arc<Surface>,
+    pub(super) surface: Arc<Surface>,
     compliance: Arc<Compliance>,
-    law: Law,
+    pub(super) law: Law,
+    pub(super) ceiling: Ceiling,
     load: Load,
     /// The prescribed mean pressure, if the load determines it.
     mean_pressure: Option<f64>,
     expected_mean_pressure: f64,
-    rms_height: f64,
+    pub(super) rms_height: f64,
     /// Mean of the heights that a surface keeps, which is at most rounding.
-    mean_height: f64,
-    highest: f64,
-    rms_gradient: OnceLock<f64>,
-    yielded: Option<Yielded>,
+    pub(super) mean_height: f64,
+    pub(super) highest: f64,
+    pub(super) rms_gradient: OnceLock<f64>,
+    pub(super) yielded: Option<Yielded>,
     /// Mean of the heights above the mean plane of the surface that the problem was first posed for, a length.
-    shift: f64,
+    pub(super) shift: f64,
 }
 
 /// The history of a surface that has yielded and is elastic now.
 #[derive(Debug, Clone, Copy)]
-struct Yielded {
+pub(super) struct Yielded {
     /// Mean of what was flattened, a length.
-    overlap: f64,
+    pub overlap: f64,
     /// The hardness that it yielded under, a pressure.
-    hardness: f64,
+    pub hardness: f64,
 }
 
 /// The contact modulus `E* = E / (1 - nu^2)` of an elastic half-space, a pressure: the simplest solid.
@@ -123,6 +124,7 @@ impl Problem {
             surface,
             compliance,
             law: Law::HardWall,
+            ceiling: Ceiling::Uniform(f64::INFINITY),
             load,
             mean_pressure,
             expected_mean_pressure,
@@ -134,50 +136,6 @@ impl Problem {
             shift: 0.0,
         }
         .with_load(load)
-    }
-
-    /// The elastic problem of the surface after a contact with a hardness, see
-    /// [`crate::contact::Contact::unloaded_surface`], under a mean pressure. Rms height, rms gradient, highest peak and
-    /// mean gap stay those of the surface as it was, so that numbers on the way up and back are divided by the same
-    /// values.
-    ///
-    /// # Errors
-    /// The errors of [`Problem::new`].
-    pub fn yielded(&self, left: impl Into<Arc<Surface>>, mean_pressure: f64) -> Result<Self, ProblemError> {
-        let (left, solid) = (left.into(), self.solid().clone());
-        // its heights are given about the mean of this one
-        let overlap = -left.mean_height();
-        let yielded = self.law.hardness().map(|hardness| Yielded { overlap, hardness });
-        let start = (self.rms_height, self.highest, OnceLock::from(self.rms_gradient()));
-        let elastic = Self::new(left, solid, Load::MeanPressure(mean_pressure))?;
-        Ok(Self { yielded, rms_height: start.0, highest: start.1, rms_gradient: start.2, ..elastic })
-    }
-
-    /// The same problem with other heights, on the same grid, solid and plans. Heights are counted from the mean plane of
-    /// this problem's surface, shape `(ny, nx)`. Rms height, rms gradient and highest peak stay those of that surface: so a
-    /// certificate, a reduced pressure, a mean gap and an approach mean the same as before.
-    ///
-    /// A step of a history is such a problem: a solid that remembers earlier pressures meets heights less what it remembers.
-    ///
-    /// # Errors
-    /// [`SurfaceError::Shape`] for an array that does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity.
-    ///
-    /// ```
-    /// use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
-    /// use asperity::{Grid, Indenter, Problem, Stop};
-    /// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
-    /// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
-    /// // heights that are twice as large under twice the pressure make twice the gap
-    /// let twice = problem.with_heights(2.0 * problem.surface().height())?.with_load(Load::MeanPressure(0.02))?;
-    /// let [one, two] = [&problem, &twice].map(|problem| Multilevel.solve(problem, &Stop::default(), &mut ()));
-    /// assert!((two?.mean_gap() / one?.mean_gap() - 2.0).abs() < 1e-6);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn with_heights(&self, height: Field) -> Result<Self, SurfaceError> {
-        let surface = Surface::new(*self.surface.grid(), height)?;
-        let rms_gradient = OnceLock::from(self.rms_gradient());
-        let (shift, mean_height) = (self.shift + surface.mean_height(), chunks::compensated_mean(surface.heights()));
-        Ok(Self { surface: surface.into(), shift, mean_height, rms_gradient, ..self.clone() })
     }
 
     /// The problem of the same surface and solid under another load.
@@ -209,24 +167,12 @@ impl Problem {
             }
         };
         mean_pressure.map_or(Ok(()), |mean_pressure| check_magnitude("mean pressure", mean_pressure))?;
-        Self { load, mean_pressure, ..self }.below_hardness()
-    }
-
-    /// The problem with a law of contact.
-    ///
-    /// # Errors
-    /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite, [`ProblemError::AboveHardness`] for one that does
-    /// not bear the mean pressure.
-    pub fn with_law(self, law: Law) -> Result<Self, ProblemError> {
-        if let Law::Hardness(hardness) = law {
-            check_magnitude("hardness", hardness)?;
-        }
-        Self { law, ..self }.below_hardness()
+        Self { load, mean_pressure, ..self }.below_ceiling()
     }
 
     /// The problem with the expected mean pressure, which the law must allow.
-    fn below_hardness(self) -> Result<Self, ProblemError> {
-        let hardness = self.law.ceiling();
+    pub(super) fn below_ceiling(self) -> Result<Self, ProblemError> {
+        let hardness = self.ceiling.mean(self.nodes());
         let expected_mean_pressure = match self.mean_pressure {
             Some(mean_pressure) if mean_pressure > hardness => {
                 return Err(ProblemError::AboveHardness { mean_pressure, hardness });
@@ -288,9 +234,14 @@ impl Problem {
         self.compliance.solid()
     }
 
-    /// The allowed pressures.
+    /// The law of the contact; a hard wall where each node has a ceiling of its own.
     pub fn law(&self) -> Law {
         self.law
+    }
+
+    /// The highest allowed pressure of each node.
+    pub fn ceiling(&self) -> &Ceiling {
+        &self.ceiling
     }
 
     /// The highest allowed pressure, or the one that was allowed when the surface yielded; infinite if nothing yields.
@@ -364,18 +315,18 @@ impl Problem {
 
     /// The initial pressure of a run: `start`, or the uniform pressure. It is scaled to the mean pressure, if that is
     /// given; it is also scaled to the expected one, if it is so large that rounding would hide its displacement.
-    /// Negative and non-finite values become 0, and none is above the hardness.
+    /// Negative and non-finite values become 0, and none is above its ceiling.
     ///
     /// # Panics
     /// If the shape of `start` is not that of the grid.
     pub fn first_pressure(&self, start: Option<&Field>) -> Vec<f64> {
         let load = self.expected_mean_pressure;
-        let Some(start) = start else { return vec![load; self.nodes()] };
-        let mut pressure = self.start_of(start);
-        if let Some(hardness) = self.law.hardness() {
-            chunks::update(&mut pressure, |_, p| p.iter_mut().for_each(|p| *p = p.min(hardness)));
+        let mut pressure = start.map_or_else(|| vec![load; self.nodes()], |start| self.start_of(start));
+        if matches!(self.ceiling, Ceiling::Field(_)) || start.is_some() && self.ceiling.is_finite() {
+            let ceiling = &self.ceiling;
+            chunks::update(&mut pressure, |range, p| range.zip(p).for_each(|(i, p)| *p = p.min(ceiling.at(i))));
             let load = self.mean_pressure.map(|mean| mean * pressure.len() as f64);
-            load.map(|load| feasible::carry(&mut pressure, load, hardness));
+            load.map(|load| feasible::carry(&mut pressure, load, ceiling));
         }
         pressure
     }
@@ -429,7 +380,7 @@ impl Problem {
     }
 }
 
-fn check_magnitude(name: &'static str, value: f64) -> Result<(), ProblemError> {
+pub(super) fn check_magnitude(name: &'static str, value: f64) -> Result<(), ProblemError> {
     if !(value.is_finite() && value > 0.0) {
         return Err(ProblemError::NotPositive { name, value });
     }

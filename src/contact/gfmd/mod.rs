@@ -10,7 +10,7 @@ mod probe;
 mod relaxation;
 mod settings;
 
-use crate::contact::{Contact, Law, Observer, Problem, Run, Solver, Stop};
+use crate::contact::{Contact, Observer, Problem, Run, Solver, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
 use moving::Moving;
@@ -54,7 +54,7 @@ impl Solver for Gfmd {
         if !problem.compliance().is_diagonal() {
             return Err(SolveError::NeedsWaves { solver: self.name().into() });
         }
-        if problem.law() != Law::HardWall {
+        if problem.ceiling().is_finite() {
             return Err(SolveError::NeedsHardWall { solver: self.name().into() });
         }
         let mut run = Run::begin(self, problem, stop, observer);

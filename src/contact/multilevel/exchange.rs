@@ -27,7 +27,7 @@ impl Level<'_> {
         (self.has_fewer, self.fewest) = (has_fewer, self.fewest.min(count));
         let leads = |node: usize| urges[(node + n - 1) % n] < urges[node] && urges[(node + 1) % n] <= urges[node];
         let changed = self.exchange(lambda, |node| has_fewer || leads(node));
-        let capacity = self.pressure.values.len() as f64 * self.ceiling();
+        let capacity = self.ceiling_on_set().total(self.pressure.values.len());
         if self.problem.mean_pressure().is_none_or(|mean_pressure| capacity >= mean_pressure * n as f64) {
             return changed;
         }
@@ -43,12 +43,14 @@ impl Level<'_> {
         let (u, h, ceiling) = (&self.u, self.problem.height(), self.ceiling());
         let depth = |node: usize| stiffest * (lambda - (u[node] - h[node]));
         let mut urges = vec![0.0; u.len()];
-        chunks::update(&mut urges, |range, urges| range.zip(urges).for_each(|(i, urge)| *urge = depth(i).max(0.0)));
+        let enters = |node: usize| if ceiling.at(node) > 0.0 { depth(node).max(0.0) } else { 0.0 };
+        chunks::update(&mut urges, |range, urges| range.zip(urges).for_each(|(i, urge)| *urge = enters(i)));
         let SparsePressure { support, values } = &self.pressure;
         let [_, width] = support.shape();
         chunks::rows_mut(&mut urges, width, |row, urges| {
             for (run, at) in support.runs(row) {
                 for (x, &p) in run.zip(&values[at]) {
+                    let ceiling = ceiling.at(row * width + x);
                     let beyond = if p == ceiling { -depth(row * width + x) } else { (-p).max(p - ceiling) };
                     urges[x] = beyond.max(0.0);
                 }
@@ -62,21 +64,22 @@ impl Level<'_> {
     /// pressure changed by that, or the set.
     pub fn exchange(&mut self, lambda: f64, may: impl Fn(usize) -> bool + Sync) -> bool {
         let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
-        let (ceiling, below) = (self.ceiling(), self.ceiling().next_down());
-        let mut changed = ceiling.is_finite() && values.iter().any(|&p| p > ceiling);
+        let (ceiling, on_set) = (self.ceiling(), self.ceiling_on_set());
+        let mut changed = ceiling.is_finite() && values.iter().enumerate().any(|(i, &p)| p > on_set.at(i));
         let [count, width] = support.shape();
         let (support, values) = Support::choose_values([count, width], |row, nodes| {
             let at = row * width;
             let (u, h) = (&u[at..at + width], &h[at..at + width]);
             let mut column = 0;
             let enter = |columns: Range<usize>, nodes: &mut RowOfValues| {
-                columns.filter(|&x| u[x] - h[x] < lambda && may(at + x)).for_each(|x| nodes.push(x, 0.0));
+                let enters = |x: &usize| u[*x] - h[*x] < lambda && ceiling.at(at + x) > 0.0 && may(at + x);
+                columns.filter(enters).for_each(|x| nodes.push(x, 0.0));
             };
             for (run, entries) in support.runs(row) {
                 enter(column..run.start, nodes);
                 column = run.end;
                 for (x, &p) in run.zip(&values[entries]) {
-                    let v = u[x] - h[x];
+                    let (v, below, ceiling) = (u[x] - h[x], ceiling.below(at + x), ceiling.at(at + x));
                     if p > 0.0 || p == 0.0 && v < lambda {
                         // freed, or not to yield yet
                         let is_below =

@@ -2,7 +2,7 @@
 
 use super::correction::{dot, remove_mean};
 use super::level::{Displacement, InnerStepCallback, Level};
-use super::support::SparsePressure;
+use super::support::{SparsePressure, Support};
 use crate::chunks;
 use crate::contact::Status;
 use crate::contact::bound::{is_uniform, to_bound};
@@ -41,26 +41,34 @@ impl Level<'_> {
     ///
     /// Returns why the run is to end, if it is, and whether the step was taken.
     fn newton_step(&mut self, watch: &mut InnerStepCallback<'_>) -> (Option<Status>, bool) {
-        let ceiling = self.ceiling();
-        let free = self.pressure.free(ceiling);
+        let ceiling = self.ceiling_on_set();
+        let free = self.pressure.free(&ceiling);
         let Some((delta, status)) = self.correction(free.as_ref(), watch) else { return (None, false) };
         if status.is_some() {
             return (status, false);
         }
-        let below: Vec<f64> = self.pressure.values.iter().copied().filter(|&p| p < ceiling).collect();
+        let set = free.as_ref().unwrap_or(&self.pressure.support);
+        let (below, highest) = (self.on_free(set), set.ceiling(self.ceiling()));
         let load = chunks::sum(below.len(), |i| below[i]);
         let is_taken = NEWTON_PARTS.iter().any(|part| {
             let moved: Vec<f64> = below.iter().zip(&delta).map(|(p, delta)| p + part * delta).collect();
             let moved = match self.problem.mean_pressure() {
-                Some(_) => nearest(moved, load, ceiling),
-                None => moved.into_iter().map(|p| p.clamp(0.0, ceiling)).collect(),
+                Some(_) => nearest(moved, load, &highest),
+                None => moved.into_iter().enumerate().map(|(i, p)| p.clamp(0.0, highest.at(i))).collect(),
             };
             let mut moved = moved.into_iter();
-            let mut replaced = |p: f64| if p < ceiling { moved.next().unwrap_or(p) } else { p };
-            let values: Vec<f64> = self.pressure.values.iter().map(|&p| replaced(p)).collect();
+            let mut replaced = |(i, &p): (usize, &f64)| if p < ceiling.at(i) { moved.next().unwrap_or(p) } else { p };
+            let values: Vec<f64> = self.pressure.values.iter().enumerate().map(&mut replaced).collect();
             self.approach(&self.pressure.support.spread(&values))
         });
         (None, is_taken)
+    }
+
+    /// The pressure on the free nodes of the set.
+    fn on_free(&self, free: &Support) -> Vec<f64> {
+        let mut values = vec![0.0; free.nodes()];
+        self.pressure.support.transfer(&self.pressure.values, free, &mut values);
+        values
     }
 
     /// Moves to the minimum of `f` between the pressure and `towards`, if `f` falls on that way.
@@ -78,7 +86,7 @@ impl Level<'_> {
         let share = if curvature > 0.0 { (-slope / curvature).min(1.0) } else { 1.0 };
         let ceiling = self.ceiling();
         // what is moved to the ceiling lies there to the last bit
-        let moved = |p: f64, i: usize| if share == 1.0 { towards[i] } else { (p + share * way[i]).min(ceiling) };
+        let moved = |p: f64, i: usize| if share == 1.0 { towards[i] } else { (p + share * way[i]).min(ceiling.at(i)) };
         chunks::update(&mut p, |range, p| range.zip(p).for_each(|(i, p)| *p = moved(*p, i)));
         self.pressure = SparsePressure::from_field(&p, self.response.rows());
         self.displacement = Displacement::Outdated;
@@ -95,7 +103,7 @@ impl Level<'_> {
         match self.problem.mean_pressure() {
             Some(mean_pressure) if ceiling.is_finite() => nearest(p, mean_pressure * self.u.len() as f64, ceiling),
             Some(mean_pressure) => onto_load(p, mean_pressure),
-            None => p.into_iter().map(|p| p.max(0.0).min(ceiling)).collect(),
+            None => p.into_iter().enumerate().map(|(i, p)| p.max(0.0).min(ceiling.at(i))).collect(),
         }
     }
 
@@ -104,7 +112,7 @@ impl Level<'_> {
     /// where there is no gradient.
     fn gradient_length(&mut self) -> f64 {
         let lambda = self.lambda();
-        let free = self.pressure.free(self.ceiling());
+        let free = self.pressure.free(&self.ceiling_on_set());
         let mut gradient = self.on_set(free.as_ref(), |v| v - lambda);
         if self.problem.mean_pressure().is_some() {
             remove_mean(&mut gradient);
@@ -114,8 +122,8 @@ impl Level<'_> {
         self.response.displacement(&field, &mut response);
         let (square, curvature) = (dot(&gradient, &gradient), dot(&field, &response));
         if is_uniform(square, curvature, self.response.softest_stiffness()) {
-            let free = self.pressure.values.iter().copied().filter(|&p| p < self.ceiling());
-            return to_bound(free.zip(gradient)).unwrap_or(0.0);
+            let free = self.on_free(free.as_ref().unwrap_or(&self.pressure.support));
+            return to_bound(free.into_iter().zip(gradient)).unwrap_or(0.0);
         }
         square / curvature
     }

@@ -2,7 +2,7 @@
 
 use super::support::{SparsePressure, Support};
 use crate::chunks;
-use crate::contact::{Load, Problem};
+use crate::contact::{Ceiling, Load, Problem};
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 use std::ops::Range;
@@ -23,7 +23,17 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
         (_, Some(datum)) => Load::MeanGap(datum),
         (_, None) => Load::MeanPressure(problem.expected_mean_pressure()),
     };
-    Problem::new(surface, problem.solid().clone(), load).ok()?.with_law(problem.law()).ok()
+    let posed = Problem::new(surface, problem.solid().clone(), load).ok()?;
+    match problem.ceiling() {
+        Ceiling::Uniform(_) => posed.with_law(problem.law()).ok(),
+        Ceiling::Field(ceilings) => posed.with_ceilings(subsampled(ceilings, [problem.surface().grid(), &coarse])).ok(),
+    }
+}
+
+/// The values of a field at the nodes of the [`halved`] grid.
+fn subsampled(values: &[f64], [from, to]: [&Grid; 2]) -> Vec<f64> {
+    let ([_, width], [ny, nx]) = (from.shape(), to.shape());
+    (0..ny * nx).map(|i| values[2 * (i / nx) * width + 2 * (i % nx)]).collect()
 }
 
 /// The highest height above the mean.
@@ -40,15 +50,22 @@ pub(super) fn halved(grid: &Grid) -> Option<Grid> {
 }
 
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly. Nodes
-/// between a node with pressure and one without get none. Where some nodes yield at `ceiling` they get some: patches that yield
-/// up to their edges could not carry the load of what is left out.
-pub(super) fn prolong(coarse: &[f64], [from, to]: [&Grid; 2], rows: [usize; 2], ceiling: f64) -> SparsePressure {
+/// between a node with pressure and one without get none. Where some nodes yield at their `ceilings`, those of the coarse and of the fine
+/// grid, they get some: patches that yield up to their edges could not carry the load of what is left out.
+pub(super) fn prolong(
+    coarse: &[f64],
+    [from, to]: [&Grid; 2],
+    rows: [usize; 2],
+    ceilings: [&Ceiling; 2],
+) -> SparsePressure {
     let fine = to.shape()[1];
-    let fewest = if coarse.iter().any(|&p| p >= ceiling) { 1 } else { 3 };
+    let yields = |(i, p): (usize, &f64)| *p > 0.0 && *p >= ceilings[0].at(i);
+    let fewest = if coarse.iter().enumerate().any(yields) { 1 } else { 3 };
     let (support, values) = Support::choose_values(rows, |row, nodes| {
         let first = row * rows[1];
         interpolate(coarse, from, to, first / fine, first % fine..first % fine + rows[1], |column, pressure| {
-            if pressure.iter().filter(|p| **p > 0.0).count() >= fewest {
+            let is_allowed = ceilings[1].at(first + column) > 0.0;
+            if is_allowed && pressure.iter().filter(|p| **p > 0.0).count() >= fewest {
                 nodes.push(column, mean(pressure));
             }
         });

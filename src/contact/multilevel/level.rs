@@ -7,7 +7,7 @@ use super::support::{SparsePressure, Support, corrected};
 use super::workspace::Workspace;
 use crate::chunks;
 use crate::contact::best::Best;
-use crate::contact::{Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
+use crate::contact::{Ceiling, Certificate, CertificateSums, Decision, Edges, Problem, Resolved, Status, slack};
 use crate::elastic::Response;
 use std::borrow::Cow;
 
@@ -135,22 +135,26 @@ impl<'a> Level<'a> {
     /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
     pub fn certify(&mut self) -> Certificate {
         self.refresh();
-        match self.problem.law().hardness() {
-            None => Certificate::from_sums(self.problem, &self.sums()),
-            Some(_) => Certificate::from_displacement(self.problem, &self.pressure.spread(), &self.u),
+        if self.ceiling().is_finite() {
+            return Certificate::from_displacement(self.problem, &self.pressure.spread(), &self.u);
         }
+        Certificate::from_sums(self.problem, &self.sums())
     }
 
     /// The pressure for others to see: nodes that lie at the ceiling but for rounding yield.
     pub fn completed(&self) -> Cow<'_, SparsePressure> {
-        let ceiling = self.ceiling();
-        let almost = |p: f64| p < ceiling && p >= ALMOST * ceiling;
-        if ceiling.is_infinite() || !self.pressure.values.iter().any(|&p| almost(p)) {
+        if !self.ceiling().is_finite() {
             return Cow::Borrowed(&self.pressure);
         }
-        let mut pressure = self.pressure.clone();
-        pressure.values.iter_mut().filter(|p| almost(**p)).for_each(|p| *p = ceiling);
-        Cow::Owned(pressure)
+        let ceiling = self.ceiling_on_set();
+        let almost = |i: usize, p: f64| p < ceiling.at(i) && p >= ALMOST * ceiling.at(i);
+        let SparsePressure { support, values } = &self.pressure;
+        if !values.iter().enumerate().any(|(i, &p)| almost(i, p)) {
+            return Cow::Borrowed(&self.pressure);
+        }
+        let whole = |(i, &p): (usize, &f64)| if almost(i, p) { ceiling.at(i) } else { p };
+        let values = values.iter().enumerate().map(whole).collect();
+        Cow::Owned(SparsePressure { support: support.clone(), values })
     }
 
     /// Area and gradient of this state with its edges resolved.
@@ -159,9 +163,14 @@ impl<'a> Level<'a> {
         Edges::new(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
     }
 
-    /// The highest pressure that is allowed.
-    pub fn ceiling(&self) -> f64 {
-        self.problem.law().ceiling()
+    /// The highest pressure that is allowed at each node.
+    pub fn ceiling(&self) -> &'a Ceiling {
+        self.problem.ceiling()
+    }
+
+    /// The same at each node of the set.
+    pub fn ceiling_on_set(&self) -> Ceiling {
+        self.pressure.support.ceiling(self.ceiling())
     }
 
     /// `lambda` of this state: the mean of `v` weighted by the pressure, or below a hardness by its room, or, at a given mean gap,
@@ -264,7 +273,8 @@ impl<'a> Level<'a> {
     pub fn update(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.has_fewer = false;
         self.leave_extremes();
-        let (ceiling, free) = (self.ceiling(), self.pressure.free(self.ceiling()));
+        let ceiling = self.ceiling_on_set();
+        let free = self.pressure.free(&ceiling);
         let free = free.as_ref();
         let gap = self.problem.datum();
         let (delta, status) = self.correction(free, watch)?;
@@ -273,7 +283,7 @@ impl<'a> Level<'a> {
             None => {
                 chunks::update(values, |range, p| p.iter_mut().zip(&delta[range]).for_each(|(p, delta)| *p += delta));
             }
-            Some(_) => *values = corrected(values, &delta, ceiling),
+            Some(_) => *values = corrected(values, &delta, &ceiling),
         }
         self.refresh_from_pressure();
         let lambda = gap.map_or_else(|| mean(&self.on_set(free, |v| v)), |gap| -gap);
@@ -291,7 +301,7 @@ impl<'a> Level<'a> {
         free: Option<&Support>,
         watch: &mut InnerStepCallback<'_>,
     ) -> Option<(Vec<f64>, Option<Status>)> {
-        let (ceiling, gap) = (self.ceiling(), self.problem.datum());
+        let (ceiling, gap) = (self.ceiling_on_set(), self.problem.datum());
         let residual = self.on_set(free, |v| -(v + gap.unwrap_or(0.0)));
         if residual.is_empty() {
             return None;
@@ -303,7 +313,7 @@ impl<'a> Level<'a> {
         let mut workspace = Workspace::new(set.nodes());
         let mut correction = Correction::new([set; 2], residual, gap.is_none(), operator.as_mut(), &mut workspace);
         let status = correction.solve(self.reduction, operator.as_mut(), &mut |correction, spent| {
-            let signed = || corrected(values, &correction.delta, ceiling);
+            let signed = || corrected(values, &correction.delta, &ceiling);
             let (decision, transforms) = (correction.last, before + spent);
             watch(InnerStep { set: support, candidates: None, signed: &signed, decision, transforms }, response)
         });
@@ -315,15 +325,16 @@ impl<'a> Level<'a> {
     /// Where nothing touches, or all that touches yields, lets nodes in. Where all nodes do at a mean gap, the load is too large, but
     /// no correction sees that, since a uniform pressure displaces nothing: lowers it until the first node leaves.
     fn leave_extremes(&mut self) {
-        let ceiling = self.ceiling();
+        let ceiling = self.ceiling_on_set();
         let values = &mut self.pressure.values;
-        let has_free = values.iter().any(|&p| p < ceiling);
+        let is_free = |(i, p): (usize, &f64)| *p < ceiling.at(i);
+        let has_free = values.iter().enumerate().any(is_free);
         if !has_free {
             self.admit();
         } else if let Some(gap) = self.problem.datum()
             && !self.problem.compliance().has_uniform()
             && values.len() == self.problem.nodes()
-            && values.iter().all(|&p| p < ceiling)
+            && values.iter().enumerate().all(is_free)
         {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             chunks::update(values, |_, p| p.iter_mut().for_each(|p| *p -= least));

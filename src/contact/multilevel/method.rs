@@ -1,7 +1,7 @@
 //! The way in which free updates are made.
 
 use super::support::SparsePressure;
-use crate::contact::{Decision, Problem};
+use crate::contact::{Ceiling, Decision, Problem};
 
 /// How free updates are made, from the cheapest way to the most accurate one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ impl UpdateMethod {
         let widest = if compliance.is_diagonal() { WIDEST } else { WIDEST_FREE };
         if problem.surface().grid().is_line() || stiffest > widest * softest {
             Self::Double
-        } else if pressure.reaches(problem.law().ceiling()) {
+        } else if matches!(problem.ceiling(), Ceiling::Field(_)) || pressure.reaches(problem.ceiling()) {
             Self::Exact
         } else {
             Self::Split

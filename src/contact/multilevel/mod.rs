@@ -66,6 +66,9 @@
 //! exactly on the way to the result. If `f` does not fall on that way, nor on shorter ones, a projected gradient step
 //! follows. After the second guarded phase, updates are not free again.
 //!
+//! Where each node has a ceiling of its own, `H_c` is that of the node, and a node whose ceiling is zero stays open. Inner iterations
+//! are not used then.
+//!
 //! All of the above holds with `{0 <= p <= H_c}` instead of `{p >= 0}`: it is convex, every guarded step stays within
 //! it, the projection onto it and the load is exact, and for the projected gradient step `f` falls unless `p` is the
 //! solution. The length of that step comes from the free nodes: after an exchange the gradient is uniform on them, and
@@ -258,8 +261,8 @@ impl Cascade<'_> {
         let pressure = self.run.best.pressure.take().unwrap_or_else(|| level.pressure.clone()).spread();
         self.run.best = Best::none(self.run.iterations());
         let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid());
-        let finer =
-            Level::new(problem, |rows| prolong(&pressure, [from, to], rows, problem.law().ceiling())).at_depth(depth);
+        let ceilings = [&coarse, problem].map(Problem::ceiling);
+        let finer = Level::new(problem, |rows| prolong(&pressure, [from, to], rows, ceilings)).at_depth(depth);
         (finer.with_interpolated(|| interpolated(&level.u, from, to)), ended)
     }
 
@@ -344,8 +347,8 @@ impl Cascade<'_> {
 
 /// The signed pressure on `support`, clipped and scaled to the load.
 fn feasible(support: &Support, mut values: Vec<f64>, problem: &Problem) -> SparsePressure {
-    let ceiling = problem.law().ceiling();
-    values.iter_mut().for_each(|p| *p = p.max(0.0).min(ceiling));
+    let ceiling = support.ceiling(problem.ceiling());
+    values.iter_mut().enumerate().for_each(|(i, p)| *p = p.max(0.0).min(ceiling.at(i)));
     let mut pressure = SparsePressure { support: support.clone(), values };
     pressure.carry(problem);
     pressure

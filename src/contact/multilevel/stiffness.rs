@@ -26,12 +26,13 @@ const REDUCTION: f64 = 1e-2;
 /// displacement is then subtracted with one more transform pair. Where no node is free, the stiffness is zero.
 pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
     let mut response = problem.response();
-    let law = problem.law();
-    let is_elastic = law.hardness().is_none() || !pressure.iter().any(|&p| law.yields(p));
+    let ceiling = problem.ceiling();
+    let yields = |(i, p): (usize, &f64)| ceiling.yields(i, *p);
+    let is_elastic = !ceiling.is_finite() || !pressure.iter().enumerate().any(yields);
     if is_elastic {
         return stiffness_on(problem, SparsePressure::from_field(pressure, response.rows()), displacement);
     }
-    let free: Vec<f64> = pressure.iter().map(|&p| if law.yields(p) { 0.0 } else { p }).collect();
+    let free: Vec<f64> = pressure.iter().enumerate().map(|(i, &p)| if yields((i, &p)) { 0.0 } else { p }).collect();
     let mut displacement = vec![0.0; free.len()];
     response.displacement(&free, &mut displacement);
     let free = SparsePressure::from_field(&free, response.rows());

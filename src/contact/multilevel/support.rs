@@ -1,7 +1,7 @@
 //! Vectors that live on the contact set.
 
 use crate::chunks;
-use crate::contact::{Problem, feasible};
+use crate::contact::{Ceiling, Problem, feasible};
 use crate::fourier::Real;
 use std::ops::Range;
 
@@ -145,6 +145,11 @@ impl Support {
         values
     }
 
+    /// The ceilings of the nodes of the set, in their order.
+    pub fn ceiling(&self, ceiling: &Ceiling) -> Ceiling {
+        ceiling.chosen(|field| self.of_field(field))
+    }
+
     /// The nodes that `keep` keeps of this set, by their places in its vectors.
     pub fn filter(&self, keep: impl Fn(usize) -> bool + Sync) -> Self {
         let choose = |row: usize, nodes: &mut RowOfNodes| {
@@ -211,11 +216,19 @@ impl SparsePressure {
         Self { support, values }
     }
 
-    /// The pressure to start from without a better one: the uniform one or, at a given mean gap, none.
+    /// The pressure to start from without a better one: the uniform one, or the same share of the ceiling of each node; at a given
+    /// mean gap, none.
     pub fn first(problem: &Problem, [count, width]: [usize; 2]) -> Self {
-        let mean_pressure = problem.mean_pressure();
-        let (support, values) = Support::choose_values([count, width], |_, nodes| {
-            mean_pressure.iter().for_each(|&p| (0..width).for_each(|column| nodes.push(column, p)));
+        let (mean_pressure, ceiling) = (problem.mean_pressure(), problem.ceiling());
+        let highest = ceiling.mean(problem.nodes());
+        let of_node = |node: usize, mean: f64| match ceiling {
+            Ceiling::Uniform(_) => mean,
+            Ceiling::Field(ceilings) => mean / highest * ceilings[node],
+        };
+        let (support, values) = Support::choose_values([count, width], |row, nodes| {
+            let Some(mean) = mean_pressure else { return };
+            let of_column = |column: usize| (column, of_node(row * width + column, mean));
+            (0..width).map(of_column).filter(|(_, p)| *p > 0.0).for_each(|(column, p)| nodes.push(column, p));
         });
         Self { support, values }
     }
@@ -225,59 +238,58 @@ impl SparsePressure {
         self.support.spread(&self.values)
     }
 
-    /// Whether a node has reached a finite `ceiling`.
-    pub fn reaches(&self, ceiling: f64) -> bool {
-        ceiling.is_finite() && self.values.iter().any(|&p| p >= ceiling)
+    /// Whether a node has reached the `ceiling` of the field.
+    pub fn reaches(&self, ceiling: &Ceiling) -> bool {
+        ceiling.is_finite() && self.reaches_on_set(&self.support.ceiling(ceiling))
     }
 
-    /// Scales it to the mean pressure of `problem`, if that is given, and cuts it at the hardness if there is one.
+    /// Whether a node has reached the `ceiling` of the set.
+    pub fn reaches_on_set(&self, ceiling: &Ceiling) -> bool {
+        ceiling.is_finite() && self.values.iter().enumerate().any(|(i, &p)| p >= ceiling.at(i))
+    }
+
+    /// Scales it to the mean pressure of `problem`, if that is given, and cuts it at the ceiling if there is one.
     pub fn carry(&mut self, problem: &Problem) {
-        let ceiling = problem.law().ceiling();
-        let values = &mut self.values;
-        let Some(mean_pressure) = problem.mean_pressure() else {
-            if ceiling.is_finite() {
-                chunks::update(values, |_, p| p.iter_mut().for_each(|p| *p = p.min(ceiling)));
-            }
-            return;
-        };
-        if ceiling.is_finite() {
-            return self.carry_below(ceiling, mean_pressure * problem.nodes() as f64);
+        if problem.ceiling().is_finite() {
+            return self.carry_below(problem);
         }
-        let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(values.len(), |i| values[i]);
+        let Some(mean_pressure) = problem.mean_pressure() else { return };
+        let scale = mean_pressure * problem.nodes() as f64 / chunks::sum(self.values.len(), |i| self.values[i]);
         chunks::update(&mut self.values, |_, p| p.iter_mut().for_each(|p| *p *= scale));
     }
 
-    /// Makes it carry a load below a hardness, on all nodes if its own cannot.
-    fn carry_below(&mut self, hardness: f64, load: f64) {
-        if self.values.len() as f64 * hardness >= load {
-            feasible::carry(&mut self.values, load, hardness);
+    /// Makes it carry the load of `problem` below a ceiling, on all nodes if its own cannot.
+    fn carry_below(&mut self, problem: &Problem) {
+        let ceiling = self.support.ceiling(problem.ceiling());
+        let Some(mean_pressure) = problem.mean_pressure() else {
+            let values = &mut self.values;
+            chunks::update(values, |range, p| range.zip(p).for_each(|(i, p)| *p = p.min(ceiling.at(i))));
+            return;
+        };
+        let load = mean_pressure * problem.nodes() as f64;
+        if ceiling.total(self.values.len()) >= load {
+            feasible::carry(&mut self.values, load, &ceiling);
             return;
         }
         let mut field = self.spread();
-        feasible::carry(&mut field, load, hardness);
+        feasible::carry(&mut field, load, problem.ceiling());
         *self = Self::from_field(&field, self.support.shape());
     }
 
-    /// The nodes that are free, whose pressure is below `ceiling`; none if all of them are.
-    pub fn free(&self, ceiling: f64) -> Option<Support> {
-        if !self.reaches(ceiling) {
+    /// The nodes that are free, whose pressure is below the `ceiling` of the set; none if all of them are.
+    pub fn free(&self, ceiling: &Ceiling) -> Option<Support> {
+        if !self.reaches_on_set(ceiling) {
             return None;
         }
-        let Self { support, values } = self;
-        let free = Support::choose(support.shape(), |row, nodes| {
-            for (run, at) in support.runs(row) {
-                run.zip(&values[at]).filter(|(_, p)| **p < ceiling).for_each(|(x, _)| nodes.push(x));
-            }
-        });
-        Some(free)
+        Some(self.support.filter(|i| self.values[i] < ceiling.at(i)))
     }
 }
 
-/// The values below `ceiling` with `delta` added, one entry for each; the others as they are.
-pub(super) fn corrected(values: &[f64], delta: &[f64], ceiling: f64) -> Vec<f64> {
+/// The values below the `ceiling` of the set with `delta` added, one entry for each; the others as they are.
+pub(super) fn corrected(values: &[f64], delta: &[f64], ceiling: &Ceiling) -> Vec<f64> {
     let mut delta = delta.iter();
-    let mut next = |p: f64| if p < ceiling { delta.next().map_or(p, |delta| p + delta) } else { p };
-    values.iter().map(|&p| next(p)).collect()
+    let mut next = |i: usize, p: f64| if p < ceiling.at(i) { delta.next().map_or(p, |delta| p + delta) } else { p };
+    values.iter().enumerate().map(|(i, &p)| next(i, p)).collect()
 }
 
 impl From<SparsePressure> for Vec<f64> {
