@@ -41,6 +41,12 @@ pub enum GridError {
         "a free boundary needs a half-space, but this is a {solid}: make the boundary periodic, or leave the layer out"
     )]
     FreeSolid { solid: String },
+    /// A solid whose response to a traction along its surface is not known.
+    #[error(
+        "the displacement by a tangential load is not known of {solid}: use a half-space whose boundary is periodic, or free along \
+         both axes"
+    )]
+    ShearedSolid { solid: String },
 }
 
 /// A surface that cannot be generated or used.
@@ -214,6 +220,10 @@ pub enum SolveError {
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum SlipError {
     #[error(transparent)]
+    Grid(#[from] GridError),
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    #[error(transparent)]
     Problem(#[from] ProblemError),
     #[error(transparent)]
     Solve(#[from] SolveError),
@@ -226,6 +236,9 @@ pub enum SlipError {
          less, or more friction or more normal load"
     )]
     Sliding { tangential: f64, limit: f64 },
+    /// A hardness beside friction.
+    #[error("friction cannot be computed where the surface yields: leave the hardness out, or the friction")]
+    Yielding,
     /// A normal load that is not a pressure.
     #[error(
         "friction needs a given pressure, but {load} is given: give a mean pressure, a reduced pressure or a force"

@@ -112,6 +112,7 @@ pub mod foreign;
 pub mod fourier;
 pub mod grid;
 pub mod guide;
+pub mod history;
 pub mod job;
 #[cfg(feature = "figures")]
 pub mod lab;

@@ -53,13 +53,13 @@ const OF_HARDNESS: f64 = 0.5;
 #[derive(Debug, Clone)]
 pub struct Problem {
     pub(super) surface: Arc<Surface>,
-    compliance: Arc<Compliance>,
+    pub(super) compliance: Arc<Compliance>,
     pub(super) law: Law,
     pub(super) ceiling: Ceiling,
-    load: Load,
+    pub(super) load: Load,
     /// The prescribed mean pressure, if the load determines it.
-    mean_pressure: Option<f64>,
-    expected_mean_pressure: f64,
+    pub(super) mean_pressure: Option<f64>,
+    pub(super) expected_mean_pressure: f64,
     pub(super) rms_height: f64,
     /// Mean of the heights that a surface keeps, which is at most rounding.
     pub(super) mean_height: f64,
@@ -106,17 +106,26 @@ impl Problem {
     ) -> Result<Self, ProblemError> {
         let (surface, solid) = (surface.into(), solid.into());
         check_magnitude("contact modulus", solid.contact_modulus())?;
+        check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
+        let compliance = Compliance::new(surface.grid(), solid, load.keeps_uniform())?;
+        Self::of_compliance(surface, compliance.into(), load)
+    }
+
+    /// The problem of a surface on a solid whose compliance on its grid is given.
+    pub(crate) fn of_compliance(
+        surface: Arc<Surface>,
+        compliance: Arc<Compliance>,
+        load: Load,
+    ) -> Result<Self, ProblemError> {
         let height = surface.heights();
         if height.iter().all(|&h| h == height[0]) {
             return Err(ProblemError::Flat { height: height[0] + surface.mean_height() });
         }
         let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
         check_magnitude("rms height", rms_height)?;
-        check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
         let mean_height = chunks::compensated_mean(height);
         let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h)) - mean_height;
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
-        let compliance = Arc::new(Compliance::new(surface.grid(), solid, load.keeps_uniform())?);
         for stiffness in compliance.stiffness_range().into_iter().filter(|_| !compliance.solid().is_half_space()) {
             check_magnitude("stiffness of the solid for a wave", stiffness)?;
         }
@@ -286,7 +295,7 @@ impl Problem {
     }
 
     /// Mean of the heights above the mean plane of the surface that the problem was first posed for.
-    pub(super) fn shift(&self) -> f64 {
+    pub(crate) fn shift(&self) -> f64 {
         self.shift
     }
 

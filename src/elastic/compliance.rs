@@ -63,6 +63,44 @@ impl Compliance {
         Ok(Self { grid: *grid, solid, kind, range })
     }
 
+    /// The compliance of a half-space for tractions along `x`: the displacement along `x`, with no traction across.
+    ///
+    /// `u_q = (2 / (E* |q|)) (1 + m q_y^2/q^2) tau_q` with `m = sum (nu/G) / sum ((1 - nu)/G)` over the elastic bodies, which is
+    /// `nu/(1 - nu)` for one of them. On a line it is the compliance for pressures.
+    ///
+    /// # Errors
+    /// [`GridError::ShearedSolid`] for a solid other than a half-space, and on a surface that is free along one axis only if `m` is not zero; the
+    /// errors of [`Compliance::new`].
+    ///
+    /// # Source
+    /// Johnson, *Contact Mechanics* (1985), Eq. 3.75, as waves.
+    pub fn tangential(grid: &Grid, solid: Arc<dyn ElasticSolid>, m: f64) -> Result<Self, GridError> {
+        if !solid.is_half_space() {
+            return Err(GridError::ShearedSolid { solid: solid.description() });
+        }
+        if grid.is_line() || m == 0.0 {
+            return Self::new(grid, solid, false);
+        }
+        let [ly, lx] = grid.size();
+        let [longest, shortest] = periodic_range(grid, solid.as_ref());
+        let range = [longest / (1.0 + m), shortest];
+        let sheared = |[ky, kx]: [usize; 2]| {
+            let [qy, qx] = [TAU * ky as f64 / ly, TAU * kx as f64 / lx];
+            let q = qx.hypot(qy);
+            if q > 0.0 { stiffness(solid.as_ref(), q) / (1.0 + m * (qy / q).powi(2)) } else { 0.0 }
+        };
+        let (kind, range) = match grid.periodic() {
+            [true, true] => (ComplianceKind::Table(Filter::places(grid).into_iter().map(sheared).collect()), range),
+            [false, false] => {
+                let table = FreeTable::sheared(grid, solid.as_ref(), m)?;
+                let range = [table.softest(), range[1]];
+                (ComplianceKind::Free(table), range)
+            }
+            _ => return Err(GridError::ShearedSolid { solid: "a half-space that is free along one axis".into() }),
+        };
+        Ok(Self { grid: *grid, solid, kind, range })
+    }
+
     /// The compliance of a periodic half-space of contact modulus `E*`.
     ///
     /// # Panics

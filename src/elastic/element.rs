@@ -9,6 +9,15 @@ const FAR: f64 = 16.0;
 /// The same for a rectangle, in longer sides. The first term that the series leaves out is below 4e-14 of the sum there.
 const FAR_RECTANGLE: f64 = 64.0;
 
+/// Points and weights of Gauss-Legendre quadrature between -1/2 and 1/2. The terms that it leaves out are below rounding at the
+/// distance of [`FAR_RECTANGLE`].
+const GAUSS: [[f64; 2]; 4] = [
+    [-0.430_568_155_797_026_3, 0.173_927_422_568_726_93],
+    [-0.169_990_521_792_428_13, 0.326_072_577_431_273_07],
+    [0.169_990_521_792_428_13, 0.326_072_577_431_273_07],
+    [0.430_568_155_797_026_3, 0.173_927_422_568_726_93],
+];
+
 /// Step and end of the trapezium rule for waves. It errs by `exp(-pi^2 / STEP)`, and the integrand has fallen by `exp(-END)`.
 const STEP: f64 = 0.25;
 const END: f64 = 40.0;
@@ -41,6 +50,27 @@ pub(crate) fn rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: f64) -> 
     let far = FAR_RECTANGLE * dx.max(dy);
     let integral = if x * x + y * y > far * far { dx * dy * mean_far(at, sides) } else { integral_near(at, sides) };
     integral / (PI * contact_modulus)
+}
+
+/// Displacement along `x` at the distance `[y, x]` from the middle of a rectangle of sides `[dy, dx]`, per unit of traction along `x`:
+/// `(1 / (pi E*)) int (1/r + m x^2/r^3)` over the rectangle, with `m = sum (nu/G) / sum ((1 - nu)/G)` over the bodies.
+///
+/// # Source
+/// Cerruti; Johnson, *Contact Mechanics* (1985), Eq. 3.75. The mixed derivative of `y asinh(x/|y|)` is `x^2/r^3`.
+pub(crate) fn sheared_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: f64, m: f64) -> f64 {
+    let [[y, x], [dy, dx]] = [at, sides];
+    let far = FAR_RECTANGLE * dx.max(dy);
+    let along = if x * x + y * y > far * far {
+        let value = |y: f64, x: f64| x * x / (x * x + y * y).powf(1.5);
+        let inner = GAUSS.map(|[t, w]| w * GAUSS.map(|[s, v]| v * value(y + dy * s, x + dx * t)).iter().sum::<f64>());
+        dx * dy * inner.iter().sum::<f64>()
+    } else {
+        let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
+        let edge = |s: f64| s * ((right / s.abs()).asinh() - (left / s.abs()).asinh());
+        let edge = |s: f64| if s == 0.0 { 0.0 } else { edge(s) };
+        edge(above) - edge(below)
+    };
+    rectangle(at, sides, contact_modulus) + m * along / (PI * contact_modulus)
 }
 
 /// The integral of `1/r` over a rectangle in closed form. It loses digits as the square of the distance, by cancellation.
@@ -105,6 +135,19 @@ mod tests {
                     assert!((found / exact - 1.0).abs() < 5e-14, "{sides:?} {at:?}: {found:e}, {exact:e}");
                 }
             }
+        }
+    }
+
+    /// Along `x` and along `y` together the two kernels of shear are those of `2/r + m/r`; and one of them is symmetric under an
+    /// exchange of the axes.
+    #[test]
+    fn both_directions_of_shear_add_up() {
+        for at in [[0.0, 0.0], [0.0, 1.0], [3.0, 0.5], [40.0, 30.0], [70.0, 10.0], [1e4, 2e4]] {
+            let (sides, m) = ([1.0, 1.5], 0.7);
+            let turned = |[y, x]: [f64; 2]| [x, y];
+            let both = sheared_rectangle(at, sides, 1.0, m) + sheared_rectangle(turned(at), turned(sides), 1.0, m);
+            let exact = (2.0 + m) * rectangle(at, sides, 1.0);
+            assert!((both / exact - 1.0).abs() < 1e-11, "{at:?}: {both:e}, {exact:e}");
         }
     }
 

@@ -24,11 +24,20 @@ impl FreeTable {
         }
         let padded = padded(grid)?;
         let modulus = solid.contact_modulus();
+        let (spacing, datum) = (grid.spacing(), datum(solid, grid.size()[1]));
         let weights = match grid.periodic() {
             [true, false] if !grid.is_line() => banded(grid, &padded, solid, 1),
             [false, true] => banded(grid, &padded, solid, 0),
-            _ => transformed(grid, &padded, solid),
+            _ if grid.is_line() => transformed(&padded, |[_, x]| element::strip(x, spacing[1], datum, modulus)),
+            _ => transformed(&padded, |at| element::rectangle(at, spacing, modulus)),
         };
+        Ok(Self { modulus, padded, weights })
+    }
+
+    /// The table of tractions along `x` on a surface that is free along both axes, see [`super::Compliance::tangential`].
+    pub fn sheared(grid: &Grid, solid: &dyn ElasticSolid, m: f64) -> Result<Self, GridError> {
+        let (padded, modulus) = (padded(grid)?, solid.contact_modulus());
+        let weights = transformed(&padded, |at| element::sheared_rectangle(at, grid.spacing(), modulus, m));
         Ok(Self { modulus, padded, weights })
     }
 
@@ -51,20 +60,14 @@ fn padded(grid: &Grid) -> Result<Grid, GridError> {
     if grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) }
 }
 
-/// The influence transformed along all axes: of lines, and of surfaces without images.
-fn transformed(grid: &Grid, padded: &Grid, solid: &dyn ElasticSolid) -> Vec<f64> {
-    let ([my, mx], [dy, dx], modulus) = (padded.shape(), grid.spacing(), solid.contact_modulus());
-    let datum = datum(solid, grid.size()[1]);
+/// The `influence` of an element at a distance, transformed along all axes: of lines, and of surfaces without images.
+fn transformed(padded: &Grid, influence_at: impl Fn([f64; 2]) -> f64 + Sync) -> Vec<f64> {
+    let ([my, mx], [dy, dx]) = (padded.shape(), padded.spacing());
     let half = mx / 2 + 1;
     let mut quarter = vec![0.0; (my / 2 + 1) * half];
     chunks::rows_mut(&mut quarter, half, |y, row| {
         for (x, value) in row.iter_mut().enumerate() {
-            let [y, x] = [dy * y as f64, dx * x as f64];
-            *value = if grid.is_line() {
-                element::strip(x, dx, datum, modulus)
-            } else {
-                element::rectangle([y, x], [dy, dx], modulus)
-            };
+            *value = influence_at([dy * y as f64, dx * x as f64]);
         }
     });
     let mut influence = vec![0.0; my * mx];

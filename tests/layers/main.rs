@@ -23,6 +23,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("surface", 2),
     ("theory", 2),
     ("contact", 3),
+    ("history", 4),
     ("diagnosis", 4),
     ("foreign", 4),
     ("setup", 4),

@@ -6,6 +6,7 @@ mod hardness;
 mod paper;
 mod preparation;
 mod slip;
+mod slip_history;
 mod solids;
 mod stress;
 mod surfaces;

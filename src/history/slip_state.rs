@@ -1,0 +1,94 @@
+//! The state of a contact after a step with friction.
+
+use crate::contact::{Contact, Work};
+use crate::surface::Field;
+use ndarray::Array2;
+use serde::Serialize;
+
+/// The state of a contact under a normal and a tangential load, after a step of a [`crate::history::SlipHistory`].
+///
+/// | field      | shape      | unit     | meaning                                                                     |
+/// |------------|------------|----------|-----------------------------------------------------------------------------|
+/// | `traction` | `(ny, nx)` | pressure | `tau` along `x` on the solid, `|tau| <= mu p`, of mean `tangential`         |
+/// | `slip`     | `(ny, nx)` | length   | slip in this step, `s = A (tau - tau_0) - delta`; zero where the solid sticks |
+/// | `zones`    | `(ny, nx)` |          | whether a node is open, sticks, or slips, and in which direction            |
+#[derive(Debug, Clone)]
+pub struct SlipState {
+    /// The contact under the normal load.
+    pub contact: Contact,
+    /// The mean traction, a pressure.
+    pub tangential: f64,
+    /// The traction along `x` on the surface of the solid.
+    pub traction: Field,
+    /// The slip in this step: the displacement of the surface of the solid along `x` relative to the rigid surface.
+    pub slip: Field,
+    /// The zone of each node.
+    pub zones: Array2<Zone>,
+    /// The shift `delta` of the rigid surface along `x` in this step, a length. On a periodic grid it is measured from the mean
+    /// displacement of the solid, on a free line from the datum of line loads.
+    pub shift: f64,
+    /// The energy that friction dissipates in this step, per area of the cell: `<mu p |s|>`, with the mean of the pressures before and
+    /// after the step.
+    pub dissipated: f64,
+    /// The elastic energy of the traction after this step, per area of the cell: `<tau A_t tau>/2`. The tangential load does the work
+    /// that it grows by and the dissipated energy.
+    pub stored: f64,
+    /// The error of the traction.
+    pub certificate: SlipCertificate,
+    /// Work of the solvers in this step, normal and tangential.
+    pub work: Work,
+}
+
+/// The zone of a node in a contact with friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Zone {
+    /// It does not touch.
+    Open,
+    /// It sticks: the traction is below `mu p`.
+    Stick,
+    /// It slips, with the traction `+mu p` on the solid: the rigid surface moves towards `+x` over the solid.
+    Forward,
+    /// It slips, with the traction `-mu p` on the solid.
+    Backward,
+}
+
+/// Rigorous bounds of the error of a traction `tau`, for the pressure and the traction before the step as they are.
+///
+/// A step minimises `f(tau) = 1/2 <tau A tau> - <tau A tau_0>` over `|tau| <= mu p` with `<tau>` given. With the slip `s`,
+///
+/// `f(tau) - f* <= G = <tau s> + <mu p |s|>`,
+///
+/// a sum of terms that are not negative and vanish where Coulomb's law holds, for any shift in `s`; and
+/// `<(tau - tau*) A (tau - tau*)> <= G`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SlipCertificate {
+    /// `eta = G / (mu <p> l)`: the gap over the work of sliding by the length `l`, the rms of the displacement by `mu p`. Zero
+    /// without friction.
+    pub eta: f64,
+    /// The bound of `|tau - tau*| / |mu p|` in the norm `|x|^2 = <x A x>`. Zero without friction.
+    pub traction_error_bound: f64,
+}
+
+impl SlipState {
+    /// Nodes that stick.
+    pub fn sticks(&self) -> Array2<bool> {
+        self.zones.mapv(|zone| zone == Zone::Stick)
+    }
+
+    /// Nodes that slip.
+    pub fn slips(&self) -> Array2<bool> {
+        self.zones.mapv(|zone| matches!(zone, Zone::Forward | Zone::Backward))
+    }
+
+    /// The share of the nodes in contact that stick; NaN without contact.
+    pub fn stick_share(&self) -> f64 {
+        let count = |of: fn(&Zone) -> bool| self.zones.iter().filter(|zone| of(zone)).count() as f64;
+        count(|zone| *zone == Zone::Stick) / count(|zone| *zone != Zone::Open)
+    }
+
+    /// Whether both the normal contact and the traction met their goals.
+    pub fn is_converged(&self) -> bool {
+        self.contact.is_converged()
+    }
+}
