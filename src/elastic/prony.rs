@@ -128,9 +128,9 @@ impl Prony {
     pub fn compliance(&self, angular_frequency: f64) -> [f64; 2] {
         self.terms.iter().fold([1.0, 0.0], |[re, im], term| {
             let phase = angular_frequency * term.time;
-            // without overflow of the square of the phase
-            let length = 1f64.hypot(phase);
-            [re + term.ratio / length / length, im - term.ratio * (phase / length) / length]
+            // phase / (1 + phase^2) without overflow
+            let lag = if phase.abs() > 1.0 { 1.0 / (phase + 1.0 / phase) } else { phase / (1.0 + phase * phase) };
+            [re + term.ratio / (1.0 + phase * phase), im - term.ratio * lag]
         })
     }
 

@@ -186,7 +186,7 @@ impl<'a> CreepSteps<'a> {
         let from = self.state.clone();
         let next = self.solve(None, &from, from.time, load)?;
         self.step = None;
-        self.keep(next, 0.0);
+        self.keep(next);
         Ok(())
     }
 
@@ -221,17 +221,14 @@ impl<'a> CreepSteps<'a> {
             let relative = if error > 0.0 { error / size } else { 0.0 };
             let factor = (SAFETY * (tolerance / relative).sqrt()).clamp(SHRINK, GROW);
             if relative <= tolerance || step <= LEAST * first {
-                // a step that was cut off by a point says little about the next one
-                self.step =
-                    Some(if relative <= tolerance { wanted.max(step * factor) } else { step }.min(GROW * wanted));
-                if relative > 0.25 * tolerance {
-                    self.step = Some(step * factor);
-                }
+                // a step that was cut off by a point does not shorten the next one, unless its error asks for that
+                let further = step * factor;
+                self.step = Some(if factor < GROW { further } else { further.max(wanted) });
                 let fading = self.fading(0.5 * step);
                 self.error = fading * self.error + 0.5 * error;
-                self.keep(half, self.error);
+                self.keep(half);
                 self.error = fading * self.error + 0.5 * error;
-                self.keep(next, self.error);
+                self.keep(next);
                 return Ok(());
             }
             self.rejected += 1;
@@ -260,10 +257,10 @@ impl<'a> CreepSteps<'a> {
     }
 
     /// Keeps a state of an adaptive step, with its error in time.
-    fn keep(&mut self, state: CreepState, error: f64) {
-        let time_error = match (&self.pace, error) {
-            (CreepPace::Adaptive(_), 0.0) if self.error == 0.0 => 0.0,
-            (CreepPace::Adaptive(_), _) => self.error / rms(&state.effective_pressure()),
+    fn keep(&mut self, state: CreepState) {
+        let time_error = match self.pace {
+            CreepPace::Adaptive(_) if self.error == 0.0 => 0.0,
+            CreepPace::Adaptive(_) => self.error / rms(&state.effective_pressure()),
             _ => f64::NAN,
         };
         self.state = CreepState { time_error, ..state };

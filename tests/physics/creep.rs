@@ -1,55 +1,42 @@
 //! Contacts of viscoelastic solids in time.
 
-use asperity::contact::{Contact, ContactModulus, Load, Multilevel, PolonskyKeer, Solver, Stop};
+mod cost;
+mod energy;
+mod lee_radok;
+mod relaxation;
+mod stability;
+
+use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
 use asperity::elastic::{Prony, PronyTerm};
 use asperity::history::{Creep, CreepPath, CreepState, CreepSteps};
-use asperity::surface::{Field, Spectrum};
-use asperity::{Grid, Indenter, Problem, Surface};
+use asperity::surface::Spectrum;
+use asperity::{Grid, Problem, Surface};
 
-fn rough(grid: Grid, hurst: f64, seed: u64) -> Surface {
+/// A rough surface of rms gradient 0.01 whose shortest waves are 16 nodes long.
+pub fn rough(grid: Grid, hurst: f64, seed: u64) -> Surface {
     let [_, dx] = grid.spacing();
     let length = grid.size()[1];
-    let short = (16.0 * dx).min(length / 16.0);
-    let spectrum = Spectrum { hurst, rolloff_wavelength: length / 4.0, short_cutoff: short, rms_gradient: 0.01 };
+    let short_cutoff = (16.0 * dx).min(length / 8.0);
+    let spectrum = Spectrum { hurst, rolloff_wavelength: length / 4.0, short_cutoff, rms_gradient: 0.01 };
     Surface::rough(grid, &spectrum, seed).unwrap()
 }
 
-#[test]
-fn measure() {
-    let (line, surface) = (Grid::line(1 << 14, 1.0).unwrap(), Grid::surface([512, 512], [1.0, 1.0]).unwrap());
-    let prony = Prony::new(vec![PronyTerm { ratio: 9.0, time: 1.0 }]).unwrap();
-    for grid in [line, surface] {
-        for tol in [1e-8, 1e-10] {
-            for ramp in [false, true] {
-                let problem =
-                    Problem::new(rough(grid, 0.8, 3), ContactModulus(1.0), Load::ReducedPressure(0.02)).unwrap();
-                let stop = Stop::new(tol, 100000).unwrap();
-                let mut creep = Creep::new(problem.clone(), prony.clone());
-                let (mut state, mut warm, mut cold) = (creep.start(), vec![], vec![]);
-                for i in 0..10 {
-                    let load = Load::ReducedPressure(if ramp { 0.02 * (1.0 + 0.1 * i as f64) } else { 0.02 });
-                    state =
-                        creep.step(&state, if i == 0 { 0.0 } else { 0.05 }, load, &Multilevel, &stop, &mut ()).unwrap();
-                    warm.push(state.contact.work.transforms);
-                    let el = Multilevel
-                        .solve(
-                            &problem
-                                .clone()
-                                .with_load(Load::MeanPressure(state.effective_pressure().mean().unwrap()))
-                                .unwrap(),
-                            &stop,
-                            &mut (),
-                        )
-                        .unwrap();
-                    cold.push(el.work.transforms);
-                }
-                println!(
-                    "{:?} tol {tol} ramp {ramp} warm {warm:?} cold {cold:?} bound {} eta {}",
-                    grid.shape(),
-                    state.error_bound(),
-                    state.contact.certificate.eta
-                );
-            }
-        }
-    }
+pub fn prony(terms: &[[f64; 2]]) -> Prony {
+    Prony::new(terms.iter().map(|&[ratio, time]| PronyTerm { ratio, time }).collect()).unwrap()
+}
+
+pub fn tight() -> Stop {
+    Stop::new(1e-13, 10_000).unwrap()
+}
+
+/// The problem under some load, which the histories do not use.
+pub fn problem(surface: Surface) -> Problem {
+    Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.01)).unwrap()
+}
+
+/// The states of a path with equal steps between its points.
+pub fn fixed(problem: &Problem, prony: &Prony, path: Vec<(f64, Load)>, count: usize) -> Vec<CreepState> {
+    let creep = Creep::new(problem.clone(), prony.clone());
+    let steps = CreepSteps::fixed(creep, CreepPath::new(path).unwrap(), count, &Multilevel, tight()).unwrap();
+    steps.map(Result::unwrap).collect()
 }

@@ -133,7 +133,8 @@ fn the_complex_compliance_is_that_of_a_harmonic_load() {
     let [re, im] = prony.compliance(0.5);
     assert!((re - (1.0 + 4.5 + 0.5 / (1.0 + 2.5e-7))).abs() < 1e-12);
     assert!((im + 4.5 + 0.5 * 5e-4 / (1.0 + 2.5e-7)).abs() < 1e-12);
-    assert_eq!(prony.compliance(1e308), [1.0, 0.0].map(|x: f64| x - 0.0));
+    let [re, im] = prony.compliance(1e308);
+    assert!(re == 1.0 && im.abs() < 1e-300);
 }
 
 #[test]
