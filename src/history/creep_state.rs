@@ -179,12 +179,19 @@ impl CreepState {
     /// [`crate::contact::Certificate::pressure_error_bound`].
     pub fn error_bound(&self) -> f64 {
         let effective = self.effective_pressure();
+        // scaled, since a memory that has faded squares to zero
+        let [pressure, displacement] = [&effective, &self.contact.displacement].map(largest);
         let pairs = self.contact.displacement.iter().zip(&effective);
-        let square = pairs.map(|(u, p)| u * p).sum::<f64>() / self.contact.pressure.len() as f64;
+        let sum: f64 = pairs.map(|(u, p)| (u / displacement) * (p / pressure)).sum();
+        let length = (sum / effective.len() as f64).sqrt() * pressure.sqrt() * displacement.sqrt();
         match self.carried.bounds.effective {
             0.0 => 0.0,
-            bound if square > 0.0 => bound / square.sqrt(),
+            bound if length > 0.0 => bound / length,
             _ => f64::INFINITY,
         }
     }
+}
+
+fn largest(field: &Field) -> f64 {
+    field.iter().fold(0.0, |most, value| value.abs().max(most))
 }

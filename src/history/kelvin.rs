@@ -41,7 +41,7 @@ impl KelvinStep {
         let [before, after] = match is_linear {
             // 1 - gone / k and gone - that
             true if k < SHORT => {
-                let after = -power_series(k, 1, |n, factorial| -sign(n) / (factorial * f64::from(n + 1)));
+                let after = power_series(k, 1, |n, factorial| -sign(n) / (factorial * f64::from(n + 1)));
                 [gone - after, after]
             }
             true => [gone - (1.0 - gone / k), 1.0 - gone / k],

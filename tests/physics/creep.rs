@@ -16,7 +16,7 @@ use asperity::{Grid, Problem, Surface};
 pub fn rough(grid: Grid, hurst: f64, seed: u64) -> Surface {
     let [_, dx] = grid.spacing();
     let length = grid.size()[1];
-    let short_cutoff = (16.0 * dx).min(length / 8.0);
+    let short_cutoff = (16.0 * dx).min(length / 8.0).max(2.5 * dx);
     let spectrum = Spectrum { hurst, rolloff_wavelength: length / 4.0, short_cutoff, rms_gradient: 0.01 };
     Surface::rough(grid, &spectrum, seed).unwrap()
 }

@@ -96,7 +96,7 @@ fn surfaces_out_of_reach_do_not_touch_and_the_solid_recovers() {
     let [near, far] = [0.5 * problem.highest(), 2.0 * problem.highest()].map(Load::MeanGap);
     let mut step =
         |state: &CreepState, dt: f64, load| creep.step(state, dt, load, &Multilevel, &stop, &mut ()).unwrap();
-    let rest = CreepState { time: 0.0, ..Creep::new(problem.clone(), prony(&[[9.0, 1.0]])).start() };
+    let rest = Creep::new(problem.clone(), prony(&[[9.0, 1.0]])).start();
     let pressed = step(&rest, 1.0, near);
     assert!(pressed.contact.mean_pressure() > 0.0);
     // just apart: the solid lies below where it was touched
