@@ -1,26 +1,13 @@
 //! The contact of a viscoelastic solid, step by step in time.
 
 use super::creep_state::{Carried, CreepEnergy, CreepState, ErrorBounds};
-use super::kelvin::{KelvinProducts, KelvinStep};
+use super::kelvin::{CreepRule, KelvinProducts, KelvinStep};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{Certificate, Contact, Law, Load, Observer, Problem, Solver, Status, Stop, Work};
 use crate::elastic::{Prony, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
-
-/// How the pressure goes over a step in time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum CreepRule {
-    /// The pressure of the end holds over the whole step. First order in the step. Under a load that never falls the error
-    /// is that of the load alone, for steps of any length.
-    #[default]
-    ConstantPressure,
-    /// The pressure goes linearly from the beginning to the end. Second order in steps that are short compared with the shortest time
-    /// of the solid. The first step after a jump of the load takes the pressure as constant, since a long linear one would ask
-    /// for tension where the contact grows.
-    LinearPressure,
-}
 
 /// The contact of a viscoelastic solid in time: a process that makes the next state from the last one.
 ///

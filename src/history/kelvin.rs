@@ -2,13 +2,25 @@
 //!
 //! Letters of this file: `k = dt / tau`, `e = exp(-k)`, `p0` and `p1` the pressures at the beginning and the end, `|x|^2 = <x A x>`.
 
-use super::creep::CreepRule;
 use crate::elastic::PronyTerm;
 
 /// Below this value of `k` sums of exponentials are computed as series.
 const SHORT: f64 = 0.05;
 /// Terms of these series; the next one is below rounding.
 const SERIES: i32 = 14;
+
+/// How the pressure goes over a step in time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CreepRule {
+    /// The pressure of the end holds over the whole step. First order in the step. Under a load that never falls the error
+    /// is that of the load alone, for steps of any length.
+    #[default]
+    ConstantPressure,
+    /// The pressure goes linearly from the beginning to the end. Second order in steps that are short compared with the shortest time
+    /// of the solid. The first step after a jump of the load takes the pressure as constant, since a long linear one would ask
+    /// for tension where the contact grows.
+    LinearPressure,
+}
 
 /// How a term goes over a step: `eps <- keep eps + before p0 + after p1`.
 #[derive(Debug, Clone, Copy)]

@@ -8,7 +8,8 @@ mod creep_state;
 mod creep_steps;
 mod kelvin;
 
-pub use creep::{Creep, CreepRule};
+pub use creep::Creep;
 pub use creep_path::CreepPath;
 pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
+pub use kelvin::CreepRule;

@@ -1,5 +1,6 @@
 //! Contacts of viscoelastic solids in time.
 
+mod bounds;
 mod cost;
 mod energy;
 mod lee_radok;

@@ -71,7 +71,6 @@ fn the_error_in_time_is_estimated_honestly() {
             largest = [largest[0].max(off), largest[1].max(state.time_error)];
         }
         assert!(states.iter().any(|state| state.time == 1.0) && states.iter().any(|state| state.time == 2.0));
-        println!("{} states, {largest:?}", states.len());
         // it is not idly large either
         assert!(largest[1] < 20.0 * largest[0], "{largest:?}");
         found.push((states.len(), largest[0]));
