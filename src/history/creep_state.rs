@@ -33,6 +33,26 @@ pub struct CreepEnergy {
 /// Measures of [`Contact`] that use the contact modulus, such as [`Contact::resolved`], use the glassy one. Use
 /// [`CreepState::resolved`] instead. Without a load, and where the surfaces are out of each other's reach, `contact.problem`
 /// has the load of an earlier state: [`CreepState::load`] has that of this state.
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
+/// use asperity::elastic::{Prony, PronyTerm};
+/// use asperity::history::{Creep, CreepPath, CreepSteps};
+/// use asperity::{Grid, Indenter, Problem};
+/// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+/// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.001))?;
+/// let prony = Prony::new(vec![PronyTerm { ratio: 4.0, time: 1.0 }])?;
+/// // pressed and released within two seconds, then left alone
+/// let points = [(0.0, 0.0), (1.0, 0.002), (2.0, 0.0), (30.0, 0.0)].map(|(t, p)| (t, Load::MeanPressure(p)));
+/// let path = CreepPath::new(points.to_vec())?;
+/// let steps = CreepSteps::fixed(Creep::new(problem, prony), path, 50, &Multilevel, Stop::default())?;
+/// let end = steps.last().expect("there are states")?;
+/// assert_eq!(end.contact.mean_pressure(), 0.0);
+/// assert!(end.memory[0].iter().all(|&eps| eps < 1e-10));
+/// // what the load has done is what the solid has lost, but for the error in time
+/// assert!((end.energy.work / end.energy.lost - 1.0).abs() < 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct CreepState {
     /// The time.

@@ -9,7 +9,11 @@ const SHORT: f64 = 0.05;
 /// Terms of these series; the next one is below rounding.
 const SERIES: i32 = 14;
 
-/// How the pressure goes over a step in time.
+/// How the pressure goes over a step in time, see [`super::Creep::with_rule`].
+///
+/// ```
+/// assert_eq!(asperity::history::CreepRule::default(), asperity::history::CreepRule::ConstantPressure);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CreepRule {
     /// The pressure of the end holds over the whole step. First order in the step. Under a load that never falls the error
