@@ -6,11 +6,13 @@
     reason = "fields are the values in the sentence of their variant, and a wrapped error speaks for itself"
 )]
 
+mod creep;
 mod file;
 mod input;
 mod preparation;
 mod study;
 
+pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
 pub use preparation::PreparationError;
@@ -295,6 +297,10 @@ pub enum SolidError {
     PoissonOfLayer { count: usize },
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
     Poisson { poisson: f64 },
+    #[error("a Prony term has the ratio {ratio:?} and the time {time:?}: give positive, finite values")]
+    PronyTerm { ratio: f64, time: f64 },
+    #[error("the ratios of the relaxation add up to {sum:?}: give ratios whose sum is below 1")]
+    PronySum { sum: f64 },
 }
 
 /// A setup that cannot be read, or that describes nothing that can be solved.

@@ -11,7 +11,9 @@ pub(crate) mod element;
 mod free;
 mod half_space;
 mod layer;
+mod prony;
 mod response;
+mod secular;
 mod solid;
 pub mod stress;
 
@@ -19,6 +21,7 @@ pub use compliance::Compliance;
 pub(crate) use convolution::Convolution;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
+pub use prony::{Prony, PronyTerm};
 pub use response::Response;
 pub use solid::{ElasticSolid, LongWaves};
 pub use stress::Stress;

@@ -2,9 +2,11 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod creep;
 mod hardness;
 mod paper;
 mod preparation;
+mod prony;
 mod slip;
 mod slip_history;
 mod solids;

@@ -1,0 +1,76 @@
+//! Loads along a path in time.
+
+use crate::contact::Load;
+use crate::error::CreepError;
+
+/// A load that changes linearly in time between points. Two points at one time are a jump of the load.
+///
+/// ```
+/// use asperity::contact::Load;
+/// use asperity::history::CreepPath;
+/// // pressed in one second, held for nine
+/// let path = CreepPath::new(vec![
+///     (0.0, Load::MeanPressure(0.0)),
+///     (1.0, Load::MeanPressure(2.0)),
+///     (10.0, Load::MeanPressure(2.0)),
+/// ])?;
+/// assert_eq!(path.load(1, 0.25), Load::MeanPressure(0.5));
+/// // a mean gap cannot become a pressure in the course of time
+/// assert!(CreepPath::new(vec![(0.0, Load::MeanGap(0.1)), (1.0, Load::MeanPressure(2.0))]).is_err());
+/// # Ok::<(), asperity::error::CreepError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct CreepPath {
+    points: Vec<(f64, Load)>,
+}
+
+impl CreepPath {
+    /// The path through points of a time and a load. The load of the first point is applied at its time, without delay.
+    ///
+    /// # Errors
+    /// [`CreepError::NoPoints`] for no points, [`CreepError::Order`] for times that fall or are not finite, and
+    /// [`CreepError::Kinds`] for loads of two kinds with time between them.
+    pub fn new(points: Vec<(f64, Load)>) -> Result<Self, CreepError> {
+        let Some(&(first, _)) = points.first() else { return Err(CreepError::NoPoints) };
+        if !first.is_finite() {
+            return Err(CreepError::Order { before: f64::NEG_INFINITY, time: first });
+        }
+        for pair in points.windows(2) {
+            let [(before, from), (time, to)] = [pair[0], pair[1]];
+            if !(time.is_finite() && time >= before) {
+                return Err(CreepError::Order { before, time });
+            }
+            if time > before && from.name() != to.name() {
+                return Err(CreepError::Kinds { from: from.to_string(), to: to.to_string() });
+            }
+        }
+        Ok(Self { points })
+    }
+
+    /// A load that is held from time 0 on for a duration.
+    ///
+    /// # Errors
+    /// [`CreepError::Order`] for a duration that is negative or not finite.
+    pub fn held(load: Load, duration: f64) -> Result<Self, CreepError> {
+        Self::new(vec![(0.0, load), (duration, load)])
+    }
+
+    /// The points, a time and a load each.
+    pub fn points(&self) -> &[(f64, Load)] {
+        &self.points
+    }
+
+    /// The load at a time on the way to a point, counted from 0. The first point has no way to it.
+    ///
+    /// # Panics
+    /// If there is no such point.
+    pub fn load(&self, point: usize, time: f64) -> Load {
+        let (end, to) = self.points[point];
+        let (begin, from) = self.points[point.saturating_sub(1)];
+        if time >= end || end == begin {
+            return to;
+        }
+        let share = (time - begin) / (end - begin);
+        to.with_value(from.value() + share * (to.value() - from.value()))
+    }
+}
