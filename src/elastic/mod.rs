@@ -7,6 +7,7 @@
 mod compliance;
 mod convolution;
 pub mod direct;
+mod directed;
 pub(crate) mod element;
 mod free;
 mod half_space;
