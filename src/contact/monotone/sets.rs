@@ -18,7 +18,6 @@ const LEAST_REDUCTION: f64 = 1e-10;
 const TIGHTEN: f64 = 0.1;
 
 /// Updates without a better state after which only nodes that want it most are exchanged, and after which the safeguard takes over.
-const DAMPED_AFTER: usize = 3;
 const STALE: usize = 8;
 
 /// A state is better if its distance from the goals is at most this part of that of the last better one. The safeguard ends when it has
@@ -57,9 +56,17 @@ impl BoxInequality<'_> {
     }
 }
 
+/// Where a node lies between its bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum NodePlace {
+    Open,
+    Free,
+    Ceiling,
+}
+
 /// What an update did.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum UpdateKind {
+pub(crate) enum UpdateKind {
     WholeSet,
     Extragradient,
 }
@@ -76,6 +83,8 @@ pub(crate) struct SetIteration<'a> {
     best: (f64, Vec<f64>, Vec<f64>),
     /// Updates since then.
     stale: usize,
+    /// The places that the last update found, from the pressure before it was cut.
+    places: Option<Vec<NodePlace>>,
     /// Until which distance the safeguard goes on.
     guarded_until: Option<f64>,
     length: f64,
@@ -99,6 +108,7 @@ impl<'a> SetIteration<'a> {
             u,
             reduction: REDUCTION,
             stale: 0,
+            places: None,
             guarded_until: None,
             length,
             inner: 0,
@@ -134,6 +144,7 @@ impl<'a> SetIteration<'a> {
             self.u.clone_from(&self.best.2);
         }
         if self.guarded_until.is_some() {
+            self.places = None;
             self.extragradient();
             return UpdateKind::Extragradient;
         }
@@ -164,41 +175,87 @@ impl<'a> SetIteration<'a> {
 
     /// An update of the whole set.
     fn update(&mut self, watch: &mut dyn FnMut(u64) -> bool) {
-        let level = self.level();
-        let is_damped = self.stale >= DAMPED_AFTER;
-        let wants = |i: usize| {
-            let (p, v) = (self.p[i], self.v(i));
-            if p <= 0.0 { level - v } else if p >= self.task.ceilings.at(i) { v - level } else { 0.0 }
-        };
-        // of those that want to be free the more urgent ones, if updates were no better
-        let least = if is_damped {
-            let most = chunks::visit(self.p.len(), |range| range.fold(0.0, |most: f64, i| most.max(wants(i))));
-            0.5 * most.into_iter().fold(0.0, f64::max)
-        } else {
-            0.0
-        };
+        let places = self.places.take().unwrap_or_else(|| self.places_of_state());
         let [count, width] = self.response.rows();
         let support = Support::choose([count, width], |row, nodes| {
-            let is_chosen = |i: usize| {
-                self.task.ceilings.at(i) > 0.0 && (self.is_free(i) || wants(i) > least)
-            };
-            (0..width).filter(|x| is_chosen(row * width + x)).for_each(|x| nodes.push(x));
+            (0..width).filter(|x| places[row * width + x] == NodePlace::Free).for_each(|x| nodes.push(x));
+        });
+        let task = &self.task;
+        let mut start = self.p.clone();
+        chunks::update(&mut start, |range, p| {
+            for (i, p) in range.zip(p) {
+                *p = match places[i] {
+                    NodePlace::Open => 0.0,
+                    NodePlace::Free => *p,
+                    NodePlace::Ceiling => task.ceilings.at(i),
+                };
+            }
         });
         if support.nodes() == 0 {
+            self.p = start;
             return self.settle();
         }
-        let residual: Vec<f64> = support.of_field(&self.u).iter().zip(support.of_field(self.task.height))
-            .map(|(u, h)| level - (u - h)).collect();
+        if let LoadOrDatum::Sum(load) = task.goal {
+            let lost = load - chunks::sum(start.len(), |i| start[i]);
+            let share = lost / support.nodes() as f64;
+            let spread = support.spread(&vec![share; support.nodes()]);
+            chunks::update(&mut start, |range, p| p.iter_mut().zip(&spread[range]).for_each(|(p, add)| *p += add));
+        }
+        let mut signed = start;
+        let mut u = vec![0.0; signed.len()];
+        self.response.displacement(&signed, &mut u);
+        let height = support.of_field(task.height);
+        let level = match task.goal {
+            LoadOrDatum::Datum(datum) => -datum,
+            LoadOrDatum::Sum(_) => 0.0,
+        };
+        let residual = support.of_field(&u).iter().zip(&height).map(|(u, h)| level - (u - h)).collect();
         let spent = self.response.transforms();
         let inner = &mut self.inner;
-        let mut gmres = Gmres::new(&support, &mut self.operator, self.task.load().is_some());
+        let mut gmres = Gmres::new(&support, &mut self.operator, task.load().is_some());
         let delta = gmres.solve(residual, self.reduction, &mut |transforms| {
             *inner += 1;
             watch(spent + transforms as u64)
         });
         let change = support.spread(&delta);
-        chunks::update(&mut self.p, |range, p| p.iter_mut().zip(&change[range]).for_each(|(p, change)| *p += change));
+        chunks::update(&mut signed, |range, p| p.iter_mut().zip(&change[range]).for_each(|(p, change)| *p += change));
+        self.response.displacement(&signed, &mut u);
+        let level = match task.goal {
+            LoadOrDatum::Datum(datum) => -datum,
+            LoadOrDatum::Sum(_) => {
+                let u = support.of_field(&u);
+                chunks::sum(u.len(), |i| u[i] - height[i]) / u.len() as f64
+            }
+        };
+        let place = |i: usize| {
+            let (p, v, ceiling) = (signed[i], u[i] - task.height[i], task.ceilings.at(i));
+            match places[i] {
+                _ if ceiling <= 0.0 => NodePlace::Open,
+                NodePlace::Free if p <= 0.0 => NodePlace::Open,
+                NodePlace::Free if p >= ceiling => NodePlace::Ceiling,
+                NodePlace::Open if v < level => NodePlace::Free,
+                NodePlace::Ceiling if v > level => NodePlace::Free,
+                place => place,
+            }
+        };
+        self.places = Some((0..signed.len()).map(place).collect());
+        self.p = signed;
         self.settle();
+    }
+
+    /// The places of the nodes by the state.
+    fn places_of_state(&self) -> Vec<NodePlace> {
+        let level = self.level();
+        let place = |i: usize| {
+            let (p, v, ceiling) = (self.p[i], self.v(i), self.task.ceilings.at(i));
+            match p {
+                _ if ceiling <= 0.0 => NodePlace::Open,
+                _ if p <= 0.0 && v >= level => NodePlace::Open,
+                _ if p >= ceiling && v <= level => NodePlace::Ceiling,
+                _ => NodePlace::Free,
+            }
+        };
+        (0..self.p.len()).map(place).collect()
     }
 
     /// Makes a state of a pressure that may leave its bounds.
