@@ -4,7 +4,9 @@ mod bounds;
 mod gmres;
 mod sets;
 
-use crate::contact::{Certificate, Contact, Decision, Observer, Phase, Problem, Run, Solver, Step, Stop};
+use crate::contact::best::Best;
+use crate::contact::multilevel::hierarchy::{coarser, prolong};
+use crate::contact::{Certificate, Contact, Decision, Observer, Phase, Problem, Run, Solver, Status, Step, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
 pub(crate) use bounds::NodeCeilings;
@@ -55,6 +57,12 @@ pub struct MonotoneSets;
 /// Updates without a better state after which a run stops, in addition to as many as it took to find the best one.
 const PATIENCE: usize = 3000;
 
+/// Coarse grids are solved to this certificate, or to this part of that at their own start, if that is less, with so many updates at
+/// most.
+const COARSE_TOLERANCE: f64 = 1e-2;
+const COARSE_REDUCTION: f64 = 0.1;
+const COARSE_UPDATES: usize = 60;
+
 impl Solver for MonotoneSets {
     fn name(&self) -> &str {
         "monotone"
@@ -71,35 +79,103 @@ impl Solver for MonotoneSets {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
-        let mut run = Run::begin(self, problem, stop, observer).with_patience(PATIENCE);
-        let goal = match problem.datum() {
-            Some(datum) => LoadOrDatum::Datum(datum),
-            None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
+        let run = Run::begin(self, problem, stop, observer).with_patience(PATIENCE);
+        let mut descent = NestedRun { run, finest: problem.nodes(), spent: 0.0 };
+        let (first, ended) = match start {
+            Some(start) => (problem.first_pressure(Some(start)), None),
+            None => descent.first(problem, 0),
         };
-        let ceilings = NodeCeilings::Uniform(problem.law().ceiling());
-        let task = BoxInequality { height: problem.height(), ceilings, goal };
-        let first = problem.first_pressure(start);
-        let mut state = SetIteration::new(task, problem.shared_compliance(), problem.surface().grid(), first);
-        let mut decision = Decision::Start;
-        let status = loop {
+        let mut state = level(problem, first);
+        let status = descent.relax(problem, &mut state, 0, ended).unwrap_or(Status::Stalled);
+        let transforms = descent.transforms(problem, &state);
+        Ok(descent.run.finish_after(status, transforms, state.into_response()))
+    }
+}
+
+/// The iteration of a problem from a pressure.
+fn level(problem: &Problem, first: Vec<f64>) -> SetIteration<'_> {
+    let goal = match problem.datum() {
+        Some(datum) => LoadOrDatum::Datum(datum),
+        None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
+    };
+    let ceilings = NodeCeilings::Uniform(problem.law().ceiling());
+    let task = BoxInequality { height: problem.height(), ceilings, goal };
+    SetIteration::new(task, problem.shared_compliance(), problem.surface().grid(), first)
+}
+
+/// The run through all grids.
+struct NestedRun<'a> {
+    run: Run<'a>,
+    /// Nodes of the finest grid.
+    finest: usize,
+    /// Work on grids that are done with, in transforms of the finest grid.
+    spent: f64,
+}
+
+impl NestedRun<'_> {
+    /// The pressure to start from, of coarser grids if there are any; and why the run ended there, if it did.
+    fn first(&mut self, problem: &Problem, depth: usize) -> (Vec<f64>, Option<Status>) {
+        let Some(coarse) = coarser(problem) else { return (problem.first_pressure(None), None) };
+        let (first, ended) = self.first(&coarse, depth + 1);
+        let mut state = level(&coarse, first);
+        let ended = self.relax(&coarse, &mut state, depth + 1, ended);
+        self.spent += self.share(&coarse) * state.transforms() as f64;
+        let best = self.run.best.pressure.take().unwrap_or(state.p);
+        self.run.best = Best::none(self.run.iterations());
+        let [from, to] = [&coarse, problem].map(|problem| problem.surface().grid());
+        let rows = to.shape();
+        let mut pressure = prolong(&best, [from, to], rows, problem.law().ceiling());
+        if pressure.values.is_empty() {
+            return (problem.first_pressure(None), ended);
+        }
+        pressure.carry(problem);
+        (pressure.spread(), ended)
+    }
+
+    /// Iterates on one grid, and says why the run ends, unless it goes on to a finer grid.
+    fn relax(
+        &mut self,
+        problem: &Problem,
+        state: &mut SetIteration<'_>,
+        depth: usize,
+        ended: Option<Status>,
+    ) -> Option<Status> {
+        let (mut decision, mut first_eta) = (Decision::Start, None);
+        for outer in 0.. {
             let certificate = Certificate::from_displacement(problem, &state.p, &state.u);
-            run.offer(&certificate, &state.p);
-            let step = Step::new(problem, run.work(state.transforms()), &state.p, &state.u);
-            let phase = Phase { level: 0, outer: run.iterations(), inner: 0 };
-            let step = step.with_certificate(certificate).with_phase(phase).with_decision(decision);
-            let ended = run.show(&step);
-            drop(step);
-            if let Some(status) = ended {
-                break status;
+            self.run.offer(&certificate, &state.p);
+            if ended.is_some() {
+                break;
             }
-            let distance = run.distance(&certificate);
-            decision = match state.advance(distance, &mut |_| true) {
+            let step = Step::new(problem, self.run.work(self.transforms(problem, state)), &state.p, &state.u);
+            let phase = Phase { level: depth, outer, inner: 0 };
+            let step = step.with_certificate(certificate).with_phase(phase).with_decision(decision);
+            let ended = if depth == 0 { self.run.show(&step) } else { self.run.pass(&step) };
+            drop(step);
+            if ended.is_some() {
+                return ended;
+            }
+            self.run.advance();
+            let eta = certificate.eta;
+            let tolerance = COARSE_TOLERANCE.min(COARSE_REDUCTION * *first_eta.get_or_insert(eta));
+            let is_done = eta <= tolerance || outer == COARSE_UPDATES;
+            if depth > 0 && is_done {
+                break;
+            }
+            decision = match state.advance(self.run.distance(&certificate), &mut |_| true) {
                 UpdateKind::WholeSet => Decision::WholeSet,
                 UpdateKind::Extragradient => Decision::Guarded,
             };
-            run.advance();
-        };
-        let transforms = state.transforms();
-        Ok(run.finish_after(status, transforms, state.into_response()))
+        }
+        ended
+    }
+
+    /// A transform of a grid in those of the finest.
+    fn share(&self, problem: &Problem) -> f64 {
+        problem.nodes() as f64 / self.finest as f64
+    }
+
+    fn transforms(&self, problem: &Problem, state: &SetIteration<'_>) -> u64 {
+        (self.spent + self.share(problem) * state.transforms() as f64).ceil() as u64
     }
 }

@@ -18,7 +18,8 @@ const LEAST_REDUCTION: f64 = 1e-10;
 const TIGHTEN: f64 = 0.1;
 
 /// Updates without a better state after which only nodes that want it most are exchanged, and after which the safeguard takes over.
-const STALE: usize = 8;
+const TIGHT_AFTER: usize = 10;
+const STALE: usize = 40;
 
 /// A state is better if its distance from the goals is at most this part of that of the last better one. The safeguard ends when it has
 /// halved.
@@ -133,7 +134,9 @@ impl<'a> SetIteration<'a> {
             self.stale = 0;
         } else {
             self.stale += 1;
-            self.reduction = (TIGHTEN * self.reduction).max(LEAST_REDUCTION);
+            if self.stale > TIGHT_AFTER {
+                self.reduction = (TIGHTEN * self.reduction).max(LEAST_REDUCTION);
+            }
         }
         if self.guarded_until.is_some_and(|until| distance <= until) {
             (self.guarded_until, self.stale) = (None, 0);

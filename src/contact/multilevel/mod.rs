@@ -77,7 +77,7 @@ mod extension;
 mod far;
 mod film;
 mod guard;
-mod hierarchy;
+pub(super) mod hierarchy;
 mod inner;
 mod level;
 mod membrane;

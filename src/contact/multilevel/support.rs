@@ -196,7 +196,7 @@ impl Support {
 
 /// A pressure and its support.
 #[derive(Clone, PartialEq)]
-pub(super) struct SparsePressure {
+pub(in crate::contact) struct SparsePressure {
     pub support: Support,
     pub values: Vec<f64>,
 }
