@@ -8,11 +8,13 @@
 
 mod file;
 mod input;
+mod motion;
 mod preparation;
 mod study;
 
 pub use file::FileError;
 pub(crate) use file::reason;
+pub use motion::MotionError;
 pub use preparation::PreparationError;
 pub use study::StudyError;
 

@@ -56,6 +56,7 @@
 //! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures and patches | |
 //! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
 //! | 4 | [`foreign`] | results and iterations of other programs: certified, compared, common mistakes recognised | |
+//! | 4 | [`history`] | contacts in motion: steady sliding over viscoelastic solids, steady rolling of lines | |
 //! | 4 | [`setup`] | the description of a contact, and its cost | (`units`) |
 //! | 5 | [`study`] | many contacts in one table that an interrupted run continues | (`parquet`) |
 //! | 5 | `plot` | figures as data, written as SVG and PNG | `figures` |
@@ -112,6 +113,7 @@ pub mod foreign;
 pub mod fourier;
 pub mod grid;
 pub mod guide;
+pub mod history;
 pub mod job;
 #[cfg(feature = "figures")]
 pub mod lab;

@@ -61,6 +61,7 @@ pub use gfmd::{Dynamics, Gfmd, Masses, Relaxation};
 pub use law::Law;
 pub use load::Load;
 pub use monotone::MonotoneSets;
+pub(crate) use monotone::{BoxInequality, LoadOrDatum, NodeCeilings, SetIteration};
 pub use multilevel::Multilevel;
 pub use observables::{OBSERVABLES, Observable, Observables, State};
 pub use observe::Each;

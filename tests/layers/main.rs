@@ -25,6 +25,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("contact", 3),
     ("diagnosis", 4),
     ("foreign", 4),
+    ("history", 4),
     ("setup", 4),
     ("plot", 5),
     ("study", 5),

@@ -5,6 +5,7 @@ mod common;
 mod hardness;
 mod paper;
 mod preparation;
+mod rolling;
 mod slip;
 mod solids;
 mod stress;

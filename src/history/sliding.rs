@@ -1,0 +1,1 @@
+//! Steady sliding over viscoelastic solids.
