@@ -231,6 +231,39 @@ impl Compliance {
         }
     }
 
+    /// The sum of the creep `f` of a viscoelastic solid under a contact that slides.
+    pub(crate) fn creep(&self) -> Option<f64> {
+        match &self.motion {
+            Some(SteadyMotion::Sliding { terms, .. }) => Some(terms.iter().map(|(ratio, _)| ratio).sum()),
+            _ => None,
+        }
+    }
+
+    /// That of a contact that slides, with `extra` times the compliance of fast loads added.
+    pub(crate) fn softened(&self, extra: f64) -> Result<Self, ProblemError> {
+        match &self.motion {
+            Some(SteadyMotion::Sliding { speed, terms }) => {
+                let terms: Vec<_> = terms.iter().copied().chain([(extra, 0.0)]).collect();
+                Self::sliding(&self.grid, self.solid.clone(), self.has_uniform(), *speed, &terms)
+            }
+            _ => Err(ProblemError::NeedsPeriodic),
+        }
+    }
+
+    /// The motion of the contact over the solid.
+    pub(crate) fn motion(&self) -> Option<&SteadyMotion> {
+        self.motion.as_ref()
+    }
+
+    /// Displacement over pressure of each wave of a periodic grid, in the order of [`Grid::wavenumbers`], if the compliance is not
+    /// symmetric. The mean is zero where it is a datum.
+    pub fn weights(&self) -> Option<&[Complex]> {
+        match &self.kind {
+            ComplianceKind::Directed { table, .. } if table.is_periodic() => Some(&table.weights),
+            _ => None,
+        }
+    }
+
     /// Whether `<p u(q)> = <q u(p)>` for all pressures, as for every elastic solid at rest. Otherwise no energy belongs to the
     /// compliance, and only [`crate::contact::MonotoneSets`] solves its contacts.
     pub fn is_symmetric(&self) -> bool {

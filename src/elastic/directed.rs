@@ -46,7 +46,7 @@ pub(super) struct DirectedTable {
     /// The padded grid of a free line.
     padded: Option<Grid>,
     /// Displacement over pressure, in the order of [`Grid::wavenumbers`].
-    weights: Vec<Complex>,
+    pub weights: Vec<Complex>,
 }
 
 impl DirectedTable {

@@ -18,6 +18,7 @@ pub mod stress;
 
 pub use compliance::Compliance;
 pub(crate) use convolution::Convolution;
+pub(crate) use directed::SteadyMotion;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use response::Response;

@@ -32,6 +32,9 @@ pub enum MotionError {
     /// The contact slides already.
     #[error("the problem slides or rolls already: give the problem at rest")]
     NeedsRest,
+    /// A problem at rest, or that rolls, where one that slides is needed.
+    #[error("the problem does not slide: give it a speed and the terms of a viscoelastic solid")]
+    NeedsSliding,
     /// The traction did not reach its goal.
     #[error("the traction did not converge in {updates} updates: it reached a certificate of {certificate:.1e}")]
     Traction { updates: usize, certificate: f64 },

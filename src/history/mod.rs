@@ -4,5 +4,7 @@
 //! fields. So material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
 mod rolling;
+mod sliding;
 
-pub use rolling::{RollingConditions, RollingDrive, Rolling};
+pub use rolling::{Rolling, RollingConditions, RollingDrive};
+pub use sliding::Sliding;

@@ -6,6 +6,7 @@ mod hardness;
 mod paper;
 mod preparation;
 mod rolling;
+mod sliding;
 mod slip;
 mod solids;
 mod stress;

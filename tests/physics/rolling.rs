@@ -13,7 +13,7 @@ fn stop() -> Stop {
 
 /// The example `carter2d` of CONTACT, on elements that are `refined` times smaller.
 fn carter(refined: usize) -> Rolling {
-    let points = 55 * refined;
+    let points = 56 * refined;
     let spacing = 0.04 / refined as f64;
     let grid = Grid::line(points, points as f64 * spacing).unwrap().with_periodic([false; 2]);
     let middle = 0.5 * (points - 1) as f64;
@@ -48,14 +48,15 @@ fn the_cylinder_of_carter_carries_the_force_of_contact_and_in_the_limit_that_of_
     assert!((limit - 0.64).abs() < 1e-3, "{limit}");
 }
 
-/// The example `bentall` of CONTACT: creepage, highest pressure and rounds.
+/// The example `bentall` of CONTACT: creepage and highest pressure. Its tractions act on the first of its bodies, the softer one. Seen
+/// with that below, `x` and the creepage would change their signs; here the second body is the solid below.
 fn bentall(friction: f64, ratio: f64) -> [f64; 2] {
     let (points, spacing, radius) = (216, 0.001, 25.0);
-    let [a, b] = [(23_000.0, 0.31), (82_000.0, 0.28)];
+    let [below, above] = [(82_000.0, 0.28), (23_000.0, 0.31)];
     let normal = |(g, nu): (f64, f64)| (1.0 - nu) / g;
     let tangential = |(g, nu): (f64, f64)| (1.0 - 2.0 * nu) / g;
-    let modulus = 2.0 / (normal(a) + normal(b));
-    let beta = 0.5 * (tangential(a) - tangential(b)) / (normal(a) + normal(b));
+    let modulus = 2.0 / (normal(below) + normal(above));
+    let beta = 0.5 * (tangential(below) - tangential(above)) / (normal(below) + normal(above));
     let grid = Grid::line(points, points as f64 * spacing).unwrap().with_periodic([false; 2]);
     let middle = 0.5 * (points - 1) as f64;
     let height = Field::from_shape_fn((1, points), |(_, i)| -((i as f64 - middle) * spacing).powi(2) / (2.0 * radius));

@@ -1,6 +1,7 @@
 //! Contacts whose compliance is not symmetric.
 
 mod bounds;
+mod continuation;
 mod gmres;
 mod sets;
 
@@ -62,6 +63,9 @@ const PATIENCE: usize = 3000;
 const COARSE_TOLERANCE: f64 = 1e-2;
 const COARSE_REDUCTION: f64 = 0.1;
 const COARSE_UPDATES: usize = 60;
+
+/// How often a grid is approached by continuation, before extragradient steps.
+const APPROACHES: usize = 1;
 
 impl Solver for MonotoneSets {
     fn name(&self) -> &str {
@@ -140,7 +144,7 @@ impl NestedRun<'_> {
         depth: usize,
         ended: Option<Status>,
     ) -> Option<Status> {
-        let (mut decision, mut first_eta) = (Decision::Start, None);
+        let (mut decision, mut first_eta, mut approaches) = (Decision::Start, None, 0);
         for outer in 0.. {
             let certificate = Certificate::from_displacement(problem, &state.p, &state.u);
             self.run.offer(&certificate, &state.p);
@@ -161,6 +165,16 @@ impl NestedRun<'_> {
             let is_done = eta <= tolerance || outer == COARSE_UPDATES;
             if depth > 0 && is_done {
                 break;
+            }
+            if state.is_stale() && approaches < APPROACHES {
+                approaches += 1;
+                let from = self.run.best.pressure.clone().unwrap_or_else(|| state.p.clone());
+                if let Some((pressure, transforms)) = continuation::approach(problem, from) {
+                    self.spent += self.share(problem) * transforms as f64;
+                    state.restart(pressure);
+                    decision = Decision::Start;
+                    continue;
+                }
             }
             decision = match state.advance(self.run.distance(&certificate), &mut |_| true) {
                 UpdateKind::WholeSet => Decision::WholeSet,

@@ -18,8 +18,8 @@ const LEAST_REDUCTION: f64 = 1e-10;
 const TIGHTEN: f64 = 0.1;
 
 /// Updates without a better state after which only nodes that want it most are exchanged, and after which the safeguard takes over.
-const TIGHT_AFTER: usize = 10;
-const STALE: usize = 40;
+const TIGHT_AFTER: usize = 8;
+const STALE: usize = 16;
 
 /// A state is better if its distance from the goals is at most this part of that of the last better one. The safeguard ends when it has
 /// halved.
@@ -153,6 +153,19 @@ impl<'a> SetIteration<'a> {
         }
         self.update(watch);
         UpdateKind::WholeSet
+    }
+
+    /// Whether updates of whole sets have come no nearer for a while.
+    pub fn is_stale(&self) -> bool {
+        self.stale >= STALE || self.guarded_until.is_some()
+    }
+
+    /// Starts again from another pressure.
+    pub fn restart(&mut self, pressure: Vec<f64>) {
+        self.p = pressure;
+        self.response.displacement(&self.p, &mut self.u);
+        (self.places, self.guarded_until, self.stale) = (None, None, 0);
+        (self.reduction, self.best.0) = (REDUCTION, f64::INFINITY);
     }
 
     fn is_free(&self, i: usize) -> bool {
