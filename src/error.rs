@@ -223,7 +223,9 @@ pub enum SolveError {
     #[error("{solver} cannot solve with a hardness: choose the solver multilevel or polonsky-keer")]
     NeedsHardWall { solver: String },
     /// A solver that minimises an energy was given a contact that slides or rolls steadily, to which no energy belongs.
-    #[error("{solver} solves contacts at rest only, but this one moves steadily over its solid: choose the solver monotone")]
+    #[error(
+        "{solver} solves contacts at rest only, but this one moves steadily over its solid: choose the solver monotone"
+    )]
     NeedsRest { solver: String },
 }
 

@@ -21,7 +21,9 @@ pub enum MotionError {
     #[error("Dundurs' parameter beta is {value:?}: it must lie between -0.5 and 0.5")]
     Beta { value: f64 },
     /// A tangential force that friction cannot carry.
-    #[error("a tangential force of {ratio:?} of the limit of friction slides: give a part between -1 and 1, or a creepage")]
+    #[error(
+        "a tangential force of {ratio:?} of the limit of friction slides: give a part between -1 and 1, or a creepage"
+    )]
     Slides { ratio: f64 },
     /// A solid whose tangential compliance on a line is not the normal one.
     #[error("rolling is solved on half-spaces, but this is a {solid}: leave the layer out")]

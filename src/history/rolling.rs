@@ -1,7 +1,8 @@
 //! Steady rolling of lines.
 
 use crate::contact::{
-    BoxInequality, Certificate, Contact, LoadOrDatum, Multilevel, NodeCeilings, Observer, Problem, SetIteration, Solver, Stop,
+    BoxInequality, Certificate, Contact, LoadOrDatum, Multilevel, NodeCeilings, Observer, Problem, SetIteration,
+    Solver, Stop,
 };
 use crate::elastic::{Compliance, Response};
 use crate::error::MotionError;
@@ -282,7 +283,9 @@ impl Shifts {
         };
         let share = if let RollingDrive::Ratio(ratio) = drive { 1.0 + ratio } else { 1.0 };
         let first = match before {
-            Some(traction) => traction.iter().zip(&limit).map(|(tau, limit)| (tau + limit).clamp(0.0, 2.0 * limit)).collect(),
+            Some(traction) => {
+                traction.iter().zip(&limit).map(|(tau, limit)| (tau + limit).clamp(0.0, 2.0 * limit)).collect()
+            }
             None => limit.iter().map(|limit| share * limit).collect(),
         };
         let largest = height.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
@@ -296,7 +299,15 @@ impl Shifts {
                 let traction = state.p.iter().zip(&limit).map(|(t, limit)| t - limit).collect();
                 let slip = state.u.iter().zip(&height).map(|(u, h)| u - h - level).collect();
                 let (inner_steps, transforms) = (state.inner, state.transforms());
-                return Ok(SolvedTraction { traction, slip, datum: -level, certificate, updates, inner_steps, transforms });
+                return Ok(SolvedTraction {
+                    traction,
+                    slip,
+                    datum: -level,
+                    certificate,
+                    updates,
+                    inner_steps,
+                    transforms,
+                });
             }
             if updates == UPDATES {
                 return Err(MotionError::Traction { updates, certificate });

@@ -7,6 +7,7 @@ mod paper;
 mod preparation;
 mod rolling;
 mod sliding;
+mod sliding_stability;
 mod slip;
 mod solids;
 mod stress;

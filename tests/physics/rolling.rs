@@ -13,13 +13,14 @@ fn stop() -> Stop {
 
 /// The example `carter2d` of CONTACT, on elements that are `refined` times smaller.
 fn carter(refined: usize) -> Rolling {
-    let points = 56 * refined;
+    let points = 55 * refined;
     let spacing = 0.04 / refined as f64;
     let grid = Grid::line(points, points as f64 * spacing).unwrap().with_periodic([false; 2]);
     let middle = 0.5 * (points - 1) as f64;
     let height = Field::from_shape_fn((1, points), |(_, i)| -((i as f64 - middle) * spacing).powi(2) / 1000.0);
     let modulus = 82_000.0 / (1.0 - 0.28);
-    let problem = Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(modulus), Load::Force(35_780.0 / 200.0));
+    let problem =
+        Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(modulus), Load::Force(35_780.0 / 200.0));
     let conditions = RollingConditions {
         friction: 0.3,
         step: 0.0401 / refined as f64,
@@ -33,15 +34,14 @@ fn carter(refined: usize) -> Rolling {
 fn the_cylinder_of_carter_carries_the_force_of_contact_and_in_the_limit_that_of_carter() {
     let rolling = carter(1);
     let touching = rolling.contact.pressure.iter().filter(|p| **p > 0.0).count();
-    println!("carter {} {} {touching} updates {} inner {} transforms {}", rolling.ratio(), rolling.contact.max_pressure(), rolling.updates, rolling.inner_steps, rolling.transforms);
     assert!((rolling.ratio() / 0.6480 - 1.0).abs() < 1e-3, "{}", rolling.ratio());
     assert!((rolling.contact.max_pressure() / 113.9 - 1.0).abs() < 1e-3);
-    assert_eq!(touching, 50);
+    // CONTACT says 50; the edge, at 1.00001, lies on the outermost of 51 nodes that are symmetric
+    assert!((50..=51).contains(&touching), "{touching}");
     let [mut coarse, mut fine] = [0.0; 2];
     for refined in [2, 4, 8] {
         let rolling = carter(refined);
         (coarse, fine) = (fine, rolling.ratio());
-        println!("x{refined} {fine} updates {} inner {} transforms {}", rolling.updates, rolling.inner_steps, rolling.transforms);
     }
     // the error is of first order in the spacing
     let limit = 2.0 * fine - coarse;
@@ -60,10 +60,11 @@ fn bentall(friction: f64, ratio: f64) -> [f64; 2] {
     let grid = Grid::line(points, points as f64 * spacing).unwrap().with_periodic([false; 2]);
     let middle = 0.5 * (points - 1) as f64;
     let height = Field::from_shape_fn((1, points), |(_, i)| -((i as f64 - middle) * spacing).powi(2) / (2.0 * radius));
-    let problem = Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(modulus), Load::Force(16.2019)).unwrap();
+    let problem =
+        Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(modulus), Load::Force(16.2019)).unwrap();
     let conditions = RollingConditions { friction, step: spacing, beta, drive: RollingDrive::Ratio(ratio) };
     let rolling = Rolling::solve(&problem, conditions, &stop(), &mut ()).unwrap();
-    println!("bentall {friction} {ratio}: xi {:e} p {} rounds {} updates {} inner {} transforms {} cert {:e} {:e}", rolling.creepage(), rolling.contact.max_pressure(), rolling.rounds, rolling.updates, rolling.inner_steps, rolling.transforms, rolling.traction_certificate, rolling.pressure_certificate);
+    assert!(rolling.rounds <= 10 && rolling.traction_certificate <= 1e-11 && rolling.pressure_certificate <= 1e-11);
     [rolling.creepage(), rolling.contact.max_pressure()]
 }
 
@@ -100,10 +101,10 @@ fn the_creepage_of_a_force_is_that_of_carter_and_goes_back_to_the_force() {
     let problem = cylinder(1200, false);
     let a = (4.0 * 0.01 / PI).sqrt();
     for ratio in [-0.7, 0.2, 0.9] {
-        let by_force = Rolling::solve(&problem, conditions(&problem, RollingDrive::Ratio(ratio)), &stop(), &mut ()).unwrap();
+        let by_force =
+            Rolling::solve(&problem, conditions(&problem, RollingDrive::Ratio(ratio)), &stop(), &mut ()).unwrap();
         let exact = -0.3 * a * (1.0 - (1.0 - f64::abs(ratio)).sqrt()) * ratio.signum();
-        println!("{ratio}: {} exact {exact} updates {} inner {} transforms {}", by_force.creepage(), by_force.updates, by_force.inner_steps, by_force.transforms);
-        assert!((by_force.creepage() / exact - 1.0).abs() < 0.03, "{} against {exact}", by_force.creepage());
+        assert!((by_force.creepage() / exact - 1.0).abs() < 2e-3, "{} against {exact}", by_force.creepage());
         assert!((by_force.ratio() - ratio).abs() < 1e-9);
         let drive = RollingDrive::Creepage(by_force.creepage());
         let back = Rolling::solve(&problem, conditions(&problem, drive), &stop(), &mut ()).unwrap();
@@ -125,8 +126,7 @@ fn slip_and_traction_obey_coulomb_by_direct_sums() {
     let (n, dx) = (300, 0.6 / 300.0);
     let primitive = |x: f64| if x == 0.0 { 0.0 } else { x * x.abs().ln() - x };
     let kernel = |x: f64| -2.0 / PI * (primitive(x + 0.5 * dx) - primitive(x - 0.5 * dx));
-    let displacement =
-        |at: f64| (0..n).map(|j| rolling.traction[[0, j]] * kernel(at - j as f64 * dx)).sum::<f64>();
+    let displacement = |at: f64| (0..n).map(|j| rolling.traction[[0, j]] * kernel(at - j as f64 * dx)).sum::<f64>();
     let slips: Vec<f64> = (0..n)
         .map(|i| {
             let x = i as f64 * dx;
@@ -134,8 +134,8 @@ fn slip_and_traction_obey_coulomb_by_direct_sums() {
         })
         .collect();
     let most = slips.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
-    for i in 0..n {
-        let (p, tau, s) = (rolling.contact.pressure[[0, i]], rolling.traction[[0, i]], slips[i]);
+    for (i, &s) in slips.iter().enumerate() {
+        let (p, tau) = (rolling.contact.pressure[[0, i]], rolling.traction[[0, i]]);
         assert!(tau.abs() <= 0.3 * p * (1.0 + 1e-12));
         if p > 0.0 && rolling.sticks()[i] {
             assert!(s.abs() < 1e-4 * most, "{i}: {s} of {most}");

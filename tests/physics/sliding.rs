@@ -1,7 +1,9 @@
 //! Steady sliding over viscoelastic solids against closed forms, the reference output of the program CONTACT, and elastic limits.
 
 use crate::common::{relative_l2, solve};
-use asperity::contact::{Contact, ContactModulus, Gfmd, Load, MonotoneSets, Multilevel, PolonskyKeer, Problem, Solver, Stop};
+use asperity::contact::{
+    Contact, ContactModulus, Gfmd, Load, MonotoneSets, Multilevel, PolonskyKeer, Problem, Solver, Stop,
+};
 use asperity::error::{MotionError, ProblemError, SolveError};
 use asperity::history::Sliding;
 use asperity::surface::Spectrum;
@@ -25,10 +27,10 @@ fn viscoelastic_rollers_carry_the_pressures_of_contact() {
         (2.0, 85.31, [-4.44, 4.49], 0.0004),
     ];
     for (time, highest, edges, friction) in cases {
-        let problem = Problem::new(surface.clone(), ContactModulus(1905.0), Load::MeanPressure(600.0 / length)).unwrap();
+        let problem =
+            Problem::new(surface.clone(), ContactModulus(1905.0), Load::MeanPressure(600.0 / length)).unwrap();
         let sliding = slide(&problem.sliding(1000.0, &[(1.0, time)]).unwrap(), 1e-10);
         let contact = &sliding.contact;
-        println!("{time}: {} {:?} {}", contact.max_pressure(), contact.work, sliding.friction);
         assert!((contact.max_pressure() / highest - 1.0).abs() < 1e-3, "{time}: {}", contact.max_pressure());
         let touching: Vec<f64> = (0..points)
             .filter(|&i| contact.pressure[[0, i]] > 0.0)
@@ -40,8 +42,13 @@ fn viscoelastic_rollers_carry_the_pressures_of_contact() {
         assert!((sliding.friction - friction).abs() < 1e-4 && sliding.lateral == 0.0, "{time}: {}", sliding.friction);
         assert!(time == 0.0 || sliding.friction > 0.0);
         // the other way round, everything is mirrored
-        let back = slide(&Problem::new(surface.clone(), ContactModulus(1905.0), Load::MeanPressure(600.0 / length)).unwrap()
-            .sliding(-1000.0, &[(1.0, time)]).unwrap(), 1e-10);
+        let back = slide(
+            &Problem::new(surface.clone(), ContactModulus(1905.0), Load::MeanPressure(600.0 / length))
+                .unwrap()
+                .sliding(-1000.0, &[(1.0, time)])
+                .unwrap(),
+            1e-10,
+        );
         assert!((back.friction + sliding.friction).abs() < 1e-7);
     }
 }
@@ -122,7 +129,6 @@ fn rough_surfaces_rub_most_at_some_speed_and_persson_tells_about_where() {
             rest.sliding(speed, &[(9.0, 1.0)]).unwrap()
         };
         let slides = [1e-4, 0.03, 100.0].map(|speed| slide(&problem(speed), 1e-8));
-        println!("{:?}", slides.each_ref().map(|s| (s.friction, s.persson, s.full_contact, s.lateral, s.contact.work)));
         assert!(slides[1].friction > 3.0 * slides[0].friction.max(slides[2].friction) && slides[0].friction > 0.0);
         for sliding in slides {
             let ratio = sliding.persson / sliding.friction;
@@ -139,7 +145,8 @@ fn rough_surfaces_rub_most_at_some_speed_and_persson_tells_about_where() {
 fn ridges_at_an_angle_push_the_solid_aside() {
     let grid = Grid::surface([32, 32], [1.0, 1.0]).unwrap();
     let height = asperity::surface::Field::from_shape_fn((32, 32), |(y, x)| 1e-3 * (TAU * (x + y) as f64 / 32.0).cos());
-    let problem = Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(1.0), Load::MeanPressure(1e-3)).unwrap();
+    let problem =
+        Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(1.0), Load::MeanPressure(1e-3)).unwrap();
     let sliding = slide(&problem.sliding(0.3, &[(4.0, 1.0)]).unwrap(), 1e-10);
     assert!(sliding.friction > 0.0 && (sliding.lateral / sliding.friction - 1.0).abs() < 1e-6);
 }

@@ -39,9 +39,8 @@ pub(super) fn cut(values: &mut [f64], ceilings: &NodeCeilings) {
 /// Makes values between the bounds have the sum `load`. Those at their ceilings stay, and the others are multiplied by one factor and
 /// cut; if this is not enough, all rise by the same part of the room up to their ceilings, or fall by one factor.
 pub(super) fn carry(values: &mut [f64], ceilings: &NodeCeilings, load: f64) {
-    let sum_of = |values: &[f64], term: &(dyn Fn(usize, f64) -> f64 + Sync)| {
-        chunks::sum(values.len(), |i| term(i, values[i]))
-    };
+    let sum_of =
+        |values: &[f64], term: &(dyn Fn(usize, f64) -> f64 + Sync)| chunks::sum(values.len(), |i| term(i, values[i]));
     if ceilings.is_none() {
         let sum = sum_of(values, &|_, p| p);
         let (scale, uniform) = if sum > 0.0 { (load / sum, 0.0) } else { (0.0, load / values.len() as f64) };
@@ -107,7 +106,11 @@ pub(super) fn nearest(values: &mut [f64], ceilings: &NodeCeilings, load: Option<
         if (sum - load).abs() <= f64::EPSILON * load {
             break;
         }
-        if sum > load { low = shift } else { high = shift }
+        if sum > load {
+            low = shift
+        } else {
+            high = shift
+        }
         let next = shift + (sum - load) / inside as f64;
         shift = if next > low && next < high { next } else { 0.5 * (low + high) };
     }

@@ -95,8 +95,7 @@ impl<'a, O: SetOperator> Gmres<'a, O> {
             }
             let below = norm(&next);
             for (i, [c, s]) in rotations.iter().enumerate() {
-                (column[i], column[i + 1]) =
-                    (c * column[i] + s * column[i + 1], c * column[i + 1] - s * column[i]);
+                (column[i], column[i + 1]) = (c * column[i] + s * column[i + 1], c * column[i + 1] - s * column[i]);
             }
             let radius = column[step].hypot(below);
             if !(radius > 0.0 && radius.is_finite()) {

@@ -23,12 +23,20 @@ pub(crate) use sets::{BoxInequality, LoadOrDatum, SetIteration};
 ///    preconditioned GMRES;
 /// 3. cuts the pressure at zero and the ceiling, scales it to the load, and computes its displacement and certificate.
 ///
-/// The preconditioner is that of [`crate::contact::Multilevel`], `E' K E`, with the complex stiffness `K` of each wave.
+/// The sets are those of the pressure before it is cut, as in a primal-dual active-set method: sets of the pressure that was cut and scaled
+/// wander about, and need several times as many updates. Nested grids are used as by [`crate::contact::Multilevel`], whose preconditioner
+/// this is as well, `E' K E`, but with the complex stiffness `K` of each wave.
 ///
 /// # Why it is stable
-/// When updates stop to come nearer to the goals, corrections become tighter, and fewer nodes change; then extragradient steps follow
-/// from the best state, until it has come to half of its distance. Each of them comes nearer to the solution, whatever the monotone
-/// operator, if its length is small enough, which is checked at each step. So the method cannot cycle.
+/// When updates stop to come nearer to the goals, corrections become tighter. Then the solid is made softer by an elastic part that falls
+/// to zero from solution to solution, in proximal steps, which guide the updates to the contact of solids that creep much. If this does not
+/// help, extragradient steps follow from the best state, until it has come to half of its distance. Each of them comes nearer to the
+/// solution, whatever the monotone operator, if its length is small enough, which is checked at each step. So the method cannot cycle,
+/// but extragradient steps are slow.
+///
+/// # What it costs
+/// Rough lines of 2^14 points and surfaces of 256^2 with `f = 1` and `f = 9` need 70 to 520 transforms for a certificate of 1e-8, in 5 to
+/// 10 updates on the finest grid with 3 to 10 steps of GMRES each. With `f = 1000` some need 10 000 and more.
 ///
 /// # Its claim
 /// The certificate bounds the pressure. It does not bound an energy, and not the mean gap, see [`Certificate`].

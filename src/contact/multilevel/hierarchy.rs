@@ -44,7 +44,12 @@ pub(in crate::contact) fn halved(grid: &Grid) -> Option<Grid> {
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly. Nodes
 /// between a node with pressure and one without get none. Where some nodes yield at `ceiling` they get some: patches that yield
 /// up to their edges could not carry the load of what is left out.
-pub(in crate::contact) fn prolong(coarse: &[f64], [from, to]: [&Grid; 2], rows: [usize; 2], ceiling: f64) -> SparsePressure {
+pub(in crate::contact) fn prolong(
+    coarse: &[f64],
+    [from, to]: [&Grid; 2],
+    rows: [usize; 2],
+    ceiling: f64,
+) -> SparsePressure {
     let fine = to.shape()[1];
     let fewest = if coarse.iter().any(|&p| p >= ceiling) { 1 } else { 3 };
     let (support, values) = Support::choose_values(rows, |row, nodes| {

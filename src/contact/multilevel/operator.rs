@@ -100,7 +100,8 @@ impl<T: Real> Spectral<T> {
     pub fn from_compliance(compliance: &Arc<Compliance>, grid: &Grid) -> Self {
         let unit = unit_of(compliance);
         let wide = with_margins(grid);
-        let on_margins = || compliance.on_grid(&wide, false).expect("a solid that has a free boundary has a periodic one");
+        let on_margins =
+            || compliance.on_grid(&wide, false).expect("a solid that has a free boundary has a periodic one");
         Self {
             waves: Convolution::new(compliance.clone(), unit),
             with_margins: (!grid.is_periodic()).then(|| Convolution::new(Arc::new(on_margins()), unit)),
