@@ -9,12 +9,14 @@
 mod creep;
 mod file;
 mod input;
+mod motion;
 mod preparation;
 mod study;
 
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
+pub use motion::MotionError;
 pub use preparation::PreparationError;
 pub use study::StudyError;
 
@@ -144,6 +146,18 @@ pub enum ProblemError {
     /// Values so large or small that sums of their squares are outside the range of doubles.
     #[error("the {name} of {value:?} is out of range: choose units in which it lies between 1e-100 and 1e100")]
     OutOfRange { name: &'static str, value: f64 },
+    /// A contact that slides over a viscoelastic solid with a free boundary.
+    #[error("steady sliding over a viscoelastic solid needs a periodic boundary: make both axes periodic")]
+    NeedsPeriodic,
+    /// A contact that rolls on a surface.
+    #[error("rolling is solved for lines, but the grid has {} x {} points: give a line", shape[0], shape[1])]
+    NeedsLine { shape: [usize; 2] },
+    /// A quantity that must be finite is not.
+    #[error("the {name} is {value:?}: give a finite value")]
+    NotFinite { name: &'static str, value: f64 },
+    /// A quantity that must not be negative is.
+    #[error("the {name} is {value:?}: give a finite value that is not negative")]
+    Negative { name: &'static str, value: f64 },
 }
 
 /// A result of another code that cannot be judged.
@@ -216,6 +230,11 @@ pub enum SolveError {
     /// A solver without plasticity was given a hardness.
     #[error("{solver} cannot solve with a hardness: choose the solver multilevel or polonsky-keer")]
     NeedsHardWall { solver: String },
+    /// A solver that minimises an energy was given a contact that slides or rolls steadily, to which no energy belongs.
+    #[error(
+        "{solver} solves contacts at rest only, but this one moves steadily over its solid: choose the solver monotone"
+    )]
+    NeedsRest { solver: String },
 }
 
 /// A tangential load that cannot be carried or solved.

@@ -235,6 +235,22 @@ impl Grid {
         })
     }
 
+    /// Wave vectors `[q_y, q_x]` in the order of [`Grid::wavenumbers`]; `q_y` of the upper half of the rows is negative.
+    ///
+    /// ```
+    /// use asperity::Grid;
+    /// let grid = Grid::surface([4, 6], [std::f64::consts::TAU; 2])?;
+    /// let second: Vec<[f64; 2]> = grid.wave_vectors().skip(4).take(4).collect();
+    /// assert_eq!(second, [[0.0, 1.0], [1.0, 1.0], [2.0, 1.0], [-1.0, 1.0]]);
+    /// # Ok::<(), asperity::error::GridError>(())
+    /// ```
+    pub fn wave_vectors(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let [ny, nx] = self.shape;
+        let [qy, qx] = self.size.map(|length| std::f64::consts::TAU / length);
+        let along_y = move |ky: usize| if 2 * ky <= ny { qy * ky as f64 } else { -qy * (ny - ky) as f64 };
+        (0..=nx / 2).flat_map(move |kx| (0..ny).map(move |ky| [along_y(ky), qx * kx as f64]))
+    }
+
     /// Number of modes of the full spectrum that each stored coefficient represents (2, or 1 where it is its own mirror
     /// image): the weights of Parseval's sum, in the order of [`Grid::wavenumbers`].
     pub fn multiplicities(&self) -> impl Iterator<Item = f64> + use<> {

@@ -87,6 +87,22 @@ use serde::Serialize;
 /// the solution may then be anywhere between the highest node that yields and the lowest open node. The middle is used
 /// (or the highest node, if all nodes yield), and the bound is infinite.
 ///
+/// # Of a contact that moves
+/// Where the surface slides steadily over a viscoelastic solid (see [`Problem::sliding`]), `A` is not symmetric, and no energy belongs
+/// to it. The variational inequality `<(p - p*) v*> >= 0` holds all the same, and with it
+///
+/// ```text
+/// <(p - p*) A (p - p*)> = <(p - p*) (v - v*)> <= <(p - p*) v> <= G
+/// ```
+///
+/// The left side is that of the symmetric part of `A` alone, and so is `<p u> = <p A p>`. So `|x|^2 = <x A x>` is still the square of a
+/// norm, and `pressure_error_bound` a bound. Only `eta` is no longer the bound of an energy: it is the largest penetration over the rms
+/// height, or `G` over load times rms height.
+///
+/// The bound of the mean gap does not hold. It rests on `<p v*> - <p v> = <p A (p* - p)> = <u (p* - p)>`, which takes `A` to be
+/// symmetric, and then on the inequality of Cauchy and Schwarz in its norm; the skew part of `A` has no bound in this norm. So
+/// `mean_gap_error_bound` is infinite.
+///
 /// # Rounding
 /// The computed `v` is off by `delta`, which [`Certificate::from_displacement`] bounds by magnitudes that it meets. As
 /// `<(p - p*) v> <= G + |delta|* t` with the dual norm `|delta|*^2 = <delta A^-1 delta>`,
@@ -118,7 +134,8 @@ pub struct Certificate {
     /// one, gives no bound.
     pub pressure_error_bound: f64,
     /// The bound of `|D* - d| / h_rms`, the error of the datum under a given mean pressure, which is the mean gap on a
-    /// periodic grid and the approach on a free one. At a given mean gap or approach it is 0.
+    /// periodic grid and the approach on a free one. At a given mean gap or approach it is 0. Of a contact that moves it is infinite:
+    /// nothing bounds the error.
     pub mean_gap_error_bound: f64,
     /// The relative error of the prescribed load: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
     pub load_error: f64,
@@ -222,7 +239,11 @@ impl Certificate {
             eta,
             eta_gap: datum.map_or(0.0, |datum| bounds.excess() / room(problem, datum)),
             pressure_error_bound: bounds.pressure_error(),
-            mean_gap_error_bound: if datum.is_some() { 0.0 } else { bounds.gap_error() / rms_height },
+            mean_gap_error_bound: match datum {
+                Some(_) => 0.0,
+                None if problem.is_moving() => f64::INFINITY,
+                None => bounds.gap_error() / rms_height,
+            },
             load_error,
             min_pressure,
             above_hardness: 0.0,

@@ -50,7 +50,7 @@ pub enum Decision {
     /// double precision.
     #[strum(message = "active-set updates, split compliance")]
     SplitCompliance,
-    /// A guarded step, which always lowers the energy.
+    /// A guarded step, which always lowers the energy; of a contact that moves, to which no energy belongs, an extragradient step.
     #[strum(message = "guarded step")]
     Guarded,
     /// A step of damped motion.

@@ -166,7 +166,7 @@ impl Contact {
     }
 
     /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: the increase of the mean pressure per decrease of the
-    /// mean gap. It is infinite if all nodes touch.
+    /// mean gap. It is infinite if all nodes touch, and NaN if the contact moves over its solid ([`Problem::is_moving`]).
     ///
     /// It is computed on first use, with about a tenth of the work of a solve. From then on it is one of the
     /// [`crate::contact::Observables`] of this contact.
@@ -183,6 +183,9 @@ impl Contact {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn stiffness(&self) -> f64 {
+        if self.problem.is_moving() {
+            return f64::NAN;
+        }
         let displacement = || self.displacement.as_slice().expect("results are made in standard layout");
         *self.stiffness.get_or_init(|| multilevel::stiffness(&self.problem, self.pressures(), displacement()))
     }

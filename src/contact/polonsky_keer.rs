@@ -80,6 +80,9 @@ impl Solver for PolonskyKeer {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
+        if problem.is_moving() {
+            return Err(SolveError::NeedsRest { solver: self.name().into() });
+        }
         let mut run = Run::begin(self, problem, stop, observer);
         let mut state = Iterate::new(start, problem);
         let mut decision = Decision::Start;

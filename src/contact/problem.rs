@@ -153,8 +153,7 @@ impl Problem {
     /// The errors of [`Problem::new`] that concern the load, and [`ProblemError::AboveHardness`].
     pub fn with_load(mut self, load: Load) -> Result<Self, ProblemError> {
         if load.keeps_uniform() != self.load.keeps_uniform() {
-            let (grid, solid) = (self.surface.grid(), self.solid().clone());
-            self.compliance = Arc::new(Compliance::new(grid, solid, load.keeps_uniform())?);
+            self.compliance = Arc::new(self.compliance.on_grid(self.surface.grid(), load.keeps_uniform())?);
         }
         let mean_pressure = match load {
             Load::MeanPressure(mean_pressure) => Some(mean_pressure),
@@ -177,6 +176,14 @@ impl Problem {
         };
         mean_pressure.map_or(Ok(()), |mean_pressure| check_magnitude("mean pressure", mean_pressure))?;
         Self { load, mean_pressure, ..self }.below_ceiling()
+    }
+
+    /// The problem with another compliance on the same grid.
+    pub(super) fn with_compliance(self, compliance: Compliance) -> Result<Self, ProblemError> {
+        for stiffness in compliance.stiffness_range() {
+            check_magnitude("stiffness of the solid for a wave", stiffness)?;
+        }
+        Ok(Self { compliance: Arc::new(compliance), ..self })
     }
 
     /// The problem with the expected mean pressure, which the law must allow.

@@ -24,6 +24,7 @@ const IN_A_ROW: f64 = 32_768.0;
 /// |<delta>|  <= epsilon <u^2>^(1/2) + rho ((<u^2> + h_rms^2 + v_reference^2)^(1/2) + D)
 /// ```
 ///
+/// where `k` is the inverse of the real part of a complex compliance, and `k_min` the smallest real part of its inverse, and
 /// with a few roundings `rho`, since `(a + b + c)^2 <= 3 (a^2 + b^2 + c^2)`, and the first of them counts twice, for the product
 /// with the compliance. All is bounded by magnitudes that are met in the sums.
 pub(super) struct Rounding {
@@ -44,7 +45,8 @@ impl Rounding {
     pub fn new(problem: &Problem, sums: &CertificateSums) -> Self {
         let n = problem.nodes() as f64;
         let epsilon = TRANSFORM * n.log2();
-        let [softest, stiffest] = problem.compliance().stiffness_range();
+        let [_, stiffest] = problem.compliance().stiffness_range();
+        let softest = problem.compliance().least_stiffness();
         let [square_p, square_u] = [sums.square_pressure, sums.square_displacement].map(|sum| sum / n);
         let square_lengths = square_u + problem.rms_height().powi(2) + sums.reference_v.powi(2);
         let datum = problem.datum().unwrap_or(0.0);

@@ -1,10 +1,11 @@
 //! The compliance of a solid on a grid.
 
-use super::free::FreeTable;
+use super::directed::{DirectedTable, SteadyMotion, rolling_strip, sign_strip};
+use super::free::{FreeTable, datum};
 use super::solid::stiffness;
 use super::{ElasticSolid, HalfSpace};
-use crate::error::GridError;
-use crate::fourier::Filter;
+use crate::error::{GridError, ProblemError};
+use crate::fourier::{Complex, Filter};
 use crate::grid::Grid;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -23,6 +24,9 @@ pub struct Compliance {
     pub(super) solid: Arc<dyn ElasticSolid>,
     pub(super) kind: ComplianceKind,
     range: [f64; 2],
+    /// The softest real part of the stiffness.
+    least_stiffness: f64,
+    motion: Option<SteadyMotion>,
 }
 
 /// How the compliance is kept.
@@ -34,6 +38,8 @@ pub(super) enum ComplianceKind {
     Table(Vec<f64>),
     /// A boundary without images.
     Free(FreeTable),
+    /// A contact that moves over the solid.
+    Directed { base: Box<ComplianceKind>, table: DirectedTable },
 }
 
 impl Compliance {
@@ -60,7 +66,213 @@ impl Compliance {
             }
             (ComplianceKind::Table(table(grid, solid.as_ref(), uniform)), range)
         };
-        Ok(Self { grid: *grid, solid, kind, range })
+        Ok(Self { grid: *grid, solid, kind, range, least_stiffness: range[0], motion: None })
+    }
+
+    /// The compliance of a viscoelastic solid below a contact that slides steadily at a `speed` `V`, a length per time, towards `+x`
+    /// (towards `-x` if it is negative) over a periodic grid. The compliance of a wave is
+    ///
+    /// `A_q (1 + sum_j f_j / (1 - i q_x V tau_j))`
+    ///
+    /// with the compliance `A_q` of the `solid`, whose modulus is that of fast loads, and for each of the `terms` `(f, tau)` the creep
+    /// `f`, which adds `f A` to the compliance after a long time, and the retardation time `tau`. At the Nyquist wave along `x` it is the
+    /// real part.
+    ///
+    /// The factor follows from `tau_j d eps_j/dt + eps_j = f_j p`, `u = A (p + sum eps_j)` of the material, which moves towards `-x` in
+    /// the frame of the surface, where `d/dt = -V d/dx`.
+    ///
+    /// # Errors
+    /// [`ProblemError::NeedsPeriodic`] for a free boundary, [`ProblemError::NotFinite`] for a speed that is not finite,
+    /// [`ProblemError::Negative`] for a creep or a time that is negative or not finite, and the errors of [`Compliance::new`].
+    ///
+    /// ```
+    /// use asperity::Grid;
+    /// use asperity::elastic::{Compliance, HalfSpace, Response};
+    /// use std::f64::consts::TAU;
+    /// let grid = Grid::line(64, TAU)?; // wavenumbers 0, 1, 2, ...
+    /// let moving = Compliance::sliding(&grid, HalfSpace::new(2.0).into(), false, 0.5, &[(3.0, 2.0)])?;
+    /// assert!(!moving.is_symmetric());
+    /// let pressure: Vec<f64> = grid.x().map(f64::cos).collect();
+    /// let mut displacement = vec![0.0; 64];
+    /// Response::from_compliance(moving.into()).displacement(&pressure, &mut displacement);
+    /// // q V tau = 1: the weight is 1 + 3 / (1 - i) = 2.5 + 1.5 i
+    /// for (x, u) in grid.x().zip(displacement) {
+    ///     assert!((u - 2.5 * x.cos() + 1.5 * x.sin()).abs() < 1e-14);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn sliding(
+        grid: &Grid,
+        solid: Arc<dyn ElasticSolid>,
+        with_uniform: bool,
+        speed: f64,
+        terms: &[(f64, f64)],
+    ) -> Result<Self, ProblemError> {
+        if !grid.is_periodic() {
+            return Err(ProblemError::NeedsPeriodic);
+        }
+        if !speed.is_finite() {
+            return Err(ProblemError::NotFinite { name: "speed", value: speed });
+        }
+        for &(ratio, time) in terms {
+            for (name, value) in [("creep of a Prony term", ratio), ("retardation time", time)] {
+                if !(value.is_finite() && value >= 0.0) {
+                    return Err(ProblemError::Negative { name, value });
+                }
+            }
+        }
+        let motion = SteadyMotion::Sliding { speed, terms: terms.to_vec() };
+        let at_rest = Self::new(grid, solid, with_uniform)?;
+        let table = at_rest.moved(&motion);
+        Ok(at_rest.directed(table, motion))
+    }
+
+    /// The tangential compliance of lines that roll steadily towards `+x`, with the `step` `dq`, a length:
+    ///
+    /// `(B t)(x) = (A t)(x) - (A t)(x + dq)`
+    ///
+    /// with the compliance `A` of a half-space, which is the same in the normal and the tangential direction of a line. What is at `x` now
+    /// was at `x + dq` one step ago: so `B t` is what a traction adds to the slip in a step. On a periodic line the weight of a wave is
+    /// `A_q (1 - e^(i q dq))`; on a free line it is made of the displacements by uniform tractions on the elements.
+    ///
+    /// # Errors
+    /// [`ProblemError::NeedsLine`] for a surface, [`ProblemError::NotPositive`] for a step that is not positive and finite, and the
+    /// errors of [`Compliance::new`].
+    ///
+    /// ```
+    /// use asperity::Grid;
+    /// use asperity::elastic::{Compliance, HalfSpace, Response};
+    /// let grid = Grid::line(32, 1.0)?.with_periodic([true, false]);
+    /// let solid = || HalfSpace::new(1.0).into();
+    /// let [mut rest, mut rolling] =
+    ///     [Compliance::new(&grid, solid(), true)?, Compliance::rolling(&grid, solid(), grid.spacing()[1])?]
+    ///         .map(|compliance| Response::from_compliance(compliance.into()));
+    /// let traction: Vec<f64> = (0..32).map(|i| (i * i % 7) as f64).collect();
+    /// let mut fields = [vec![0.0; 32], vec![0.0; 32]];
+    /// rest.displacement(&traction, &mut fields[0]);
+    /// rolling.displacement(&traction, &mut fields[1]);
+    /// // a step of one spacing is a difference of neighbours
+    /// assert!((0..31).all(|i| (fields[1][i] - (fields[0][i] - fields[0][i + 1])).abs() < 1e-13));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn rolling(grid: &Grid, solid: Arc<dyn ElasticSolid>, step: f64) -> Result<Self, ProblemError> {
+        check_line(grid, step)?;
+        let motion = SteadyMotion::Rolling { step };
+        let at_rest = Self::new(grid, solid, false)?;
+        let table = if grid.is_periodic() {
+            at_rest.moved(&motion)
+        } else {
+            let solid = at_rest.solid.as_ref();
+            let strip = [grid.spacing()[1], datum(solid, grid.size()[1]), solid.contact_modulus()];
+            DirectedTable::free(grid, |x| rolling_strip(x, step, strip))?
+        };
+        Ok(at_rest.directed(table, motion))
+    }
+
+    /// The coupling of normal and tangential displacements of a line, for Dundurs' `beta = 1`:
+    ///
+    /// `(S p)(x) = (1/E*) int sgn(x - s) p(s) ds`,
+    ///
+    /// so that a pressure displaces the surface along `x` by `-beta S p`, and a traction displaces it into the solid by `beta S tau`
+    /// (the signs as in [`crate::history::Rolling`]). With a `step` `dq` it is `(S p)(x) - (S p)(x + dq)`, as rolling needs it. It is
+    /// skew: its symmetric part vanishes without a step. On a periodic line the weight of a wave is `2/(i q E*)`.
+    ///
+    /// # Errors
+    /// [`ProblemError::NeedsLine`] for a surface, [`ProblemError::NotPositive`] for a step that is not positive and finite, and the
+    /// errors of [`Compliance::new`], whose solid must be a half-space.
+    pub fn coupling(grid: &Grid, solid: Arc<dyn ElasticSolid>, step: Option<f64>) -> Result<Self, ProblemError> {
+        check_line(grid, step.unwrap_or(1.0))?;
+        let (modulus, width) = (solid.contact_modulus(), grid.spacing()[1]);
+        let motion = step.map(|step| SteadyMotion::Rolling { step });
+        let factor = |qx: f64| motion.as_ref().map_or(Complex::new(1.0, 0.0), |motion| motion.factor(qx));
+        let table = if grid.is_periodic() {
+            DirectedTable::periodic(grid, |[_, qx]| match qx {
+                0.0 => Complex::default(),
+                _ => factor(qx) * Complex::new(0.0, -2.0 / (qx * modulus)),
+            })
+        } else {
+            let ahead = |x: f64| step.map_or(0.0, |step| sign_strip(x + step, width));
+            DirectedTable::free(grid, |x| (sign_strip(x, width) - ahead(x)) / modulus)?
+        };
+        let at_rest = Self::new(grid, solid, false)?;
+        Ok(at_rest.directed(table, motion.unwrap_or(SteadyMotion::Rolling { step: 0.0 })))
+    }
+
+    /// The weights of the waves of this compliance on a periodic grid times the factor of a motion.
+    fn moved(&self, motion: &SteadyMotion) -> DirectedTable {
+        let uniform = match &self.kind {
+            ComplianceKind::Table(stiffness) if stiffness[0] > 0.0 => stiffness[0].recip(),
+            _ => 0.0,
+        };
+        DirectedTable::periodic(&self.grid, |[qy, qx]| {
+            let q = qy.hypot(qx);
+            let at_rest = if q > 0.0 { stiffness(self.solid.as_ref(), q).recip() } else { uniform };
+            motion.factor(qx) * at_rest
+        })
+    }
+
+    /// The compliance with other weights.
+    fn directed(self, table: DirectedTable, motion: SteadyMotion) -> Self {
+        let (range, least_stiffness) = table.range();
+        let kind = ComplianceKind::Directed { base: Box::new(self.kind), table };
+        Self { grid: self.grid, solid: self.solid, kind, range, least_stiffness, motion: Some(motion) }
+    }
+
+    /// The same solid in the same motion over another grid.
+    ///
+    /// # Errors
+    /// The errors of the constructor that it was made by.
+    pub(crate) fn on_grid(&self, grid: &Grid, with_uniform: bool) -> Result<Self, ProblemError> {
+        let solid = self.solid.clone();
+        match &self.motion {
+            None => Ok(Self::new(grid, solid, with_uniform)?),
+            Some(SteadyMotion::Sliding { speed, terms }) => Self::sliding(grid, solid, with_uniform, *speed, terms),
+            Some(SteadyMotion::Rolling { step }) => Self::rolling(grid, solid, *step),
+        }
+    }
+
+    /// The sum of the creep `f` of a viscoelastic solid under a contact that slides.
+    pub(crate) fn creep(&self) -> Option<f64> {
+        match &self.motion {
+            Some(SteadyMotion::Sliding { terms, .. }) => Some(terms.iter().map(|(ratio, _)| ratio).sum()),
+            _ => None,
+        }
+    }
+
+    /// That of a contact that slides, with `extra` times the compliance of fast loads added.
+    pub(crate) fn softened(&self, extra: f64) -> Result<Self, ProblemError> {
+        match &self.motion {
+            Some(SteadyMotion::Sliding { speed, terms }) => {
+                let terms: Vec<_> = terms.iter().copied().chain([(extra, 0.0)]).collect();
+                Self::sliding(&self.grid, self.solid.clone(), self.has_uniform(), *speed, &terms)
+            }
+            _ => Err(ProblemError::NeedsPeriodic),
+        }
+    }
+
+    /// The motion of the contact over the solid.
+    pub(crate) fn motion(&self) -> Option<&SteadyMotion> {
+        self.motion.as_ref()
+    }
+
+    /// Displacement over pressure of each wave of a periodic grid, in the order of [`Grid::wavenumbers`], if the compliance is not
+    /// symmetric. The mean is zero where it is a datum.
+    pub fn weights(&self) -> Option<&[Complex]> {
+        match &self.kind {
+            ComplianceKind::Directed { table, .. } if table.is_periodic() => Some(&table.weights),
+            _ => None,
+        }
+    }
+
+    /// Whether `<p u(q)> = <q u(p)>` for all pressures, as for every elastic solid at rest. Otherwise no energy belongs to the
+    /// compliance, and only [`crate::contact::MonotoneSets`] solves its contacts.
+    pub fn is_symmetric(&self) -> bool {
+        self.motion.is_none()
+    }
+
+    /// The smallest real part of the stiffness of a wave; the softest stiffness if the compliance is symmetric.
+    pub(crate) fn least_stiffness(&self) -> f64 {
+        self.least_stiffness
     }
 
     /// The compliance of a half-space for tractions along `x`: the displacement along `x`, with no traction across.
@@ -98,7 +310,7 @@ impl Compliance {
             }
             _ => return Err(GridError::ShearedSolid { solid: "a half-space that is free along one axis".into() }),
         };
-        Ok(Self { grid: *grid, solid, kind, range })
+        Ok(Self { grid: *grid, solid, kind, range, least_stiffness: range[0], motion: None })
     }
 
     /// The compliance of a periodic half-space of contact modulus `E*`.
@@ -132,18 +344,35 @@ impl Compliance {
             ComplianceKind::HalfSpace { .. } => false,
             ComplianceKind::Table(stiffness) => stiffness[0] > 0.0,
             ComplianceKind::Free(_) => true,
+            ComplianceKind::Directed { table, .. } => table.has_uniform(),
         }
     }
 
-    /// Stiffness of the softest and of the stiffest wave, a pressure per length; the uniform pressure counts where it displaces.
+    /// Stiffness of the softest and of the stiffest wave, a pressure per length; the uniform pressure counts where it displaces. If
+    /// the compliance is not symmetric, it is that of its symmetric part: the inverse of the real part of the weights.
     pub fn stiffness_range(&self) -> [f64; 2] {
         self.range
     }
 
     /// Whether waves are independent, as on periodic grids.
     pub fn is_diagonal(&self) -> bool {
-        !matches!(self.kind, ComplianceKind::Free(_))
+        match &self.kind {
+            ComplianceKind::Free(_) => false,
+            ComplianceKind::Directed { table, .. } => table.is_periodic(),
+            ComplianceKind::HalfSpace { .. } | ComplianceKind::Table(_) => true,
+        }
     }
+}
+
+/// Checks the grid and the step of a contact that rolls.
+fn check_line(grid: &Grid, step: f64) -> Result<(), ProblemError> {
+    if !grid.is_line() {
+        return Err(ProblemError::NeedsLine { shape: grid.shape() });
+    }
+    if step.is_finite() && step > 0.0 {
+        return Ok(());
+    }
+    Err(ProblemError::NotPositive { name: "step of rolling", value: step })
 }
 
 /// Stiffness of each place of the filter.

@@ -2,6 +2,7 @@
 
 use super::Compliance;
 use super::compliance::ComplianceKind;
+use super::directed::DirectedConvolution;
 use super::free::{FreeConvolution, FreeTable};
 use crate::fourier::{Filter, Real, Wave};
 use std::sync::Arc;
@@ -17,12 +18,14 @@ pub(crate) struct Convolution<T: Real> {
     /// Made on first use: a free boundary rarely needs the first, and nothing else the second.
     filter: Option<Filter<T>>,
     padded: Option<FreeConvolution<T>>,
+    directed: Option<DirectedConvolution<T>>,
 }
 
 impl<T: Real> Convolution<T> {
     /// The waves of a solid; transforms are planned on first use.
     pub fn new(compliance: Arc<Compliance>, unit: f64) -> Self {
-        Self { unit, rows: Filter::rows_of(&compliance.grid), filter: None, padded: None, compliance }
+        let rows = Filter::rows_of(&compliance.grid);
+        Self { unit, rows, filter: None, padded: None, directed: None, compliance }
     }
 
     pub fn compliance(&self) -> &Arc<Compliance> {
@@ -37,7 +40,7 @@ impl<T: Real> Convolution<T> {
 
     /// Frees the memory of the transforms until they are used again.
     pub fn release(&mut self) {
-        (self.filter, self.padded) = (None, None);
+        (self.filter, self.padded, self.directed) = (None, None, None);
     }
 
     /// `unit` times the displacement under a pressure, for fields that need not exist as a whole.
@@ -56,14 +59,26 @@ impl<T: Real> Convolution<T> {
                 let padded = self.padded.get_or_insert_with(|| FreeConvolution::new(&self.compliance.grid, table));
                 padded.convolve(table, unit, rows, fill, sinks, store);
             }
+            ComplianceKind::Directed { table, .. } => {
+                let grid = &self.compliance.grid;
+                let directed = self.directed.get_or_insert_with(|| DirectedConvolution::new(grid, table));
+                directed.displace(table, unit, rows, fill, sinks, store);
+            }
             _ => self.multiply(|k| if k > 0.0 { unit / k } else { 0.0 }, true, fill, sinks, store),
         }
     }
 
     /// The inverse of [`Convolution::displace`] on a periodic grid, with zero mean, of a field that becomes the pressure. The stiffness
-    /// of each wave is lowered by `less(q)`, but not below zero.
+    /// of each wave is lowered by `less(q)`, but not below zero; nothing is lowered where the contact moves over the solid.
     pub fn press(&mut self, field: &mut [T], less: impl Fn(f64) -> f64 + Sync) {
         let (per_unit, width) = (self.unit.recip(), self.rows[1]);
+        if let ComplianceKind::Directed { table, .. } = &self.compliance.kind
+            && table.is_periodic()
+        {
+            let grid = &self.compliance.grid;
+            let directed = self.directed.get_or_insert_with(|| DirectedConvolution::new(grid, table));
+            return directed.press(table, per_unit, field);
+        }
         let filter = self.filter.get_or_insert_with(|| Filter::new(&self.compliance.grid));
         filter.load(|r, row| row.copy_from_slice(&field[r * width..][..width]));
         scale(filter, &self.compliance.kind, |q, k| per_unit * (k - less(q)).max(0.0), false);
@@ -94,10 +109,12 @@ fn scale<T: Real>(
     factor: impl Fn(f64, f64) -> f64 + Sync,
     with_uniform: bool,
 ) {
+    let kind = if let ComplianceKind::Directed { base, .. } = kind { base } else { kind };
     match kind {
         &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
             filter.scale(|Wave { q, .. }| factor(q, 0.5 * modulus * q));
         }
+        ComplianceKind::Directed { .. } => unreachable!("a solid without motion is not directed"),
         ComplianceKind::Table(table) => {
             filter.scale(|Wave { q, place }| factor(q, if q > 0.0 || with_uniform { table[place] } else { 0.0 }));
         }

@@ -48,12 +48,12 @@ impl FreeTable {
 }
 
 /// The distance from a line load at which the displacement is zero.
-fn datum(solid: &dyn ElasticSolid, length: f64) -> f64 {
+pub(super) fn datum(solid: &dyn ElasticSolid, length: f64) -> f64 {
     solid.datum().unwrap_or(length)
 }
 
 /// The grid with at least twice as many points along its free axes, at the same spacing.
-fn padded(grid: &Grid) -> Result<Grid, GridError> {
+pub(super) fn padded(grid: &Grid) -> Result<Grid, GridError> {
     let (shape, spacing, periodic) = (grid.shape(), grid.spacing(), grid.periodic());
     let points = [0, 1].map(|axis| if periodic[axis] { shape[axis] } else { smooth(2 * shape[axis]) });
     let size = [0, 1].map(|axis| if periodic[axis] { grid.size()[axis] } else { points[axis] as f64 * spacing[axis] });

@@ -7,6 +7,7 @@
 mod compliance;
 mod convolution;
 pub mod direct;
+mod directed;
 pub(crate) mod element;
 mod free;
 mod half_space;
@@ -19,6 +20,7 @@ pub mod stress;
 
 pub use compliance::Compliance;
 pub(crate) use convolution::Convolution;
+pub(crate) use directed::SteadyMotion;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use prony::{Prony, PronyTerm};

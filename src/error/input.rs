@@ -13,7 +13,10 @@ impl SolveError {
     /// Whether another solver or load can help.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::NeedsPressure { .. } | Self::NeedsWaves { .. } | Self::NeedsHardWall { .. } => true,
+            Self::NeedsPressure { .. }
+            | Self::NeedsWaves { .. }
+            | Self::NeedsHardWall { .. }
+            | Self::NeedsRest { .. } => true,
             Self::NotConverged { .. } => false,
             Self::Observer(failure) => {
                 failure.downcast_ref().is_some_and(FileError::is_input)

@@ -2,14 +2,21 @@
 //!
 //! | process         | a step is                                                       | it carries                     |
 //! |-----------------|-----------------------------------------------------------------|--------------------------------|
-//! | [`Creep`]       | a contact with other heights, under a load that is larger than the given one by a factor | what a viscoelastic solid remembers |
+//! | [`Creep`]       | a contact with other heights, under a load that is larger by a factor | what a viscoelastic solid remembers |
 //! | [`SlipHistory`] | a normal contact, then a traction below `mu p`                  | the traction                   |
+//! | [`Sliding`]     | a contact that slides steadily over a viscoelastic solid        | nothing: one state for each speed |
+//! | [`Rolling`]     | a line that rolls steadily, with friction                       | nothing: one state for each creepage or load |
+//!
+//! One picture holds for all that moves. The rough surface lies above the solid and moves towards `+x` over it, at rest in the frame of the
+//! fields. So material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
 mod creep;
 mod creep_path;
 mod creep_state;
 mod creep_steps;
 mod kelvin;
+mod rolling;
+mod sliding;
 mod slip;
 mod slip_state;
 
@@ -18,5 +25,7 @@ pub use creep_path::CreepPath;
 pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
 pub use kelvin::CreepRule;
+pub use rolling::{Rolling, RollingConditions, RollingDrive};
+pub use sliding::Sliding;
 pub use slip::SlipHistory;
 pub use slip_state::{SlipCertificate, SlipState, Zone};

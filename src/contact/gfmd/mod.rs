@@ -48,6 +48,9 @@ impl Solver for Gfmd {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
+        if problem.is_moving() {
+            return Err(SolveError::NeedsRest { solver: self.name().into() });
+        }
         if problem.datum().is_some() {
             return Err(SolveError::NeedsPressure { solver: self.name().into() });
         }

@@ -11,7 +11,7 @@ use std::ops::Range;
 const FEWEST: usize = 32;
 
 /// The problem on the [`halved`] grid, if there is one and what is left on it is neither flat nor too low to be touched.
-pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
+pub(in crate::contact) fn coarser(problem: &Problem) -> Option<Problem> {
     let surface = problem.surface();
     let coarse = halved(surface.grid())?;
     let height = Field::from_shape_fn(coarse.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
@@ -24,10 +24,14 @@ pub(super) fn coarser(problem: &Problem) -> Option<Problem> {
         (_, None) => Load::MeanPressure(problem.expected_mean_pressure()),
     };
     let posed = Problem::new(surface, problem.solid().clone(), load).ok()?;
-    match problem.ceiling() {
-        Ceiling::Uniform(_) => posed.with_law(problem.law()).ok(),
-        Ceiling::Field(ceilings) => posed.with_ceilings(subsampled(ceilings, [problem.surface().grid(), &coarse])).ok(),
-    }
+    let at_rest = match problem.ceiling() {
+        Ceiling::Uniform(_) => posed.with_law(problem.law()).ok()?,
+        Ceiling::Field(ceilings) => {
+            posed.with_ceilings(subsampled(ceilings, [problem.surface().grid(), &coarse])).ok()?
+        }
+    };
+    let compliance = || problem.compliance().on_grid(&coarse, load.keeps_uniform());
+    if problem.is_moving() { at_rest.with_compliance(compliance().ok()?).ok() } else { Some(at_rest) }
 }
 
 /// The values of a field at the nodes of the [`halved`] grid.
@@ -42,7 +46,7 @@ fn highest(surface: &Surface) -> f64 {
 }
 
 /// The grid of every other node along each side, if the sides are even and long enough.
-pub(super) fn halved(grid: &Grid) -> Option<Grid> {
+pub(in crate::contact) fn halved(grid: &Grid) -> Option<Grid> {
     let [ny, nx] = grid.shape();
     let halves = |n: usize| n.is_multiple_of(2) && n / 2 >= FEWEST;
     let fits = halves(nx) && (grid.is_line() || halves(ny));
@@ -52,7 +56,7 @@ pub(super) fn halved(grid: &Grid) -> Option<Grid> {
 /// The pressure on the nodes of a grid of twice as many along each side, in `rows` of the half-space, interpolated linearly. Nodes
 /// between a node with pressure and one without get none. Where some nodes yield at their `ceilings`, those of the coarse and of the fine
 /// grid, they get some: patches that yield up to their edges could not carry the load of what is left out.
-pub(super) fn prolong(
+pub(in crate::contact) fn prolong(
     coarse: &[f64],
     [from, to]: [&Grid; 2],
     rows: [usize; 2],

@@ -80,16 +80,16 @@ mod extension;
 mod far;
 mod film;
 mod guard;
-mod hierarchy;
+pub(super) mod hierarchy;
 mod inner;
 mod level;
 mod membrane;
 mod method;
 mod near;
-mod operator;
+pub(super) mod operator;
 mod split;
 mod stiffness;
-mod support;
+pub(super) mod support;
 mod workspace;
 
 use crate::contact::best::Best;
@@ -210,6 +210,9 @@ impl Solver for Multilevel {
         stop: &Stop,
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
+        if problem.is_moving() {
+            return Err(SolveError::NeedsRest { solver: self.name().into() });
+        }
         let run = Run::begin(self, problem, stop, observer).with_patience(PATIENCE);
         let mut cascade = Cascade { run, finest: problem.nodes(), spent: 0.0 };
         let (mut level, ended) = match start {

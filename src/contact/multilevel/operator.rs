@@ -20,14 +20,14 @@ const MARGIN: f64 = 0.25;
 ///
 /// Inner steps use it. What it loses in precision is made up for by outer steps, whose displacements are computed in double precision
 /// by [`crate::elastic::Response`].
-pub(super) trait SetOperator {
+pub(in crate::contact) trait SetOperator {
     /// Writes the displacement at the nodes of `to` under a pressure on the nodes of `from`.
     fn comply(&mut self, from: &Support, pressure: &[f64], to: &Support, displacement: &mut [f64]);
 
     /// Prepares [`SetOperator::precondition`] for a set.
     fn prepare(&mut self, support: &Support);
 
-    /// Writes an approximate inverse of the compliance on the set, symmetric and positive, applied to a residual.
+    /// Writes an approximate inverse of the compliance on the set applied to a residual; it is symmetric and positive if the compliance is.
     fn precondition(&mut self, support: &Support, residual: &[f64], pressure: &mut [f64]);
 
     /// Whether [`SetOperator::precondition`] sees the mean of the residual.
@@ -55,7 +55,7 @@ pub(super) trait SetOperator {
 /// For thin bonded layers it is that of a [`Film`].
 ///
 /// Memory: a half spectrum, a field, and the extension, all of the precision `T`, and the film.
-pub(super) struct Spectral<T: Real> {
+pub(in crate::contact) struct Spectral<T: Real> {
     waves: Convolution<T>,
     /// The waves over the grid with margins, where there are any.
     with_margins: Option<Convolution<T>>,
@@ -69,6 +69,11 @@ pub(super) struct Spectral<T: Real> {
     /// A vector extended to all nodes, or the pressure on them.
     field: Vec<T>,
     transforms: u64,
+}
+
+/// The unit of stiffness of the operator of a compliance.
+fn unit_of(compliance: &Compliance) -> f64 {
+    power_of_two(compliance.stiffness_range()[0])
 }
 
 /// The grid that the preconditioner extends vectors to: with margins along free axes.
@@ -86,18 +91,25 @@ pub(super) fn with_margins(grid: &Grid) -> Grid {
 
 impl<T: Real> Spectral<T> {
     pub fn new(problem: &Problem) -> Self {
-        let (compliance, grid) = (problem.shared_compliance(), problem.surface().grid());
-        let unit = power_of_two(compliance.stiffness_range()[0]);
+        let unit = unit_of(problem.shared_compliance());
+        let film = if problem.is_moving() { None } else { Film::new(problem, unit) };
+        Self { film, ..Self::from_compliance(problem.shared_compliance(), problem.surface().grid()) }
+    }
+
+    /// The operator of a compliance over a grid, without a film. That of a contact that moves takes the complex stiffness for `K`.
+    pub fn from_compliance(compliance: &Arc<Compliance>, grid: &Grid) -> Self {
+        let unit = unit_of(compliance);
         let wide = with_margins(grid);
-        let half_space = || Arc::new(Compliance::half_space(&wide, problem.contact_modulus()));
+        let on_margins =
+            || compliance.on_grid(&wide, false).expect("a solid that has a free boundary has a periodic one");
         Self {
             waves: Convolution::new(compliance.clone(), unit),
-            with_margins: (!grid.is_periodic()).then(|| Convolution::new(half_space(), unit)),
+            with_margins: (!grid.is_periodic()).then(|| Convolution::new(Arc::new(on_margins()), unit)),
             shape: grid.shape(),
             wide: wide.shape(),
             unit,
             extension: None,
-            film: Film::new(problem, unit),
+            film: None,
             field: Vec::new(),
             transforms: 0,
         }

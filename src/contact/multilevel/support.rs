@@ -8,7 +8,7 @@ use std::ops::Range;
 /// A set of nodes, as runs along the rows in which a half-space takes its fields. Values on it are vectors with one entry per
 /// node, in the order of the nodes.
 #[derive(Clone, PartialEq)]
-pub(super) struct Support {
+pub(in crate::contact) struct Support {
     /// Length of a row.
     width: usize,
     /// Runs of nodes, by their columns.
@@ -25,7 +25,7 @@ struct RowStart {
 
 /// The nodes of one row, put in from left to right.
 #[derive(Default)]
-pub(super) struct RowOfNodes {
+pub(in crate::contact) struct RowOfNodes {
     runs: Vec<Range<usize>>,
     nodes: usize,
 }
@@ -43,7 +43,7 @@ impl RowOfNodes {
 
 /// The nodes of one row with their values, put in from left to right.
 #[derive(Default)]
-pub(super) struct RowOfValues {
+pub(in crate::contact) struct RowOfValues {
     nodes: RowOfNodes,
     values: Vec<f64>,
 }
@@ -201,7 +201,7 @@ impl Support {
 
 /// A pressure and its support.
 #[derive(Clone, PartialEq)]
-pub(super) struct SparsePressure {
+pub(in crate::contact) struct SparsePressure {
     pub support: Support,
     pub values: Vec<f64>,
 }

@@ -1,0 +1,34 @@
+//! What a result claims.
+
+use crate::contact::Contact;
+use strum::{EnumMessage, IntoStaticStr};
+
+/// What the certificate of a contact claims about it.
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Load, MonotoneSets, ResultClaim, Solver};
+/// use asperity::{Grid, Indenter, Problem, Stop};
+/// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(64, 1.0)?)?;
+/// let rest = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?;
+/// let moving = rest.clone().sliding(1.0, &[(1.0, 1.0)])?;
+/// let claims = [rest, moving].map(|problem| MonotoneSets.solve(&problem, &Stop::default(), &mut ()).map(|it| it.claim()));
+/// assert_eq!([claims[0].clone()?, claims[1].clone()?], [ResultClaim::Solution, ResultClaim::Bounded]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumMessage, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ResultClaim {
+    /// The solution of a convex problem: energy, pressure and mean gap are bounded.
+    #[strum(message = "the solution: energy, pressure and mean gap are bounded")]
+    Solution,
+    /// The solution of a monotone problem without an energy, of a contact that moves: only the pressure is bounded.
+    #[strum(message = "bounded: the error of the pressure is bounded, and no energy belongs to the contact")]
+    Bounded,
+}
+
+impl Contact {
+    /// What the certificate claims.
+    pub fn claim(&self) -> ResultClaim {
+        if self.problem.is_moving() { ResultClaim::Bounded } else { ResultClaim::Solution }
+    }
+}

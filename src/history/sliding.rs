@@ -1,0 +1,140 @@
+//! Steady sliding over viscoelastic solids.
+
+use crate::contact::{Contact, MonotoneSets, Observer, Problem, Solver, Stop};
+use crate::elastic::SteadyMotion;
+use crate::error::MotionError;
+use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
+use crate::theory::persson::Pressures;
+
+/// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. What it takes to slide is the loss
+/// in the solid.
+///
+/// The surface moves towards `+x` at the speed `V`. The pressure acts along the normal of the deformed solid, so that the force on the
+/// solid along the surface is `-<p grad u>` per area. Its part along `+x` over the load is the coefficient of friction, positive where the
+/// surface moves towards `+x`: the solid is dragged along.
+///
+/// | quantity          | equation                                                        |
+/// |-------------------|-----------------------------------------------------------------|
+/// | `friction`        | `-<p u_x'> / <p>`                                               |
+/// | `lateral`         | `-<p u_y'> / <p>`: the force across the motion, of anisotropic surfaces; 0 for a line |
+/// | `full_contact`    | `-sum_q q_x abs(h_q)^2 Im K(q) / <p>`, exact where all nodes touch   |
+/// | `persson`         | `-sum_q q_x abs(h_q)^2 Im K(q) P(q) / <p>`, an estimate              |
+///
+/// Derivatives are taken by the spectrum, so that no edge is counted. `K(q) = 1/w(q)` is the complex stiffness, the inverse of the weight
+/// of [`crate::elastic::Compliance::sliding`]. In Persson's theory each wave rubs on the share of the area that is in contact when all
+/// longer waves are seen, `P(q) = erf(<p> / (sqrt2 s(q)))`, with the variance `s^2 = sum abs(K h)^2` of the pressure over these waves in full
+/// contact. It leaves out a factor of order one, by which contact is stiffer where it is, so that it is no bound.
+///
+/// # Source
+/// Friction in full contact and the theory: Persson, J. Chem. Phys. 115, 3840 (2001). Steady sliding of rough surfaces: Menga, Putignano,
+/// Carbone and Demelio, Proc. R. Soc. A 470, 20140392 (2014).
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Load};
+/// use asperity::history::Sliding;
+/// use asperity::{Grid, Indenter, Problem, Stop};
+/// use std::f64::consts::TAU;
+/// // a sine in full contact, at the speed where it rubs most: q V tau = 1 + f
+/// let sine = Indenter::Sine { amplitude: 1e-3 }.surface(Grid::line(64, 1.0)?)?;
+/// let (creep, pressure) = (3.0, 0.02);
+/// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(pressure))?;
+/// let problem = problem.sliding((1.0 + creep) / TAU, &[(creep, 1.0)])?;
+/// let sliding = Sliding::solve(&problem, &Stop::default(), &mut ())?;
+/// // Im K = (E* q/2) f W/((1 + f)^2 + W^2), and <p u'> = 2 q |h_q|^2 Im K with |h_q| = D/2
+/// let loss = 0.5 * TAU * 1e-6 * (0.5 * TAU) * creep / (2.0 * (1.0 + creep));
+/// assert!((sliding.friction / (loss / pressure) - 1.0).abs() < 1e-9);
+/// assert!((sliding.full_contact / sliding.friction - 1.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Sliding {
+    /// The contact. Its certificate bounds the error of the pressure, and no energy.
+    pub contact: Contact,
+    /// The coefficient of friction by the loss in the solid, dimensionless.
+    pub friction: f64,
+    /// The coefficient of the force on the solid along `+y`, dimensionless.
+    pub lateral: f64,
+    /// The coefficient of friction in full contact under the same load, dimensionless.
+    pub full_contact: f64,
+    /// The coefficient of friction of Persson's theory, dimensionless.
+    pub persson: f64,
+}
+
+impl Sliding {
+    /// Solves a problem that slides, see [`Problem::sliding`], with [`MonotoneSets`].
+    ///
+    /// # Errors
+    /// [`MotionError::NeedsSliding`] for a problem that does not slide, and [`MotionError::Solve`] if the contact did not converge.
+    pub fn solve(problem: &Problem, stop: &Stop, observer: &mut dyn Observer) -> Result<Self, MotionError> {
+        if !matches!(problem.compliance().motion(), Some(SteadyMotion::Sliding { .. })) {
+            return Err(MotionError::NeedsSliding);
+        }
+        Self::new(MonotoneSets.solve(problem, stop, observer)?.converged()?)
+    }
+
+    /// What a contact that slides takes to slide, for a contact that was found in any way.
+    ///
+    /// # Errors
+    /// [`MotionError::NeedsSliding`] for the contact of a problem that does not slide.
+    pub fn new(contact: Contact) -> Result<Self, MotionError> {
+        if !matches!(contact.problem.compliance().motion(), Some(SteadyMotion::Sliding { .. })) {
+            return Err(MotionError::NeedsSliding);
+        }
+        let (grid, mean_pressure) = (*contact.problem.surface().grid(), contact.mean_pressure());
+        let [p, u] = [&contact.pressure, &contact.displacement]
+            .map(|field| spectrum(&grid, field.as_slice().expect("results are made in standard layout")));
+        let mut force = [0.0; 2];
+        for (((p, u), weight), q) in p.iter().zip(&u).zip(grid.multiplicities()).zip(directions(&grid)) {
+            // <p u'> is the sum over both signs of conj(p_q) i q u_q
+            let product = weight * (p.conj() * Complex::new(0.0, 1.0) * u).re;
+            force.iter_mut().zip(q).for_each(|(force, q)| *force += q * product);
+        }
+        let [lateral, friction] = force.map(|force| -force / mean_pressure);
+        let [full_contact, persson] = losses(&contact.problem, mean_pressure).map(|loss| loss / mean_pressure);
+        Ok(Self { contact, friction, lateral, full_contact, persson })
+    }
+}
+
+fn spectrum(grid: &Grid, field: &[f64]) -> Vec<Complex> {
+    let mut spectrum = vec![Complex::default(); grid.modes()];
+    Fourier::new(grid).forward(field, &mut spectrum);
+    spectrum
+}
+
+/// Wave vectors `[q_y, q_x]` of derivatives: zero along an axis at its Nyquist wave, which has no direction there.
+fn directions(grid: &Grid) -> impl Iterator<Item = [f64; 2]> {
+    let nyquist = grid.spacing().map(|spacing| std::f64::consts::PI / spacing * (1.0 - 1e-12));
+    let is_even = grid.shape().map(|n| n.is_multiple_of(2));
+    grid.wave_vectors()
+        .map(move |q| [0, 1].map(|axis| if is_even[axis] && q[axis].abs() >= nyquist[axis] { 0.0 } else { q[axis] }))
+}
+
+/// `-<p u_x'>` in full contact, and by Persson's theory.
+fn losses(problem: &Problem, mean_pressure: f64) -> [f64; 2] {
+    let grid = *problem.surface().grid();
+    let heights = spectrum(&grid, problem.height());
+    let weights = problem.compliance().weights().unwrap_or_default();
+    // wavenumber, variance of the pressure, and loss of each wave
+    let mut waves: Vec<[f64; 3]> = grid
+        .wavenumbers()
+        .zip(directions(&grid))
+        .zip(grid.multiplicities())
+        .zip(heights.iter().zip(weights))
+        .filter(|(((q, _), _), (_, weight))| *q > 0.0 && weight.norm_sqr() > 0.0)
+        .map(|(((q, [_, qx]), multiplicity), (height, weight))| {
+            let (square, stiffness) = (multiplicity * height.norm_sqr(), weight.inv());
+            [q, square * stiffness.norm_sqr(), -qx * square * stiffness.im]
+        })
+        .collect();
+    waves.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut variance, mut sums) = (0.0, [0.0; 2]);
+    for [_, own, loss] in waves {
+        let deviation = f64::sqrt(variance + 0.5 * own);
+        variance += own;
+        let share = if deviation > 0.0 { Pressures { mean: mean_pressure, deviation }.relative_area() } else { 1.0 };
+        sums[0] += loss;
+        sums[1] += share * loss;
+    }
+    sums
+}
