@@ -8,6 +8,7 @@
 
 mod creep;
 mod file;
+mod history;
 mod input;
 mod motion;
 mod preparation;
@@ -16,6 +17,7 @@ mod study;
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
+pub use history::{HistoryError, SlipError};
 pub use motion::MotionError;
 pub use preparation::PreparationError;
 pub use study::StudyError;
@@ -237,36 +239,6 @@ pub enum SolveError {
     NeedsRest { solver: String },
 }
 
-/// A tangential load that cannot be carried or solved.
-#[derive(Debug, Clone, thiserror::Error)]
-pub enum SlipError {
-    #[error(transparent)]
-    Grid(#[from] GridError),
-    #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-    /// A quantity that must be positive and finite is not.
-    #[error("the {name} is {value:?}: give a positive, finite value")]
-    NotPositive { name: &'static str, value: f64 },
-    /// A tangential load that is at the limit of friction, or above it.
-    #[error(
-        "the tangential load {tangential:?} makes everything slide, since friction carries less than {limit:?}: give \
-         less, or more friction or more normal load"
-    )]
-    Sliding { tangential: f64, limit: f64 },
-    /// A hardness beside friction.
-    #[error("friction cannot be computed where the surface yields: leave the hardness out, or the friction")]
-    Yielding,
-    /// A normal load that is not a pressure.
-    #[error(
-        "friction needs a given pressure, but {load} is given: give a mean pressure, a reduced pressure or a force"
-    )]
-    NeedsPressure { load: String },
-}
-
 /// A sentence on elastic constants that are missing, or that do not fit the number of bodies.
 fn bodies_in_words(young: usize, poisson: usize) -> String {
     match (young, poisson) {
@@ -337,6 +309,19 @@ pub enum SetupError {
     Problem(#[from] ProblemError),
     #[error(transparent)]
     Slip(#[from] SlipError),
+    #[error(transparent)]
+    History(#[from] HistoryError),
+    #[error(transparent)]
+    Creep(#[from] CreepError),
+    /// The path of a history that cannot be.
+    #[error("{reason}")]
+    Path { reason: String },
+    /// The terms of a solid that creeps.
+    #[error("{reason}")]
+    Prony { reason: String },
+    /// A motion that cannot be.
+    #[error("{reason}")]
+    Motion { reason: String },
     #[error(transparent)]
     Setting(#[from] SettingError),
     #[error(transparent)]

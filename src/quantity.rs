@@ -1,7 +1,7 @@
 //! Quantities as users write and read them.
 //!
-//! Lengths, pressures and forces in scenes are numbers in any consistent set of units or, with the feature `units`, texts
-//! such as `"160 um"`, `"1 GPa"` and `"5 N"`, which are turned into metres, pascals and newtons.
+//! Lengths, pressures, forces, times and speeds in scenes are numbers in any consistent set of units or, with the feature `units`, texts
+//! such as `"160 um"`, `"1 GPa"`, `"5 N"` and `"9 ms"`, which are turned into metres, pascals, newtons and seconds.
 
 use serde::Deserialize;
 use serde::de::{self, Deserializer, Visitor};
@@ -37,6 +37,22 @@ pub fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
 /// For anything that is neither a number nor a force with a unit.
 pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(QuantityVisitor { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
+}
+
+/// Reads a time.
+///
+/// # Errors
+/// For anything that is neither a number nor a time with a unit.
+pub fn time<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    from.deserialize_any(QuantityVisitor { kind: "a time", example: "\"9 ms\"", parse: units::time })
+}
+
+/// Reads a speed.
+///
+/// # Errors
+/// For anything that is neither a number nor a speed with a unit.
+pub fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    from.deserialize_any(QuantityVisitor { kind: "a speed", example: "\"1 m/s\"", parse: units::speed })
 }
 
 /// A length in a list of them, read as [`length`] reads one.
@@ -167,11 +183,13 @@ impl QuantityVisitor {
 
 #[cfg(feature = "units")]
 mod units {
-    use uom::si::f64::{Force, Length, Pressure, SurfaceTension};
+    use uom::si::f64::{Force, Length, Pressure, SurfaceTension, Time, Velocity};
     use uom::si::force::newton;
     use uom::si::length::meter;
     use uom::si::pressure::pascal;
     use uom::si::surface_tension::newton_per_meter;
+    use uom::si::time::second;
+    use uom::si::velocity::meter_per_second;
 
     /// Units of engineers that are others with a prefix.
     const PER_MILLIMETRE: [(&str, &str); 4] = [("N/mm", "kN/m"), ("N/mm2", "MPa"), ("N/mm²", "MPa"), ("N/mm^2", "MPa")];
@@ -193,6 +211,14 @@ mod units {
         read(text, |unit| force(unit).or_else(|| per_length(unit)))
     }
 
+    pub fn time(text: &str) -> Option<f64> {
+        read(text, |unit| unit.parse::<Time>().ok().map(|one| one.get::<second>()))
+    }
+
+    pub fn speed(text: &str) -> Option<f64> {
+        read(text, |unit| unit.parse::<Velocity>().ok().map(|one| one.get::<meter_per_second>()))
+    }
+
     /// The longest number that the text begins with, in the unit that follows. What is a whole part of the SI unit divides, so
     /// that `40 um` is the same number as `40e-6`.
     fn read(text: &str, one: impl Fn(&str) -> Option<f64>) -> Option<f64> {
@@ -212,7 +238,7 @@ mod units {
 
 #[cfg(not(feature = "units"))]
 mod units {
-    pub use {length as force, length as pressure};
+    pub use {length as force, length as pressure, length as speed, length as time};
 
     pub fn length(_: &str) -> Option<f64> {
         None

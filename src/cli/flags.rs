@@ -64,7 +64,7 @@ impl Extent for OfProblem {
 
     fn takes(flag: &Flag) -> bool {
         let is_goal = ["tolerance", "pressure-tolerance"].contains(&flag.name);
-        is_goal || !["friction", "solver", "stop"].contains(&flag.section()) && OfSetup::takes(flag)
+        is_goal || !OF_A_SOLVE.contains(&flag.section()) && OfSetup::takes(flag)
     }
 
     fn name(flag: &'static Flag) -> &'static str {
@@ -75,6 +75,9 @@ impl Extent for OfProblem {
         Arg::new("scene").long("setup").value_name("SCENE.toml").help("A scene; flags override its values")
     }
 }
+
+/// Sections that describe how a contact is solved, or what follows it.
+const OF_A_SOLVE: [&str; 7] = ["friction", "viscoelastic", "sliding", "rolling", "path", "solver", "stop"];
 
 /// A scene and the flags that are laid over it.
 pub struct SceneArgs<E> {
@@ -217,6 +220,7 @@ fn heading<E: Extent>(flag: &Flag) -> &'static str {
         "load" => E::LOAD,
         "solid" | "law" => "Solid (contact modulus, or elastic constants; required with a mean pressure)",
         "friction" => "Friction (a tangential load after the normal one)",
+        "viscoelastic" | "sliding" | "rolling" | "path" => "History (creep, slip, sliding or rolling)",
         "record" => "Recording",
         _ => "Solver",
     }

@@ -18,6 +18,8 @@ mod explore;
 mod fields;
 mod finding;
 mod flags;
+mod history;
+mod history_picture;
 mod inspect;
 mod interrupt;
 mod iteration;

@@ -3,6 +3,7 @@
 use super::exit_status::{ExitStatus, settle, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
+use super::history;
 use super::load_curve;
 use super::nodes::write_nodes;
 use super::output::{Summary, write_json};
@@ -61,6 +62,15 @@ impl Solve {
         let setup = table.setup()?;
         check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
         let units = self.scene.units(&setup.surface);
+        if setup.process()?.is_some() {
+            return match loads {
+                Some(_) => usage("a history needs one load, but several are given: give one, and a path of loads"),
+                None if auto.is_some() || self.diagnose || self.unload => {
+                    usage("--refine auto, --diagnose and --unload do not go with a history: leave them out")
+                }
+                None => history::run(&setup, &self.outputs, units, self.dry_run),
+            };
+        }
         match loads {
             Some(_) if auto.is_some() => {
                 usage("--refine auto needs one load, but several are given: give one load, or a number for --refine")

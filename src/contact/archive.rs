@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, OBSERVABLES, PartialSlip, State};
 use crate::elastic::Stress;
-use crate::surface::PowerSpectrum;
+use crate::surface::{Field, PowerSpectrum};
 use ndarray::{Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr2, arr3, stack};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
@@ -110,6 +110,29 @@ pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Resul
     ArchiveWriter::new(contacts, true, rank, Some(setup))?.finish()
 }
 
+/// The contacts of the states of a history as `.npz`: as [`archive_of_loads`], with further `numbers` and `fields` of all states, each
+/// under its name along a first axis. A number takes the place of the observable of its name.
+///
+/// # Errors
+/// The errors of [`archive_of_loads`].
+pub(crate) fn archive_of_states(
+    contacts: &[Contact],
+    numbers: &[(&str, Vec<f64>)],
+    fields: &[(&str, Vec<&Field>)],
+    rank: usize,
+    setup: &str,
+) -> Result<Vec<u8>, WriteNpzError> {
+    let replaced: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
+    let mut archive = ArchiveWriter::without(contacts, &replaced, rank, setup)?;
+    for (name, values) in numbers {
+        archive.npz.add_array(*name, &ArrayView1::from(values))?;
+    }
+    for (name, values) in fields {
+        archive.add_fields(name, values.iter().map(|values| values.view().into()))?;
+    }
+    archive.finish()
+}
+
 /// A field of a contact.
 type FieldOf = fn(&Contact) -> ArrayView2<'_, f64>;
 
@@ -150,12 +173,25 @@ struct ArchiveWriter {
     rank: usize,
     /// Whether what depends on the load has a first axis of loads.
     is_list: bool,
+    /// Observables that are left out.
+    left_out: Vec<String>,
 }
 
 impl ArchiveWriter {
     /// An archive of the contacts of one surface, if there are any.
     fn new(contacts: &[Contact], is_list: bool, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
-        let mut archive = Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list };
+        Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list, left_out: Vec::new() }.with(contacts, setup)
+    }
+
+    /// An archive of a list of contacts without some observables.
+    fn without(contacts: &[Contact], names: &[&str], rank: usize, setup: &str) -> Result<Self, WriteNpzError> {
+        let left_out = names.iter().map(|name| (*name).to_owned()).collect();
+        let npz = NpzWriter::new(Cursor::new(Vec::new()));
+        Self { npz, rank, is_list: true, left_out }.with(contacts, Some(setup))
+    }
+
+    fn with(self, contacts: &[Contact], setup: Option<&str>) -> Result<Self, WriteNpzError> {
+        let mut archive = self;
         if let Some(first) = contacts.first() {
             archive.add_problem(first, setup)?;
             archive.add_contacts(first, contacts)?;
@@ -183,7 +219,9 @@ impl ArchiveWriter {
             }
         }
         let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
-        for row in OBSERVABLES {
+        for row in
+            OBSERVABLES.iter().filter(|row| !self.left_out.iter().any(|name| name == row.name)).collect::<Vec<_>>()
+        {
             self.add_each(row.name, states.iter().map(|state| arr0((row.value)(state)).into()))?;
         }
         Ok(())

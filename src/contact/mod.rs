@@ -52,6 +52,7 @@ use crate::chunks;
 use sums::CertificateSums;
 
 pub use crate::error::Failure;
+pub(crate) use archive::archive_of_states;
 pub use archive::{archive, archive_of_loads, archive_of_slip, archive_of_stress};
 pub use ceiling::Ceiling;
 pub use certificate::Certificate;

@@ -21,8 +21,13 @@ pub struct Friction {
     pub coefficient: f64,
     /// The tangential load `Q`, of the same kind as the normal one: a mean traction with a mean pressure, a mean
     /// traction divided by `gbar E*` with a reduced pressure, and a force (for a line, per length) with a force.
-    #[serde(deserialize_with = "crate::quantity::pressure")]
+    /// Zero where a history has its own.
+    #[serde(default, skip_serializing_if = "is_zero", deserialize_with = "crate::quantity::pressure")]
     pub tangential: f64,
+}
+
+fn is_zero(tangential: &f64) -> bool {
+    *tangential == 0.0
 }
 
 impl Friction {

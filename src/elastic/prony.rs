@@ -46,7 +46,7 @@ pub struct PronyTerm {
 /// assert!((prony.to_relaxation()[0].time - 0.1).abs() < 1e-15);
 /// # Ok::<(), asperity::error::SolidError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Prony {
     terms: Vec<PronyTerm>,
 }

@@ -1,6 +1,6 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
-use super::{FileError, SetupError, SlipError, SolveError, StepsError, StudyError};
+use super::{FileError, HistoryError, MotionError, SetupError, SlipError, SolveError, StepsError, StudyError};
 
 impl FileError {
     /// Whether another file or place can help.
@@ -36,6 +36,31 @@ impl SlipError {
     }
 }
 
+impl HistoryError {
+    /// Whether another setup can help.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            Self::Slip(error) => error.is_input(),
+            Self::Creep(error) => error.is_input(),
+            Self::Motion(error) => error.is_input(),
+            Self::Stopped => false,
+            _ => true,
+        }
+    }
+}
+
+impl MotionError {
+    /// Whether another motion can help.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            Self::Traction { .. } | Self::Rounds { .. } => false,
+            _ => true,
+        }
+    }
+}
+
 impl StepsError {
     /// Whether other steps can help.
     pub fn is_input(&self) -> bool {
@@ -52,6 +77,8 @@ impl SetupError {
         match self {
             Self::File(error) => error.is_input(),
             Self::Slip(error) => error.is_input(),
+            Self::History(error) => error.is_input(),
+            Self::Creep(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             _ => true,
         }

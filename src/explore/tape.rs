@@ -6,7 +6,7 @@ use crate::error::FileError;
 use crate::job::Job;
 use crate::plot::Colour;
 use crate::record::{
-    CurveKind, Ghost, LoadAxis, LoadRecording, Loads, Options, Output, RecordedCurve, Recording, Scene,
+    CurveKind, Ghost, LoadAxis, LoadRecording, Loads, Options, Output, RecordedCurve, Recording, Scene, Timeline,
 };
 use crate::setup::{Part, Record, Setup};
 use std::sync::Arc;
@@ -118,6 +118,7 @@ impl SweepTape {
                 })
                 .collect(),
             figure: None,
+            timeline: Timeline::Loads,
             scenes: &[Scene { title, exact: None, ..Scene::from_setup(setup, problem) }],
         };
         let mut parts = setup.record.clone();

@@ -1,7 +1,7 @@
 //! Steps in time along a path of loads.
 
 use super::{Creep, CreepPath, CreepState};
-use crate::contact::{Load, Solver, Stop};
+use crate::contact::{Load, Observer, Solver, Stop};
 use crate::error::CreepError;
 use crate::surface::Field;
 use std::collections::VecDeque;
@@ -156,51 +156,68 @@ impl<'a> CreepSteps<'a> {
         self.transforms
     }
 
-    fn advance(&mut self) -> Result<(), CreepError> {
+    /// The next state, whose solves an observer sees; none after the last one and after an error.
+    pub fn next_watched(&mut self, observer: &mut dyn Observer) -> Option<Result<CreepState, CreepError>> {
+        loop {
+            if let Some(state) = self.pending.pop_front() {
+                return Some(Ok(state));
+            }
+            if self.point >= self.path.points().len() {
+                return None;
+            }
+            if let Err(error) = self.advance(observer) {
+                // nothing comes after an error
+                self.point = self.path.points().len();
+                return Some(Err(error));
+            }
+        }
+    }
+
+    fn advance(&mut self, observer: &mut dyn Observer) -> Result<(), CreepError> {
         let (end, load) = self.path.points()[self.point];
         let left = end - self.state.time;
         if left <= 0.0 {
             // the same load again is no jump
             if self.state.load != Some(load) {
-                self.jump(load)?;
+                self.jump(load, observer)?;
             }
             self.point += 1;
             return Ok(());
         }
         match &self.pace {
-            CreepPace::Adaptive(tolerance) => self.adapt(*tolerance, end),
+            CreepPace::Adaptive(tolerance) => self.adapt(*tolerance, end, observer),
             CreepPace::Count(count) => {
                 let begin = self.path.points()[self.point - 1].0;
                 let done = ((self.state.time - begin) / (end - begin) * *count as f64).round() + 1.0;
                 let time = if done < *count as f64 { begin + (end - begin) * done / *count as f64 } else { end };
-                self.go(time)
+                self.go(time, observer)
             }
             CreepPace::Times(times) => {
                 let next = times.iter().copied().find(|&time| time > self.state.time).unwrap_or(end);
-                self.go(next.min(end))
+                self.go(next.min(end), observer)
             }
         }
     }
 
-    fn jump(&mut self, load: Load) -> Result<(), CreepError> {
+    fn jump(&mut self, load: Load, observer: &mut dyn Observer) -> Result<(), CreepError> {
         let from = self.state.clone();
-        let next = self.solve(None, &from, from.time, load)?;
+        let next = self.solve(None, &from, from.time, load, observer)?;
         self.step = None;
         self.keep(next);
         Ok(())
     }
 
     /// A given step.
-    fn go(&mut self, time: f64) -> Result<(), CreepError> {
+    fn go(&mut self, time: f64, observer: &mut dyn Observer) -> Result<(), CreepError> {
         let from = self.state.clone();
-        let next = self.solve(None, &from, time, self.path.load(self.point, time))?;
+        let next = self.solve(None, &from, time, self.path.load(self.point, time), observer)?;
         self.state = next.clone();
         self.pending.push_back(next);
         Ok(())
     }
 
     /// A step and two halves, until the error is within the tolerance.
-    fn adapt(&mut self, tolerance: f64, end: f64) -> Result<(), CreepError> {
+    fn adapt(&mut self, tolerance: f64, end: f64, observer: &mut dyn Observer) -> Result<(), CreepError> {
         let (from, left) = (self.state.clone(), end - self.state.time);
         let shortest = self.creep.prony().shortest_time();
         let first = shortest.map_or(left / ELASTIC_STEPS, |time| FIRST * time);
@@ -211,11 +228,11 @@ impl<'a> CreepSteps<'a> {
             let is_last = step == left;
             let times = [from.time + 0.5 * step, if is_last { end } else { from.time + step }];
             let loads = times.map(|time| self.path.load(self.point, time));
-            let whole = self.solve(None, &from, times[1], loads[1])?;
+            let whole = self.solve(None, &from, times[1], loads[1], observer)?;
             let goal = whole.effective_pressure();
             let between = 0.5 * (&from.effective_pressure() + &goal);
-            let half = self.solve(Some(&between), &from, times[0], loads[0])?;
-            let next = self.solve(Some(&goal), &half, times[1], loads[1])?;
+            let half = self.solve(Some(&between), &from, times[0], loads[0], observer)?;
+            let next = self.solve(Some(&goal), &half, times[1], loads[1], observer)?;
             let found = next.effective_pressure();
             let (error, size) = (rms(&(&goal - &found)), rms(&found));
             let relative = if error > 0.0 { error / size } else { 0.0 };
@@ -248,9 +265,10 @@ impl<'a> CreepSteps<'a> {
         from: &CreepState,
         time: f64,
         load: Load,
+        observer: &mut dyn Observer,
     ) -> Result<CreepState, CreepError> {
         let dt = time - from.time;
-        let next = self.creep.step_from(near, from, dt, load, self.solver, &self.stop, &mut ())?;
+        let next = self.creep.step_from(near, from, dt, load, self.solver, &self.stop, observer)?;
         self.transforms += next.contact.work.transforms;
         // the time of a point to the last bit
         Ok(CreepState { time, ..next })
@@ -272,19 +290,7 @@ impl Iterator for CreepSteps<'_> {
     type Item = Result<CreepState, CreepError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        loop {
-            if let Some(state) = self.pending.pop_front() {
-                return Some(Ok(state));
-            }
-            if self.point >= self.path.points().len() {
-                return None;
-            }
-            if let Err(error) = self.advance() {
-                // nothing comes after an error
-                self.point = self.path.points().len();
-                return Some(Err(error));
-            }
-        }
+        self.next_watched(&mut ())
     }
 }
 

@@ -3,6 +3,8 @@
 //! Letters of this file: `k = dt / tau`, `e = exp(-k)`, `p0` and `p1` the pressures at the beginning and the end, `|x|^2 = <x A x>`.
 
 use crate::elastic::PronyTerm;
+use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
 /// Below this value of `k` sums of exponentials are computed as series.
 const SHORT: f64 = 0.05;
@@ -14,13 +16,21 @@ const SERIES: i32 = 14;
 /// ```
 /// assert_eq!(asperity::history::CreepRule::default(), asperity::history::CreepRule::ConstantPressure);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, EnumString, IntoStaticStr,
+)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum CreepRule {
-    /// The pressure of the end holds over the whole step. First order in the step. Under a load that never falls the error
+    /// The pressure of the end holds over the whole step.
+    ///
+    /// First order in the step. Under a load that never falls the error
     /// is that of the load alone, for steps of any length.
     #[default]
     ConstantPressure,
-    /// The pressure goes linearly from the beginning to the end. Second order in steps that are short compared with the shortest time
+    /// The pressure goes linearly from the beginning to the end of a step.
+    ///
+    /// Second order in steps that are short compared with the shortest time
     /// of the solid. The first step after a jump of the load takes the pressure as constant, since a long linear one would ask
     /// for tension where the contact grows.
     LinearPressure,

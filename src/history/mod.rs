@@ -7,25 +7,41 @@
 //! | [`Sliding`]     | a contact that slides steadily over a viscoelastic solid        | nothing: one state for each speed |
 //! | [`Rolling`]     | a line that rolls steadily, with friction                       | nothing: one state for each creepage or load |
 //!
+//! A [`Process`] makes the states of any of them along its path, as [`HistoryState`]s: tables, recordings and pictures know these.
+//!
 //! One picture holds for all that moves. The rough surface lies above the solid and moves towards `+x` over it, at rest in the frame of the
 //! fields. So material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
+mod archive;
 mod creep;
 mod creep_path;
+mod creep_process;
 mod creep_state;
 mod creep_steps;
+mod cycle;
 mod kelvin;
+mod motion_process;
+mod process;
+mod quantity;
 mod rolling;
 mod sliding;
 mod slip;
+mod slip_process;
 mod slip_state;
 
+pub use archive::archive_of_history;
 pub use creep::Creep;
 pub use creep_path::CreepPath;
+pub use creep_process::CreepProcess;
 pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
+pub use cycle::cycle_losses;
 pub use kelvin::CreepRule;
+pub use motion_process::{RollingProcess, SlidingProcess};
+pub use process::{EachState, HistoryClaim, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
+pub use quantity::{HISTORY_QUANTITIES, HistoryQuantity, HistoryUnit};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};
 pub use sliding::Sliding;
 pub use slip::SlipHistory;
+pub use slip_process::SlipProcess;
 pub use slip_state::{SlipCertificate, SlipState, Zone};

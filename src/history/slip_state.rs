@@ -1,5 +1,6 @@
 //! The state of a contact after a step with friction.
 
+use super::{HistoryClaim, HistoryField, HistoryNumbers, HistoryState};
 use crate::contact::{Contact, Work};
 use crate::surface::Field;
 use ndarray::Array2;
@@ -85,6 +86,23 @@ impl SlipState {
     pub fn stick_share(&self) -> f64 {
         let count = |of: fn(&Zone) -> bool| self.zones.iter().filter(|zone| of(zone)).count() as f64;
         count(|zone| *zone == Zone::Stick) / count(|zone| *zone != Zone::Open)
+    }
+
+    /// The state as one of any history, with the shift and the dissipated energy since the beginning.
+    pub fn into_history(self, point: Option<usize>, [shift, dissipated]: [f64; 2]) -> HistoryState {
+        let numbers = HistoryNumbers {
+            mean_traction: Some(self.tangential),
+            friction: Some(self.tangential / self.contact.mean_pressure()),
+            shift: Some(shift),
+            stick_share: Some(self.stick_share()),
+            dissipated: Some(dissipated),
+            stored: Some(self.stored),
+            traction_certificate: Some(self.certificate.eta),
+            ..HistoryNumbers::default()
+        };
+        let fields = vec![HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
+        let (claim, contact, work) = (HistoryClaim::Solution, self.contact, self.work);
+        HistoryState { contact, point, claim, numbers, fields, work }
     }
 
     /// Whether both the normal contact and the traction met their goals.

@@ -3,7 +3,7 @@
 use crate::contact::{Contact, Load, Observables, Problem};
 use crate::error::FileError;
 use crate::plot::Colour;
-use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene};
+use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Timeline};
 use crate::setup::Setup;
 use crate::study::LoadCurve;
 use std::path::Path;
@@ -48,6 +48,7 @@ impl CurveRecording {
                 .into(),
             axis: axis(&curve.loads),
             figure: None,
+            timeline: Timeline::Loads,
             scenes: &[scene],
         };
         Ok(Self(LoadRecording::create(path, &loads, Options::from(&curve.setup.record))?))

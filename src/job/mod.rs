@@ -20,6 +20,9 @@
 
 #[cfg(feature = "record")]
 mod curve;
+mod history;
+#[cfg(feature = "record")]
+mod history_recording;
 mod outcome;
 mod ready;
 mod run;
@@ -27,6 +30,7 @@ mod watch;
 
 #[cfg(feature = "record")]
 pub use curve::CurveRecording;
+pub use history::HistoryOutcome;
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;

@@ -4,7 +4,7 @@ use super::reproduction::{Ramp, RampCurve};
 use crate::contact::Problem;
 use crate::error::StudyError;
 use crate::plot::Figure;
-use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene};
+use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Timeline};
 use crate::study::Realisation;
 use std::path::Path;
 
@@ -21,6 +21,7 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
         axis: LoadAxis { name: ramp.quantity.0.into(), scale: ramp.quantity.1, values: ramp.cursor.clone() },
         curves: ramp.curves.iter().map(curve).collect(),
         figure: Some(figure),
+        timeline: Timeline::Loads,
         scenes: &scenes,
     };
     let options = Options { length_unit: ramp.length_unit.into(), ..Options::default() };

@@ -48,9 +48,9 @@ mod setups;
 mod size;
 
 pub use draw::{CurveKind, Ghost, LoadAxis, RecordedCurve};
-pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, compare, record_survey};
+pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, Timeline, compare, record_survey};
 pub use options::Options;
 pub use parts::Parts;
-pub use scene::Scene;
+pub use scene::{FurtherField, Scene};
 pub use setups::{is_cut_off, is_recording, setups};
 pub use size::Size;

@@ -23,12 +23,50 @@ pub struct Scene<'a> {
     /// The state for errors by wavelength, such as the end of an earlier, identical run; without it there are no such
     /// errors.
     pub reference: Option<Arc<Reference>>,
+    /// Fields besides pressure and gap that its states have.
+    pub further: Vec<FurtherField>,
+}
+
+/// A field that the states of a scene have besides pressure and gap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FurtherField {
+    /// Name of its entity.
+    pub name: &'static str,
+    /// Title of its picture.
+    pub title: String,
+    /// Symbol on its axis, with the unit that values are divided by.
+    pub symbol: &'static str,
+    /// The value at the number 1 of the axis.
+    pub unit: f64,
+    /// Least and largest value over all states.
+    pub range: [f64; 2],
+}
+
+impl FurtherField {
+    /// The field with an axis that reaches from zero over all values, or around zero where they have both signs.
+    pub fn new(name: &'static str, title: &str, (symbol, unit): (&'static str, f64), [low, high]: [f64; 2]) -> Self {
+        let most = low.abs().max(high.abs());
+        let range = match most > 0.0 {
+            false => [0.0, unit],
+            true if low < 0.0 => [-most, most],
+            true => [0.0, most],
+        };
+        Self { name, title: title.into(), symbol, unit, range }
+    }
 }
 
 impl<'a> Scene<'a> {
     /// The scene of a problem that no setup describes.
     pub fn new(name: &str, problem: &'a Problem) -> Self {
-        Self { name: name.into(), title: name.into(), problem, setup: None, exact: None, reference: None }
+        Self {
+            name: name.into(),
+            title: name.into(),
+            problem,
+            setup: None,
+            exact: None,
+            reference: None,
+            further: Vec::new(),
+        }
     }
 
     /// The scene `contact` of the problem of a setup.

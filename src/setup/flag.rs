@@ -3,6 +3,7 @@
 use super::{Boundary, Method, Part, Theme};
 use crate::contact::{Dynamics, Masses};
 use crate::elastic::Base;
+use crate::history::CreepRule;
 use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Preparation, Resample};
 use strum::{EnumMessage, IntoEnumIterator};
 
@@ -99,8 +100,21 @@ pub const FLAGS: &[Flag] = &[
     flag("pressure", "load.mean-pressure", FlagValue::List, "P[,P]", "Mean pressure, with a unit, or in the unit of the modulus; needs a modulus; several values are solved one after the other"),
     flag("reduced-pressure", "load.reduced-pressure", FlagValue::List, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus, pressures are divided by E*"),
     flag("mean-gap", "load.mean-gap", FlagValue::List, "G[,G]", "Mean gap: distance between the mean planes of both surfaces, less than the height of the highest peak; not with --solver gfmd"),
-    flag("friction", "friction.coefficient", FlagValue::One, "MU", "Coefficient of friction; needs --tangential"),
+    flag("friction", "friction.coefficient", FlagValue::One, "MU", "Coefficient of friction; needs --tangential, --path-tangential, --creepage or --rolling"),
     flag("tangential", "friction.tangential", FlagValue::One, "Q", "Tangential load along x, less than MU times the normal load, and of the same kind as it: a mean traction, a reduced traction or a force"),
+    flag("creep", "viscoelastic.creep", FlagValue::List, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is that at once after loading; needs --path-time or --speed"),
+    flag("relaxation", "viscoelastic.relaxation", FlagValue::List, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time"),
+    flag("time-rule", "viscoelastic.rule", FlagValue::Choice(choices::<CreepRule>), "RULE", "How the pressure goes over a step in time [default: constant-pressure]"),
+    flag("speed", "sliding.speed", FlagValue::List, "V[,V]", "Speed at which the surface slides steadily over a viscoelastic solid along x; 1e-3..1e3:13 for 13 speeds with equal ratios"),
+    flag("creepage", "rolling.creepage", FlagValue::List, "XI[,XI]", "Steady rolling along x of a line with friction, at this creepage; needs --friction"),
+    flag("rolling", "rolling.tangential", FlagValue::List, "Q[,Q]", "Steady rolling under this tangential load, of the same kind as the normal one; 0 for free rolling; needs --friction"),
+    flag("rolling-step", "rolling.step", FlagValue::One, "L", "Length of a step of rolling [default: the spacing of the grid]"),
+    flag("path", "path.file", FlagValue::One, "FILE.csv", "Path of a history: a table with columns time, load and tangential, of which some may be missing; loads change linearly between rows"),
+    flag("path-time", "path.time", FlagValue::List, "T[,T]", "Times of the path; one time holds the load until then; needs --creep or --relaxation"),
+    flag("path-load", "path.load", FlagValue::List, "P[,P]", "Normal loads of the path, of the same kind as the load [default: the load at all points]"),
+    flag("path-tangential", "path.tangential", FlagValue::List, "Q[,Q]", "Tangential loads of the path, of any sign and of the same kind as the load; needs --friction"),
+    flag("path-steps", "path.steps", FlagValue::One, "N", "Equal steps between two points of the path [default: 1 with friction; in time as many as --time-tolerance needs]"),
+    flag("time-tolerance", "path.time-tolerance", FlagValue::One, "ERROR", "Estimated relative error of a step in time, by which steps are chosen [default: 1e-3]"),
     flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),
     flag("approach", "load.approach", FlagValue::List, "D[,D]", "Approach of the bodies after the first contact, for a layer or a free boundary; not with --solver gfmd"),
     flag("solver", "solver.method", FlagValue::Variant(choices::<Method>), "METHOD", "The method [default: multilevel]"),

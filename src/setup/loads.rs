@@ -1,12 +1,10 @@
 //! Lists of loads in setups.
 
+use super::range::Range;
 use super::text::{SetupTable, wrong_load};
 use crate::contact::Load;
 use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
-
-/// Largest number of loads of a range.
-const MOST_LOADS: u32 = 100_000;
 
 impl SetupTable {
     /// Removes a list of loads from the section `load` and keeps the first load. Returns none if there is a single load
@@ -60,43 +58,38 @@ impl SetupTable {
     /// [`SetupError::Text`] for a unit of another form.
     pub(super) fn read_tangential(&mut self) -> Result<(), SetupError> {
         const PATH: &str = "friction.tangential";
-        let text = self.find(PATH).and_then(toml::Value::as_str).map(str::to_owned);
-        let kind = self.find("load").and_then(toml::Value::as_table).and_then(|load| load.keys().next().cloned());
-        let (Some(text), Some(kind)) = (text, kind) else { return Ok(()) };
-        let wrong = |_| {
-            let kind = kind.replace('-', " ");
-            let reason =
-                format!("{text:?} is not of the same kind as the normal load, which is a {kind}: give a {kind}");
-            SetupError::Text { place: format!("{PATH}: "), reason }
-        };
-        let tangential = read(&kind, text.clone().into()).map_err(wrong);
+        let text = self.find(PATH).filter(|value| value.is_str()).cloned();
+        let (Some(text), Some(kind)) = (text, self.load_kind()) else { return Ok(()) };
+        let tangential = read_number(PATH, &kind, &text);
         // if it is wrong, a number replaces it, so that the rest can be read
-        self.lay(PATH, tangential.as_ref().map_or(1.0, Load::value).into());
+        self.lay(PATH, tangential.as_ref().map_or(1.0, |value| *value).into());
         tangential.map(drop)
     }
+
+    /// The kind of the load, by its key.
+    pub(super) fn load_kind(&self) -> Option<String> {
+        self.find("load").and_then(toml::Value::as_table).and_then(|load| load.keys().next().cloned())
+    }
+}
+
+/// The number of a value at a path of keys that is of the kind of the load, with a unit or without.
+pub(super) fn read_number(path: &str, kind: &str, value: &toml::Value) -> Result<f64, SetupError> {
+    let wrong = |_| {
+        let (kind, text) = (kind.replace('-', " "), super::words::plain(value));
+        let reason = format!("{text:?} is not of the same kind as the normal load, which is a {kind}: give a {kind}");
+        SetupError::Text { place: format!("{path}: "), reason }
+    };
+    read(kind, value.clone()).map(|load| load.value()).map_err(wrong)
 }
 
 /// The loads of one word of a list.
 fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
-    let Some((first, rest)) = word.as_str().and_then(|text| text.split_once("..")) else {
+    let Some(range) = word.as_str().and_then(Range::parse) else {
         return Ok(vec![load(kind, word.clone())?]);
     };
-    let wrong = || {
-        let text = word.as_str().unwrap_or_default();
-        wrong_load(format!("`{text}` is not a range: give first..last:number, such as 1e-3..1e-1:13"))
-    };
-    let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
-    let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
-    if count > MOST_LOADS {
-        let text = word.as_str().unwrap_or_default();
-        return Err(wrong_load(format!("`{text}` has too many loads: give at most {MOST_LOADS}")));
-    }
-    let end = |end: &str| if end.is_empty() { Err(wrong()) } else { load(kind, super::command::value(end)) };
-    let (first, last) = (end(first.trim())?, end(last.trim())?);
-    let ratio = last.value() / first.value();
-    let share = |i: u32| f64::from(i) / f64::from(count - 1);
-    let inner = (1..count - 1).map(|i| first.with_value(first.value() * ratio.powf(share(i))));
-    Ok([first].into_iter().chain(inner).chain([last]).collect())
+    let one = load(kind, 1.0.into())?;
+    let values = range.map_err(wrong_load)?.values(|end| Ok(load(kind, super::command::value(end))?.value()));
+    values.map(|values| values.into_iter().map(|value| one.with_value(value)).collect())
 }
 
 /// The load of a kind and a number, which must be positive.

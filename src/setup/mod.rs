@@ -44,11 +44,15 @@ mod loads;
 mod method;
 mod one_or_more;
 mod part;
+mod path;
+mod process;
+mod range;
 mod recipe;
 mod solid;
 mod text;
 mod theme;
 mod units;
+mod viscoelastic;
 mod warnings;
 mod words;
 
@@ -60,10 +64,13 @@ pub use cost::{Cost, Extras, available_bytes};
 pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
 pub use method::Method;
 pub use part::{Part, Record};
+pub use path::LoadPath;
+pub use process::ProcessKind;
 pub use recipe::Recipe;
 pub use solid::{Body, LayerModulus, Solid};
 pub use text::SetupTable;
 pub use theme::Theme;
+pub use viscoelastic::{RollingMotion, SlidingMotion, Viscoelastic};
 pub use words::{differences, in_words};
 
 use crate::contact::{Friction, Law, Load, Problem, Stop};
@@ -85,6 +92,9 @@ use std::sync::Arc;
 /// | `law`     | the hardness of the softer body, a pressure                  | elastic at any pressure         |
 /// | `load`    | a mean pressure or a force (of a `solid`), a reduced pressure, a mean gap, an approach | must be there |
 /// | `friction` | a coefficient of friction and a tangential load            | none                            |
+/// | `viscoelastic` | the terms of a solid that creeps                       | elastic at all times            |
+/// | `path`    | times, loads and tangential loads of a history               | one contact, no history         |
+/// | `sliding`, `rolling` | speeds; creepages or tangential loads             | a surface at rest               |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and largest number of iterations             | 1e-8, 100 000                   |
 /// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
@@ -107,6 +117,18 @@ pub struct Setup {
     /// The tangential load that follows the normal one, and the friction that carries it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<Friction>,
+    /// The memory of a solid that creeps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub viscoelastic: Option<Viscoelastic>,
+    /// The path of a history.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path: Option<LoadPath>,
+    /// Steady sliding over a solid that creeps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sliding: Option<SlidingMotion>,
+    /// Steady rolling with friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rolling: Option<RollingMotion>,
     /// The solver with its settings.
     #[serde(default)]
     pub solver: Method,
@@ -123,7 +145,8 @@ impl Setup {
     /// divided by the modulus. A mean pressure also needs a solid, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
         let (solid, law, friction, solver, stop, record) = Default::default();
-        Self { surface, grid, solid, law, load, friction, solver, stop, record }
+        let (viscoelastic, path, sliding, rolling) = Default::default();
+        Self { surface, grid, solid, law, load, friction, viscoelastic, path, sliding, rolling, solver, stop, record }
     }
 
     /// The setup on a solid.
@@ -181,7 +204,10 @@ impl Setup {
             self.check_stress(grid)?;
         }
         self.elastic()?;
-        self.check_friction()?;
+        match self.process()? {
+            None => self.check_friction()?,
+            Some(process) => self.check_process(process, grid)?,
+        }
         if !self.load.is_pressure() && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
         }

@@ -57,3 +57,39 @@ pub fn pressures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Erro
     struct Pressure(#[serde(deserialize_with = "quantity::pressure")] f64);
     Ok(deserialize::<_, Pressure>(from)?.into_iter().map(|Pressure(pressure)| pressure).collect())
 }
+
+/// Reads a list of times, or a single one.
+pub fn times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    #[derive(serde::Deserialize)]
+    #[serde(transparent)]
+    struct Time(#[serde(deserialize_with = "quantity::time")] f64);
+    Ok(deserialize::<_, Time>(from)?.into_iter().map(|Time(time)| time).collect())
+}
+
+/// Reads a list of speeds, or a single one; a text such as `"1e-3..1e3:13"` means 13 speeds with equal ratios.
+pub fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    #[derive(serde::Deserialize)]
+    #[serde(transparent)]
+    struct Speed(#[serde(deserialize_with = "quantity::speed")] f64);
+    let one = |word: &str| {
+        let value: serde::de::value::StrDeserializer<'_, D::Error> = word.into_deserializer();
+        Speed::deserialize(value).map(|Speed(speed)| speed)
+    };
+    let words = deserialize::<_, Word>(from)?;
+    let speeds = words.into_iter().map(|word| match word {
+        Word::Number(number) => Ok(vec![number]),
+        Word::Text(text) => match super::range::Range::parse(&text) {
+            Some(range) => range.map_err(D::Error::custom)?.values(one),
+            None => one(&text).map(|speed| vec![speed]),
+        },
+    });
+    Ok(speeds.collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+/// A number, or a text.
+#[derive(serde::Deserialize)]
+#[serde(untagged)]
+enum Word {
+    Number(f64),
+    Text(String),
+}

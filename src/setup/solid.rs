@@ -127,6 +127,20 @@ impl Solid {
         Some(0.5 * (a - c) / (b + d))
     }
 
+    /// The ratio `m = sum (nu/G) / sum ((1 - nu)/G)` over the elastic bodies, by which a surface gives way more to a traction along a
+    /// wave front than across it. It is not known of a contact modulus alone, nor meant for a layer.
+    ///
+    /// # Source
+    /// Johnson, Contact Mechanics (1985), Eq. 3.75.
+    pub fn shear_ratio(&self) -> Option<f64> {
+        let Self::Bodies(first, second) = self else { return None };
+        let bodies = || [Some(*first), *second].into_iter().flatten();
+        let sum = |of: fn(f64) -> f64| -> f64 {
+            bodies().map(|Body { young, poisson }| of(poisson) * 2.0 * (1.0 + poisson) / young).sum()
+        };
+        Some(sum(|nu| nu) / sum(|nu| 1.0 - nu))
+    }
+
     /// The solid in words.
     pub fn description(&self) -> String {
         let words = |Body { young, poisson }: Body| format!("E {young:e}, nu {poisson}");

@@ -87,6 +87,9 @@ impl SetupTable {
                 }
             }
         }
+        if let Some(toml::Value::String(file)) = self.0.get_mut("path").and_then(|it| it.get_mut("file")) {
+            *file = path.with_file_name(&*file).to_string_lossy().into_owned();
+        }
         self
     }
 
@@ -196,7 +199,7 @@ impl SetupTable {
         if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
             solver.entry("method").or_insert(Method::default().name().into());
         }
-        let loads = self.check_load().and_then(|()| self.read_tangential());
+        let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());
         // an unknown key, such as a misspelt load, is said first
         self.read_as().and_then(|setup| loads.map(|()| setup))
     }

@@ -25,6 +25,8 @@ pub struct FrameFields<'a> {
     pub outline: Outline,
     /// The largest contact patches; none if nothing shows them.
     pub patches: Vec<PatchReading>,
+    /// Further fields of a state of a history, by their names.
+    pub further: Vec<(&'static str, Cow<'a, [f64]>)>,
 }
 
 /// A contact patch at a step, and its past as far as it is known.
@@ -72,7 +74,7 @@ impl<'a> FrameFields<'a> {
         let patches = if parts.has(Part::Mask) { largest(step.problem(), step.pressure()) } else { Vec::new() };
         let candidates = step.candidates().filter(|_| parts.has(Part::Mask)).unwrap_or_default();
         let (pressure, gap, candidates) = (step.pressure().into(), gap.into(), candidates.into());
-        Self { stride, pressure, gap, candidates, outline, patches }
+        Self { stride, pressure, gap, candidates, outline, patches, further: Vec::new() }
     }
 
     /// The fields with the past of their patches.
@@ -88,14 +90,22 @@ impl<'a> FrameFields<'a> {
         let outline = Outline::new(contact.problem.surface().grid(), pressure, &contact.edges());
         let patches = largest(&contact.problem, pressure);
         let candidates = Cow::default();
-        Self { stride: [1, 1], pressure: pressure.into(), gap: gap.into(), candidates, outline, patches }
+        let (pressure, gap, further) = (pressure.into(), gap.into(), Vec::new());
+        Self { stride: [1, 1], pressure, gap, candidates, outline, patches, further }
+    }
+
+    /// The fields with further ones.
+    pub fn with_further(self, further: &[(&'static str, &'a [f64])]) -> Self {
+        Self { further: further.iter().map(|(name, values)| (*name, (*values).into())).collect(), ..self }
     }
 
     /// A copy that outlives its step.
     pub fn into_owned(self) -> FrameFields<'static> {
         let [pressure, gap, candidates] =
             [self.pressure, self.gap, self.candidates].map(|values| values.into_owned().into());
-        FrameFields { stride: self.stride, pressure, gap, candidates, outline: self.outline, patches: self.patches }
+        let further = self.further.into_iter().map(|(name, values)| (name, values.into_owned().into())).collect();
+        let Self { stride, outline, patches, .. } = self;
+        FrameFields { stride, pressure, gap, candidates, outline, patches, further }
     }
 }
 

@@ -5,6 +5,7 @@ use super::chart::load_axis::LoadAxis;
 use super::chart::traces::ExactValues;
 use super::curve_ends::CurveEnds;
 use super::drawing::{Drawing, Place, RunDrawing, Subject};
+use super::field::further;
 use super::fields::{FieldExtent, FrameFields};
 use super::ink::canvas;
 use super::ink::line_plane::caption;
@@ -69,6 +70,7 @@ impl Stage {
         let plane = Plane::new(scene, &root, &options);
         let subject = Subject { scene, forecast, root: &root, options: &options, palette, plane: &plane, place };
         let rows = parts::all().filter(|row| options.what.has(row.part));
+        let further = if options.what.has(Part::Fields) { further::draw(&subject) } else { Vec::new() };
         Self {
             title: scene.title.clone(),
             palette,
@@ -81,7 +83,7 @@ impl Stage {
             has_ghost: options.ghost.is_some(),
             highest_pressure: forecast.max_pressure,
             ends: Mutex::new(CurveEnds::before(kappa_r, forecast, properties::reduced_pressure(scene.problem))),
-            drawings: rows.filter_map(|row| (row.draw)(&subject)).collect(),
+            drawings: rows.filter_map(|row| (row.draw)(&subject)).chain(further).collect(),
             plane,
             contact_modulus: scene.problem.contact_modulus(),
             reference: scene.reference.clone(),

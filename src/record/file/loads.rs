@@ -25,6 +25,10 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// Entity of the value of each load on their axis.
 const VALUE: &str = "/load/value";
 
+/// Timelines of a history.
+const STEP: &str = "step";
+const TIME: &str = "time";
+
 /// The content of a recording over loads.
 pub struct Loads<'a> {
     /// Title of the recording.
@@ -39,8 +43,29 @@ pub struct Loads<'a> {
     pub curves: Vec<RecordedCurve>,
     /// A figure with the loads along x.
     pub figure: Option<&'a plot::Figure>,
+    /// The timeline of the recording.
+    pub timeline: Timeline,
     /// Contacts that grow; each problem is the one under the heaviest load, as is its exact solution.
     pub scenes: &'a [Scene<'a>],
+}
+
+/// The timeline of a recording over loads or over the states of a history.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Timeline {
+    /// `load`: the number of the load, from 1 on.
+    Loads,
+    /// `step`: the number of the state, from 1 on; and `time`, in seconds, where the states have times.
+    States(Vec<f64>),
+}
+
+impl Timeline {
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Loads => LOAD,
+            Self::States(_) => STEP,
+        }
+    }
 }
 
 /// A recording over loads that is being written into a file, which can be opened at any time.
@@ -51,6 +76,7 @@ pub struct LoadRecording {
     description: String,
     captions: Vec<String>,
     axis: LoadAxis,
+    timeline: Timeline,
     curves: Curves,
     figure: Option<FigurePicture>,
     progress: Mutex<LoadsSoFar>,
@@ -102,6 +128,7 @@ impl LoadRecording {
             description: loads.description.clone(),
             captions: loads.captions.clone(),
             axis: loads.axis.clone(),
+            timeline: loads.timeline.clone(),
             progress: Mutex::new(LoadsSoFar { loads: BTreeSet::new(), extents, charts }),
             curves,
             figure,
@@ -138,6 +165,24 @@ impl LoadRecording {
     /// # Panics
     /// If there is no such scene or load, or if the contact is not on the grid of the scene.
     pub fn contact(&self, scene: usize, load: usize, contact: &Contact) -> Result<(), FileError> {
+        self.state(scene, load, contact, &[])
+    }
+
+    /// Records the contact of scene number `scene` in state number `load` of a history, both from 0 on, with its further fields by
+    /// their names.
+    ///
+    /// # Errors
+    /// [`FileError::Write`] if writing fails.
+    ///
+    /// # Panics
+    /// If there is no such scene or state, or if a field is not on the grid of the scene.
+    pub fn state(
+        &self,
+        scene: usize,
+        load: usize,
+        contact: &Contact,
+        further: &[(&'static str, &[f64])],
+    ) -> Result<(), FileError> {
         let stage = &self.recording.stages[scene];
         self.recording.write(|stream| {
             self.turn_to(stream, load)?;
@@ -145,7 +190,7 @@ impl LoadRecording {
             if stage.what.has_planes() {
                 stage.log_caption(stream, &self.captions[load])?;
             }
-            let fields = FrameFields::from_contact(contact);
+            let fields = FrameFields::from_contact(contact).with_further(further);
             let extent = stage.extent(&fields);
             let extents = &mut self.progress().extents;
             extents[scene] = extents[scene].and(extent);
@@ -178,7 +223,7 @@ impl LoadRecording {
     fn log_static(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
         let Self { recording, figure, curves, .. } = self;
         let charts = &self.progress().charts;
-        send_loads(&recording.stages, figure.as_ref(), charts, curves, stream)?;
+        send_loads(&recording.stages, figure.as_ref(), charts, curves, self.timeline.name(), stream)?;
         curves.log_static(stream)?;
         charts.iter().try_for_each(|chart| chart.log_static(stream))?;
         stream.log_static(VALUE, &SeriesLines::new().with_names([self.axis.name.as_str()]))?;
@@ -190,7 +235,12 @@ impl LoadRecording {
 
     /// Sets the time to a load; at its first use caption and cursor are recorded.
     fn turn_to(&self, stream: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
-        stream.set_time_sequence(LOAD, load as i64 + 1);
+        stream.set_time_sequence(self.timeline.name(), load as i64 + 1);
+        if let Timeline::States(times) = &self.timeline
+            && let Some(time) = times.get(load)
+        {
+            stream.set_duration_secs(TIME, *time);
+        }
         if !self.progress().loads.insert(load) {
             return Ok(());
         }
@@ -207,7 +257,8 @@ impl LoadRecording {
     fn text(&self, load: usize, table: &str) -> TextDocument {
         let (caption, number, all) = (&self.captions[load], load + 1, self.captions.len());
         let description = &self.description;
-        TextDocument::from_markdown(format!("# {caption}\n\nLoad {number} of {all}.\n\n{table}\n\n{description}"))
+        let word = if self.timeline == Timeline::Loads { "Load" } else { "State" };
+        TextDocument::from_markdown(format!("# {caption}\n\n{word} {number} of {all}.\n\n{table}\n\n{description}"))
     }
 
     fn progress(&self) -> MutexGuard<'_, LoadsSoFar> {

@@ -14,7 +14,7 @@ mod writer;
 mod writer_thread;
 
 pub use comparison::compare;
-pub use loads::{LoadRecording, Loads};
+pub use loads::{LoadRecording, Loads, Timeline};
 pub use output::Output;
 pub use pieces::Pieces;
 pub use recorder::Recorder;

@@ -3,7 +3,7 @@
 use super::blueprint::send;
 use super::steps::{pictures, width};
 use super::window::Sizes;
-use crate::record::draw::{Chart, ContainerKind, Curves, FigurePicture, LOAD, PANE, Pane, PaneView, Stage};
+use crate::record::draw::{Chart, ContainerKind, Curves, FigurePicture, PANE, Pane, PaneView, Stage};
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Entity of the text about the current load.
@@ -37,9 +37,10 @@ pub fn send_loads(
     figure: Option<&FigurePicture>,
     charts: &[Chart],
     curves: &Curves,
+    timeline: &'static str,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
-    send(vec![layout(stages, figure, charts, curves)], (LOAD, LOADS_PER_SEC), stream)
+    send(vec![layout(stages, figure, charts, curves)], (timeline, LOADS_PER_SEC), stream)
 }
 
 fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], curves: &Curves) -> Pane {

@@ -4,7 +4,7 @@ use super::{chunks, cylinder, row_counts, stores};
 use asperity::contact::{ContactModulus, Load, PolonskyKeer, Solver};
 use asperity::error::FileError;
 use asperity::plot::{Axis, Figure, Panel};
-use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, Parts, RecordedCurve, Scene};
+use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, Parts, RecordedCurve, Scene, Timeline};
 use asperity::setup::Part;
 use asperity::{Grid, Indenter, Problem, Stop};
 use rerun::components::{LineStrip2D, Position2D, Radius, Scale3D, Text, Translation3D};
@@ -38,6 +38,7 @@ fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {
         axis: LoadAxis::log("p*", LOADS.to_vec()),
         curves: vec![curve("kappa", "kappa_r"), curve("kappa", "kappa"), curve("area", "area")],
         figure,
+        timeline: Timeline::Loads,
         scenes,
     }
 }

@@ -3,7 +3,7 @@
 use super::{cylinder, rough_surface, stores};
 use asperity::contact::{PolonskyKeer, Solver};
 use asperity::plot::{Axis, Figure, Panel};
-use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Recording, Scene};
+use asperity::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Recording, Scene, Timeline};
 use asperity::setup::Theme;
 use asperity::{Problem, Stop};
 use rerun::components::Color;
@@ -32,6 +32,7 @@ fn record_loads(path: &Path, problem: &Problem, theme: Theme) {
         axis: LoadAxis::log("x", vec![0.1]),
         curves: vec![RecordedCurve { view: "y".into(), name: "y".into(), colour: [0; 3], kind: CurveKind::Computed }],
         figure: Some(&figure),
+        timeline: Timeline::Loads,
         scenes: &[Scene::new("it", problem)],
     };
     let recording = LoadRecording::create(path, &loads, themed(theme)).unwrap();

@@ -188,6 +188,7 @@ mod tests {
             candidates: (&[]).into(),
             outline: Outline::default(),
             patches: Vec::new(),
+            further: Vec::new(),
         };
         let found = shares(&fields);
         let expected = [0.0, 1.0, 0.5, 0.0, 0.0];

@@ -4,6 +4,7 @@
 mod curves;
 mod error_density;
 mod fringes;
+pub mod further;
 mod images;
 pub mod relief;
 mod spectrum;

@@ -25,7 +25,7 @@ impl SurfaceRelief {
         let gap = heights.iter().map(|h| high - 2.0 * h).collect::<Vec<_>>().into();
         let pressure = heights.iter().map(|h| h - low).collect::<Vec<_>>().into();
         let (outline, patches, candidates) = (Outline::default(), Vec::new(), Cow::default());
-        let fields = FrameFields { stride: [1, 1], pressure, gap, candidates, outline, patches };
+        let fields = FrameFields { stride: [1, 1], pressure, gap, candidates, outline, patches, further: Vec::new() };
         Self { relief, fields }
     }
 

@@ -50,6 +50,12 @@ impl Ruler {
         Self { unit: ruler.unit * rms_height, least: LEAST_GAP * rms_height, ..ruler }
     }
 
+    /// An axis for values of a range, in a unit, with some room at each end that is not zero.
+    pub fn over(symbol: &str, range: [f64; 2], unit: f64) -> Self {
+        let ruler = Self::new(symbol, "", range.map(|end| HEADROOM * end / unit));
+        Self { unit: ruler.unit * unit, ..ruler }
+    }
+
     /// The axis fitted to values up to `highest`.
     pub fn fitted(&self, highest: f64) -> Axis {
         let [low, high] = self.axis.range;

@@ -1,0 +1,286 @@
+//! `asperity solve` with a history: creep, slip, sliding or rolling.
+
+use super::exit_status::{ExitStatus, usage};
+use super::interrupt::{Interruption, interrupted};
+use super::output::{write_json, write_rows};
+use super::outputs::Outputs;
+use super::picture;
+use super::problem_summary::ProblemSummary;
+use super::progress::Progress;
+use super::solve_plan::{self, SolvePlan};
+use super::units::Units;
+use super::warnings;
+use super::wrote::wrote;
+use anyhow::Result;
+use asperity::contact::{Problem, Status};
+use asperity::error::HistoryError;
+use asperity::files::write_beside;
+use asperity::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history};
+use asperity::job::HistoryOutcome;
+use asperity::quantity::number_in_words;
+use asperity::setup::{Part, ProcessKind, Setup};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::io::{self, Write, stdout};
+use std::path::Path;
+
+/// Columns of the table for reading, by process.
+const COLUMNS: [(ProcessKind, &[&str]); 4] = [
+    (
+        ProcessKind::Creep,
+        &[
+            "time",
+            "mean_pressure",
+            "relative_area",
+            "kappa_r",
+            "mean_gap",
+            "effective_pressure",
+            "dissipated",
+            "time_error",
+            "certificate",
+        ],
+    ),
+    (
+        ProcessKind::Slip,
+        &[
+            "mean_pressure",
+            "mean_traction",
+            "friction",
+            "shift",
+            "stick_share",
+            "dissipated",
+            "relative_area",
+            "traction_certificate",
+        ],
+    ),
+    (
+        ProcessKind::Sliding,
+        &[
+            "speed",
+            "friction",
+            "friction_full_contact",
+            "friction_persson",
+            "relative_area",
+            "mean_gap",
+            "max_pressure",
+            "certificate",
+        ],
+    ),
+    (
+        ProcessKind::Rolling,
+        &[
+            "creepage",
+            "friction",
+            "stick_share",
+            "relative_area",
+            "max_pressure",
+            "certificate",
+            "traction_certificate",
+        ],
+    ),
+];
+
+/// Everything that a script may want to know about a history, and the setup that repeats it.
+#[derive(Serialize)]
+struct HistorySummary {
+    #[serde(flatten)]
+    subject: ProblemSummary,
+    process: &'static str,
+    /// What the states claim to be.
+    claim: &'static str,
+    states: Vec<Map<String, Value>>,
+    /// Energy lost in each closed cycle of the path, per area of the cell.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    energy_per_cycle: Vec<f64>,
+    warnings: Vec<String>,
+    setup: Setup,
+}
+
+/// Follows the history of a setup, and writes and prints its states.
+pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Result<ExitStatus> {
+    check(setup, outputs)?;
+    let cost = setup.cost(&outputs.extras(1))?;
+    outputs.check()?;
+    if is_dry {
+        let plan = SolvePlan { setup, cost: &cost, loads: None, is_recorded: false, is_passed_twice: false };
+        solve_plan::write(&plan, &mut stdout())?;
+        writeln!(
+            stdout(),
+            "  states      each of the history takes a solve, from the state before; all are kept in memory"
+        )?;
+    }
+    cost.check(setup.solver.name())?;
+    if is_dry {
+        return Ok(ExitStatus::Done);
+    }
+    let problem = setup.problem()?;
+    let of_surface = setup.surface.warnings(problem.surface());
+    if outputs.strict {
+        warnings::refuse_if_strict(&warnings::in_flags(&of_surface), true)?;
+    }
+    let mut observer = (Interruption(interrupted()?), Progress::new("history"));
+    let mut outcome = HistoryOutcome::solve(setup, &problem, &mut observer)?;
+    let ended = outcome.ended.take();
+    let is_stopped = matches!(ended, Some(HistoryError::Stopped));
+    if let Some(error) = ended.filter(|_| !is_stopped) {
+        warnings::print(&[format!("the history ended after {} states: {error}", outcome.states.len())]);
+    }
+    if is_stopped {
+        warnings::print(&[format!("interrupted: {} states were solved and written", outcome.states.len())]);
+    }
+    let is_converged = outcome.states.iter().all(|state| state.contact.is_converged());
+    let mut all = of_surface;
+    all.extend(outcome.warnings(setup));
+    let all = warnings::in_flags(&all);
+    warnings::refuse_if_strict(&all, outputs.strict)?;
+    write(setup, &problem, outcome, (outputs, units), all)?;
+    outputs.files().for_each(wrote);
+    Ok(match (is_stopped, is_converged) {
+        (true, _) => ExitStatus::Interrupted,
+        (false, true) => ExitStatus::Done,
+        (false, false) => ExitStatus::NotConverged,
+    })
+}
+
+/// Refuses outputs that a history does not have.
+fn check(setup: &Setup, outputs: &Outputs) -> Result<()> {
+    #[cfg(feature = "record")]
+    if outputs.live {
+        return usage("--live shows the steps of one solve, but a history has many: use --record FILE.rrd");
+    }
+    if outputs.stress.is_some() {
+        return usage("--stress is for one contact, but a history has many states: leave it out");
+    }
+    if let Some(part) = setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) {
+        let part = part.name();
+        return usage(format!(
+            "the recording part {part} shows the steps of one solve, but a history has many: leave it out"
+        ));
+    }
+    Ok(())
+}
+
+/// Writes and prints what came out.
+fn write(
+    setup: &Setup,
+    problem: &Problem,
+    outcome: HistoryOutcome,
+    (outputs, units): (&Outputs, Units),
+    warnings: Vec<String>,
+) -> Result<()> {
+    let (subject, full) = (ProblemSummary::new(setup, problem)?, setup.clone().with_full_path());
+    let quantities = outcome.quantities();
+    if let Some(path) = outputs.table() {
+        write_table(path, &outcome.states, &quantities)?;
+    }
+    if let Some(path) = outputs.picture() {
+        picture::write(path, &super::history_picture::draw(&subject.title, &outcome))?;
+    }
+    #[cfg(feature = "record")]
+    if let Some(path) = outputs.recording() {
+        outcome.record(path, setup, problem)?;
+    }
+    if let Some(path) = &outputs.save_setup {
+        setup.write(path)?;
+    }
+    let summary = HistorySummary {
+        process: outcome.kind.into(),
+        claim: outcome.states.first().map_or("", |state| state.claim.words()),
+        states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, &quantities)).collect(),
+        energy_per_cycle: outcome.cycles(setup),
+        warnings,
+        setup: full,
+        subject,
+    };
+    if outputs.json {
+        write_json(&summary, &mut stdout())?;
+    } else {
+        summary.write_text(&outcome, units, &mut stdout())?;
+    }
+    warnings::print(&summary.warnings);
+    if let Some(path) = outputs.archive() {
+        let bytes = archive_of_history(outcome.states, &quantities, summary.subject.rank, &summary.setup.to_toml());
+        write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
+    }
+    Ok(())
+}
+
+/// The numbers of a state, by their names.
+fn object(number: usize, state: &HistoryState, quantities: &[&HistoryQuantity]) -> Map<String, Value> {
+    let first = [("state".to_owned(), Value::from(number + 1)), ("status".to_owned(), word(state.contact.status))];
+    let value = |it: &&HistoryQuantity| Some((it.name.to_owned(), Value::from((it.value)(state)?)));
+    first.into_iter().chain(quantities.iter().filter_map(value)).collect()
+}
+
+fn word(status: Status) -> Value {
+    serde_json::to_value(status).unwrap_or_default()
+}
+
+/// Writes the numbers of all states as comma-separated values.
+fn write_table(path: &Path, states: &[HistoryState], quantities: &[&HistoryQuantity]) -> Result<()> {
+    write_beside(path, |file| {
+        let names: Vec<&str> = ["state", "status"].into_iter().chain(quantities.iter().map(|it| it.name)).collect();
+        writeln!(file, "{}", names.join(","))?;
+        states.iter().enumerate().try_for_each(|(i, state)| {
+            let values = quantities.iter().map(|it| (it.value)(state).map_or(String::new(), |value| value.to_string()));
+            let status = word(state.contact.status).as_str().unwrap_or_default().to_owned();
+            let cells: Vec<String> = [(i + 1).to_string(), status].into_iter().chain(values).collect();
+            writeln!(file, "{}", cells.join(","))
+        })
+    })?;
+    Ok(())
+}
+
+impl HistorySummary {
+    /// Writes the summary for reading.
+    fn write_text(&self, outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+        let (states, process) = (outcome.states.len(), self.process);
+        writeln!(out, "{}: {process}, {states} states", self.subject.line())?;
+        let claim = ("claim".to_owned(), self.claim.to_owned());
+        write_rows(self.subject.rows(units).into_iter().chain([claim]), out)?;
+        let named = COLUMNS.iter().find(|(kind, _)| *kind == outcome.kind).map_or(&[][..], |(_, columns)| columns);
+        let has = |it: &&HistoryQuantity| outcome.states.iter().any(|state| (it.value)(state).is_some());
+        let find = |name: &&str| HISTORY_QUANTITIES.iter().find(|it| it.name == *name).filter(has);
+        let columns: Vec<&HistoryQuantity> = named.iter().filter_map(find).collect();
+        writeln!(out)?;
+        columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(it)))?;
+        writeln!(out)?;
+        for state in &outcome.states {
+            columns.iter().try_for_each(|it| write!(out, " {:>15}", cell(it, state, units)))?;
+            writeln!(out)?;
+        }
+        if !self.energy_per_cycle.is_empty() {
+            let energies: Vec<String> = self.energy_per_cycle.iter().map(|it| units.energy_per_area(*it)).collect();
+            writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))?;
+        }
+        Ok(())
+    }
+}
+
+/// The heading of a column, of at most 15 letters.
+fn heading(quantity: &HistoryQuantity) -> &'static str {
+    match quantity.name {
+        "friction" => "friction",
+        "friction_full_contact" => "in full contact",
+        "friction_persson" => "Persson",
+        "effective_pressure" => "eff. pressure",
+        "stick_share" => "sticks",
+        "dissipated" => "energy lost",
+        "max_pressure" => "max. pressure",
+        "certificate" => "eta",
+        "traction_certificate" => "eta of traction",
+        _ => quantity.title,
+    }
+}
+
+/// A number of a state with its unit, where that is known; a dash where there is none.
+fn cell(quantity: &HistoryQuantity, state: &HistoryState, units: Units) -> String {
+    let Some(value) = (quantity.value)(state) else { return "-".into() };
+    match quantity.unit {
+        HistoryUnit::Length => units.length(value),
+        HistoryUnit::Pressure => units.pressure(value),
+        HistoryUnit::EnergyPerArea => units.energy_per_area(value),
+        _ if quantity.name.contains("certificate") || quantity.name.contains("error") => format!("{value:.1e}"),
+        _ => number_in_words(value),
+    }
+}

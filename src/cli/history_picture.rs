@@ -1,0 +1,65 @@
+//! The picture of a history.
+
+use asperity::history::{HISTORY_QUANTITIES, HistoryState};
+use asperity::job::HistoryOutcome;
+use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
+use asperity::setup::ProcessKind;
+
+/// Room beyond the extreme values of a curve, over their distance.
+const ROOM: f64 = 0.05;
+
+/// What a panel shows, by the names of two quantities, and whether the first one is on a logarithmic axis.
+struct HistoryPanel {
+    x: &'static str,
+    y: &'static str,
+    is_logarithmic: bool,
+}
+
+/// The panels of a process.
+fn panels(kind: ProcessKind) -> [HistoryPanel; 2] {
+    let panel = |x, y, is_logarithmic| HistoryPanel { x, y, is_logarithmic };
+    match kind {
+        ProcessKind::Creep => [panel("time", "relative_area", false), panel("time", "mean_gap", false)],
+        ProcessKind::Slip => [panel("shift", "mean_traction", false), panel("shift", "stick_share", false)],
+        ProcessKind::Sliding => [panel("speed", "friction", true), panel("speed", "relative_area", true)],
+        ProcessKind::Rolling => [panel("creepage", "friction", false), panel("creepage", "stick_share", false)],
+    }
+}
+
+/// The picture of the states of a history.
+pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
+    let panels = panels(outcome.kind).map(|panel| panel.draw(&outcome.states));
+    Figure { title: title.into(), panels: panels.into() }
+}
+
+impl HistoryPanel {
+    fn draw(&self, states: &[HistoryState]) -> Panel {
+        let [x, y] = [self.x, self.y].map(|name| {
+            let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
+            let value = |state: &HistoryState| found.and_then(|it| (it.value)(state)).unwrap_or(f64::NAN);
+            (found.map_or(name, |it| it.title), states.iter().map(value).collect::<Vec<f64>>())
+        });
+        let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
+            let [low, high] = range(values);
+            match is_logarithmic && low > 0.0 {
+                true => Axis::log(*title, [low / 1.2, high * 1.2]),
+                false => Axis::linear(*title, [low - ROOM * (high - low), high + ROOM * (high - low)]),
+            }
+        };
+        let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
+        let mut panel = Panel::new(format!("{} against {}", y.0, x.0), axis(&x, self.is_logarithmic), axis(&y, false));
+        panel.add("", Colour::ORANGE, Mark::Joined { symbol: Symbol::Circle, filled: true }, dots);
+        panel
+    }
+}
+
+/// The least and the largest finite value, with zero beside values that are all the same.
+fn range(values: &[f64]) -> [f64; 2] {
+    let finite = values.iter().filter(|it| it.is_finite());
+    let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], it| [low.min(*it), high.max(*it)]);
+    match low < high {
+        true => [low, high],
+        false if low.is_finite() && low != 0.0 => [low.min(0.0), low.max(0.0)],
+        false => [0.0, 1.0],
+    }
+}

@@ -1,0 +1,53 @@
+//! Contacts with friction, and histories of contacts, that cannot be solved.
+
+use super::{CreepError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
+
+/// A tangential load that cannot be carried or solved.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum SlipError {
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A quantity that must be positive and finite is not.
+    #[error("the {name} is {value:?}: give a positive, finite value")]
+    NotPositive { name: &'static str, value: f64 },
+    /// A tangential load that is at the limit of friction, or above it.
+    #[error(
+        "the tangential load {tangential:?} makes everything slide, since friction carries less than {limit:?}: give \
+         less, or more friction or more normal load"
+    )]
+    Sliding { tangential: f64, limit: f64 },
+    /// A hardness beside friction.
+    #[error("friction cannot be computed where the surface yields: leave the hardness out, or the friction")]
+    Yielding,
+    /// A normal load that is not a pressure.
+    #[error(
+        "friction needs a given pressure, but {load} is given: give a mean pressure, a reduced pressure or a force"
+    )]
+    NeedsPressure { load: String },
+}
+
+/// A history that cannot go on.
+#[derive(Debug, Clone, thiserror::Error)]
+pub enum HistoryError {
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    #[error(transparent)]
+    Slip(#[from] SlipError),
+    #[error(transparent)]
+    Creep(#[from] CreepError),
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// An observer stopped the history.
+    #[error("the history was stopped")]
+    Stopped,
+}

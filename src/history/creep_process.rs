@@ -1,0 +1,81 @@
+//! The process of a viscoelastic solid along a path of loads and times.
+
+use super::process::{EachState, PathPoint, Process};
+use super::{
+    Creep, CreepPath, CreepRule, CreepState, CreepSteps, HistoryClaim, HistoryField, HistoryNumbers, HistoryState,
+};
+use crate::contact::{Load, Observer, Problem, Solver, Stop};
+use crate::elastic::Prony;
+use crate::error::{CreepError, HistoryError};
+
+/// The process of a viscoelastic solid in time.
+pub struct CreepProcess<'s> {
+    steps: CreepSteps<'s>,
+    points: Vec<(f64, Load)>,
+    /// Points that were put before those of the path.
+    before: usize,
+}
+
+impl<'s> CreepProcess<'s> {
+    /// The process of a problem on a solid with a memory along a path whose points have times. A path that does not begin at time 0 begins
+    /// with the load of its first point at that time. There are as many equal `steps` between two points, or as many as a `tolerance` needs.
+    ///
+    /// # Errors
+    /// The errors of [`CreepPath::new`], [`CreepSteps::fixed`] and [`CreepSteps::adaptive`].
+    pub fn new(
+        (problem, prony, rule): (Problem, Prony, CreepRule),
+        path: &[PathPoint],
+        (steps, tolerance): (Option<usize>, f64),
+        (solver, stop): (&'s dyn Solver, Stop),
+    ) -> Result<Self, CreepError> {
+        let mut points: Vec<(f64, Load)> = path.iter().map(|it| (it.time.unwrap_or(0.0), it.load)).collect();
+        let begin = points.first().filter(|(time, _)| *time > 0.0).map(|(_, load)| (0.0, *load));
+        points.splice(0..0, begin);
+        let (creep, path) = (Creep::new(problem, prony).with_rule(rule), CreepPath::new(points)?);
+        let points = path.points().to_vec();
+        let steps = match steps {
+            Some(count) => CreepSteps::fixed(creep, path, count, solver, stop)?,
+            None => CreepSteps::adaptive(creep, path, tolerance, solver, stop)?,
+        };
+        Ok(Self { steps, points, before: usize::from(begin.is_some()) })
+    }
+}
+
+impl Process for CreepProcess<'_> {
+    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
+        let mut next = 0;
+        while let Some(state) = self.steps.next_watched(observer) {
+            let state = state?;
+            let reached = self.points.get(next).filter(|(time, load)| *time == state.time && Some(*load) == state.load);
+            let is_point = reached.is_some();
+            let point = if is_point { next.checked_sub(self.before) } else { None };
+            next += usize::from(is_point);
+            each(state.into_history(point))?;
+        }
+        Ok(())
+    }
+}
+
+impl CreepState {
+    /// The state as one of any history.
+    pub fn into_history(self, point: Option<usize>) -> HistoryState {
+        let effective = self.effective_pressure();
+        let resolved = self.resolved();
+        let is_pressed = self.contact.mean_pressure() > 0.0;
+        let numbers = HistoryNumbers {
+            time: Some(self.time),
+            effective_pressure: effective.mean(),
+            relative_area: Some(if is_pressed { resolved.relative_area } else { 0.0 }),
+            kappa_r: is_pressed.then_some(resolved.kappa_r),
+            dissipated: Some(self.energy.lost),
+            stored: Some(self.energy.stored),
+            work_done: Some(self.energy.work),
+            time_error: self.time_error.is_finite().then_some(self.time_error),
+            history_bound: Some(self.error_bound()),
+            ..HistoryNumbers::default()
+        };
+        let fields = vec![HistoryField::remembered(effective - &self.contact.pressure)];
+        let (claim, work, contact) = (HistoryClaim::Solution, self.contact.work, self.contact);
+        HistoryState { contact, point, claim, numbers, fields, work }
+    }
+}

@@ -1,0 +1,152 @@
+//! A process that makes the next state of a contact from the last one.
+
+use crate::contact::{Contact, Load, Observer, Work};
+use crate::error::HistoryError;
+use crate::surface::Field;
+use serde::Serialize;
+
+/// A point of the path of a history. Between two points, loads change linearly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathPoint {
+    /// The time, for solids that creep.
+    pub time: Option<f64>,
+    /// The normal load. Its number may be zero: then nothing touches.
+    pub load: Load,
+    /// The tangential load, of the same kind as the normal one and of any sign, where there is friction.
+    pub tangential: Option<f64>,
+}
+
+/// A process that makes the next state of a contact from the last one: creep, slip, sliding, rolling. It knows its path.
+///
+/// Tables, recordings and pictures know states, and no process.
+pub trait Process {
+    /// Goes along the path, and gives each state to `each` as soon as it is solved. The observer sees the steps of all solves.
+    ///
+    /// # Errors
+    /// For a load that cannot be, and those of the solver and of `each`: the path ends there.
+    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError>;
+}
+
+/// What receives the states of a history.
+pub type EachState<'e> = dyn FnMut(HistoryState) -> Result<(), HistoryError> + 'e;
+
+/// What a state claims to be, see [`HistoryState::claim`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum HistoryClaim {
+    /// The solution of the step, a convex problem, to its certificate.
+    Solution,
+    /// A pressure whose distance from the solution is bounded by the certificate. No energy is lowered, since the problem is
+    /// monotone and not symmetric.
+    Bounded,
+    /// Alternating rounds that have converged. Each of both problems is certified for the result of the other one, but not the pair.
+    RoundsConverged,
+}
+
+impl HistoryClaim {
+    /// The claim in one sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Solution => "each step is solved to its certificate",
+            Self::Bounded => "the certificate bounds the error of the pressure; there is no energy that it could bound",
+            Self::RoundsConverged => {
+                "pressure and traction are each certified for the other one; for the pair no bound is known"
+            }
+        }
+    }
+}
+
+/// A state of a history: the contact, and what the process knows besides.
+#[derive(Debug, Clone)]
+pub struct HistoryState {
+    /// The contact under the normal load of the state.
+    pub contact: Contact,
+    /// The point of the path that it has reached, from 0; none between two points.
+    pub point: Option<usize>,
+    /// What the state claims to be.
+    pub claim: HistoryClaim,
+    /// The numbers of the process; those of [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES).
+    pub numbers: HistoryNumbers,
+    /// Further fields of the process, by their names.
+    pub fields: Vec<HistoryField>,
+    /// Work since the last state.
+    pub work: Work,
+}
+
+/// A field of a state besides those of its contact.
+#[derive(Debug, Clone)]
+pub struct HistoryField {
+    /// Its name, such as `traction`.
+    pub name: &'static str,
+    /// Its title in pictures.
+    pub title: &'static str,
+    /// Its symbol on an axis, with what it is divided by: the contact modulus, or the rms height.
+    pub symbol: &'static str,
+    /// Whether it is a pressure; else it is a length.
+    pub is_pressure: bool,
+    /// Its values, shape `(ny, nx)`.
+    pub values: Field,
+}
+
+/// The numbers of a state that belong to its process; those that a process does not have are none.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct HistoryNumbers {
+    /// Time since the beginning.
+    pub time: Option<f64>,
+    /// Speed of sliding, a length per time.
+    pub speed: Option<f64>,
+    /// Creepage of rolling.
+    pub creepage: Option<f64>,
+    /// Mean traction along `x` on the solid, a pressure.
+    pub mean_traction: Option<f64>,
+    /// Tangential force over normal force.
+    pub friction: Option<f64>,
+    /// Force across the motion over the normal force, of surfaces that slide.
+    pub lateral_friction: Option<f64>,
+    /// The friction in full contact under the same load.
+    pub friction_full_contact: Option<f64>,
+    /// The friction of Persson's theory of partial contact.
+    pub friction_persson: Option<f64>,
+    /// Mean of the effective pressure `p + sum eps_j` of a solid that creeps.
+    pub effective_pressure: Option<f64>,
+    /// Relative area, with edges resolved by the effective pressure, where that is another one than the pressure.
+    pub relative_area: Option<f64>,
+    /// `kappa_r` with the effective modulus.
+    pub kappa_r: Option<f64>,
+    /// Shift of the rigid surface along `x` since the beginning, a length.
+    pub shift: Option<f64>,
+    /// Share of the nodes in contact that stick.
+    pub stick_share: Option<f64>,
+    /// Dissipated energy since the beginning, per area of the cell.
+    pub dissipated: Option<f64>,
+    /// Elastic energy that is stored, per area of the cell: of a solid that creeps all of it, with friction that of the traction.
+    pub stored: Option<f64>,
+    /// Work of the load since the beginning, per area of the cell.
+    pub work_done: Option<f64>,
+    /// Estimated relative error of the effective pressure by steps in time.
+    pub time_error: Option<f64>,
+    /// Bound of the error of the effective pressure by all certificates so far, over the effective pressure.
+    pub history_bound: Option<f64>,
+    /// Certificate of the traction.
+    pub traction_certificate: Option<f64>,
+}
+
+impl HistoryField {
+    /// The traction along `x` on the solid.
+    pub fn traction(values: Field) -> Self {
+        let (title, symbol) = ("Traction along x on the solid", "τ / E*");
+        Self { name: "traction", title, symbol, is_pressure: true, values }
+    }
+
+    /// The slip of the surface of the solid along `x` relative to the rigid surface.
+    pub fn slip(values: Field) -> Self {
+        let (title, symbol) = ("Slip of the solid along x", "slip / h_rms");
+        Self { name: "slip", title, symbol, is_pressure: false, values }
+    }
+
+    /// What a solid that creeps remembers, as the pressure that would displace the glassy solid as far.
+    pub fn remembered(values: Field) -> Self {
+        let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");
+        Self { name: "stored_strain", title, symbol, is_pressure: true, values }
+    }
+}

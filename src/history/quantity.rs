@@ -1,0 +1,86 @@
+//! The numbers of the states of a history: the one table of them.
+
+use super::HistoryState;
+
+/// The unit of a number of a state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HistoryUnit {
+    /// Dimensionless.
+    One,
+    /// A time.
+    Time,
+    /// A length.
+    Length,
+    /// A length per time.
+    Speed,
+    /// A pressure.
+    Pressure,
+    /// An energy per area.
+    EnergyPerArea,
+}
+
+/// A number of the states of a history.
+pub struct HistoryQuantity {
+    /// Its name in tables and files.
+    pub name: &'static str,
+    /// Its title in charts.
+    pub title: &'static str,
+    /// Its unit.
+    pub unit: HistoryUnit,
+    /// What it is, in one sentence.
+    pub help: &'static str,
+    /// Its value; none where the process has no such number.
+    pub value: fn(&HistoryState) -> Option<f64>,
+}
+
+/// All numbers of the states of a history, in the order of a table.
+#[rustfmt::skip]
+pub const HISTORY_QUANTITIES: &[HistoryQuantity] = &[
+    quantity("time", "time", HistoryUnit::Time, "Time since the beginning.", |it| it.numbers.time),
+    quantity("speed", "speed", HistoryUnit::Speed, "Speed at which the surface slides over the solid.", |it| it.numbers.speed),
+    quantity("creepage", "creepage", HistoryUnit::One, "Creepage of rolling: the relative difference of the speeds of both surfaces.", |it| it.numbers.creepage),
+    quantity("mean_pressure", "mean pressure", HistoryUnit::Pressure, "Mean pressure.", |it| Some(it.contact.mean_pressure())),
+    quantity("mean_traction", "mean traction", HistoryUnit::Pressure, "Mean traction along x on the solid.", |it| it.numbers.mean_traction),
+    quantity("friction", "friction coefficient", HistoryUnit::One, "Tangential force over normal force.", |it| it.numbers.friction),
+    quantity("lateral_friction", "lateral coefficient", HistoryUnit::One, "Force on the solid across the motion over the normal force.", |it| it.numbers.lateral_friction),
+    quantity("friction_full_contact", "friction in full contact", HistoryUnit::One, "Friction coefficient in full contact under the same load, exact where all nodes touch.", |it| it.numbers.friction_full_contact),
+    quantity("friction_persson", "friction by Persson", HistoryUnit::One, "Friction coefficient of Persson's theory, an estimate for partial contact.", |it| it.numbers.friction_persson),
+    quantity("relative_area", "relative area", HistoryUnit::One, "Relative contact area, with edges interpolated between the nodes.", |it| Some(it.relative_area())),
+    quantity("kappa_r", "kappa_r", HistoryUnit::One, "Area-load factor with the rms gradient in contact; of a solid that creeps, with its effective modulus.", |it| Some(it.kappa_r())),
+    quantity("mean_gap", "mean gap", HistoryUnit::Length, "Mean gap.", |it| Some(it.contact.mean_gap())),
+    quantity("approach", "approach", HistoryUnit::Length, "Approach of the bodies since the highest peak touched; not defined on a periodic half-space.", |it| it.contact.approach()),
+    quantity("max_pressure", "largest pressure", HistoryUnit::Pressure, "Largest pressure.", |it| Some(it.contact.max_pressure())),
+    quantity("effective_pressure", "effective pressure", HistoryUnit::Pressure, "Mean pressure that would displace the glassy solid as far: that of the contact and what the solid remembers.", |it| it.numbers.effective_pressure),
+    quantity("shift", "shift", HistoryUnit::Length, "Shift of the rigid surface along x since the beginning.", |it| it.numbers.shift),
+    quantity("stick_share", "share that sticks", HistoryUnit::One, "Share of the nodes in contact that stick.", |it| it.numbers.stick_share),
+    quantity("dissipated", "dissipated energy", HistoryUnit::EnergyPerArea, "Energy dissipated since the beginning, per area of the cell.", |it| it.numbers.dissipated),
+    quantity("stored", "stored energy", HistoryUnit::EnergyPerArea, "Elastic energy that is stored, per area of the cell; with friction that of the traction alone.", |it| it.numbers.stored),
+    quantity("work_done", "work of the load", HistoryUnit::EnergyPerArea, "Work of the load since the beginning, per area of the cell.", |it| it.numbers.work_done),
+    quantity("time_error", "error in time", HistoryUnit::One, "Estimated relative error of the effective pressure by the length of the steps in time.", |it| it.numbers.time_error),
+    quantity("history_bound", "bound through time", HistoryUnit::One, "Bound of the relative error of the effective pressure by the certificates of all steps so far.", |it| it.numbers.history_bound),
+    quantity("certificate", "certificate", HistoryUnit::One, "Certificate eta of the pressure.", |it| Some(it.contact.certificate.eta)),
+    quantity("traction_certificate", "certificate of the traction", HistoryUnit::One, "Certificate eta of the traction.", |it| it.numbers.traction_certificate),
+    quantity("transforms", "transforms", HistoryUnit::One, "Fourier transforms since the state before.", |it| Some(it.work.transforms as f64)),
+];
+
+const fn quantity(
+    name: &'static str,
+    title: &'static str,
+    unit: HistoryUnit,
+    help: &'static str,
+    value: fn(&HistoryState) -> Option<f64>,
+) -> HistoryQuantity {
+    HistoryQuantity { name, title, unit, help, value }
+}
+
+impl HistoryState {
+    /// Relative contact area, with edges interpolated between the nodes: of a solid that creeps, by its effective pressure.
+    pub fn relative_area(&self) -> f64 {
+        self.numbers.relative_area.unwrap_or_else(|| self.contact.resolved().relative_area)
+    }
+
+    /// `kappa_r`: of a solid that creeps, with its effective modulus.
+    pub fn kappa_r(&self) -> f64 {
+        self.numbers.kappa_r.unwrap_or_else(|| self.contact.resolved().kappa_r)
+    }
+}

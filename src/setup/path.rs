@@ -1,0 +1,176 @@
+//! The path of a history: loads in their order, and times.
+
+use super::loads::read_number;
+use super::text::SetupTable;
+use super::{Setup, one_or_more};
+use crate::contact::Load;
+use crate::error::{FileError, SetupError};
+use crate::history::PathPoint;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// Largest number of points of a path.
+const MOST_POINTS: usize = 100_000;
+
+/// Columns of a file with a path, and the keys of a setup that they become.
+const COLUMNS: [&str; 3] = ["time", "load", "tangential"];
+
+/// The path of a history, as lists of the same length, one entry for each point. Between two points, loads change linearly.
+///
+/// In a scene it is the section `path`; a file of comma-separated values whose first row names the columns `time`, `load` and
+/// `tangential`, of which some may be missing, takes the place of the lists as `path.file`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct LoadPath {
+    /// Times, in ascending order from 0; two equal ones are a jump of the load. Needed for a solid that creeps. The load of the
+    /// first point is applied at time 0.
+    #[serde(
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "one_or_more::serialize",
+        deserialize_with = "one_or_more::times"
+    )]
+    pub time: Vec<f64>,
+    /// Normal loads, of the same kind as the load of the setup; that one at all points if the list is left out.
+    #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
+    pub load: Vec<f64>,
+    /// Tangential loads, of the same kind as the normal ones and of any sign; needed with friction.
+    #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
+    pub tangential: Vec<f64>,
+    /// Equal steps between two points; without it one with friction, and as many as the error in time needs where there are times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steps: Option<usize>,
+    /// The estimated relative error of a step in time, by which steps are chosen; 1e-3 if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_tolerance: Option<f64>,
+}
+
+impl LoadPath {
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        [&self.time, &self.load, &self.tangential].into_iter().map(Vec::len).max().unwrap_or(0)
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Checks that the lists have one length, that times ascend from 0, and that all numbers are finite.
+    ///
+    /// # Errors
+    /// [`SetupError::Path`].
+    pub fn check(&self) -> Result<(), SetupError> {
+        let wrong = |reason: String| Err(SetupError::Path { reason });
+        let lists = [&self.time, &self.load, &self.tangential];
+        let lengths = lists.map(Vec::len);
+        let (most, named) = (self.len(), COLUMNS.into_iter().zip(lists));
+        if most == 0 {
+            return wrong("the path has no points: give times, loads or tangential loads".into());
+        }
+        if most > MOST_POINTS {
+            return wrong(format!("the path has {most} points: give at most {MOST_POINTS}"));
+        }
+        if lengths.iter().any(|length| *length != 0 && *length != most) {
+            let [time, load, tangential] = lengths;
+            return wrong(format!(
+                "the path has {time} times, {load} loads and {tangential} tangential loads: give one of each for every point, or \
+                 leave a list out"
+            ));
+        }
+        for (name, list) in named {
+            let least = if name == "tangential" { f64::NEG_INFINITY } else { 0.0 };
+            if let Some(value) = list.iter().find(|value| !value.is_finite() || **value < least) {
+                let range = if least == 0.0 { "a finite value, 0 or more" } else { "a finite value" };
+                return wrong(format!("a {name} of the path is {value:?}: give {range}"));
+            }
+        }
+        if let Some(pair) = self.time.windows(2).find(|pair| pair[1] < pair[0]) {
+            return wrong(format!(
+                "the path goes back from the time {:?} to {:?}: give ascending times",
+                pair[0], pair[1]
+            ));
+        }
+        match (self.steps, self.time_tolerance) {
+            (Some(0), _) => wrong("the path has 0 steps between two points: give 1 or more".into()),
+            (_, Some(it)) if !(it > 0.0 && it < 1.0) => {
+                wrong(format!("the tolerance in time is {it:?}: give a value between 0 and 1"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The points of the path, under loads of the kind of `load`.
+    pub fn points(&self, load: Load) -> Vec<PathPoint> {
+        let at = |list: &[f64], i: usize| list.get(i).copied();
+        let point = |i: usize| PathPoint {
+            time: at(&self.time, i),
+            load: at(&self.load, i).map_or(load, |value| load.with_value(value)),
+            tangential: at(&self.tangential, i),
+        };
+        (0..self.len()).map(point).collect()
+    }
+}
+
+impl SetupTable {
+    /// Reads the loads of a path, whose units are those of the load, and its file if it has one.
+    ///
+    /// # Errors
+    /// [`SetupError::Path`], [`SetupError::Text`] for a load of another kind, and those of reading the file.
+    pub(super) fn read_path(&mut self) -> Result<(), SetupError> {
+        if let Some(file) = self.find("path.file").and_then(toml::Value::as_str).map(str::to_owned) {
+            self.remove("path.file");
+            for (name, values) in columns(Path::new(&file))? {
+                let path = format!("path.{name}");
+                if self.find(&path).is_some() {
+                    let reason = format!("{name} is given by {file} and beside it: leave one of them out");
+                    return Err(SetupError::Path { reason });
+                }
+                self.lay(&path, values.into());
+            }
+        }
+        let Some(kind) = self.load_kind() else { return Ok(()) };
+        for path in ["path.load", "path.tangential"] {
+            let Some(list) = self.find(path) else { continue };
+            let list = list.as_array().cloned().unwrap_or_else(|| vec![list.clone()]);
+            let read = |value: &toml::Value| read_number(path, &kind, value).map(toml::Value::Float);
+            let values = list.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+            self.lay(path, values.into());
+        }
+        Ok(())
+    }
+}
+
+/// The columns of a file with a path: their names, and what is in them.
+fn columns(path: &Path) -> Result<Vec<(&'static str, Vec<toml::Value>)>, SetupError> {
+    let wrong = |reason: String| SetupError::Path { reason: format!("{}: {reason}", path.display()) };
+    let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes.as_slice());
+    let unreadable = |error: csv::Error| wrong(format!("this is not a table of comma-separated values: {error}"));
+    let headers = reader.headers().map_err(unreadable)?.clone();
+    let known = |header: &str| {
+        let name = COLUMNS.into_iter().find(|name| name.eq_ignore_ascii_case(header));
+        name.ok_or_else(|| wrong(format!("the column `{header}` is not known: name columns time, load and tangential")))
+    };
+    let mut columns =
+        headers.iter().map(|header| Ok((known(header)?, Vec::new()))).collect::<Result<Vec<_>, SetupError>>()?;
+    if let Some((name, _)) =
+        columns.iter().enumerate().find_map(|(i, it)| columns[..i].iter().find(|other| other.0 == it.0))
+    {
+        return Err(wrong(format!("the column {name} occurs twice: give it once")));
+    }
+    for row in reader.records() {
+        let row = row.map_err(unreadable)?;
+        columns.iter_mut().zip(row.iter()).for_each(|((_, values), word)| values.push(super::command::value(word)));
+    }
+    match columns.first() {
+        Some((_, values)) if !values.is_empty() => Ok(columns),
+        _ => Err(wrong("the table is empty: give one row for each point of the path".into())),
+    }
+}
+
+impl Setup {
+    /// The points of the path of a history; none if it has no path.
+    pub fn path_points(&self) -> Vec<PathPoint> {
+        self.path.as_ref().map_or(Vec::new(), |path| path.points(self.load))
+    }
+}

@@ -1,0 +1,172 @@
+//! The process of a setup: which history it describes, and what makes it.
+
+use super::{RollingMotion, Setup};
+use crate::contact::{Problem, Solver};
+use crate::error::{SetupError, SlipError};
+use crate::grid::Grid;
+use crate::history::{
+    CreepProcess, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess, SlipHistory, SlipProcess,
+};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
+
+/// The estimated relative error of a step in time, if none is given.
+const TIME_TOLERANCE: f64 = 1e-3;
+
+/// The processes that a setup can describe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ProcessKind {
+    /// A viscoelastic solid in time.
+    Creep,
+    /// Partial slip under normal and tangential loads.
+    Slip,
+    /// Steady sliding over a viscoelastic solid.
+    Sliding,
+    /// Steady rolling with friction.
+    Rolling,
+}
+
+impl ProcessKind {
+    /// The quantity along which its states are drawn, by its name in [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES);
+    /// none for the number of the step.
+    pub fn axis(self) -> Option<&'static str> {
+        match self {
+            Self::Creep => Some("time"),
+            Self::Sliding => Some("speed"),
+            Self::Slip | Self::Rolling => None,
+        }
+    }
+}
+
+impl Setup {
+    /// The process that the setup describes; none for a contact without a history.
+    ///
+    /// # Errors
+    /// [`SetupError::Motion`] and [`SetupError::Path`] for sections that do not go together.
+    pub fn process(&self) -> Result<Option<ProcessKind>, SetupError> {
+        let motion = |reason: &str| Err(SetupError::Motion { reason: reason.into() });
+        let path = |reason: &str| Err(SetupError::Path { reason: reason.into() });
+        match (&self.viscoelastic, &self.path, &self.sliding, &self.rolling) {
+            (_, _, Some(_), Some(_)) => motion("both sliding and rolling are given: give one of them"),
+            (_, Some(_), Some(_), _) | (_, Some(_), _, Some(_)) => {
+                motion("sliding and rolling are steady, but a path is given: leave the path out, or the motion")
+            }
+            (Some(_), None, Some(_), None) => Ok(Some(ProcessKind::Sliding)),
+            (None, None, Some(_), None) => motion(
+                "sliding without friction needs a solid that creeps: give its creep or relaxation, or leave the speed out",
+            ),
+            (None, None, None, Some(_)) if self.friction.is_some() => Ok(Some(ProcessKind::Rolling)),
+            (None, None, None, Some(_)) => motion("rolling needs a coefficient of friction: give one"),
+            (Some(_), None, None, Some(_)) => {
+                motion("rolling needs an elastic solid: leave the creep out, or the rolling")
+            }
+            (Some(_), Some(it), ..) if it.time.is_empty() => {
+                path("a solid that creeps needs times: give the times of the path")
+            }
+            (Some(_), Some(it), ..) if !it.tangential.is_empty() || self.friction.is_some() => {
+                path("a solid that creeps is without friction here: leave the friction out, or the creep")
+            }
+            (Some(_), Some(_), ..) => Ok(Some(ProcessKind::Creep)),
+            (Some(_), None, None, None) => {
+                path("a solid that creeps needs a time or a speed: give the times of a path, or the speed of sliding")
+            }
+            (None, Some(it), ..) if it.tangential.is_empty() => path(
+                "the path has no tangential loads, and the solid does not creep: give tangential loads with friction, or \
+                 creep and times, or several loads instead of a path",
+            ),
+            (None, Some(_), ..) if self.friction.is_none() => {
+                path("tangential loads need a coefficient of friction: give one")
+            }
+            (None, Some(it), ..) if !it.time.is_empty() => {
+                path("an elastic solid with friction does not know time: leave the times of the path out")
+            }
+            (None, Some(_), ..) => Ok(Some(ProcessKind::Slip)),
+            (None, None, None, None) => Ok(None),
+        }
+    }
+
+    /// Checks what belongs to a process.
+    pub(super) fn check_process(&self, process: ProcessKind, grid: &Grid) -> Result<(), SetupError> {
+        self.viscoelastic.as_ref().map_or(Ok(()), |it| it.prony().map(drop))?;
+        self.path.as_ref().map_or(Ok(()), super::LoadPath::check)?;
+        self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
+        self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
+        let motion = |reason: String| Err(SetupError::Motion { reason });
+        if !self.law.is_hard_wall() && process != ProcessKind::Creep {
+            return motion(
+                "sliding, rolling and slip need a surface that does not yield: leave the hardness out".into(),
+            );
+        }
+        if self.solver.name() == "gfmd" {
+            return motion("gfmd follows no history: choose another solver".into());
+        }
+        if !self.load.is_pressure() && process != ProcessKind::Creep {
+            let load = self.load;
+            return motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"));
+        }
+        if process == ProcessKind::Rolling && !grid.is_line() {
+            return motion("rolling is solved on lines only: give a line".into());
+        }
+        if process == ProcessKind::Sliding && !grid.is_periodic() {
+            return motion("sliding needs a periodic boundary: leave the boundary out".into());
+        }
+        Ok(())
+    }
+
+    /// What makes the history of a problem, which is that of this setup; none for a contact without a history.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::process`] and of the process.
+    pub fn history(&self, problem: Problem) -> Result<Option<Box<dyn Process + '_>>, SetupError> {
+        let Some(kind) = self.process()? else { return Ok(None) };
+        let (solver, stop): (&dyn Solver, _) = (self.solver.solver(), self.stop);
+        let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
+        let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
+        let rule = self.viscoelastic.as_ref().map_or_else(Default::default, |it| it.rule);
+        let process: Box<dyn Process + '_> = match kind {
+            ProcessKind::Creep => {
+                let path = self.path.clone().unwrap_or_default();
+                let tolerance = path.time_tolerance.unwrap_or(TIME_TOLERANCE);
+                let points = self.path_points();
+                Box::new(CreepProcess::new((problem, prony, rule), &points, (path.steps, tolerance), (solver, stop))?)
+            }
+            ProcessKind::Slip => {
+                let m = self.shear_ratio();
+                let history = SlipHistory::sheared(problem, mu, m, solver, stop)?;
+                let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
+                Box::new(SlipProcess::new(history, self.path_points(), steps))
+            }
+            ProcessKind::Sliding => {
+                let speeds = self.sliding.clone().map_or(Vec::new(), |it| it.speed);
+                Box::new(SlidingProcess::new(problem, prony, speeds, stop))
+            }
+            ProcessKind::Rolling => {
+                let rolling = self.rolling.clone().unwrap_or_default();
+                let conditions = self.rolling_conditions(&rolling, problem.surface().grid())?;
+                Box::new(RollingProcess::new(problem, conditions, stop))
+            }
+        };
+        Ok(Some(process))
+    }
+
+    /// The conditions of rolling, one for each creepage or tangential load.
+    fn rolling_conditions(&self, rolling: &RollingMotion, grid: &Grid) -> Result<Vec<RollingConditions>, SetupError> {
+        let friction = self.friction.map_or(0.0, |friction| friction.coefficient);
+        let beta = self.solid.and_then(|solid| solid.dundurs_beta()).unwrap_or(0.0);
+        let step = rolling.step.unwrap_or(grid.spacing()[1]);
+        let limit = friction * self.load.value();
+        let of = |drive| RollingConditions { friction, step, beta, drive };
+        let creepages = rolling.creepage.iter().map(|&creepage| of(RollingDrive::Creepage(creepage)));
+        let loads = rolling.tangential.iter().map(|&tangential| of(RollingDrive::Ratio(tangential / limit)));
+        if let Some(&tangential) = rolling.tangential.iter().find(|it| it.abs() >= limit) {
+            return Err(SlipError::Sliding { tangential, limit }.into());
+        }
+        Ok(creepages.chain(loads).collect())
+    }
+
+    /// The ratio `m = sum (nu/G) / sum ((1 - nu)/G)` over the bodies, see [`Compliance::tangential`](crate::elastic::Compliance::tangential);
+    /// 0 for a solid of which only the contact modulus is known.
+    fn shear_ratio(&self) -> f64 {
+        self.solid.and_then(|solid| solid.shear_ratio()).unwrap_or(0.0)
+    }
+}

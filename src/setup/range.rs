@@ -1,0 +1,39 @@
+//! Ranges of values with equal ratios, such as `1e-3..1e-1:13`.
+
+/// Largest number of values of a range.
+const MOST: u32 = 100_000;
+
+/// A range of values with equal ratios: the words of its ends, and the number of values.
+pub(super) struct Range<'t> {
+    ends: [&'t str; 2],
+    count: u32,
+}
+
+impl<'t> Range<'t> {
+    /// The range in a text; none if the text is no range. What is wrong with a range is the sentence of the error.
+    pub fn parse(text: &'t str) -> Option<Result<Self, String>> {
+        let (first, rest) = text.split_once("..")?;
+        let wrong = || format!("`{text}` is not a range: give first..last:number, such as 1e-3..1e-1:13");
+        let parsed = || {
+            let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
+            let count: u32 = count.trim().parse().ok().filter(|count| *count > 1).ok_or_else(wrong)?;
+            let ends = [first.trim(), last.trim()];
+            if ends.contains(&"") {
+                return Err(wrong());
+            }
+            if count > MOST {
+                return Err(format!("`{text}` has too many values: give at most {MOST}"));
+            }
+            Ok(Self { ends, count })
+        };
+        Some(parsed())
+    }
+
+    /// The values, whose ends `read` reads from their words.
+    pub fn values<E>(&self, read: impl Fn(&str) -> Result<f64, E>) -> Result<Vec<f64>, E> {
+        let [first, last] = [read(self.ends[0])?, read(self.ends[1])?];
+        let share = |i: u32| f64::from(i) / f64::from(self.count - 1);
+        let inner = (1..self.count - 1).map(|i| first * (last / first).powf(share(i)));
+        Ok([first].into_iter().chain(inner).chain([last]).collect())
+    }
+}
