@@ -6,7 +6,7 @@
 //! zero. These are proximal steps (Rockafellar, SIAM J. Control Optim. 14, 877 (1976)): without error in any of them, each comes nearer
 //! to the solution, for every monotone operator.
 
-use super::level;
+use super::sets::SetIteration;
 use crate::contact::{Certificate, Problem};
 use crate::elastic::Response;
 use crate::surface::Field;
@@ -32,7 +32,7 @@ pub(super) fn approach(problem: &Problem, mut pressure: Vec<f64>) -> Option<(Vec
         let height = Field::from_shape_vec(shape, heights).ok()?;
         let softer = problem.clone().with_compliance(problem.compliance().softened(extra).ok()?).ok()?;
         let posed = softer.with_heights(height).ok()?;
-        let mut state = level(&posed, pressure);
+        let mut state = SetIteration::from_problem(&posed, pressure);
         let mut best = (f64::INFINITY, Vec::new());
         for _ in 0..UPDATES {
             let eta = Certificate::from_displacement(&posed, &state.p, &state.u).eta;

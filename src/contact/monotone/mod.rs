@@ -97,22 +97,11 @@ impl Solver for MonotoneSets {
             Some(start) => (problem.first_pressure(Some(start)), None),
             None => descent.first(problem, 0),
         };
-        let mut state = level(problem, first);
+        let mut state = SetIteration::from_problem(problem, first);
         let status = descent.relax(problem, &mut state, 0, ended).unwrap_or(Status::Stalled);
         let transforms = descent.transforms(problem, &state);
         Ok(descent.run.finish_after(status, transforms, state.into_response()))
     }
-}
-
-/// The iteration of a problem from a pressure.
-fn level(problem: &Problem, first: Vec<f64>) -> SetIteration<'_> {
-    let goal = match problem.datum() {
-        Some(datum) => LoadOrDatum::Datum(datum),
-        None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
-    };
-    let ceilings = NodeCeilings::Uniform(problem.law().ceiling());
-    let task = BoxInequality { height: problem.height(), ceilings, goal };
-    SetIteration::new(task, problem.shared_compliance(), problem.surface().grid(), first)
 }
 
 /// The run through all grids.
@@ -129,7 +118,7 @@ impl NestedRun<'_> {
     fn first(&mut self, problem: &Problem, depth: usize) -> (Vec<f64>, Option<Status>) {
         let Some(coarse) = coarser(problem) else { return (problem.first_pressure(None), None) };
         let (first, ended) = self.first(&coarse, depth + 1);
-        let mut state = level(&coarse, first);
+        let mut state = SetIteration::from_problem(&coarse, first);
         let ended = self.relax(&coarse, &mut state, depth + 1, ended);
         self.spent += self.share(&coarse) * state.transforms() as f64;
         let best = self.run.best.pressure.take().unwrap_or(state.p);
