@@ -6,7 +6,7 @@
 //! zero. These are proximal steps (Rockafellar, SIAM J. Control Optim. 14, 877 (1976)): without error in any of them, each comes nearer
 //! to the solution, for every monotone operator.
 
-use super::level;
+use super::sets::SetIteration;
 use crate::contact::{Certificate, Problem};
 use crate::elastic::Response;
 use crate::surface::Field;
@@ -14,15 +14,16 @@ use crate::surface::Field;
 /// The parts `rho`, from solution to solution.
 const PARTS: [f64; 8] = [1.0, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4];
 
-/// Each solution has at most this certificate, or so many updates.
+/// Each solution has at most this certificate, or this part of that of the start if it is less, or so many updates.
 const TOLERANCE: f64 = 1e-4;
+const REDUCTION: f64 = 0.03;
 const UPDATES: usize = 60;
 
-/// The pressure at the end of the way from a pressure, and the transforms that it took; none for a problem whose solid does not creep.
-pub(super) fn approach(problem: &Problem, mut pressure: Vec<f64>) -> Option<(Vec<f64>, u64)> {
+/// The pressure at the end of the way from a pressure of the certificate `eta`, and the transforms that it took; none for a problem whose solid does not creep.
+pub(super) fn approach(problem: &Problem, mut pressure: Vec<f64>, eta: f64) -> Option<(Vec<f64>, u64)> {
     let creep = problem.compliance().creep()?;
     let mut at_rest = Response::new(problem.surface().grid(), problem.solid().clone()).ok()?;
-    let mut transforms = 0;
+    let (mut transforms, goal) = (0, TOLERANCE.min(REDUCTION * eta));
     let mut displacement = vec![0.0; pressure.len()];
     for part in PARTS.into_iter().filter(|part| part * (1.0 + creep) > 0.01) {
         let extra = part * (1.0 + creep);
@@ -32,14 +33,14 @@ pub(super) fn approach(problem: &Problem, mut pressure: Vec<f64>) -> Option<(Vec
         let height = Field::from_shape_vec(shape, heights).ok()?;
         let softer = problem.clone().with_compliance(problem.compliance().softened(extra).ok()?).ok()?;
         let posed = softer.with_heights(height).ok()?;
-        let mut state = level(&posed, pressure);
+        let mut state = SetIteration::from_problem(&posed, pressure);
         let mut best = (f64::INFINITY, Vec::new());
         for _ in 0..UPDATES {
             let eta = Certificate::from_displacement(&posed, &state.p, &state.u).eta;
             if eta < best.0 {
                 best = (eta, state.p.clone());
             }
-            if eta <= TOLERANCE || state.is_stale() {
+            if eta <= goal || state.is_stale() {
                 break;
             }
             state.advance(eta, &mut |_| true);

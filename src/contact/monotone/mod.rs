@@ -35,8 +35,9 @@ pub(crate) use sets::{BoxInequality, LoadOrDatum, SetIteration};
 /// but extragradient steps are slow.
 ///
 /// # What it costs
-/// Rough lines of 2^14 points and surfaces of 256^2 with `f = 1` and `f = 9` need 70 to 520 transforms for a certificate of 1e-8, in 5 to
-/// 10 updates on the finest grid with 3 to 10 steps of GMRES each. With `f = 1000` some need 10 000 and more.
+/// Rough lines of 2^14 points and surfaces of 256^2 with a creep of 1 and 9 need 50 to 670 transforms for a certificate of 1e-8 (100 to 220
+/// on average). With a creep of 1000 most need some hundreds, and the hardest, where the retardation time is that in which a wave passes,
+/// about 25 000.
 ///
 /// # Its claim
 /// The certificate bounds the pressure. It does not bound an energy, and not the mean gap, see [`Certificate`].
@@ -73,7 +74,7 @@ const COARSE_REDUCTION: f64 = 0.1;
 const COARSE_UPDATES: usize = 60;
 
 /// How often a grid is approached by continuation, before extragradient steps.
-const APPROACHES: usize = 1;
+const APPROACHES: usize = 4;
 
 impl Solver for MonotoneSets {
     fn name(&self) -> &str {
@@ -97,22 +98,11 @@ impl Solver for MonotoneSets {
             Some(start) => (problem.first_pressure(Some(start)), None),
             None => descent.first(problem, 0),
         };
-        let mut state = level(problem, first);
+        let mut state = SetIteration::from_problem(problem, first);
         let status = descent.relax(problem, &mut state, 0, ended).unwrap_or(Status::Stalled);
         let transforms = descent.transforms(problem, &state);
         Ok(descent.run.finish_after(status, transforms, state.into_response()))
     }
-}
-
-/// The iteration of a problem from a pressure.
-fn level(problem: &Problem, first: Vec<f64>) -> SetIteration<'_> {
-    let goal = match problem.datum() {
-        Some(datum) => LoadOrDatum::Datum(datum),
-        None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
-    };
-    let ceilings = NodeCeilings::Uniform(problem.law().ceiling());
-    let task = BoxInequality { height: problem.height(), ceilings, goal };
-    SetIteration::new(task, problem.shared_compliance(), problem.surface().grid(), first)
 }
 
 /// The run through all grids.
@@ -129,7 +119,7 @@ impl NestedRun<'_> {
     fn first(&mut self, problem: &Problem, depth: usize) -> (Vec<f64>, Option<Status>) {
         let Some(coarse) = coarser(problem) else { return (problem.first_pressure(None), None) };
         let (first, ended) = self.first(&coarse, depth + 1);
-        let mut state = level(&coarse, first);
+        let mut state = SetIteration::from_problem(&coarse, first);
         let ended = self.relax(&coarse, &mut state, depth + 1, ended);
         self.spent += self.share(&coarse) * state.transforms() as f64;
         let best = self.run.best.pressure.take().unwrap_or(state.p);
@@ -177,7 +167,7 @@ impl NestedRun<'_> {
             if state.is_stale() && approaches < APPROACHES {
                 approaches += 1;
                 let from = self.run.best.pressure.clone().unwrap_or_else(|| state.p.clone());
-                if let Some((pressure, transforms)) = continuation::approach(problem, from) {
+                if let Some((pressure, transforms)) = continuation::approach(problem, from, self.run.best.distance) {
                     self.spent += self.share(problem) * transforms as f64;
                     state.restart(pressure);
                     decision = Decision::Start;

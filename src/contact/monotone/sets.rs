@@ -6,6 +6,7 @@
 use super::bounds::{NodeCeilings, carry, cut, nearest};
 use super::gmres::Gmres;
 use crate::chunks;
+use crate::contact::Problem;
 use crate::contact::multilevel::operator::{SetOperator, Spectral};
 use crate::contact::multilevel::support::Support;
 use crate::elastic::{Compliance, Response};
@@ -94,6 +95,17 @@ pub(crate) struct SetIteration<'a> {
 }
 
 impl<'a> SetIteration<'a> {
+    /// The iteration of a problem from a pressure.
+    pub fn from_problem(problem: &'a Problem, first: Vec<f64>) -> Self {
+        let goal = match problem.datum() {
+            Some(datum) => LoadOrDatum::Datum(datum),
+            None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
+        };
+        let ceilings = NodeCeilings::Uniform(problem.law().ceiling());
+        let task = BoxInequality { height: problem.height(), ceilings, goal };
+        Self::new(task, problem.shared_compliance(), problem.surface().grid(), first)
+    }
+
     /// Starts from a pressure within the bounds, and of the given sum.
     pub fn new(task: BoxInequality<'a>, compliance: &Arc<Compliance>, grid: &Grid, start: Vec<f64>) -> Self {
         let mut response = Response::from_compliance(compliance.clone());
