@@ -27,6 +27,11 @@ pub struct ProblemSummary {
     pub solver: Method,
     #[serde(skip)]
     pub title: String,
+    /// The name and the settings of the solver that is used.
+    #[serde(skip)]
+    name: String,
+    #[serde(skip)]
+    settings: String,
     #[serde(skip)]
     solid: String,
     /// The solid and the boundary, if they are not a periodic half-space.
@@ -54,6 +59,8 @@ impl ProblemSummary {
             prescribed: problem.load().name(),
             solver: setup.solver,
             title: setup.surface.title(grid),
+            name: setup.solver().name().into(),
+            settings: setup.solver().settings(),
             solid: setup.solid.map_or("not given: pressures are divided by it".into(), |solid| solid.description()),
             others: others(setup, problem),
             rank,
@@ -63,7 +70,7 @@ impl ProblemSummary {
     /// Surface, points and solver in one line.
     pub fn line(&self) -> String {
         let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
-        format!("{}, {} points, by {}", self.title, points.join(" x "), self.solver.name())
+        format!("{}, {} points, by {}", self.title, points.join(" x "), self.name)
     }
 
     /// Names and values for reading.
@@ -79,7 +86,7 @@ impl ProblemSummary {
                 format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"))),
             ),
             ("contact modulus E*", format!("{} ({})", units.pressure(self.contact_modulus), self.solid)),
-            ("solver", self.solver.solver().settings()),
+            ("solver", self.settings.clone()),
             ("prescribed", self.prescribed.to_owned()),
         ];
         rows.into_iter()

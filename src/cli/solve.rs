@@ -62,7 +62,7 @@ impl Solve {
         let setup = table.setup()?;
         check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
         let units = self.scene.units(&setup.surface);
-        if setup.process()?.is_some() {
+        if setup.is_history()? {
             return match loads {
                 Some(_) => usage("a history needs one load, but several are given: give one, and a path of loads"),
                 None if auto.is_some() || self.diagnose || self.unload => {

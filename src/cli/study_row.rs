@@ -19,7 +19,7 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
     let setup = plan.setup(row)?;
     setup.cost(&Extras { is_recorded: true, ..Extras::default() })?.check(setup.solver.name())?;
     let (problem, mut loading) = (setup.problem()?, Loading::default());
-    let solver = setup.solver.solver();
+    let solver = setup.solver();
     for (number, &load) in plan.loads()[..row.load].iter().enumerate() {
         let mut progress = Progress::new(&format!("load {}", number + 1));
         let before = loading.problem(&problem, load)?;

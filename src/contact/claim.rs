@@ -1,6 +1,7 @@
 //! What a result claims.
 
 use crate::contact::Contact;
+use serde::Serialize;
 use strum::{EnumMessage, IntoStaticStr};
 
 /// What the certificate of a contact claims about it.
@@ -15,7 +16,8 @@ use strum::{EnumMessage, IntoStaticStr};
 /// assert_eq!([claims[0].clone()?, claims[1].clone()?], [ResultClaim::Solution, ResultClaim::Bounded]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumMessage, IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumMessage, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum ResultClaim {
     /// The solution of a convex problem: energy, pressure and mean gap are bounded.
@@ -24,6 +26,16 @@ pub enum ResultClaim {
     /// The solution of a monotone problem without an energy, of a contact that moves: only the pressure is bounded.
     #[strum(message = "bounded: the error of the pressure is bounded, and no energy belongs to the contact")]
     Bounded,
+    /// Alternating rounds between pressure and traction that have converged: each is certified for the other one, but not the pair.
+    #[strum(message = "rounds converged: pressure and traction are each certified for the other one, but not the pair")]
+    RoundsConverged,
+}
+
+impl ResultClaim {
+    /// The claim in words.
+    pub fn words(self) -> &'static str {
+        self.get_message().unwrap_or_default()
+    }
 }
 
 impl Contact {

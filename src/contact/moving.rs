@@ -3,6 +3,8 @@
 use crate::contact::Problem;
 use crate::elastic::Compliance;
 use crate::error::ProblemError;
+use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
 
 impl Problem {
     /// The problem of the same surface that slides steadily over a viscoelastic solid, at a `speed` `V`, a length per time, towards
@@ -45,4 +47,35 @@ impl Problem {
     pub fn is_moving(&self) -> bool {
         !self.compliance().is_symmetric()
     }
+}
+
+/// `-<p u_y'> / <p>` and `-<p u_x'> / <p>` of a pressure and its displacement, both row by row: the coefficients of the force on the
+/// solid along both axes, by the spectrum, so that no edge is counted. NaN for a problem at rest.
+pub(crate) fn hysteretic_friction(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> [f64; 2] {
+    if !problem.is_moving() {
+        return [f64::NAN; 2];
+    }
+    let grid = *problem.surface().grid();
+    let [p, u] = [pressure, displacement].map(|field| spectrum(&grid, field));
+    let mut force = [0.0; 2];
+    for (((p, u), weight), q) in p.iter().zip(&u).zip(grid.multiplicities()).zip(directions(&grid)) {
+        // <p u'> is the sum over both signs of conj(p_q) i q u_q
+        let product = weight * (p.conj() * Complex::new(0.0, 1.0) * u).re;
+        force.iter_mut().zip(q).for_each(|(force, q)| *force += q * product);
+    }
+    force.map(|force| -force / problem.mean_pressure_of(pressure))
+}
+
+pub(crate) fn spectrum(grid: &Grid, field: &[f64]) -> Vec<Complex> {
+    let mut spectrum = vec![Complex::default(); grid.modes()];
+    Fourier::new(grid).forward(field, &mut spectrum);
+    spectrum
+}
+
+/// Wave vectors `[q_y, q_x]` of derivatives: zero along an axis at its Nyquist wave, which has no direction there.
+pub(crate) fn directions(grid: &Grid) -> impl Iterator<Item = [f64; 2]> {
+    let nyquist = grid.spacing().map(|spacing| std::f64::consts::PI / spacing * (1.0 - 1e-12));
+    let is_even = grid.shape().map(|n| n.is_multiple_of(2));
+    grid.wave_vectors()
+        .map(move |q| [0, 1].map(|axis| if is_even[axis] && q[axis].abs() >= nyquist[axis] { 0.0 } else { q[axis] }))
 }

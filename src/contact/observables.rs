@@ -7,7 +7,9 @@
 //! between the nodes. The errors `relative_area_error` and `kappa_r_error` belong to it. Names that end in `_counted`
 //! are from counting nodes. Names that end in `_corrected` are from counting nodes, minus the mean excess.
 
-use crate::contact::{Certificate, Contact, Counted, Load, Patches, Problem, Resolution, Resolved, Step, Work};
+use crate::contact::{
+    Certificate, Contact, Counted, Load, Patches, Problem, Resolution, Resolved, Step, Work, hysteretic_friction,
+};
 use ndarray::ArrayView1;
 use serde::{Deserialize, Serialize};
 use std::cell::LazyCell;
@@ -55,6 +57,8 @@ pub struct State<'a> {
     plastic_area: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
+    /// The hysteretic friction; NaN at rest.
+    friction: Lazy<'a, f64>,
 }
 
 type Lazy<'a, T> = LazyCell<T, Box<dyn FnOnce() -> T + 'a>>;
@@ -202,6 +206,8 @@ observables! {
         "Contact stiffness: increase of the mean pressure per decrease of the mean gap. Computed on request.";
     mean_pressure_error: f64, "|d<p>| / <p>", "1", false, |it| it.mean_pressure_error(),
         "Relative error of the mean pressure at a given mean gap, to first order, from the contact stiffness; 0 if the pressure is given.";
+    friction: f64, "mu", "1", false, |it| *it.friction,
+        "Hysteretic friction coefficient of a contact that slides over a viscoelastic solid: the force along x by the loss in the solid over the load. Not defined at rest.";
     iterations: usize, "iterations", "1", false, |it| it.work.iterations,
         "Iterations of the solver.";
     transforms: u64, "transforms", "1", false, |it| it.work.transforms,
@@ -272,6 +278,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             plastic_area: lazy(|| contact.plasticity().area),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
+            friction: lazy(|| contact.friction()),
         }
     }
 }
@@ -297,6 +304,7 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
             }),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
+            friction: lazy(|| hysteretic_friction(step.problem(), step.pressure(), step.displacement())[1]),
         }
     }
 }

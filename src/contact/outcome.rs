@@ -2,7 +2,7 @@
 
 use crate::contact::{
     Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
-    multilevel,
+    hysteretic_friction, multilevel,
 };
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
@@ -238,6 +238,13 @@ impl Contact {
         let pressure = self.pressures();
         let uniform = self.uniform_displacement().unwrap_or(0.0);
         0.5 * chunks::sum(pressure.len(), |i| pressure[i] * (displacement[i] + uniform)) / pressure.len() as f64
+    }
+
+    /// The hysteretic friction coefficient of a contact that slides over a viscoelastic solid: the force along `x` by the loss in the
+    /// solid over the load, see [`crate::history::Sliding`]. NaN for a contact at rest.
+    pub fn friction(&self) -> f64 {
+        let displacement = self.displacement.as_slice().expect("results are made in standard layout");
+        hysteretic_friction(&self.problem, self.pressures(), displacement)[1]
     }
 
     /// Largest pressure.

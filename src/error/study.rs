@@ -28,6 +28,12 @@ pub enum StudyError {
     /// A tangential load, which studies do not support.
     #[error("a study has no tangential loads: leave the friction out, or solve the setups one by one")]
     Friction,
+    /// A history, of which a study has one state for each row.
+    #[error(
+        "a study has one contact for each row, but this is a history: leave the path out, or give one speed of sliding, \
+         or solve the setups one by one"
+    )]
+    History,
     /// A row number that does not exist.
     #[error("there is no row {number}: give a number from 1 to {rows}")]
     NoRow { number: usize, rows: usize },

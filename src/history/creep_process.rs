@@ -1,10 +1,8 @@
 //! The process of a viscoelastic solid along a path of loads and times.
 
 use super::process::{EachState, PathPoint, Process};
-use super::{
-    Creep, CreepPath, CreepRule, CreepState, CreepSteps, HistoryClaim, HistoryField, HistoryNumbers, HistoryState,
-};
-use crate::contact::{Load, Observer, Problem, Solver, Stop};
+use super::{Creep, CreepPath, CreepRule, CreepState, CreepSteps, HistoryField, HistoryNumbers, HistoryState};
+use crate::contact::{Load, Observer, Problem, ResultClaim, Solver, Stop};
 use crate::elastic::Prony;
 use crate::error::{CreepError, HistoryError};
 
@@ -75,7 +73,7 @@ impl CreepState {
             ..HistoryNumbers::default()
         };
         let fields = vec![HistoryField::remembered(effective - &self.contact.pressure)];
-        let (claim, work, contact) = (HistoryClaim::Solution, self.contact.work, self.contact);
+        let (claim, work, contact) = (ResultClaim::Solution, self.contact.work, self.contact);
         HistoryState { contact, point, claim, numbers, fields, work }
     }
 }

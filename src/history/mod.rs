@@ -38,7 +38,7 @@ pub use creep_steps::CreepSteps;
 pub use cycle::cycle_losses;
 pub use kelvin::CreepRule;
 pub use motion_process::{RollingProcess, SlidingProcess};
-pub use process::{EachState, HistoryClaim, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
+pub use process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
 pub use quantity::{HISTORY_QUANTITIES, HistoryQuantity, HistoryUnit};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};
 pub use sliding::Sliding;

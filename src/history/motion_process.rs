@@ -1,9 +1,7 @@
 //! Steady motions one after the other: speeds of sliding, creepages or loads of rolling.
 
-use super::{
-    EachState, HistoryClaim, HistoryField, HistoryNumbers, HistoryState, Process, Rolling, RollingConditions, Sliding,
-};
-use crate::contact::{MonotoneSets, Observer, Problem, Solver, Stop, Work};
+use super::{EachState, HistoryField, HistoryNumbers, HistoryState, Process, Rolling, RollingConditions, Sliding};
+use crate::contact::{MonotoneSets, Observer, Problem, ResultClaim, Solver, Stop, Work};
 use crate::elastic::Prony;
 use crate::error::HistoryError;
 use crate::surface::Field;
@@ -50,7 +48,7 @@ impl Sliding {
             mean_traction: Some(self.friction * self.contact.mean_pressure()),
             ..HistoryNumbers::default()
         };
-        let (claim, work, contact) = (HistoryClaim::Bounded, self.contact.work, self.contact);
+        let (claim, work, contact) = (ResultClaim::Bounded, self.contact.work, self.contact);
         HistoryState { contact, point: None, claim, numbers, fields: Vec::new(), work }
     }
 }
@@ -91,7 +89,7 @@ impl Rolling {
             traction_certificate: Some(self.traction_certificate),
             ..HistoryNumbers::default()
         };
-        let claim = if self.conditions.beta == 0.0 { HistoryClaim::Bounded } else { HistoryClaim::RoundsConverged };
+        let claim = if self.conditions.beta == 0.0 { ResultClaim::Bounded } else { ResultClaim::RoundsConverged };
         let work = Work { transforms: self.transforms, ..self.contact.work };
         let fields = vec![HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
         HistoryState { contact: self.contact, point: None, claim, numbers, fields, work }

@@ -1,6 +1,6 @@
 //! A process that makes the next state of a contact from the last one.
 
-use crate::contact::{Contact, Load, Observer, Work};
+use crate::contact::{Contact, Load, Observer, ResultClaim, Work};
 use crate::error::HistoryError;
 use crate::surface::Field;
 use serde::Serialize;
@@ -30,32 +30,6 @@ pub trait Process {
 /// What receives the states of a history.
 pub type EachState<'e> = dyn FnMut(HistoryState) -> Result<(), HistoryError> + 'e;
 
-/// What a state claims to be, see [`HistoryState::claim`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum HistoryClaim {
-    /// The solution of the step, a convex problem, to its certificate.
-    Solution,
-    /// A pressure whose distance from the solution is bounded by the certificate. No energy is lowered, since the problem is
-    /// monotone and not symmetric.
-    Bounded,
-    /// Alternating rounds that have converged. Each of both problems is certified for the result of the other one, but not the pair.
-    RoundsConverged,
-}
-
-impl HistoryClaim {
-    /// The claim in one sentence.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Solution => "each step is solved to its certificate",
-            Self::Bounded => "the certificate bounds the error of the pressure; there is no energy that it could bound",
-            Self::RoundsConverged => {
-                "pressure and traction are each certified for the other one; for the pair no bound is known"
-            }
-        }
-    }
-}
-
 /// A state of a history: the contact, and what the process knows besides.
 #[derive(Debug, Clone)]
 pub struct HistoryState {
@@ -64,7 +38,7 @@ pub struct HistoryState {
     /// The point of the path that it has reached, from 0; none between two points.
     pub point: Option<usize>,
     /// What the state claims to be.
-    pub claim: HistoryClaim,
+    pub claim: ResultClaim,
     /// The numbers of the process; those of [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES).
     pub numbers: HistoryNumbers,
     /// Further fields of the process, by their names.

@@ -1,8 +1,8 @@
 //! Steady rolling of lines.
 
 use crate::contact::{
-    BoxInequality, Certificate, Contact, LoadOrDatum, Multilevel, NodeCeilings, Observer, Problem, SetIteration,
-    Solver, Stop,
+    BoxInequality, Ceiling, Certificate, Contact, LoadOrDatum, Multilevel, Observer, Problem, SetIteration, Solver,
+    Stop,
 };
 use crate::elastic::{Compliance, Response};
 use crate::error::MotionError;
@@ -289,7 +289,7 @@ impl Shifts {
             None => limit.iter().map(|limit| share * limit).collect(),
         };
         let largest = height.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
-        let task = BoxInequality { height: &height, ceilings: NodeCeilings::Field(ceilings), goal };
+        let task = BoxInequality { height: &height, ceilings: Ceiling::Field(ceilings), goal };
         let mut state = SetIteration::new(task, &self.rolling, &self.grid, first);
         let unit = load / n as f64 * largest;
         for updates in 0..=UPDATES {

@@ -1,10 +1,10 @@
 //! Steady sliding over viscoelastic solids.
 
-use crate::contact::{Contact, MonotoneSets, Observer, Problem, Solver, Stop};
+use crate::contact::{
+    Contact, MonotoneSets, Observer, Problem, Solver, Stop, directions, hysteretic_friction, spectrum,
+};
 use crate::elastic::SteadyMotion;
 use crate::error::MotionError;
-use crate::fourier::{Complex, Fourier};
-use crate::grid::Grid;
 use crate::theory::persson::Pressures;
 
 /// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. What it takes to slide is the loss
@@ -81,33 +81,13 @@ impl Sliding {
         if !matches!(contact.problem.compliance().motion(), Some(SteadyMotion::Sliding { .. })) {
             return Err(MotionError::NeedsSliding);
         }
-        let (grid, mean_pressure) = (*contact.problem.surface().grid(), contact.mean_pressure());
-        let [p, u] = [&contact.pressure, &contact.displacement]
-            .map(|field| spectrum(&grid, field.as_slice().expect("results are made in standard layout")));
-        let mut force = [0.0; 2];
-        for (((p, u), weight), q) in p.iter().zip(&u).zip(grid.multiplicities()).zip(directions(&grid)) {
-            // <p u'> is the sum over both signs of conj(p_q) i q u_q
-            let product = weight * (p.conj() * Complex::new(0.0, 1.0) * u).re;
-            force.iter_mut().zip(q).for_each(|(force, q)| *force += q * product);
-        }
-        let [lateral, friction] = force.map(|force| -force / mean_pressure);
+        let mean_pressure = contact.mean_pressure();
+        let [pressure, displacement] = [&contact.pressure, &contact.displacement]
+            .map(|field| field.as_slice().expect("results are made in standard layout"));
+        let [lateral, friction] = hysteretic_friction(&contact.problem, pressure, displacement);
         let [full_contact, persson] = losses(&contact.problem, mean_pressure).map(|loss| loss / mean_pressure);
         Ok(Self { contact, friction, lateral, full_contact, persson })
     }
-}
-
-fn spectrum(grid: &Grid, field: &[f64]) -> Vec<Complex> {
-    let mut spectrum = vec![Complex::default(); grid.modes()];
-    Fourier::new(grid).forward(field, &mut spectrum);
-    spectrum
-}
-
-/// Wave vectors `[q_y, q_x]` of derivatives: zero along an axis at its Nyquist wave, which has no direction there.
-fn directions(grid: &Grid) -> impl Iterator<Item = [f64; 2]> {
-    let nyquist = grid.spacing().map(|spacing| std::f64::consts::PI / spacing * (1.0 - 1e-12));
-    let is_even = grid.shape().map(|n| n.is_multiple_of(2));
-    grid.wave_vectors()
-        .map(move |q| [0, 1].map(|axis| if is_even[axis] && q[axis].abs() >= nyquist[axis] { 0.0 } else { q[axis] }))
 }
 
 /// `-<p u_x'>` in full contact, and by Persson's theory.

@@ -1,7 +1,7 @@
 //! The state of a contact after a step with friction.
 
-use super::{HistoryClaim, HistoryField, HistoryNumbers, HistoryState};
-use crate::contact::{Contact, Work};
+use super::{HistoryField, HistoryNumbers, HistoryState};
+use crate::contact::{Contact, ResultClaim, Work};
 use crate::surface::Field;
 use ndarray::Array2;
 use serde::Serialize;
@@ -101,7 +101,7 @@ impl SlipState {
             ..HistoryNumbers::default()
         };
         let fields = vec![HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
-        let (claim, contact, work) = (HistoryClaim::Solution, self.contact, self.work);
+        let (claim, contact, work) = (ResultClaim::Solution, self.contact, self.work);
         HistoryState { contact, point, claim, numbers, fields, work }
     }
 

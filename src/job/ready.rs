@@ -25,6 +25,11 @@ impl<'a> Job<'a> {
     /// # Errors
     /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
     pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
+        if self.runs.iter().any(|run| run.setup.is_history().unwrap_or(false)) {
+            let reason =
+                "this is the run of one contact, but the setup describes a history: follow the history instead";
+            return Err(SetupError::Path { reason: reason.into() });
+        }
         let extras = self.extras();
         self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;
         Ok(Ready { job: self })

@@ -63,7 +63,7 @@ impl<'a> JobRun<'a> {
 
     /// The solver, or the replay of the steps of another code.
     pub(super) fn solver(&self) -> &dyn Solver {
-        self.other.unwrap_or_else(|| self.setup.solver.solver())
+        self.other.unwrap_or_else(|| self.setup.solver())
     }
 
     /// Whether a first pass finds the same final state.

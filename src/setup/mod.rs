@@ -73,7 +73,7 @@ pub use theme::Theme;
 pub use viscoelastic::{RollingMotion, SlidingMotion, Viscoelastic};
 pub use words::{differences, in_words};
 
-use crate::contact::{Friction, Law, Load, Problem, Stop};
+use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
 use crate::error::{SetupError, SolidError, SolveError};
 use crate::grid::Grid;
@@ -259,13 +259,22 @@ impl Setup {
     pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
         let surface = surface.into();
         self.check_on(surface.grid())?;
-        Ok(Problem::new(surface, self.elastic()?, self.load)?.with_law(self.law)?)
+        let problem = Problem::new(surface, self.elastic()?, self.load)?.with_law(self.law)?;
+        match self.speed() {
+            Some(speed) => Ok(problem.sliding(speed, &self.memory()?)?),
+            None => Ok(problem),
+        }
+    }
+
+    /// The solver: that of the section `solver`, or the one for contacts that slide.
+    pub fn solver(&self) -> &dyn Solver {
+        if self.sliding.is_some() { &MonotoneSets } else { self.solver.solver() }
     }
 
     /// The exact solution under a mean pressure, if the surface is an indenter with an exact solution and nothing
     /// yields.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
-        self.law.is_hard_wall().then_some(())?;
+        (self.law.is_hard_wall() && self.process().is_ok_and(|it| it.is_none())).then_some(())?;
         let solid = self.elastic().ok().filter(|solid| solid.is_half_space())?;
         Exact::new(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }

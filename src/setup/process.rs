@@ -85,6 +85,28 @@ impl Setup {
         }
     }
 
+    /// Whether the setup describes more than one state. A contact that slides at one speed is a single state, solved like any other.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::process`].
+    pub fn is_history(&self) -> Result<bool, SetupError> {
+        Ok(self.process()?.is_some() && self.speed().is_none())
+    }
+
+    /// The speed of sliding, if there is one speed.
+    pub(super) fn speed(&self) -> Option<f64> {
+        match self.sliding.as_ref()?.speed.as_slice() {
+            [speed] => Some(*speed),
+            _ => None,
+        }
+    }
+
+    /// The terms of a solid that creeps, a ratio and a time each.
+    pub(super) fn memory(&self) -> Result<Vec<(f64, f64)>, SetupError> {
+        let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
+        Ok(prony.terms().iter().map(|term| (term.ratio, term.time)).collect())
+    }
+
     /// Checks what belongs to a process.
     pub(super) fn check_process(&self, process: ProcessKind, grid: &Grid) -> Result<(), SetupError> {
         self.viscoelastic.as_ref().map_or(Ok(()), |it| it.prony().map(drop))?;

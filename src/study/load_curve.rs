@@ -102,7 +102,7 @@ impl LoadCurve {
         let mut loading = Loading::default();
         for (number, &load) in self.loads.iter().enumerate() {
             let problem = loading.problem(problem, load)?;
-            let (solver, stop) = (self.setup.solver.solver(), &self.setup.stop);
+            let (solver, stop) = (self.setup.solver(), &self.setup.stop);
             let contact = solver.solve_from(loading.start(), &problem, stop, &mut watch(number));
             let contact = contact.map_err(StudyError::from)?;
             each(number, &contact)?;

@@ -97,6 +97,9 @@ impl Plan {
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
         let first = table.clone().setup().map_err(located)?;
+        if first.is_history()? {
+            return Err(StudyError::History);
+        }
         if first.friction.is_some() {
             return Err(StudyError::Friction);
         }

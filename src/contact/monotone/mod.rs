@@ -10,7 +10,6 @@ use crate::contact::multilevel::hierarchy::{coarser, prolong};
 use crate::contact::{Certificate, Contact, Decision, Observer, Phase, Problem, Run, Solver, Status, Step, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
-pub(crate) use bounds::NodeCeilings;
 use sets::UpdateKind;
 pub(crate) use sets::{BoxInequality, LoadOrDatum, SetIteration};
 

@@ -3,12 +3,12 @@
 //! Letters: `p` pressure, `u` its displacement, `v = u - h`, `c` the ceiling of a node, `F` the free nodes, `lambda` the mean of `v` on
 //! them or minus the given datum.
 
-use super::bounds::{NodeCeilings, carry, cut, nearest};
+use super::bounds::{carry, cut, nearest};
 use super::gmres::Gmres;
 use crate::chunks;
-use crate::contact::Problem;
 use crate::contact::multilevel::operator::{SetOperator, Spectral};
 use crate::contact::multilevel::support::Support;
+use crate::contact::{Ceiling, Problem};
 use crate::elastic::{Compliance, Response};
 use crate::grid::Grid;
 use std::sync::Arc;
@@ -45,7 +45,7 @@ pub(crate) enum LoadOrDatum {
 /// The variational inequality `<(q - p) (u(p) - h + d)> >= 0` for all `q` within bounds, and of the same sum if that is given.
 pub(crate) struct BoxInequality<'a> {
     pub height: &'a [f64],
-    pub ceilings: NodeCeilings,
+    pub ceilings: Ceiling,
     pub goal: LoadOrDatum,
 }
 
@@ -101,7 +101,7 @@ impl<'a> SetIteration<'a> {
             Some(datum) => LoadOrDatum::Datum(datum),
             None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
         };
-        let ceilings = NodeCeilings::Uniform(problem.law().ceiling());
+        let ceilings = problem.ceiling().clone();
         let task = BoxInequality { height: problem.height(), ceilings, goal };
         Self::new(task, problem.shared_compliance(), problem.surface().grid(), first)
     }

@@ -50,7 +50,7 @@ fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], cu
     let contacts = (!contacts.is_empty()).then(|| (Pane::even(ContainerKind::Tabs, "contacts", contacts), room));
     let (mut rows, others) = rows(figure, charts.iter().map(chart).collect());
     let texts = texts(stages, curves);
-    let load = PaneView::text("Load", TEXT.into());
+    let load = PaneView::text("Values", TEXT.into());
     let more = [load].into_iter().chain(others).chain(texts).collect();
     rows.push((Pane::even(ContainerKind::Tabs, "more", more), 1.0));
     let panes = contacts.into_iter().chain([(Pane::container(ContainerKind::Vertical, "curves", rows), 1.0)]).collect();
