@@ -12,6 +12,7 @@ mod history;
 mod input;
 mod motion;
 mod preparation;
+mod setup;
 mod study;
 
 pub use creep::CreepError;
@@ -20,9 +21,9 @@ pub(crate) use file::reason;
 pub use history::{HistoryError, SlipError};
 pub use motion::MotionError;
 pub use preparation::PreparationError;
+pub use setup::SetupError;
 pub use study::StudyError;
 
-use crate::quantity::bytes_in_words;
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -292,155 +293,4 @@ pub enum SolidError {
     PronyTerm { ratio: f64, time: f64 },
     #[error("the ratios of the relaxation add up to {sum:?}: give ratios whose sum is below 1")]
     PronySum { sum: f64 },
-}
-
-/// A setup that cannot be read, or that describes nothing that can be solved.
-#[derive(Debug, thiserror::Error)]
-pub enum SetupError {
-    #[error(transparent)]
-    Grid(#[from] GridError),
-    #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    #[error(transparent)]
-    Preparation(#[from] PreparationError),
-    #[error(transparent)]
-    Solid(#[from] SolidError),
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
-    #[error(transparent)]
-    Slip(#[from] SlipError),
-    #[error(transparent)]
-    History(#[from] HistoryError),
-    #[error(transparent)]
-    Creep(#[from] CreepError),
-    /// The path of a history that cannot be.
-    #[error("{reason}")]
-    Path { reason: String },
-    /// The terms of a solid that creeps.
-    #[error("{reason}")]
-    Prony { reason: String },
-    /// A motion that cannot be.
-    #[error("{reason}")]
-    Motion { reason: String },
-    #[error(transparent)]
-    Setting(#[from] SettingError),
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// There is no surface.
-    #[error(
-        "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
-    )]
-    NoSurface,
-    /// A unit for one quantity and none for another of its kind.
-    #[error("the {without} has no unit, but the {with} has one: give a unit for every {kind}, or for none")]
-    MixedUnits {
-        /// `pressure` or `length`.
-        kind: &'static str,
-        /// The quantity without a unit, and its value.
-        without: String,
-        /// The quantity with a unit, and its value.
-        with: String,
-    },
-    /// There is no load.
-    #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
-    NoLoad,
-    /// A mean pressure without a modulus.
-    #[error(
-        "the {load} {value:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
-    )]
-    NoModulus { load: &'static str, value: f64 },
-    /// A seed without roughness.
-    #[error(
-        "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
-    )]
-    SeedWithoutSpectrum,
-    /// A tangential load on a contact that yields.
-    #[error(
-        "a tangential load and a hardness are given, but partial slip is solved for elastic contacts only: leave one \
-         of them out"
-    )]
-    FrictionOfYielding,
-    /// A second file of heights that does not fit the first.
-    #[error(
-        "the heights in {} have the shape {found:?} and those of the other body {expected:?}: give arrays of the \
-         same shape", path.display()
-    )]
-    Against { path: PathBuf, found: Vec<usize>, expected: Vec<usize> },
-    /// Boundaries that fit no axes.
-    #[error("{boundaries} boundaries are given for {axes} axes: give one for all of them, or one for each")]
-    Boundaries { boundaries: usize, axes: usize },
-    /// A datum that is shorter than the cell.
-    #[error(
-        "the datum distance {datum:?} is too short: give at least the length of the cell along a free axis, {length:?}"
-    )]
-    Datum { datum: f64, length: f64 },
-    #[error("a datum is given, but no axis is free: make the boundary free along one axis, or leave the datum out")]
-    DatumOfPeriodic,
-    /// A preparation without a height file.
-    #[error("options for reading or preparing heights are given without a height file: give one, or leave them out")]
-    PreparationWithoutHeights,
-    /// Lengths that are neither in the file nor in the cell.
-    #[error("no size is given, and the file has none: give it")]
-    NoSize,
-    /// A unit for a file that has its own.
-    #[error("the file has units, so leave the file unit {unit:?} out")]
-    UnitOfFile { unit: f64 },
-    /// Positions that are not evenly spaced.
-    #[error("the positions in {} are not evenly spaced: resample the heights to even spacing", path.display())]
-    Uneven { path: PathBuf },
-    /// Heights that are void.
-    #[error("{voids} of {points} heights in {} are void: fill them, or crop the heights", path.display())]
-    Voids { path: PathBuf, voids: usize, points: usize },
-    /// A seed that a scene in TOML cannot hold.
-    #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
-    Seed { seed: u64 },
-    /// There is no number of points.
-    #[error("the points are missing: give one number for a line, two for a surface")]
-    NoPoints,
-    /// Points together with a height file, which has its own.
-    #[error("points are given, but the height file has its own: leave the points out")]
-    PointsOfFile,
-    /// A refinement factor of 0.
-    #[error("the refinement is 0: give 1 or more, or auto")]
-    Refine,
-    /// Automatic points along some axes only.
-    #[error("points are auto along some axes only: give auto for all axes, or a number for each")]
-    SomePoints,
-    /// Automatic points without roughness.
-    #[error("points = auto works for a random rough surface only: give a spectrum, or give points and refine = auto")]
-    PointsOfNothing,
-    /// An area tolerance without an automatic grid.
-    #[error("an area tolerance needs refine = auto or points = auto: give one of them, or leave the tolerance out")]
-    ToleranceOfGrid,
-    /// Lengths of the cell that do not fit the axes.
-    #[error("the size of the cell has {sizes} lengths for {axes} axes: give one for all axes, or one for each")]
-    Sizes { sizes: usize, axes: usize },
-    /// An array that is neither a line nor a surface.
-    #[error("the grid has {axes} axes: give one for a line, two for a surface")]
-    Axes { axes: usize },
-    /// A part of a recording that the grid does not have.
-    #[error("the recording part {part} does not exist for a {of}: leave it out")]
-    NoSuchPart { part: &'static str, of: &'static str },
-    /// A row or a column that a surface does not have.
-    #[error(
-        "there is no row {row} and column {column} for the raster in {} x {} nodes: give a row and a column of a \
-         surface, counted from 0",
-        shape[0], shape[1]
-    )]
-    NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
-    /// Every 0th step was to be recorded.
-    #[error("the recording interval is 0 steps: give a positive number of steps")]
-    EveryNone,
-    /// A text that is not a setup.
-    #[error("{place}{reason}")]
-    Text { place: String, reason: String },
-    /// A solve that needs more memory than is free, or than the system allows.
-    #[error(
-        "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
-        shape[0], shape[1], bytes_in_words(*needed),
-        free.map_or("more than the system allows".into(), |free| format!("and {} are free", bytes_in_words(free)))
-    )]
-    Memory { shape: [usize; 2], what: String, needed: f64, free: Option<f64> },
 }

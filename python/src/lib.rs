@@ -22,6 +22,7 @@ mod contact;
 mod conversion;
 mod error;
 mod fork;
+mod history;
 mod ledger;
 mod load_curve;
 mod problem;
@@ -80,6 +81,8 @@ mod _asperity {
     use crate::contact::Contact;
     #[pymodule_export]
     use crate::error::{AsperityError, AsperityWarning, NotConverged};
+    #[pymodule_export]
+    use crate::history::History;
     #[pymodule_export]
     use crate::ledger::{Batch, Ledger};
     #[pymodule_export]

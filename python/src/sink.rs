@@ -40,6 +40,11 @@ impl RecordingSink {
         Self { path, is_live, stream: None }
     }
 
+    /// Whether a callable takes the recording.
+    pub fn is_streamed(&self) -> bool {
+        self.stream.is_some()
+    }
+
     /// Adds a callable that takes the recording as bytes.
     pub fn stream_to(&mut self, callable: &Bound<'_, PyAny>) -> PyResult<()> {
         if !callable.is_callable() {

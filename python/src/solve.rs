@@ -2,7 +2,8 @@
 
 use crate::background::{Foreground, StepCallback, StepHandle, StepSender, run_in_background};
 use crate::contact::Contact;
-use crate::error::{BoxedError, py_error};
+use crate::error::{BoxedError, bail, py_error};
+use crate::history::History;
 use crate::load_curve::LoadCurve;
 use crate::problem::Problem;
 use crate::setup::Setup;
@@ -10,8 +11,8 @@ use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
 use asperity::contact::{Load, Observer, Status};
-use asperity::error::StudyError;
-use asperity::job::{Job, JobRun, Outcome, Pass, Solved, Watcher};
+use asperity::error::{HistoryError, StudyError};
+use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::{self, Cost};
 use asperity::study;
 use pyo3::prelude::*;
@@ -56,7 +57,7 @@ impl From<StudyError> for Ended {
 #[pymethods]
 impl Problem {
     /// Solves the problem. The contact is returned whether the solver converged or not, with a warning if it did not; a list of loads returns
-    /// a LoadCurve.
+    /// a LoadCurve; a path, several speeds or rolling return a History.
     ///
     /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings. It stops at a
     /// certificate `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative
@@ -69,7 +70,12 @@ impl Problem {
     pub fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
         let (options, setup) = SolveOptions::from_keywords(options, &self.setup, self.problem.surface().grid())?;
         let solve = Solve { problem: self, setup: &setup, options: &options };
+        let is_history = setup.setup.is_history().map_err(py_error)?;
         match &setup.loads {
+            None if is_history => Ok(Py::new(py, solve.history(py)?)?.into_any()),
+            Some(_) if is_history => {
+                bail("a history needs one load, but a list of loads is given: give one load and a path")
+            }
             Some(loads) => Ok(Py::new(py, solve.curve(py, loads)?)?.into_any()),
             None => Ok(Py::new(py, solve.contact(py)?)?.into_any()),
         }
@@ -79,7 +85,7 @@ impl Problem {
 #[pymethods]
 impl Setup {
     /// Solves the setup, with its own solver unless another one is given. The keywords are those of Problem.solve. It
-    /// returns a Contact, or a LoadCurve if the setup has a list of loads.
+    /// returns a Contact, a LoadCurve if the setup has a list of loads, or a History if it has a path, several speeds or rolling.
     #[pyo3(signature = (**options), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, refine=None, area_tolerance=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
     fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
         self.problem(py)?.solve(py, options)
@@ -141,6 +147,26 @@ impl Solve<'_> {
         }
         warn_about(py, &contacts.iter().collect::<Vec<_>>())?;
         LoadCurve::new(py, contacts, self.setup.clone())
+    }
+
+    /// Follows a history.
+    fn history(&self, py: Python<'_>) -> PyResult<History> {
+        let SolveOptions { sink, diagnose, start, .. } = self.options;
+        if sink.is_live || sink.is_streamed() || *diagnose || start.is_some() || self.setup.refinement.is_some() {
+            return bail(
+                "live, stream, diagnose, start and refine='auto' are for one contact: leave them out of a history",
+            );
+        }
+        let (setup, problem) = (&self.setup.setup, &self.problem.problem);
+        let outcome = self.in_background(py, |steps| Ok(HistoryOutcome::solve(setup, problem, steps)?))?;
+        if let Some(path) = &sink.path {
+            py.detach(|| outcome.record(path, setup, problem)).map_err(py_error)?;
+        }
+        if let Some(error) = outcome.ended.as_ref().filter(|it| !matches!(it, HistoryError::Stopped)) {
+            warn_sentence(py, &format!("The history ended after {} states: {error}.", outcome.states.len()))?;
+        }
+        warn(py, &outcome.warnings(setup))?;
+        History::new(py, outcome, &self.problem.surface, self.setup.clone(), self.problem.rank)
     }
 
     /// The contact of a curve as an object of Python.

@@ -71,6 +71,7 @@ pub fn remedy(error: &anyhow::Error) -> &'static str {
         Some(SetupError::NoSurface) => " (--height, --indenter, --hurst)",
         Some(SetupError::NoLoad) => " (--pressure, --reduced-pressure, --mean-gap)",
         Some(SetupError::NoModulus { .. }) => " (--modulus, or --young and --poisson)",
+        Some(SetupError::NoTangential { .. }) => " (--tangential, --path-tangential, --rolling, --creepage)",
         Some(SetupError::NoPoints) => " (--points)",
         Some(SetupError::NoSize) => " (--size)",
         Some(SetupError::Uneven { .. }) => " (--resample linear)",

@@ -104,10 +104,8 @@ pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Resu
     if is_dry {
         let plan = SolvePlan { setup, cost: &cost, loads: None, is_recorded: false, is_passed_twice: false };
         solve_plan::write(&plan, &mut stdout())?;
-        writeln!(
-            stdout(),
-            "  states      each of the history takes a solve, from the state before; all are kept in memory"
-        )?;
+        let states = setup.expected_states()?;
+        writeln!(stdout(), "  states      about {states}, each solved from the state before; all are kept in memory")?;
     }
     cost.check(setup.solver.name())?;
     if is_dry {

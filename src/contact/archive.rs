@@ -42,7 +42,7 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
 }
 
 /// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction` and where it sticks (`stick`), both of
-/// the shape of the pressure, and the numbers `friction`, `tangential`, `stick_area` and `slip_area`.
+/// the shape of the pressure, and the numbers `friction_coefficient`, `tangential`, `stick_area` and `slip_area`.
 ///
 /// # Errors
 /// The errors of [`archive`].
@@ -51,7 +51,7 @@ pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> 
     archive.add_field("traction", slip.traction().view())?;
     archive.add_field("stick", slip.sticks().view())?;
     let areas = [("stick_area", slip.stick().relative_area), ("slip_area", slip.slip_area())];
-    let loads = [("friction", slip.friction.coefficient), ("tangential", slip.friction.tangential)];
+    let loads = [("friction_coefficient", slip.friction.coefficient), ("tangential", slip.friction.tangential)];
     for (name, value) in loads.into_iter().chain(areas) {
         archive.npz.add_array(name, &arr0(value))?;
     }

@@ -106,9 +106,9 @@ impl Problem {
     ) -> Result<Self, ProblemError> {
         let (surface, solid) = (surface.into(), solid.into());
         check_magnitude("contact modulus", solid.contact_modulus())?;
-        check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
+        let rms_height = checked_rms_height(&surface)?;
         let compliance = Compliance::new(surface.grid(), solid, load.keeps_uniform())?;
-        Self::of_compliance(surface, compliance.into(), load)
+        Self::posed((surface, rms_height), compliance.into(), load)
     }
 
     /// The problem of a surface on a solid whose compliance on its grid is given.
@@ -117,12 +117,17 @@ impl Problem {
         compliance: Arc<Compliance>,
         load: Load,
     ) -> Result<Self, ProblemError> {
+        let rms_height = checked_rms_height(&surface)?;
+        Self::posed((surface, rms_height), compliance, load)
+    }
+
+    /// The problem of a surface with its rms height.
+    fn posed(
+        (surface, rms_height): (Arc<Surface>, f64),
+        compliance: Arc<Compliance>,
+        load: Load,
+    ) -> Result<Self, ProblemError> {
         let height = surface.heights();
-        if height.iter().all(|&h| h == height[0]) {
-            return Err(ProblemError::Flat { height: height[0] + surface.mean_height() });
-        }
-        let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
-        check_magnitude("rms height", rms_height)?;
         let mean_height = chunks::compensated_mean(height);
         let highest = height.iter().fold(0.0, |highest: f64, &h| highest.max(h)) - mean_height;
         let (mean_pressure, expected_mean_pressure, rms_gradient) = (None, f64::NAN, OnceLock::new());
@@ -394,6 +399,18 @@ impl Problem {
     pub fn nodes(&self) -> usize {
         self.surface.grid().len()
     }
+}
+
+/// The rms height of a surface that is not flat, whose lengths are in range.
+fn checked_rms_height(surface: &Surface) -> Result<f64, ProblemError> {
+    let height = surface.heights();
+    if height.iter().all(|&h| h == height[0]) {
+        return Err(ProblemError::Flat { height: height[0] + surface.mean_height() });
+    }
+    let rms_height = (chunks::sum(height.len(), |i| height[i].powi(2)) / height.len() as f64).sqrt();
+    check_magnitude("rms height", rms_height)?;
+    check_magnitude("length of the cell", surface.grid().longest_wavelength())?;
+    Ok(rms_height)
 }
 
 pub(super) fn check_magnitude(name: &'static str, value: f64) -> Result<(), ProblemError> {

@@ -14,6 +14,8 @@ const ARCHIVE_FIELDS: [f64; 2] = [16.5, 8.8];
 const CONTOUR_FIELDS: f64 = 3.5;
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;
+/// Fields of a state of a history that is kept: those of its contact, and further ones such as traction and slip.
+const STATE_FIELDS: f64 = KEPT_FIELDS + 2.0;
 /// Fields that a diagnosis adds to a solve: lines, surfaces.
 const DIAGNOSIS_FIELDS: [f64; 2] = [13.0, 8.7];
 /// Values that are held for each column and depth of a stress, those of its file included; the depths; and the fields of the spectra
@@ -71,7 +73,7 @@ impl Setup {
         let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
         let recorded = one(extras.is_recorded, self.solver.recorded_fields());
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
-        let kept = (archived - 1.0).max(0.0) * KEPT_FIELDS;
+        let kept = (archived - 1.0).max(0.0) * KEPT_FIELDS + self.expected_states()? as f64 * STATE_FIELDS;
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
         let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
         let phases = [

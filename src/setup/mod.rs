@@ -45,6 +45,7 @@ mod method;
 mod one_or_more;
 mod part;
 mod path;
+mod path_table;
 mod process;
 mod range;
 mod recipe;
@@ -232,6 +233,9 @@ impl Setup {
     /// difference of two contacts is not valid.
     fn check_friction(&self) -> Result<(), SetupError> {
         let Some(friction) = self.friction else { return Ok(()) };
+        if friction.tangential == 0.0 {
+            return Err(SetupError::NoTangential { tangential: friction.tangential });
+        }
         friction.ratio(self.load)?;
         if self.law.is_hard_wall() { Ok(()) } else { Err(SetupError::FrictionOfYielding) }
     }

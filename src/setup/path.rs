@@ -1,19 +1,16 @@
 //! The path of a history: loads in their order, and times.
 
-use super::loads::read_number;
-use super::text::SetupTable;
-use super::{Setup, one_or_more};
+use super::one_or_more;
 use crate::contact::Load;
-use crate::error::{FileError, SetupError};
+use crate::error::SetupError;
 use crate::history::PathPoint;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
 
 /// Largest number of points of a path.
 const MOST_POINTS: usize = 100_000;
 
 /// Columns of a file with a path, and the keys of a setup that they become.
-const COLUMNS: [&str; 3] = ["time", "load", "tangential"];
+pub(super) const COLUMNS: [&str; 3] = ["time", "load", "tangential"];
 
 /// The path of a history, as lists of the same length, one entry for each point. Between two points, loads change linearly.
 ///
@@ -108,69 +105,5 @@ impl LoadPath {
             tangential: at(&self.tangential, i),
         };
         (0..self.len()).map(point).collect()
-    }
-}
-
-impl SetupTable {
-    /// Reads the loads of a path, whose units are those of the load, and its file if it has one.
-    ///
-    /// # Errors
-    /// [`SetupError::Path`], [`SetupError::Text`] for a load of another kind, and those of reading the file.
-    pub(super) fn read_path(&mut self) -> Result<(), SetupError> {
-        if let Some(file) = self.find("path.file").and_then(toml::Value::as_str).map(str::to_owned) {
-            self.remove("path.file");
-            for (name, values) in columns(Path::new(&file))? {
-                let path = format!("path.{name}");
-                if self.find(&path).is_some() {
-                    let reason = format!("{name} is given by {file} and beside it: leave one of them out");
-                    return Err(SetupError::Path { reason });
-                }
-                self.lay(&path, values.into());
-            }
-        }
-        let Some(kind) = self.load_kind() else { return Ok(()) };
-        for path in ["path.load", "path.tangential"] {
-            let Some(list) = self.find(path) else { continue };
-            let list = list.as_array().cloned().unwrap_or_else(|| vec![list.clone()]);
-            let read = |value: &toml::Value| read_number(path, &kind, value).map(toml::Value::Float);
-            let values = list.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-            self.lay(path, values.into());
-        }
-        Ok(())
-    }
-}
-
-/// The columns of a file with a path: their names, and what is in them.
-fn columns(path: &Path) -> Result<Vec<(&'static str, Vec<toml::Value>)>, SetupError> {
-    let wrong = |reason: String| SetupError::Path { reason: format!("{}: {reason}", path.display()) };
-    let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes.as_slice());
-    let unreadable = |error: csv::Error| wrong(format!("this is not a table of comma-separated values: {error}"));
-    let headers = reader.headers().map_err(unreadable)?.clone();
-    let known = |header: &str| {
-        let name = COLUMNS.into_iter().find(|name| name.eq_ignore_ascii_case(header));
-        name.ok_or_else(|| wrong(format!("the column `{header}` is not known: name columns time, load and tangential")))
-    };
-    let mut columns =
-        headers.iter().map(|header| Ok((known(header)?, Vec::new()))).collect::<Result<Vec<_>, SetupError>>()?;
-    if let Some((name, _)) =
-        columns.iter().enumerate().find_map(|(i, it)| columns[..i].iter().find(|other| other.0 == it.0))
-    {
-        return Err(wrong(format!("the column {name} occurs twice: give it once")));
-    }
-    for row in reader.records() {
-        let row = row.map_err(unreadable)?;
-        columns.iter_mut().zip(row.iter()).for_each(|((_, values), word)| values.push(super::command::value(word)));
-    }
-    match columns.first() {
-        Some((_, values)) if !values.is_empty() => Ok(columns),
-        _ => Err(wrong("the table is empty: give one row for each point of the path".into())),
-    }
-}
-
-impl Setup {
-    /// The points of the path of a history; none if it has no path.
-    pub fn path_points(&self) -> Vec<PathPoint> {
-        self.path.as_ref().map_or(Vec::new(), |path| path.points(self.load))
     }
 }

@@ -5,12 +5,16 @@ use crate::contact::{Problem, Solver};
 use crate::error::{SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
-    CreepProcess, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess, SlipHistory, SlipProcess,
+    CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess, SlipHistory,
+    SlipProcess,
 };
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The estimated relative error of a step in time, if none is given.
 const TIME_TOLERANCE: f64 = 1e-3;
+
+/// Steps between two points of a path in time that are expected where the error in time chooses them.
+const STEPS_OF_TIME: usize = 32;
 
 /// The processes that a setup can describe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, IntoStaticStr)]
@@ -93,6 +97,25 @@ impl Setup {
         Ok(self.process()?.is_some() && self.speed().is_none())
     }
 
+    /// The number of states of a history, an estimate where steps are chosen by the error in time; 0 for one contact.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::process`].
+    pub fn expected_states(&self) -> Result<usize, SetupError> {
+        if !self.is_history()? {
+            return Ok(0);
+        }
+        let path = |steps: usize| self.path.as_ref().map_or(0, |it| it.len() * it.steps.unwrap_or(steps));
+        let rolling = |it: &RollingMotion| it.creepage.len() + it.tangential.len();
+        Ok(match self.process()? {
+            Some(ProcessKind::Creep) => path(STEPS_OF_TIME),
+            Some(ProcessKind::Slip) => path(1),
+            Some(ProcessKind::Sliding) => self.sliding.as_ref().map_or(0, |it| it.speed.len()),
+            Some(ProcessKind::Rolling) => self.rolling.as_ref().map_or(0, rolling),
+            None => 0,
+        })
+    }
+
     /// The speed of sliding, if there is one speed.
     pub(super) fn speed(&self) -> Option<f64> {
         match self.sliding.as_ref()?.speed.as_slice() {
@@ -105,6 +128,11 @@ impl Setup {
     pub(super) fn memory(&self) -> Result<Vec<(f64, f64)>, SetupError> {
         let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
         Ok(prony.terms().iter().map(|term| (term.ratio, term.time)).collect())
+    }
+
+    /// The points of the path of a history; none if it has no path.
+    pub fn path_points(&self) -> Vec<PathPoint> {
+        self.path.as_ref().map_or(Vec::new(), |path| path.points(self.load))
     }
 
     /// Checks what belongs to a process.

@@ -7,6 +7,7 @@ mod cli;
 #[path = "../common/command.rs"]
 mod command;
 mod guide;
+mod histories;
 mod inspect;
 #[allow(dead_code, reason = "the numerics compare more of a peer than certify does")]
 #[path = "../common/peer.rs"]

@@ -7,7 +7,7 @@
     True
 
 - `solve` presses heights on a solid and returns a `Contact`: fields as numpy arrays, measures, and a `Certificate` that bounds its error. With a
-  list of loads it returns a `LoadCurve`.
+  list of loads it returns a `LoadCurve`; along a path, at several speeds and while rolling it returns a `History`.
 - `Surface`, `Problem` and `Setup` describe a contact. A `Setup` is text that repeats it to the last bit.
 - `study` solves a setup with lists, in this process or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
 - `certify` checks a result of any other code, and `Recorder` each step of your own loop.
@@ -31,6 +31,7 @@ from asperity._asperity import (
     Certificate,
     Certification,
     Contact,
+    History,
     Ledger,
     LoadCurve,
     NotConverged,
@@ -54,7 +55,7 @@ if TYPE_CHECKING:
 
     import numpy as np
     from numpy.typing import ArrayLike
-    from typing_extensions import Unpack
+    from typing_extensions import Required, Unpack
 
     from asperity import notebook
     from asperity._asperity import ListOfLoads, Load, Loads, SolveOptions
@@ -78,11 +79,19 @@ if TYPE_CHECKING:
         solid: Pressure | Keys | None
         law: Keys | None
         friction: Keys | None
+        viscoelastic: Keys | None
+        sliding: Keys | None
         progress: bool
 
     class Press(Load, PressOptions, total=False): ...
 
     class PressSeveral(ListOfLoads, PressOptions, total=False): ...
+
+    class PressAlong(Load, PressOptions, total=False):
+        path: Required[Keys]
+
+    class PressRolling(Load, PressOptions, total=False):
+        rolling: Required[Keys]
 
 __all__ = [
     "AsperityError",
@@ -92,6 +101,7 @@ __all__ = [
     "Certificate",
     "Certification",
     "Contact",
+    "History",
     "Ledger",
     "LoadCurve",
     "NotConverged",
@@ -132,6 +142,10 @@ if TYPE_CHECKING:
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[Press]) -> Contact: ...
     @overload
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressSeveral]) -> LoadCurve: ...
+    @overload
+    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressAlong]) -> History: ...
+    @overload
+    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressRolling]) -> History: ...
 
 
 def solve(
@@ -148,6 +162,10 @@ def solve(
     solid: Pressure | Keys | None = None,
     law: Keys | None = None,
     friction: Keys | None = None,
+    viscoelastic: Keys | None = None,
+    path: Keys | None = None,
+    sliding: Keys | None = None,
+    rolling: Keys | None = None,
     solver: str | Keys | None = None,
     tolerance: float | None = None,
     pressure_tolerance: float | None = None,
@@ -162,7 +180,7 @@ def solve(
     live: bool = False,
     stream: Callable[[bytes], object] | None = None,
     diagnose: bool = False,
-) -> Contact | LoadCurve:
+) -> Contact | LoadCurve | History:
     """Presses heights on an elastic solid, and returns the contact.
 
     height: heights of a line, shape (n), or of a surface, shape (ny, nx), as lengths, with peaks towards the solid positive; or a Surface; or a
@@ -176,6 +194,12 @@ def solve(
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
+    viscoelastic: {"creep": [f, tau, ...]} or {"relaxation": [g, tau, ...]}: pairs of a ratio and a time of a solid that creeps. The elastic
+        constants are those at once after loading. It needs a path with times, or sliding.
+    path: {"time": ..., "load": ..., "tangential": ...}: lists of one length, of which some may be missing. Between two points loads change
+        linearly. It returns a History: creep where there are times, partial slip where there are tangential loads and friction.
+    sliding: {"speed": v}: slides steadily along x; measures["friction"] is the friction. Several speeds return a History.
+    rolling: {"creepage": ...} or {"tangential": ...}: lines roll steadily with friction, which needs friction={"coefficient": mu}. It returns a History.
     solver: "multilevel" (the fastest), "polonsky-keer" or "gfmd", or a dictionary with its method and settings.
     tolerance: the certificate to reach (1e-8). pressure_tolerance: the bound of the relative error of the pressure to reach.
     refine: "auto" refines the grid until the estimated errors of area and kappa_r are below area_tolerance (0.01).
@@ -192,6 +216,10 @@ def solve(
         "solid": solid,
         "law": law,
         "friction": friction,
+        "viscoelastic": viscoelastic,
+        "path": path,
+        "sliding": sliding,
+        "rolling": rolling,
         "mean_pressure": mean_pressure,
         "reduced_pressure": reduced_pressure,
         "mean_gap": mean_gap,
@@ -215,7 +243,7 @@ def solve(
         "diagnose": diagnose,
     }
     if not progress:
-        solved: Contact | LoadCurve = problem.solve(**options)
+        solved: Contact | LoadCurve | History = problem.solve(**options)
         return solved
     from asperity.progress import show_steps
 

@@ -7,7 +7,7 @@ from typing import Any, Callable, Generic, Iterator, Literal, Mapping, Sequence,
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from typing_extensions import Self, TypeVar, Unpack
+from typing_extensions import Required, Self, TypeVar, Unpack
 
 Array: TypeAlias = NDArray[np.float64]
 Mask: TypeAlias = NDArray[np.bool_]
@@ -18,8 +18,8 @@ Loads: TypeAlias = list[float] | list[str] | list[float | str] | tuple[float | s
 Keys: TypeAlias = Mapping[str, Any]
 Path: TypeAlias = os.PathLike[str] | str
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
-Solved = TypeVar("Solved", bound=Contact | LoadCurve, default=Contact)
-"""What a solve returns: a Contact under one load, a LoadCurve under a list of loads."""
+Solved = TypeVar("Solved", bound=Contact | LoadCurve | History, default=Contact)
+"""What a solve returns: a Contact under one load, a LoadCurve under a list of loads, a History along a path or of rolling."""
 
 class SolveOptions(TypedDict, total=False):
     """The keywords of Problem.solve."""
@@ -62,10 +62,22 @@ class Rest(TypedDict, total=False):
     solid: Pressure | Keys | None
     law: Keys | None
     friction: Keys | None
+    viscoelastic: Keys | None
+    sliding: Keys | None
     record: Keys | None
 
 class OneLoad(Load, Rest, total=False): ...
 class SeveralLoads(ListOfLoads, Rest, total=False): ...
+
+class AlongPath(Load, Rest, total=False):
+    """A history along a path of times and loads."""
+
+    path: Required[Keys]
+
+class WhileRolling(Load, Rest, total=False):
+    """Steady rolling at some creepages or under some tangential loads."""
+
+    rolling: Required[Keys]
 
 class AsperityError(ValueError): ...
 
@@ -207,6 +219,10 @@ class Problem(Generic[Solved]):
     @overload
     def __new__(cls, surface: Surface, **keys: Unpack[SeveralLoads]) -> Problem[LoadCurve]: ...
     @overload
+    def __new__(cls, surface: Surface, **keys: Unpack[AlongPath]) -> Problem[History]: ...
+    @overload
+    def __new__(cls, surface: Surface, **keys: Unpack[WhileRolling]) -> Problem[History]: ...
+    @overload
     def with_load(self, **load: Unpack[Load]) -> Problem[Contact]: ...
     @overload
     def with_load(self, **load: Unpack[ListOfLoads]) -> Problem[LoadCurve]: ...
@@ -241,6 +257,10 @@ class Setup:
         solid: Keys | None = None,
         law: Keys | None = None,
         friction: Keys | None = None,
+        viscoelastic: Keys | None = None,
+        path: Keys | None = None,
+        sliding: Keys | None = None,
+        rolling: Keys | None = None,
         solver: Keys | None = None,
         stop: Keys | None = None,
         record: Keys | None = None,
@@ -442,6 +462,32 @@ class LoadCurve:
     def to_pandas(self) -> Any: ...
     def to_xarray(self) -> Any: ...
     def plot(self) -> Any: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: int) -> Contact: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Contact, ...]: ...
+    def __iter__(self) -> Iterator[Contact]: ...
+
+class History:
+    @property
+    def process(self) -> str: ...
+    @property
+    def claim(self) -> str: ...
+    @property
+    def numbers(self) -> dict[str, Array]: ...
+    @property
+    def fields(self) -> dict[str, Array]: ...
+    @property
+    def energy_per_cycle(self) -> Array: ...
+    @property
+    def converged(self) -> bool: ...
+    @property
+    def setup(self) -> Setup: ...
+    @staticmethod
+    def explain(name: str) -> str: ...
+    def save(self, path: Path) -> None: ...
+    def to_pandas(self) -> Any: ...
     def __len__(self) -> int: ...
     @overload
     def __getitem__(self, index: int) -> Contact: ...

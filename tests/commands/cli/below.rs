@@ -65,7 +65,7 @@ fn a_tangential_load_is_carried_by_what_sticks_and_what_slips() {
     let mut npz = open(&folder, "slip.npz");
     let traction: ndarray::Array1<f64> = npz.by_name("traction").unwrap();
     assert!((traction.mean().unwrap() / 2e-5 - 1.0).abs() < 1e-9);
-    assert_eq!((scalar(&mut npz, "friction"), scalar(&mut npz, "stick_area")), (0.5, of("stick_area")));
+    assert_eq!((scalar(&mut npz, "friction_coefficient"), scalar(&mut npz, "stick_area")), (0.5, of("stick_area")));
     // coupling is said where there is some: of one body beside a rigid one, unless it is incompressible, and of unequal bodies
     for (solid, beta) in [
         ("--young 1GPa --poisson 0.3", Some("0.29")),

@@ -1,0 +1,156 @@
+//! Histories: the states of a contact that creeps, slips, slides or rolls.
+
+use crate::arrays::vector;
+use crate::contact::Contact;
+use crate::error::{BoxedError, bail, py_error};
+use crate::setup::Setup;
+use asperity::files::{check_named, write_beside};
+use asperity::history::{HISTORY_QUANTITIES, HistoryField, archive_of_history};
+use asperity::job::HistoryOutcome;
+use asperity::setup;
+use numpy::ndarray::{ArrayD, Axis, stack};
+use numpy::{PyArray1, PyArrayDyn};
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyIterator, PyTuple};
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds or rolls, in their order: a sequence of
+/// Contact.
+///
+/// history[0] is the contact of the first state. history.numbers["friction"] holds the friction of all states, and
+/// history.fields["traction"] the tractions of all states.
+#[pyclass(frozen, sequence, module = "asperity")]
+pub struct History {
+    outcome: Arc<HistoryOutcome>,
+    contacts: Py<PyTuple>,
+    setup: Setup,
+    rank: usize,
+}
+
+impl History {
+    /// The history that was followed from a setup.
+    pub fn new(
+        py: Python<'_>,
+        outcome: HistoryOutcome,
+        surface: &Arc<asperity::Surface>,
+        setup: Setup,
+        rank: usize,
+    ) -> PyResult<Self> {
+        let contact = |contact: &asperity::Contact| {
+            let setup = setup::Setup { load: contact.problem.load(), ..setup.setup.clone() };
+            let (contact, surface) = (contact.clone(), surface.clone());
+            Py::new(py, Contact { contact, surface, setup, rank, diagnosis: None, slip: None })
+        };
+        let contacts = outcome.states.iter().map(|it| contact(&it.contact)).collect::<PyResult<Vec<_>>>()?;
+        Ok(Self { outcome: Arc::new(outcome), contacts: PyTuple::new(py, contacts)?.unbind(), setup, rank })
+    }
+}
+
+#[pymethods]
+impl History {
+    /// What the contact does: "creep", "slip", "sliding" or "rolling".
+    #[getter]
+    fn process(&self) -> &'static str {
+        self.outcome.kind.into()
+    }
+
+    /// What the states claim to be, in words: the solution, a pressure whose error is bounded, or rounds that have converged.
+    #[getter]
+    fn claim(&self) -> &'static str {
+        self.outcome.states.first().map_or("", |state| state.claim.words())
+    }
+
+    /// The numbers of the process by their names, each an array with a number for every state; NaN where a state has none. `explain` says
+    /// what they are.
+    #[getter]
+    fn numbers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let outcome = Arc::clone(&self.outcome);
+        let columns = py.detach(move || {
+            outcome.quantities().into_iter().map(|it| (it.name, outcome.values(it.name))).collect::<Vec<_>>()
+        });
+        let numbers = PyDict::new(py);
+        columns.into_iter().try_for_each(|(name, values)| numbers.set_item(name, vector(py, values)))?;
+        Ok(numbers)
+    }
+
+    /// Further fields of the states by their names, such as traction, slip or stored_strain, each an array with a first axis of states.
+    #[getter]
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let fields = PyDict::new(py);
+        let Some(first) = self.outcome.states.first() else { return Ok(fields) };
+        for (place, HistoryField { name, .. }) in first.fields.iter().enumerate() {
+            let of_rank = |it: &asperity::history::HistoryState| -> ArrayD<f64> {
+                let values = it.fields[place].values.clone();
+                if self.rank == 1 { values.index_axis_move(Axis(0), 0).into_dyn() } else { values.into_dyn() }
+            };
+            let values: Vec<ArrayD<f64>> = self.outcome.states.iter().map(of_rank).collect();
+            let views: Vec<_> = values.iter().map(ArrayD::view).collect();
+            let stacked = stack(Axis(0), &views).map_err(|error| py_error(error.to_string()))?;
+            fields.set_item(name, PyArrayDyn::from_owned_array(py, stacked))?;
+        }
+        Ok(fields)
+    }
+
+    /// The energy that each closed cycle of the path lost, per area of the cell.
+    #[getter]
+    fn energy_per_cycle<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        vector(py, self.outcome.cycles(&self.setup.setup))
+    }
+
+    /// Whether the solver converged in all states.
+    #[getter]
+    fn converged(&self) -> bool {
+        self.outcome.states.iter().all(|state| state.contact.is_converged())
+    }
+
+    /// The setup that repeats the history. Heights that were given as an array have the name array.npy in it.
+    #[getter]
+    fn setup(&self) -> Setup {
+        self.setup.clone()
+    }
+
+    /// Explains a number of `numbers` in one sentence.
+    #[staticmethod]
+    fn explain(name: &str) -> PyResult<&'static str> {
+        let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
+        found.map(|it| it.help).ok_or_else(|| PyKeyError::new_err(name.to_owned()))
+    }
+
+    /// Writes the fields and numbers of all states, with the setup, to a file whose name ends in .npz.
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        if self.outcome.states.is_empty() {
+            return bail("the history has no states: nothing is saved");
+        }
+        let write = || -> Result<(), BoxedError> {
+            check_named(&path, &["npz"])?;
+            let quantities = self.outcome.quantities();
+            let bytes = archive_of_history(self.outcome.states.clone(), &quantities, self.rank, &self.setup.to_toml());
+            Ok(write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
+        };
+        py.detach(write).map_err(py_error)
+    }
+
+    /// The numbers as a data frame of pandas, with a row for every state.
+    fn to_pandas<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("pandas")?.call_method1("DataFrame", (slf.get().numbers(slf.py())?,))
+    }
+
+    fn __len__(&self, py: Python<'_>) -> usize {
+        self.contacts.bind(py).len()
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, index: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.contacts.bind(py).as_any().get_item(index)
+    }
+
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.contacts.bind(py).try_iter()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("History({}, {} states)", self.process(), self.outcome.states.len())
+    }
+}

@@ -1,0 +1,115 @@
+"""Histories: creep in time, slip cycles, sliding and rolling."""
+
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import asperity as asp
+
+ROUGH = dict(hurst=0.8, rolloff_wavelength=0.125, short_cutoff=0.01, rms_gradient=0.1)
+
+
+def rough() -> asp.Surface:
+    return asp.Surface.rough(2048, 1.0, seed=1, **ROUGH)
+
+
+def test_a_held_load_creeps_as_the_elastic_contact_under_its_effective_pressure() -> None:
+    history = asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 3.0})
+    assert isinstance(history, asp.History) and history.process == "creep" and history.converged
+    time, effective = history.numbers["time"], history.numbers["effective_pressure"]
+    assert time[0] == 0.0 and time[-1] == 3.0 and len(history) == len(time)
+    # under a load that never falls, the effective pressure is that of the elastic contact under P J(t)
+    assert effective[-1] == pytest.approx(effective[0] * (1 + 9 * (1 - math.exp(-3))), rel=1e-9)
+    elastic = asp.solve(rough(), reduced_pressure=0.02 * (1 + 9 * (1 - math.exp(-3))))
+    found = history[-1].pressure + history.fields["stored_strain"][-1]
+    assert np.allclose(found, elastic.pressure, atol=1e-4 * elastic.pressure.max())
+    assert history.numbers["relative_area"][-1] == pytest.approx(elastic.measures["relative_area"], rel=1e-3)
+    assert "pressure" in asp.History.explain("effective_pressure")
+    with pytest.raises(KeyError):
+        asp.History.explain("nothing")
+
+
+def test_a_slip_cycle_loses_the_same_energy_each_time(tmp_path: Path) -> None:
+    cylinder = asp.Surface.indenter(shape="cylinder", points=512, size=4.0, radius=1.0)
+    pulls = [0.25e-3, -0.25e-3, 0.25e-3, -0.25e-3, 0.25e-3]
+    history = asp.solve(
+        cylinder, solid=1.0, mean_pressure=1e-3, friction={"coefficient": 0.5}, path={"tangential": pulls}, record=tmp_path / "cycle.rrd"
+    )
+    assert history.process == "slip" and history.energy_per_cycle.shape == (2,)
+    assert history.energy_per_cycle[0] == pytest.approx(history.energy_per_cycle[1], rel=1e-6)
+    assert np.allclose(history.fields["traction"].mean(axis=1), pulls, rtol=1e-6)
+    assert (tmp_path / "cycle.rrd").stat().st_size > 10_000
+    history.save(tmp_path / "cycle.npz")
+    with np.load(tmp_path / "cycle.npz") as saved:
+        assert saved["traction"].shape == (5, 512) and saved["shift"].shape == (5,)
+    frame = history.to_pandas() if _has("pandas") else None
+    assert frame is None or list(frame["mean_traction"]) == pytest.approx(pulls)
+
+
+def _has(module: str) -> bool:
+    import importlib.util
+
+    return importlib.util.find_spec(module) is not None
+
+
+def test_one_speed_is_a_contact_and_several_are_a_history() -> None:
+    rubber = dict(viscoelastic={"creep": [9.0, 1.0]}, reduced_pressure=0.05)
+    one = asp.solve(rough(), sliding={"speed": 0.01}, **rubber)
+    several = asp.solve(rough(), sliding={"speed": [0.001, 0.01, 1.0]}, **rubber)
+    assert isinstance(one, asp.Contact) and isinstance(several, asp.History)
+    assert several.numbers["friction"][1] == pytest.approx(one.measures["friction"], rel=1e-5)
+    assert several.numbers["friction"][1] > several.numbers["friction"][[0, 2]].max()
+    assert "bounded" in several.claim
+
+
+def test_rolling_finds_the_force_of_a_creepage_and_back() -> None:
+    cylinder = asp.Surface.indenter(shape="cylinder", points=256, size=0.5, radius=1.0, boundary="free")
+    rolls = dict(solid=1.0, force=0.01, friction={"coefficient": 0.3})
+    there = asp.solve(cylinder, rolling={"tangential": [0.001, 0.002]}, **rolls)
+    back = asp.solve(cylinder, rolling={"creepage": list(there.numbers["creepage"])}, **rolls)
+    assert np.allclose(back.numbers["friction"], [0.1, 0.2], rtol=1e-4)
+
+
+def test_python_and_the_command_line_find_the_same_history(tmp_path: Path) -> None:
+    setup = asp.Setup(
+        surface={"spectrum": {"hurst": 0.8, "rolloff-wavelength": 0.125, "short-cutoff": 0.01, "rms-gradient": 0.1}, "seed": 1},
+        grid={"points": 1024, "size": 1.0},
+        load={"reduced-pressure": 0.02},
+        viscoelastic={"relaxation": [0.9, 1.0]},
+        path={"time": [0.0, 1.0, 2.0], "load": [0.02, 0.05, 0.0], "steps": 4},
+    )
+    setup.write(tmp_path / "scene.toml")
+    history = setup.solve()
+    assert isinstance(history, asp.History)
+    printed = subprocess.run(
+        [sys.executable, "-m", "asperity", "solve", str(tmp_path / "scene.toml"), "--json"], capture_output=True, check=True
+    ).stdout
+    states = json.loads(printed)["states"]
+    assert len(states) == len(history)
+    for name in ("time", "mean_pressure", "relative_area", "dissipated"):
+        assert [state[name] for state in states] == list(history.numbers[name])
+
+
+def test_what_cannot_be_is_refused_in_words_of_python() -> None:
+    with pytest.raises(asp.AsperityError, match="times of a path, or the speed"):
+        asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]})
+    with pytest.raises(asp.AsperityError, match="one load"):
+        asp.solve(rough(), reduced_pressure=[0.01, 0.02], viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0})
+    with pytest.raises(asp.AsperityError, match="leave them out"):
+        asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0}, diagnose=True)
+
+
+def test_a_callback_ends_a_history() -> None:
+    seen = []
+
+    def stop(step: asp.Step) -> bool:
+        seen.append(step)
+        return len(seen) < 40
+
+    history = asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 10.0}, callback=stop)
+    assert 0 < len(history) < 10 and len(seen) == 40

@@ -1,0 +1,165 @@
+//! Histories on the command line: creep, sliding, slip cycles and rolling, their files, and what is refused.
+
+use crate::command::{Folder, text};
+use serde_json::Value;
+
+const ROUGH: &str = "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 512 --size 1 --reduced-pressure 0.05";
+const CYLINDER: &str = "solve --indenter cylinder --radius 1 --points 256 --size 0.5 --boundary free --modulus 1 --force 0.01 --friction 0.3";
+
+fn json(folder: &Folder, line: &str) -> Value {
+    let output = folder.run(line);
+    assert!(output.status.success(), "{line}: {}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The values of a quantity in all states.
+fn column(found: &Value, name: &str) -> Vec<f64> {
+    found["states"].as_array().unwrap().iter().map(|state| state[name].as_f64().unwrap()).collect()
+}
+
+#[test]
+fn a_held_load_creeps_towards_the_relaxed_contact() {
+    let folder = Folder::new();
+    let found = json(&folder, &format!("{ROUGH} --creep 9,1 --path-time 30 --json"));
+    assert_eq!(found["process"], "creep");
+    let (area, effective) = (column(&found, "relative_area"), column(&found, "effective_pressure"));
+    assert!(area.is_sorted() && area.len() > 8);
+    assert!((effective.last().unwrap() / effective[0] - 10.0).abs() < 1e-6, "{effective:?}");
+    // the relaxed contact is the elastic one under ten times the load
+    let elastic = json(&folder, &format!("{} 0.5 --json", ROUGH.trim_end_matches(" 0.05")));
+    let relaxed = elastic["relative_area"].as_f64().unwrap();
+    assert!((area.last().unwrap() / relaxed - 1.0).abs() < 1e-3, "{area:?} against {relaxed}");
+}
+
+#[test]
+fn a_relaxation_series_is_the_creep_series_of_the_same_solid() {
+    let folder = Folder::new();
+    // a standard linear solid: f = g/(1 - g), tau = tau_R/(1 - g)
+    let of = |memory: &str| {
+        column(&json(&folder, &format!("{ROUGH} {memory} --path-time 2 --path-steps 5 --json")), "mean_gap")
+    };
+    let [creep, relaxation] = ["--creep 9,1", "--relaxation 0.9,0.1"].map(of);
+    assert_eq!(creep.len(), relaxation.len());
+    assert!(creep.iter().zip(&relaxation).all(|(a, b)| (a / b - 1.0).abs() < 1e-6), "{creep:?} {relaxation:?}");
+}
+
+#[test]
+fn a_path_can_come_from_a_file_and_is_carried_by_every_result() {
+    let folder = Folder::new();
+    std::fs::write(folder.join("path.csv"), "# press and release\ntime, load\n0, 0.02\n1, 0.05\n2, 0\n3, 0\n").unwrap();
+    let line = format!("{ROUGH} --creep 9,1 --path path.csv --path-steps 3 --json");
+    let found = json(&folder, &format!("{line} --out all.npz --save-setup scene.toml"));
+    let pressure = column(&found, "mean_pressure");
+    assert_eq!((pressure.len(), pressure[pressure.len() - 1], pressure[6]), (10, 0.0, 0.0), "{pressure:?}");
+    std::fs::remove_file(folder.join("path.csv")).unwrap();
+    for again in ["solve scene.toml --json", "solve --setup-of all.npz --json"] {
+        let again = json(&folder, again);
+        assert_eq!(again["states"].as_array().unwrap().len(), 10);
+        assert_eq!(column(&again, "mean_gap"), column(&found, "mean_gap"));
+    }
+}
+
+#[test]
+fn a_friction_curve_has_its_maximum_between_slow_and_fast() {
+    let folder = Folder::new();
+    let line = format!("{ROUGH} --creep 9,1 --speed 1e-4..1e2:7");
+    let found = json(&folder, &format!("{line} --json --record curve.rrd --out curve.svg"));
+    let friction = column(&found, "friction");
+    let most = friction.iter().copied().fold(0.0, f64::max);
+    assert!(friction.len() == 7 && friction[0] < 0.5 * most && friction[6] < 0.01 * most, "{friction:?}");
+    assert!(found["claim"].as_str().unwrap().starts_with("bounded"));
+    assert!(folder.join("curve.rrd").metadata().unwrap().len() > 10_000);
+    assert!(std::fs::read_to_string(folder.join("curve.svg")).unwrap().contains("<svg"));
+    // one speed is an ordinary contact, whose steps can be recorded
+    let one = json(&folder, &format!("{ROUGH} --creep 9,1 --speed 0.01 --json --record one.rrd"));
+    assert!((one["friction"].as_f64().unwrap() / friction[2] - 1.0).abs() < 1e-4);
+    let text_of = folder.run(&format!("{ROUGH} --creep 9,1 --speed 0.01"));
+    assert!(text(&text_of.stdout).contains("friction"), "{}", text(&text_of.stdout));
+    assert!(text(&text_of.stdout).contains("monotone"), "{}", text(&text_of.stdout));
+}
+
+#[test]
+fn a_slip_cycle_writes_its_loop() {
+    let folder = Folder::new();
+    let cycle = "--path-tangential 0.0025,-0.0025,0.0025 --path-steps 4";
+    let found = json(&folder, &format!("{CYLINDER} {cycle} --json --out loop.csv --record loop.rrd"));
+    let (shift, traction) = (column(&found, "shift"), column(&found, "mean_traction"));
+    assert_eq!(shift.len(), 12);
+    // the loop closes, and what it encloses is what friction dissipates
+    assert!((shift[3] / shift[11] - 1.0).abs() < 1e-6);
+    let lost = found["energy_per_cycle"][0].as_f64().unwrap();
+    let pairs = (4..12).map(|i| 0.5 * (traction[i] + traction[i - 1]) * (shift[i] - shift[i - 1]));
+    let enclosed: f64 = pairs.sum();
+    assert!(lost > 0.0 && (enclosed / lost - 1.0).abs() < 0.2, "{enclosed} against {lost}");
+    let table = std::fs::read_to_string(folder.join("loop.csv")).unwrap();
+    assert!(table.lines().count() == 13 && table.starts_with("state,status,"));
+    let words = folder.run(&format!("{CYLINDER} {cycle}"));
+    assert!(text(&words.stdout).contains("energy lost per cycle"), "{}", text(&words.stdout));
+}
+
+#[test]
+fn rolling_goes_from_force_to_creepage_and_back() {
+    let folder = Folder::new();
+    let there = json(&folder, &format!("{CYLINDER} --rolling 0,0.001,0.002 --json"));
+    let creepages: Vec<String> = column(&there, "creepage").iter().map(f64::to_string).collect();
+    let back = json(&folder, &format!("{CYLINDER} --creepage={} --json", creepages.join(",")));
+    let friction = column(&back, "friction");
+    assert!(friction[0].abs() < 1e-6 && (friction[1] - 0.1).abs() < 1e-5 && (friction[2] - 0.2).abs() < 1e-5);
+}
+
+#[test]
+fn times_and_speeds_have_units() {
+    let folder = Folder::new();
+    let line = "solve --indenter cylinder --radius 50mm --points 512 --size 40mm --modulus 1905MPa --pressure 1MPa";
+    let seconds = json(&folder, &format!("{line} --creep 1,0.009 --path-time 0.02 --path-steps 2 --json"));
+    let millis = json(&folder, &format!("{line} --creep 1,9ms --path-time 20ms --path-steps 2 --json"));
+    assert_eq!(column(&seconds, "mean_gap"), column(&millis, "mean_gap"));
+    let fast = json(&folder, &format!("{line} --creep 1,9ms --speed 1m/s --json"));
+    let same = json(&folder, &format!("{line} --creep 1,0.009 --speed 1000mm/s --json"));
+    assert_eq!(fast["friction"], same["friction"]);
+}
+
+#[test]
+fn what_cannot_be_is_refused_in_one_sentence() {
+    let folder = Folder::new();
+    std::fs::write(folder.join("wrong.csv"), "time,force\n0,1\n").unwrap();
+    std::fs::write(folder.join("empty.csv"), "time,load\n").unwrap();
+    let rough = |rest: &str| format!("{ROUGH} {rest}");
+    let cylinder = |rest: &str| format!("{CYLINDER} {rest}");
+    let cases = [
+        (rough("--creep 9,1"), "needs a time or a speed"),
+        (rough("--creep 9 --path-time 1"), "give pairs of a ratio and a time"),
+        (rough("--creep=-9,1 --path-time 1"), "-9"),
+        (rough("--relaxation 0.6,1,0.6,2 --path-time 1"), "1.2"),
+        (rough("--creep 9,1 --relaxation 0.5,1 --path-time 1"), "give one of them"),
+        (rough("--speed 1"), "needs a solid that creeps"),
+        (rough("--creep 9,1 --speed=-1,1"), "-1"),
+        (rough("--creep 9,1 --speed 0"), "positive"),
+        (rough("--creep 9,1 --speed 1 --path-time 1"), "leave the path out, or the motion"),
+        (rough("--creep 9,1 --path-time 2,1"), "ascending"),
+        (rough("--creep 9,1 --path-time 0,1 --path-load 1,2,3"), "2 times, 3 loads"),
+        (rough("--creep 9,1 --path-time 1 --path-steps 0"), "1 or more"),
+        (rough("--creep 9,1 --path-time 1 --time-tolerance 2"), "between 0 and 1"),
+        (rough("--creep 9,1 --path missing.csv"), "missing.csv"),
+        (rough("--creep 9,1 --path wrong.csv"), "`force` is not known"),
+        (rough("--creep 9,1 --path empty.csv"), "empty"),
+        (rough("--creep 9,1 --speed 1 --hardness 0.1"), "leave the hardness out"),
+        (rough("--creep 9,1 --path-time 1 --solver gfmd"), "gfmd"),
+        (rough("--creep 9,1 --path-time 1 --live"), "--live"),
+        (rough("--creep 9,1 --path-time 1 --diagnose"), "--diagnose"),
+        (rough("--path-load 0.1,0.2"), "no tangential loads"),
+        (cylinder("--path-tangential 0.01"), "slide"),
+        (cylinder("--rolling 0.01"), "slide"),
+        (cylinder("--rolling 0 --creepage 1e-3"), "give one of them"),
+        (cylinder("--rolling 0 --creep 9,1"), "elastic"),
+        (cylinder("--path-tangential 1e-3 --path-time 1"), "does not know time"),
+        (cylinder("--tangential 1e-3 --hardness 1"), "yield"),
+    ];
+    for (line, sentence) in cases {
+        let output = folder.run(&format!("{line} --out result.npz"));
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{line}: {error}");
+        assert!(error.contains(sentence) && error.trim_end().lines().count() == 1, "{line}: {error}");
+        assert!(!folder.join("result.npz").exists(), "{line}");
+    }
+}
