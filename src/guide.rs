@@ -19,6 +19,7 @@ macro_rules! pages {
             #[doc = "[recordings]: crate::guide::recordings"]
             #[doc = "[slow-solvers]: crate::guide::slow_solvers"]
             #[doc = "[studies]: crate::guide::studies"]
+            #[doc = "[time-and-friction]: crate::guide::time_and_friction"]
             #[doc = "[trust]: crate::guide::trust"]
             #[doc = "[words]: crate::guide::words"]
             #[doc = ""]
@@ -34,6 +35,7 @@ pages! {
     boundaries_and_solids "assets/guide/boundaries-and-solids.md"
     hardness "assets/guide/hardness.md"
     history "assets/guide/history.md"
+    time_and_friction "assets/guide/time-and-friction.md"
     recordings "assets/guide/recordings.md"
     studies "assets/guide/studies.md"
     explorer "assets/guide/explorer.md"

@@ -8,8 +8,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The highest allowed pressure of each node, a pressure: `0 <= p <= H`.
 ///
-/// A [`Law`](crate::contact::Law) with a hardness gives all nodes the same ceiling. A traction with friction has another one at each
-/// node, which follows the pressure, see [`crate::history::SlipHistory`].
+/// A [`Law`](crate::contact::Law) with a hardness gives all nodes the same ceiling. With friction, the ceiling of the traction differs from
+/// node to node, since it is proportional to the pressure, see [`crate::history::SlipHistory`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ceiling {
     /// The same for all nodes; infinite for a hard wall.

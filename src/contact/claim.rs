@@ -26,8 +26,11 @@ pub enum ResultClaim {
     /// The solution of a monotone problem without an energy, of a contact that moves: only the pressure is bounded.
     #[strum(message = "bounded: the error of the pressure is bounded, and no energy belongs to the contact")]
     Bounded,
-    /// Alternating rounds between pressure and traction that have converged: each is certified for the other one, but not the pair.
-    #[strum(message = "rounds converged: pressure and traction are each certified for the other one, but not the pair")]
+    /// Rounds between pressure and traction that have converged: the pressure is certified for this traction, and the traction for
+    /// this pressure, but not both together.
+    #[strum(
+        message = "rounds converged: the pressure is certified for this traction, and the traction for this pressure, but not both together"
+    )]
     RoundsConverged,
 }
 

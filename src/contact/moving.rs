@@ -21,7 +21,7 @@ impl Problem {
     /// refuse it.
     ///
     /// # Errors
-    /// The errors of [`Compliance::sliding`], and [`ProblemError::OutOfRange`] for a creep that leaves the range of doubles.
+    /// The errors of [`Compliance::sliding`], and [`ProblemError::OutOfRange`] for a compliance outside the range of doubles.
     ///
     /// # Source
     /// Menga, Putignano, Carbone and Demelio, Proc. R. Soc. A 470, 20140392 (2014), for the kernel of steady sliding.
@@ -43,7 +43,7 @@ impl Problem {
         self.with_compliance(compliance)
     }
 
-    /// Whether the contact moves over its solid, so that its compliance is not symmetric, and no energy belongs to it.
+    /// Whether the contact moves over its solid. Its compliance is then not symmetric, and no energy belongs to the contact.
     pub fn is_moving(&self) -> bool {
         !self.compliance().is_symmetric()
     }

@@ -10,8 +10,8 @@ impl Problem {
     /// The problem with a law of contact.
     ///
     /// # Errors
-    /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite, [`ProblemError::AboveHardness`] for one that does
-    /// not bear the mean pressure.
+    /// [`ProblemError::NotPositive`] for a hardness that is not positive and finite, [`ProblemError::AboveHardness`] for one below the
+    /// mean pressure.
     pub fn with_law(self, law: Law) -> Result<Self, ProblemError> {
         if let Law::Hardness(hardness) = law {
             check_magnitude("hardness", hardness)?;
@@ -19,8 +19,8 @@ impl Problem {
         Self { law, ceiling: Ceiling::Uniform(law.ceiling()), ..self }.below_ceiling()
     }
 
-    /// The problem with a ceiling of the pressure at each node, row by row, in place of a law. They may be zero, but not all of
-    /// them.
+    /// The problem with a ceiling of the pressure at each node, row by row, in place of a law. Some ceilings may be zero, but not
+    /// all of them.
     ///
     /// # Errors
     /// [`ProblemError::NotPositive`] for a ceiling that is negative or not finite, or if all are zero,
@@ -72,7 +72,7 @@ impl Problem {
     /// this problem's surface, shape `(ny, nx)`. Rms height, rms gradient and highest peak stay those of that surface: so a
     /// certificate, a reduced pressure, a mean gap and an approach mean the same as before.
     ///
-    /// A step of a history is such a problem: a solid that remembers earlier pressures meets heights less what it remembers.
+    /// A step of a history is such a problem: the displacement that a solid remembers is subtracted from the heights.
     ///
     /// # Errors
     /// [`SurfaceError::Shape`] for an array that does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity.

@@ -9,7 +9,7 @@ use ndarray_npy::WriteNpzError;
 /// with arrays of the `quantities` and of the further fields of the states by their names, along a first axis of states.
 ///
 /// # Errors
-/// The errors of the format, which fields of doubles do not meet, unless there are no states.
+/// [`WriteNpzError`] if there are no states; fields of doubles cause none.
 pub fn archive_of_history(
     states: Vec<HistoryState>,
     quantities: &[&HistoryQuantity],

@@ -24,10 +24,10 @@ use crate::surface::Field;
 /// of the pressure. Compliance and plans are those of the problem for all steps; each step costs one transform pair besides its solve,
 /// which starts from the last state.
 ///
-/// Below a hardness the pressure is limited, but nothing remembers what has yielded: heights recover when the load
+/// A hardness limits the pressure, but the surface does not keep what has yielded: its heights recover when the load
 /// falls.
 ///
-/// Memory: a field for each term, and about four fields for the contact and the start of the next one.
+/// Storage: a field for each term, and about four fields for the contact and the start of the next one.
 ///
 /// # Source
 /// The equations follow from the exact integral of the Kelvin elements over a step (Taylor, Pister & Goudreau, Int. J. Numer. Meth. Eng. 2,
@@ -108,7 +108,7 @@ impl Creep {
         }
     }
 
-    /// The state after a step `dt` under a load. A step of no time is a sudden change of the load. Where the load is a pressure or a force
+    /// The state after a step `dt` under a load. A step of length zero is a sudden change of the load. Where the load is a pressure or a force
     /// of zero, and where a mean gap or an approach leaves the surfaces apart, there is no pressure and the solid recovers.
     /// Mean gaps above the highest peak and approaches that are not positive are allowed.
     ///

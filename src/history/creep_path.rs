@@ -60,7 +60,7 @@ impl CreepPath {
         &self.points
     }
 
-    /// The load at a time on the way to a point, counted from 0. The first point has no way to it.
+    /// The load at a time between the point before and this `point`. Points are counted from 0.
     ///
     /// # Panics
     /// If there is no such point.

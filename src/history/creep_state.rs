@@ -9,11 +9,11 @@ use crate::surface::Field;
 pub struct CreepEnergy {
     /// The elastic energy that is stored: `<p A p>/2 + sum_j <eps_j A eps_j>/(2 f_j)`.
     pub stored: f64,
-    /// The energy that the dashpots have taken up so far: `sum_j tau_j/f_j int <eps_j' A eps_j'> dt`, without error for the
+    /// The energy that the dashpots have taken up so far: `sum_j tau_j/f_j int <eps_j' A eps_j'> dt`, exact for the
     /// pressures of the steps.
     pub lost: f64,
     /// The work of the load so far, `int <p> d(approach)`, by the trapezoidal rule over the steps; a step without time adds
-    /// what it stores. Over a closed cycle it equals `lost`, but for the error in time.
+    /// what it stores. Over a closed cycle it equals `lost`, except for the error in time.
     pub work: f64,
 }
 
@@ -27,12 +27,12 @@ pub struct CreepEnergy {
 /// | `memory` | one field per term | pressure | `eps_j` |
 ///
 /// The certificate of the contact is that of the convex problem of the step: it bounds the error of the pressure for
-/// the memory that the state before had. [`CreepState::error_bound`] adds up such errors over all steps. The error of
-/// finite steps in time is another one, see [`CreepState::time_error`].
+/// the memory that the state before had. [`CreepState::error_bound`] adds up such errors over all steps. The length of
+/// the steps causes another error, see [`CreepState::time_error`].
 ///
 /// Measures of [`Contact`] that use the contact modulus, such as [`Contact::resolved`], use the glassy one. Use
-/// [`CreepState::resolved`] instead. Without a load, and where the surfaces are out of each other's reach, `contact.problem`
-/// has the load of an earlier state: [`CreepState::load`] has that of this state.
+/// [`CreepState::resolved`] instead. Without a load, and where the surfaces do not touch, `contact.problem`
+/// has the load of an earlier state. The load of this state is [`CreepState::load`].
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
@@ -49,7 +49,7 @@ pub struct CreepEnergy {
 /// let end = steps.last().expect("there are states")?;
 /// assert_eq!(end.contact.mean_pressure(), 0.0);
 /// assert!(end.memory[0].iter().all(|&eps| eps < 1e-10));
-/// // what the load has done is what the solid has lost, but for the error in time
+/// // the work of the load is the energy that the solid has lost, except for the error in time
 /// assert!((end.energy.work / end.energy.lost - 1.0).abs() < 0.1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -19,13 +19,13 @@ const GROW: f64 = 2.0;
 const ELASTIC_STEPS: f64 = 2.0;
 
 /// The states of a viscoelastic contact along a path of loads, one after the other: an iterator. The path begins with the solid
-/// at rest. There is a state at each point of the path; a jump of the load is a step of no time.
+/// at rest. There is a state at each point of the path; a jump of the load is a step of length zero.
 ///
-/// **Adaptive steps.** Each step is done once, and again as two halves, whose states are kept. The error of the
-/// halves is estimated by the difference of both effective pressures `p + sum_j eps_j` (root mean square) over that of the
-/// effective pressure. It is of second order in the step. A step with an error above the tolerance is repeated with a shorter one. The
+/// **Adaptive steps.** Each step is solved once, and again as two halves, whose states are kept. The error of the
+/// halves is estimated by the difference of both effective pressures `p + sum_j eps_j` (root mean square), divided by the
+/// effective pressure. The error of one step is of second order in its length. A step with an error above the tolerance is repeated with a shorter one. The
 /// first step after a jump is a twentieth of the shortest time of the solid, and steps at most double. Errors of earlier steps fade
-/// as the slowest term of the solid does; [`CreepState::time_error`] is their sum.
+/// as the slowest term of the solid does; [`CreepState::time_error`] is the sum of what is left of them.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};

@@ -11,7 +11,7 @@ const SHORT: f64 = 0.05;
 /// Terms of these series; the next one is below rounding.
 const SERIES: i32 = 14;
 
-/// How the pressure goes over a step in time, see [`super::Creep::with_rule`].
+/// How the pressure varies within a step in time, see [`super::Creep::with_rule`].
 ///
 /// ```
 /// assert_eq!(asperity::history::CreepRule::default(), asperity::history::CreepRule::ConstantPressure);
@@ -22,17 +22,17 @@ const SERIES: i32 = 14;
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum CreepRule {
-    /// The pressure of the end holds over the whole step.
+    /// The pressure at the end of a step is taken for the whole step.
     ///
-    /// First order in the step. Under a load that never falls the error
-    /// is that of the load alone, for steps of any length.
+    /// First order in the step. Under a load that never falls, only the load in
+    /// steps causes an error of the pressure, for steps of any length.
     #[default]
     ConstantPressure,
-    /// The pressure goes linearly from the beginning to the end of a step.
+    /// The pressure varies linearly from the beginning to the end of a step.
     ///
     /// Second order in steps that are short compared with the shortest time
-    /// of the solid. The first step after a jump of the load takes the pressure as constant, since a long linear one would ask
-    /// for tension where the contact grows.
+    /// of the solid. The first step after a jump of the load takes the pressure as constant, since a long linear one would need
+    /// tension where the contact grows.
     LinearPressure,
 }
 

@@ -9,8 +9,8 @@
 //!
 //! A [`Process`] makes the states of any of them along its path, as [`HistoryState`]s: tables, recordings and pictures know these.
 //!
-//! One picture holds for all that moves. The rough surface lies above the solid and moves towards `+x` over it, at rest in the frame of the
-//! fields. So material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
+//! One picture holds for all processes that move. The rough surface lies above the solid and moves towards `+x` over it. The fields move with the
+//! surface. So new material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
 mod archive;
 mod creep;

@@ -23,7 +23,7 @@ pub trait Process {
     /// Goes along the path, and gives each state to `each` as soon as it is solved. The observer sees the steps of all solves.
     ///
     /// # Errors
-    /// For a load that cannot be, and those of the solver and of `each`: the path ends there.
+    /// An error for a load that is impossible, and those of the solver and of `each`. The history ends there.
     fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError>;
 }
 
@@ -37,7 +37,7 @@ pub struct HistoryState {
     pub contact: Contact,
     /// The point of the path that it has reached, from 0; none between two points.
     pub point: Option<usize>,
-    /// What the state claims to be.
+    /// What the certificate claims about the state.
     pub claim: ResultClaim,
     /// The numbers of the process; those of [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES).
     pub numbers: HistoryNumbers,
@@ -62,7 +62,7 @@ pub struct HistoryField {
     pub values: Field,
 }
 
-/// The numbers of a state that belong to its process; those that a process does not have are none.
+/// The numbers of a state that belong to its process. A number that the process does not have is `None`.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct HistoryNumbers {
     /// Time since the beginning.
@@ -73,9 +73,9 @@ pub struct HistoryNumbers {
     pub creepage: Option<f64>,
     /// Mean traction along `x` on the solid, a pressure.
     pub mean_traction: Option<f64>,
-    /// Tangential force over normal force.
+    /// Tangential force divided by normal force.
     pub friction: Option<f64>,
-    /// Force across the motion over the normal force, of surfaces that slide.
+    /// Force perpendicular to the motion divided by the normal force, of surfaces that slide.
     pub lateral_friction: Option<f64>,
     /// The friction in full contact under the same load.
     pub friction_full_contact: Option<f64>,
@@ -83,7 +83,7 @@ pub struct HistoryNumbers {
     pub friction_persson: Option<f64>,
     /// Mean of the effective pressure `p + sum eps_j` of a solid that creeps.
     pub effective_pressure: Option<f64>,
-    /// Relative area, with edges resolved by the effective pressure, where that is another one than the pressure.
+    /// Relative area, with edges resolved by the effective pressure, where it differs from the pressure.
     pub relative_area: Option<f64>,
     /// `kappa_r` with the effective modulus.
     pub kappa_r: Option<f64>,
@@ -93,13 +93,13 @@ pub struct HistoryNumbers {
     pub stick_share: Option<f64>,
     /// Dissipated energy since the beginning, per area of the cell.
     pub dissipated: Option<f64>,
-    /// Elastic energy that is stored, per area of the cell: of a solid that creeps all of it, with friction that of the traction.
+    /// Stored elastic energy, per area of the cell: all of it for a solid that creeps, that of the traction alone with friction.
     pub stored: Option<f64>,
     /// Work of the load since the beginning, per area of the cell.
     pub work_done: Option<f64>,
-    /// Estimated relative error of the effective pressure by steps in time.
+    /// Estimated relative error of the effective pressure that the length of the steps in time causes.
     pub time_error: Option<f64>,
-    /// Bound of the error of the effective pressure by all certificates so far, over the effective pressure.
+    /// Bound of the relative error of the effective pressure that the solver caused in all steps so far.
     pub history_bound: Option<f64>,
     /// Certificate of the traction.
     pub traction_certificate: Option<f64>,
@@ -118,7 +118,7 @@ impl HistoryField {
         Self { name: "slip", title, symbol, is_pressure: false, values }
     }
 
-    /// What a solid that creeps remembers, as the pressure that would displace the glassy solid as far.
+    /// What a solid that creeps remembers, as the pressure that would cause the same displacement of the glassy solid.
     pub fn remembered(values: Field) -> Self {
         let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");
         Self { name: "stored_strain", title, symbol, is_pressure: true, values }

@@ -55,7 +55,7 @@ pub struct RollingConditions {
 /// # Coupling
 /// Where `beta` is not zero the traction displaces the surface into the solid by `beta S tau`. Pressure and traction are then solved in
 /// turn (Panagiotopoulos 1975), until the pressure fits the heights `h - beta S tau` with the last traction to the tolerance. No bound of
-/// the joint error is known: the result claims that both residuals are small, no more.
+/// the joint error is known: the result claims that both residuals are small, and nothing else.
 ///
 /// # The error
 /// With `v = B t - h_t`, `G = <t max(v - l, 0)> + <(2 mu p - t) max(l - v, 0)>` bounds `<(tau - tau*) B (tau - tau*)>`, in which only the
@@ -97,7 +97,7 @@ pub struct Rolling {
     pub pressure_certificate: f64,
     /// Rounds between pressure and traction; 1 without coupling.
     pub rounds: usize,
-    /// Updates of the traction, inner steps of them, and transforms of all.
+    /// Updates of the traction.
     pub updates: usize,
     /// Inner steps of the updates.
     pub inner_steps: usize,

@@ -7,8 +7,8 @@ use crate::elastic::SteadyMotion;
 use crate::error::MotionError;
 use crate::theory::persson::Pressures;
 
-/// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. What it takes to slide is the loss
-/// in the solid.
+/// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. The loss of
+/// energy in the solid resists the motion.
 ///
 /// The surface moves towards `+x` at the speed `V`. The pressure acts along the normal of the deformed solid, so that the force on the
 /// solid along the surface is `-<p grad u>` per area. Its part along `+x` over the load is the coefficient of friction, positive where the
@@ -24,7 +24,7 @@ use crate::theory::persson::Pressures;
 /// Derivatives are taken by the spectrum, so that no edge is counted. `K(q) = 1/w(q)` is the complex stiffness, the inverse of the weight
 /// of [`crate::elastic::Compliance::sliding`]. In Persson's theory each wave rubs on the share of the area that is in contact when all
 /// longer waves are seen, `P(q) = erf(<p> / (sqrt2 s(q)))`, with the variance `s^2 = sum abs(K h)^2` of the pressure over these waves in full
-/// contact. It leaves out a factor of order one, by which contact is stiffer where it is, so that it is no bound.
+/// contact. The theory leaves out a factor of order one, since the response of the solid in contact is stiffer. So it is no bound.
 ///
 /// # Source
 /// Friction in full contact and the theory: Persson, J. Chem. Phys. 115, 3840 (2001). Steady sliding of rough surfaces: Menga, Putignano,
@@ -73,7 +73,7 @@ impl Sliding {
         Self::new(MonotoneSets.solve(problem, stop, observer)?.converged()?)
     }
 
-    /// What a contact that slides takes to slide, for a contact that was found in any way.
+    /// The friction of a contact that slides, whichever solver found it.
     ///
     /// # Errors
     /// [`MotionError::NeedsSliding`] for the contact of a problem that does not slide.

@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// law    |tau| <= mu p,   s = 0 where |tau| < mu p,   s against tau elsewhere
 /// ```
 ///
-/// This is the optimality of `min 1/2 <tau A_t tau> - <tau A_t tau_0>` over `|tau| <= mu p` with `<tau>` given. With `t = tau + mu p` it
+/// These are the conditions of the minimum of `1/2 <tau A_t tau> - <tau A_t tau_0>` over `|tau| <= mu p` with `<tau>` given. With `t = tau + mu p` it
 /// is a [`Problem`] with the heights `A_t (tau_0 + mu p)`, below a [ceiling](crate::contact::Ceiling) `2 mu p` of each node. Every solver
 /// that takes a hardness solves it, to a [`SlipCertificate`].
 ///
@@ -109,7 +109,7 @@ impl<'s> SlipHistory<'s> {
     ///
     /// # Errors
     /// [`SlipError::NeedsPressure`] for a normal load that is no pressure, [`SlipError::Sliding`] for a tangential load that friction cannot
-    /// carry, and the errors of [`Problem::with_load`] and of [`Solver::solve_from`]. The history is as it was then.
+    /// carry, and the errors of [`Problem::with_load`] and of [`Solver::solve_from`]. After an error the history is as it was before the step.
     pub fn step(&mut self, load: Load, tangential: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
         let share = self.share(load, tangential)?;
         let (contact, pressed, mut work) = self.press(load, observer)?;

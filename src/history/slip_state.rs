@@ -31,8 +31,8 @@ pub struct SlipState {
     /// The energy that friction dissipates in this step, per area of the cell: `<mu p |s|>`, with the mean of the pressures before and
     /// after the step.
     pub dissipated: f64,
-    /// The elastic energy of the traction after this step, per area of the cell: `<tau A_t tau>/2`. The tangential load does the work
-    /// that it grows by and the dissipated energy.
+    /// The elastic energy of the traction after this step, per area of the cell: `<tau A_t tau>/2`. The work of the tangential load is
+    /// the increase of this energy plus the dissipated energy.
     pub stored: f64,
     /// The error of the traction.
     pub certificate: SlipCertificate,

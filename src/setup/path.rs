@@ -19,8 +19,8 @@ pub(super) const COLUMNS: [&str; 3] = ["time", "load", "tangential"];
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct LoadPath {
-    /// Times, in ascending order from 0; two equal ones are a jump of the load. Needed for a solid that creeps. The load of the
-    /// first point is applied at time 0.
+    /// Times, 0 or later and in ascending order; two equal ones are a sudden change of the load. Needed for a solid that creeps. The
+    /// load of the first point is applied at time 0.
     #[serde(
         skip_serializing_if = "Vec::is_empty",
         serialize_with = "one_or_more::serialize",
@@ -33,10 +33,11 @@ pub struct LoadPath {
     /// Tangential loads, of the same kind as the normal ones and of any sign; needed with friction.
     #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub tangential: Vec<f64>,
-    /// Equal steps between two points; without it one with friction, and as many as the error in time needs where there are times.
+    /// Number of equal steps between two points. Without it, a path with friction has one, and a path in time has as many as its
+    /// tolerance needs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps: Option<usize>,
-    /// The estimated relative error of a step in time, by which steps are chosen; 1e-3 if it is left out.
+    /// The largest estimated relative error of a step in time; 1e-3 if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_tolerance: Option<f64>,
 }

@@ -56,9 +56,9 @@ impl Setup {
                 motion("sliding and rolling are steady, but a path is given: leave the path out, or the motion")
             }
             (Some(_), None, Some(_), None) => Ok(Some(ProcessKind::Sliding)),
-            (None, None, Some(_), None) => motion(
-                "sliding without friction needs a solid that creeps: give its creep or relaxation, or leave the speed out",
-            ),
+            (None, None, Some(_), None) => {
+                motion("sliding needs a solid that creeps: give its creep or relaxation, or leave the speed out")
+            }
             (None, None, None, Some(_)) if self.friction.is_some() => Ok(Some(ProcessKind::Rolling)),
             (None, None, None, Some(_)) => motion("rolling needs a coefficient of friction: give one"),
             (Some(_), None, None, Some(_)) => {
@@ -68,7 +68,7 @@ impl Setup {
                 path("a solid that creeps needs times: give the times of the path")
             }
             (Some(_), Some(it), ..) if !it.tangential.is_empty() || self.friction.is_some() => {
-                path("a solid that creeps is without friction here: leave the friction out, or the creep")
+                path("creep and friction cannot be combined: leave the friction out, or the creep")
             }
             (Some(_), Some(_), ..) => Ok(Some(ProcessKind::Creep)),
             (Some(_), None, None, None) => {
@@ -82,7 +82,7 @@ impl Setup {
                 path("tangential loads need a coefficient of friction: give one")
             }
             (None, Some(it), ..) if !it.time.is_empty() => {
-                path("an elastic solid with friction does not know time: leave the times of the path out")
+                path("slip of an elastic solid does not depend on time: leave the times of the path out")
             }
             (None, Some(_), ..) => Ok(Some(ProcessKind::Slip)),
             (None, None, None, None) => Ok(None),
@@ -143,16 +143,16 @@ impl Setup {
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
         let motion = |reason: String| Err(SetupError::Motion { reason });
         if !self.law.is_hard_wall() && process != ProcessKind::Creep {
-            return motion(
-                "sliding, rolling and slip need a surface that does not yield: leave the hardness out".into(),
-            );
+            return motion("sliding, rolling and slip cannot have a hardness: leave the hardness out".into());
         }
         if self.solver.name() == "gfmd" {
             return motion("gfmd follows no history: choose another solver".into());
         }
         if !self.load.is_pressure() && process != ProcessKind::Creep {
             let load = self.load;
-            return motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"));
+            return motion(format!(
+                "{load} is given, but sliding, slip and rolling need a mean pressure, a reduced pressure or a force"
+            ));
         }
         if process == ProcessKind::Rolling && !grid.is_line() {
             return motion("rolling is solved on lines only: give a line".into());

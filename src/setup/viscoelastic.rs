@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Viscoelastic {
-    /// Creep: ratios `f_j` and retardation times, `J(t) E_0 = 1 + sum f_j (1 - exp(-t/tau_j))`.
+    /// Creep form: ratios `f_j` and retardation times, `J(t) E_0 = 1 + sum f_j (1 - exp(-t/tau_j))`.
     #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::times")]
     pub creep: Vec<f64>,
-    /// Relaxation: ratios `g_j` and relaxation times, `E(t)/E_0 = 1 - sum g_j (1 - exp(-t/tau_j))`.
+    /// Relaxation form: ratios `g_j` and relaxation times, `E(t)/E_0 = 1 - sum g_j (1 - exp(-t/tau_j))`.
     #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::times")]
     pub relaxation: Vec<f64>,
     /// The rule of a step in time.
@@ -49,7 +49,10 @@ impl Viscoelastic {
             }
         };
         if !list.len().is_multiple_of(2) {
-            let reason = format!("{form} has {} numbers: give pairs of a ratio and a time", list.len());
+            let reason = format!(
+                "the list of {form} has an odd number of values, {}: give pairs of a ratio and a time",
+                list.len()
+            );
             return Err(SetupError::Prony { reason });
         }
         let terms: Vec<PronyTerm> = list.chunks_exact(2).map(|it| PronyTerm { ratio: it[0], time: it[1] }).collect();
@@ -90,9 +93,9 @@ impl SlidingMotion {
     /// [`SetupError::Motion`] for no speed, and for one that is not positive and finite.
     pub fn check(&self) -> Result<(), SetupError> {
         match self.speed.iter().find(|it| !(it.is_finite() && **it > 0.0)) {
-            Some(speed) => {
-                Err(SetupError::Motion { reason: format!("a speed is {speed:?}: give a positive, finite speed") })
-            }
+            Some(speed) => Err(SetupError::Motion {
+                reason: format!("the speed {speed:?} is given: give a positive, finite speed"),
+            }),
             None if self.speed.is_empty() => {
                 Err(SetupError::Motion { reason: "sliding needs a speed: give one or more".into() })
             }
@@ -109,7 +112,9 @@ impl RollingMotion {
     pub fn check(&self) -> Result<(), SetupError> {
         let wrong = |reason: String| Err(SetupError::Motion { reason });
         if self.creepage.is_empty() == self.tangential.is_empty() {
-            return wrong("rolling needs a creepage or a tangential load: give one of them".into());
+            return wrong(
+                "rolling needs either a creepage or a tangential load: give one of them, and not both".into(),
+            );
         }
         if let Some(value) = self.creepage.iter().chain(&self.tangential).find(|it| !it.is_finite()) {
             return wrong(format!("a value of rolling is {value:?}: give a finite one"));

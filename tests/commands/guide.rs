@@ -43,6 +43,7 @@ pages! {
     boundaries_and_solids "assets/guide/boundaries-and-solids.md"
     hardness "assets/guide/hardness.md"
     history "assets/guide/history.md"
+    time_and_friction "assets/guide/time-and-friction.md"
     recordings "assets/guide/recordings.md"
     studies "assets/guide/studies.md"
     explorer "assets/guide/explorer.md"
