@@ -1,13 +1,13 @@
 //! The findings of a solve under one load: status, observables, and the exact solution where there is one.
 
 use super::units::{Units, significant};
-use asperity::contact::{Contact, OBSERVABLES, Observables, Plasticity, Status};
+use asperity::contact::{Contact, OBSERVABLES, Observables, Plasticity, ResultClaim, Status};
 use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const IN_OTHER_ROWS: [&str; 37] = [
+const IN_OTHER_ROWS: [&str; 38] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -41,6 +41,7 @@ const IN_OTHER_ROWS: [&str; 37] = [
     "certificate_gap",
     "pressure_error_bound",
     "mean_gap_error_bound",
+    "friction",
     "stiffness",
     "mean_pressure_error",
     "iterations",
@@ -54,6 +55,8 @@ const MANY_OF_SHAPE: f64 = 0.05;
 #[derive(Serialize)]
 pub struct Finding {
     pub status: Status,
+    /// What the certificate claims.
+    pub claim: ResultClaim,
     #[serde(flatten)]
     pub observables: Observables,
     pub seconds: f64,
@@ -69,6 +72,7 @@ impl Finding {
     pub fn new(setup: &Setup, contact: &Contact) -> Self {
         Self {
             status: contact.status,
+            claim: contact.claim(),
             observables: Observables::new(contact),
             seconds: contact.work.seconds,
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
@@ -84,6 +88,8 @@ impl Finding {
             ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
         });
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
+        let friction = Some(self.observables.friction).filter(|it| it.is_finite());
+        let friction = friction.map(|it| ("friction coefficient", format!("{it:.6e} (by the loss in the solid)")));
         let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
         let approach = approach.map(|approach| ("approach", units.length(approach)));
         let energy = Some(self.observables.elastic_energy).filter(|it| !it.is_nan());
@@ -94,7 +100,10 @@ impl Finding {
                 ("plastic overlap", format!("{}, mean over the cell", units.length(it.overlap))),
             ]
         });
+        let claim = (self.claim != ResultClaim::Solution).then(|| ("claim", self.claim.words().to_owned()));
         let rows = rows
+            .chain(friction)
+            .chain(claim)
             .chain(approach)
             .chain(energy)
             .chain(plasticity)
@@ -184,7 +193,7 @@ fn resolved(resolved: Option<f64>, counted: f64, corrected: f64) -> String {
 
 /// Words and a relative error behind its sign; nothing where there is no error.
 fn plus_or_minus(words: &str, error: f64) -> String {
-    if error > 0.0 { format!("{words} ± {error:.1e}") } else { String::new() }
+    if error > 0.0 && error.is_finite() { format!("{words} ± {error:.1e}") } else { String::new() }
 }
 
 fn percent(share: f64) -> String {

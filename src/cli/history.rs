@@ -120,24 +120,30 @@ pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Resu
     let mut outcome = HistoryOutcome::solve(setup, &problem, &mut observer)?;
     let ended = outcome.ended.take();
     let is_stopped = matches!(ended, Some(HistoryError::Stopped));
-    if let Some(error) = ended.filter(|_| !is_stopped) {
-        warnings::print(&[format!("the history ended after {} states: {error}", outcome.states.len())]);
-    }
+    let failure = ended.filter(|_| !is_stopped);
+    let has_failed = failure.is_some();
+    let failed = failure.map(|error| format!("The history ended after {}: {error}", counted(outcome.states.len())));
     if is_stopped {
-        warnings::print(&[format!("interrupted: {} states were solved and written", outcome.states.len())]);
+        warnings::print(&[format!("interrupted: {} solved and written", counted(outcome.states.len()))]);
     }
     let is_converged = outcome.states.iter().all(|state| state.contact.is_converged());
     let mut all = of_surface;
     all.extend(outcome.warnings(setup));
-    let all = warnings::in_flags(&all);
+    let mut all = warnings::in_flags(&all);
+    all.extend(failed);
     warnings::refuse_if_strict(&all, outputs.strict)?;
     write(setup, &problem, outcome, (outputs, units), all)?;
     outputs.files().for_each(wrote);
-    Ok(match (is_stopped, is_converged) {
+    Ok(match (is_stopped, is_converged && !has_failed) {
         (true, _) => ExitStatus::Interrupted,
         (false, true) => ExitStatus::Done,
         (false, false) => ExitStatus::NotConverged,
     })
+}
+
+/// A number of states in words.
+fn counted(states: usize) -> String {
+    if states == 1 { "1 state".into() } else { format!("{states} states") }
 }
 
 /// Refuses outputs that a history does not have.
@@ -145,6 +151,9 @@ fn check(setup: &Setup, outputs: &Outputs) -> Result<()> {
     #[cfg(feature = "record")]
     if outputs.live {
         return usage("--live shows the steps of one solve, but a history has many: use --record FILE.rrd");
+    }
+    if outputs.stiffness {
+        return usage("--stiffness is for one contact, but a history has many states: leave it out");
     }
     if outputs.stress.is_some() {
         return usage("--stress is for one contact, but a history has many states: leave it out");
@@ -232,8 +241,8 @@ fn write_table(path: &Path, states: &[HistoryState], quantities: &[&HistoryQuant
 impl HistorySummary {
     /// Writes the summary for reading.
     fn write_text(&self, outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
-        let (states, process) = (outcome.states.len(), self.process);
-        writeln!(out, "{}: {process}, {states} states", self.subject.line())?;
+        let (states, process) = (counted(outcome.states.len()), self.process);
+        writeln!(out, "{}: {process}, {states}", self.subject.line())?;
         let claim = ("claim".to_owned(), self.claim.to_owned());
         write_rows(self.subject.rows(units).into_iter().chain([claim]), out)?;
         let named = COLUMNS.iter().find(|(kind, _)| *kind == outcome.kind).map_or(&[][..], |(_, columns)| columns);

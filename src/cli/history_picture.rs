@@ -8,7 +8,7 @@ use asperity::setup::ProcessKind;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
 
-/// What a panel shows, by the names of two quantities, and whether the first one is on a logarithmic axis.
+/// What a panel shows, by the names of two quantities, of which the first may be the number of the `state`, and whether the first one is on a logarithmic axis.
 struct HistoryPanel {
     x: &'static str,
     y: &'static str,
@@ -20,7 +20,7 @@ fn panels(kind: ProcessKind) -> [HistoryPanel; 2] {
     let panel = |x, y, is_logarithmic| HistoryPanel { x, y, is_logarithmic };
     match kind {
         ProcessKind::Creep => [panel("time", "relative_area", false), panel("time", "mean_gap", false)],
-        ProcessKind::Slip => [panel("shift", "mean_traction", false), panel("shift", "stick_share", false)],
+        ProcessKind::Slip => [panel("shift", "mean_traction", false), panel("state", "stick_share", false)],
         ProcessKind::Sliding => [panel("speed", "friction", true), panel("speed", "relative_area", true)],
         ProcessKind::Rolling => [panel("creepage", "friction", false), panel("creepage", "stick_share", false)],
     }
@@ -36,8 +36,11 @@ impl HistoryPanel {
     fn draw(&self, states: &[HistoryState]) -> Panel {
         let [x, y] = [self.x, self.y].map(|name| {
             let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
-            let value = |state: &HistoryState| found.and_then(|it| (it.value)(state)).unwrap_or(f64::NAN);
-            (found.map_or(name, |it| it.title), states.iter().map(value).collect::<Vec<f64>>())
+            let value = |(number, state): (usize, &HistoryState)| match found {
+                Some(it) => (it.value)(state).unwrap_or(f64::NAN),
+                None => (number + 1) as f64,
+            };
+            (found.map_or(name, |it| it.title), states.iter().enumerate().map(value).collect::<Vec<f64>>())
         });
         let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
             let [low, high] = range(values);

@@ -237,7 +237,10 @@ impl<'a> CreepSteps<'a> {
             let (error, size) = (rms(&(&goal - &found)), rms(&found));
             let relative = if error > 0.0 { error / size } else { 0.0 };
             let factor = (SAFETY * (tolerance / relative).sqrt()).clamp(SHRINK, GROW);
-            if relative <= tolerance || step <= LEAST * first {
+            // the error of what is not solved says nothing about the step
+            let is_solved = [&whole, &half, &next].iter().all(|state| state.contact.is_converged());
+            let factor = if is_solved { factor } else { GROW };
+            if relative <= tolerance || step <= LEAST * first || !is_solved {
                 // a step that was cut off by a point does not shorten the next one, unless its error asks for that
                 let further = step * factor;
                 self.step = Some(if factor < GROW { further } else { further.max(wanted) });

@@ -26,12 +26,15 @@ impl SetupTable {
             }
         }
         let Some(kind) = self.load_kind() else { return Ok(()) };
-        for path in ["path.load", "path.tangential"] {
+        for path in ["path.load", "path.tangential", "rolling.tangential"] {
             let Some(list) = self.find(path) else { continue };
             let list = list.as_array().cloned().unwrap_or_else(|| vec![list.clone()]);
             let read = |value: &toml::Value| read_number(path, &kind, value).map(toml::Value::Float);
-            let values = list.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-            self.lay(path, values.into());
+            let values = list.iter().map(read).collect::<Result<Vec<_>, _>>();
+            // if one is wrong, a number replaces it, so that the rest can be read
+            let number = || vec![toml::Value::Float(1.0)];
+            self.lay(path, values.as_ref().map_or_else(|_| number(), Clone::clone).into());
+            values.map(drop)?;
         }
         Ok(())
     }

@@ -64,6 +64,9 @@ impl Setup {
             (Some(_), None, None, Some(_)) => {
                 motion("rolling needs an elastic solid: leave the creep out, or the rolling")
             }
+            (_, Some(it), ..) if it.is_empty() => {
+                path("the path has no points: give times, loads or tangential loads, or leave the path out")
+            }
             (Some(_), Some(it), ..) if it.time.is_empty() => {
                 path("a solid that creeps needs times: give the times of the path")
             }
@@ -142,23 +145,52 @@ impl Setup {
         self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
         let motion = |reason: String| Err(SetupError::Motion { reason });
-        if !self.law.is_hard_wall() && process != ProcessKind::Creep {
-            return motion("sliding, rolling and slip cannot have a hardness: leave the hardness out".into());
-        }
-        if self.solver.name() == "gfmd" {
-            return motion("gfmd follows no history: choose another solver".into());
-        }
-        if !self.load.is_pressure() && process != ProcessKind::Creep {
-            let load = self.load;
+        if let Some(tangential) = self.friction.map(|it| it.tangential).filter(|it| *it != 0.0) {
             return motion(format!(
-                "{load} is given, but sliding, slip and rolling need a mean pressure, a reduced pressure or a force"
+                "the tangential load {tangential:?} of the friction has no place in a history: leave it out, and give a path of \
+                 tangential loads, or the load of rolling"
             ));
         }
-        if process == ProcessKind::Rolling && !grid.is_line() {
-            return motion("rolling is solved on lines only: give a line".into());
+        if !self.law.is_hard_wall() && process != ProcessKind::Creep {
+            return motion(
+                "sliding, rolling and slip need a surface that does not yield: leave the hardness out".into(),
+            );
         }
-        if process == ProcessKind::Sliding && !grid.is_periodic() {
-            return motion("sliding needs a periodic boundary: leave the boundary out".into());
+        if self.solver.name() == "gfmd" {
+            return motion("gfmd cannot solve histories: choose another solver".into());
+        }
+        match process {
+            ProcessKind::Creep => Ok(()),
+            ProcessKind::Sliding if !grid.is_periodic() => {
+                motion("sliding needs a periodic boundary: leave the boundary out".into())
+            }
+            ProcessKind::Sliding if self.solver != super::Method::default() => {
+                motion(format!("sliding has a solver of its own, not {}: leave the solver out", self.solver.name()))
+            }
+            ProcessKind::Sliding => Ok(()),
+            ProcessKind::Slip | ProcessKind::Rolling if !self.load.is_pressure() => {
+                let load = self.load;
+                motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"))
+            }
+            ProcessKind::Rolling if !grid.is_line() => motion("rolling is solved on lines only: give a line".into()),
+            ProcessKind::Rolling => Ok(()),
+            ProcessKind::Slip => self.check_slip(),
+        }
+    }
+
+    /// Refuses points of a path at which everything would slide, or nothing touches.
+    fn check_slip(&self) -> Result<(), SetupError> {
+        let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
+        for point in self.path_points() {
+            let (load, tangential) = (point.load.value(), point.tangential.unwrap_or(0.0));
+            if load == 0.0 {
+                let reason = "a normal load of the path is 0, which friction cannot follow: give positive loads".into();
+                return Err(SetupError::Path { reason });
+            }
+            let limit = mu * load;
+            if !(tangential.abs() < limit || tangential == 0.0) {
+                return Err(SlipError::Sliding { tangential, limit }.into());
+            }
         }
         Ok(())
     }
