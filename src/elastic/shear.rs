@@ -5,7 +5,7 @@ use super::solid::stiffness;
 use super::{ElasticSolid, element};
 use crate::chunks;
 use crate::error::GridError;
-use crate::fourier::{Complex, Filter, Fourier};
+use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
 use std::sync::Arc;
 
