@@ -131,7 +131,11 @@ impl<'a> VectorStep<'a> {
                 pace *= self.gradient_step(&mut at, pace);
                 is_guarded = self.gradient_only;
             } else {
-                let reduction = (missed / scale).sqrt().clamp(REDUCTION[0], REDUCTION[1]);
+                let top: f64 = std::env::var("TOP").ok().and_then(|t| t.parse().ok()).unwrap_or(REDUCTION[1]);
+                let reduction = (missed / scale).sqrt().clamp(REDUCTION[0], top);
+                if std::env::var("SAY").is_ok() {
+                    println!("  {iterations} eta {:e} f32 {reduction:e}", missed / scale);
+                }
                 iterations += self.exchange(&mut at, shift, reduction, &mut is_guarded);
             }
             (shift, missed) = self.discs.best_shift(&at.tau, &at.w, shift);
@@ -328,5 +332,85 @@ impl Chord {
         };
         mix(&mut at.tau, &self.to.tau);
         mix(&mut at.w, &self.to.w);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Grid;
+    use crate::elastic::{HalfSpace, ShearCompliance};
+
+    /// A Hertzian pressure that is pulled along `x` and pushed along `y`, after another pull.
+    fn with_step<T>(work: impl FnOnce(&mut VectorStep<'_>) -> T) -> T {
+        let grid = Grid::surface([15, 15], [2.4, 2.4]).unwrap().with_periodic([false; 2]);
+        let compliance = ShearCompliance::new(&grid, HalfSpace::new(1.0).into(), 0.6).unwrap();
+        let mut response = ShearResponse::new(compliance.into());
+        let pressure = |i: usize| {
+            let [y, x] = [i / 15, i % 15].map(|i| 0.16 * (i as f64 - 7.0));
+            (1.0 - x * x - y * y).max(0.0).sqrt()
+        };
+        let places: Vec<usize> = (0..225).filter(|&i| pressure(i) > 0.0).collect();
+        let radii: Vec<f64> = places.iter().map(|&i| pressure(i)).collect();
+        let most: f64 = radii.iter().sum();
+        let before = places.iter().map(|&i| [0.01 * (i % 4) as f64, 0.02 * (i % 7) as f64]).collect();
+        let discs = Discs { radii, total: [0.5 * most, -0.4 * most] };
+        work(&mut VectorStep::new(&mut response, places, discs, before, 0.5))
+    }
+
+    fn energy(step: &VectorStep<'_>, at: &Iterate) -> f64 {
+        let terms = at.tau.iter().zip(&at.w).zip(&step.before);
+        terms.map(|((tau, w), before)| 0.5 * dot(*tau, add(*w, -1.0, *before))).sum()
+    }
+
+    #[test]
+    fn gradient_steps_alone_lower_the_energy_and_reach_the_solution() {
+        let stop = Stop::new(1e-13, 100_000).unwrap();
+        let start = |step: &VectorStep<'_>| vec![[0.0; 2]; step.discs.len()];
+        let exact = with_step(|step| step.solve(&start(step), &stop));
+        assert_eq!(exact.status, Status::Converged);
+        assert!(exact.iterations < 150, "{}", exact.iterations);
+        with_step(|step| {
+            step.gradient_only = true;
+            let found = step.solve(&start(step), &stop);
+            assert_eq!(found.status, Status::Converged);
+            let most = exact.tau.iter().fold(0.0, |most: f64, tau| most.max(length(*tau)));
+            let apart = exact.tau.iter().zip(&found.tau).map(|(a, b)| length(add(*a, -1.0, *b))).fold(0.0, f64::max);
+            assert!(apart < 1e-4 * most, "{apart:e} of {most:e}");
+        });
+        with_step(|step| {
+            let mut tau = start(step);
+            step.discs.carry(&mut tau);
+            let w = step.gradient(&tau);
+            let (mut at, mut pace, mut last) = (Iterate { tau, w }, 2.0, f64::INFINITY);
+            for _ in 0..300 {
+                pace *= step.gradient_step(&mut at, pace);
+                let now = energy(step, &at);
+                assert!(now <= last + 1e-13 * now.abs(), "{now} after {last}");
+                last = now;
+            }
+            let w = step.gradient(&exact.tau);
+            let least = energy(step, &Iterate { tau: exact.tau.clone(), w });
+            assert!((last / least - 1.0).abs() < 1e-9, "{last} against {least}");
+        });
+    }
+
+    /// The directions that are left have the sum zero, and what is taken away is a gradient of the sums.
+    #[test]
+    fn directions_are_balanced_on_rims_as_well() {
+        with_step(|step| {
+            let tau: Vec<Pair> = step.discs.radii.iter().map(|r| [0.6 * r, -0.8 * r]).collect();
+            let w = tau.iter().enumerate().map(|(i, tau)| scaled(*tau, (i as f64).sin())).collect();
+            let free = step.sets(&Iterate { tau, w }, [0.0; 2]);
+            let count = free.along.iter().flatten().count();
+            assert!(count > 10 && count + 10 < step.discs.len());
+            let mut vectors: Vec<Pair> = (0..step.discs.len()).map(|i| [(i % 5) as f64, (i % 3) as f64]).collect();
+            free.balance(&mut vectors);
+            let sum = vectors.iter().fold([0.0; 2], |sum, vector| add(sum, 1.0, *vector));
+            assert!(length(sum) < 1e-11, "{sum:?}");
+            let mut again = vectors.clone();
+            free.balance(&mut again);
+            assert!(vectors.iter().zip(&again).all(|(a, b)| length(add(*a, -1.0, *b)) < 1e-12));
+        });
     }
 }
