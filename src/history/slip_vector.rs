@@ -15,7 +15,10 @@ const PROGRESS: f64 = 0.9;
 const ENOUGH: f64 = 1e-4;
 
 /// Bounds of the factor by which inner iterations reduce the residual.
-const REDUCTION: [f64; 2] = [1e-5, 0.05];
+const REDUCTION: [f64; 2] = [1e-6, 0.1];
+
+/// The part of the tolerance that inner iterations aim at.
+const SURPLUS: f64 = 0.1;
 
 /// Relative distance from the rim of its disc up to which a node may slip.
 const RIM: f64 = 1e-10;
@@ -128,18 +131,17 @@ impl<'a> VectorStep<'a> {
             let last = missed;
             if is_guarded {
                 iterations += 1;
-                pace *= self.gradient_step(&mut at, pace);
+                pace *= self.gradient_step(&mut at, shift, pace);
                 is_guarded = self.gradient_only;
+                (shift, missed) = self.discs.best_shift(&at.tau, &at.w, shift);
             } else {
-                let top: f64 = std::env::var("TOP").ok().and_then(|t| t.parse().ok()).unwrap_or(REDUCTION[1]);
-                let reduction = (missed / scale).sqrt().clamp(REDUCTION[0], top);
-                if std::env::var("SAY").is_ok() {
-                    println!("  {iterations} eta {:e} f32 {reduction:e}", missed / scale);
-                }
+                let eta = missed / scale;
+                // Newton's method squares the error; what is beyond the tolerance is not needed
+                let reduction = eta.sqrt().max(SURPLUS * stop.tolerance() / eta).clamp(REDUCTION[0], REDUCTION[1]);
                 iterations += self.exchange(&mut at, shift, reduction, &mut is_guarded);
+                (shift, missed) = self.discs.best_shift(&at.tau, &at.w, shift);
+                is_guarded |= missed > PROGRESS * last;
             }
-            (shift, missed) = self.discs.best_shift(&at.tau, &at.w, shift);
-            is_guarded |= missed > PROGRESS * last && patience > 0;
             if missed < PROGRESS * best.2 {
                 patience = 0;
             } else {
@@ -280,16 +282,18 @@ impl<'a> VectorStep<'a> {
     }
 
     /// A step along the projected gradient with the least energy on the chord, and the factor of the pace for the next one.
-    fn gradient_step(&mut self, at: &mut Iterate, pace: f64) -> f64 {
+    fn gradient_step(&mut self, at: &mut Iterate, shift: Pair, pace: f64) -> f64 {
         let nodes = at.tau.iter().zip(&at.w).zip(&self.discs.radii);
         let mut trial: Vec<Pair> = nodes.map(|((tau, w), r)| add(scaled(*tau, r.recip()), -pace, *w)).collect();
         self.discs.carry(&mut trial);
-        let chord = self.compare(at, trial, [0.0; 2]);
+        let chord = self.compare(at, trial, shift);
         let part = chord.part();
         chord.take_chord(at);
         part.clamp(0.2, 2.0)
     }
 
+    /// The way to another traction of the same sum. The sum of the changes is zero except for rounding, and so the `shift` only keeps
+    /// digits.
     fn compare(&mut self, at: &Iterate, tau: Vec<Pair>, shift: Pair) -> Chord {
         let w = self.gradient(&tau);
         let (mut slope, mut curvature) = (0.0, 0.0);
@@ -384,7 +388,7 @@ mod tests {
             let w = step.gradient(&tau);
             let (mut at, mut pace, mut last) = (Iterate { tau, w }, 2.0, f64::INFINITY);
             for _ in 0..300 {
-                pace *= step.gradient_step(&mut at, pace);
+                pace *= step.gradient_step(&mut at, [0.0; 2], pace);
                 let now = energy(step, &at);
                 assert!(now <= last + 1e-13 * now.abs(), "{now} after {last}");
                 last = now;

@@ -262,7 +262,7 @@ fn random_histories_obey_equilibrium_bounds_and_coulombs_law() {
         let shape = if case % 2 == 0 { [18, 15] } else { [16, 12] };
         let (mu, m) = (10f64.powf(-3.0 + 4.0 * random()), 1.5 * random() - 0.3);
         let spectrum =
-            Spectrum { hurst: 0.2 + 0.7 * random(), rolloff_wavelength: 0.6, short_cutoff: 0.15, rms_gradient: 0.1 };
+            Spectrum { hurst: 0.2 + 0.7 * random(), rolloff_wavelength: 0.6, short_cutoff: 0.2, rms_gradient: 0.1 };
         let grid = Grid::surface(shape, [1.2, 1.0]).unwrap();
         let heights = Surface::rough(grid, &spectrum, case as u64).unwrap().height().clone();
         let grid = grid.with_periodic([case % 4 < 2; 2]);
