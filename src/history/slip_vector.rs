@@ -20,8 +20,11 @@ const REDUCTION: [f64; 2] = [1e-6, 0.1];
 /// The part of the tolerance that inner iterations aim at.
 const SURPLUS: f64 = 0.1;
 
-/// Relative distance from the rim of its disc up to which a node may slip.
-const RIM: f64 = 1e-10;
+/// Relative distance from the rim of its disc up to which a node may slip. Steps along a chord take nodes off the rim.
+const RIM: f64 = 1e-3;
+
+/// Rounding of the energy, over the sum of `mu p |s|`: a traction at the rim of its disc is there except for rounding.
+const NOISE: f64 = 2e-15;
 
 /// What a vector step solves: `min 1/2 <tau A tau> - <tau A tau_0>` over tractions in discs of given radii, with a given sum.
 ///
@@ -107,7 +110,8 @@ impl<'a> VectorStep<'a> {
     ///
     /// An outer step exchanges the sets of nodes that stick and slip as a whole, takes a Newton step for them, and carries the result
     /// back into the discs. It counts if the energy falls. Else, and where the certificate falls too slowly, the next step is along
-    /// the projected gradient, with the least energy on the chord: these steps alone converge, as `f` is convex.
+    /// the projected gradient, with the least energy on the chord if the energy does not fall along all of it: these steps alone converge,
+    /// as `f` is convex. Where rounding hides whether the energy falls, steps count, and the traction with the best certificate is kept.
     pub fn solve(&mut self, start: &[Pair], stop: &Stop) -> VectorFound {
         let mut tau: Vec<Pair> = start.iter().zip(&self.discs.radii).map(|(t, r)| scaled(*t, r.recip())).collect();
         self.discs.carry(&mut tau);
@@ -190,7 +194,7 @@ impl<'a> VectorStep<'a> {
         result
     }
 
-    /// The sets of an iterate: a node slips if it lies at the rim of its disc and its slip is against its traction.
+    /// The sets of an iterate: a node slips if it lies near the rim of its disc and its slip is against its traction.
     fn sets(&self, at: &Iterate, shift: Pair) -> Free {
         let stiffness = self.response.compliance().mean_stiffness();
         let count = self.discs.len();
@@ -198,13 +202,15 @@ impl<'a> VectorStep<'a> {
         let mut sums = [0.0; 3];
         for ((tau, w), &radius) in at.tau.iter().zip(&at.w).zip(&self.discs.radii) {
             let (e, slip) = (scaled(*tau, radius.recip()), add(*w, -1.0, shift));
-            let slips = length(e) >= 1.0 - RIM && dot(e, slip) < 0.0;
-            let rim = scaled([-e[1], e[0]], length(e).recip());
+            let (size, outwards) = (length(e), -dot(e, slip));
+            // the second condition is that `tau/(mu p) - s/length` is outside of the unit disc, if the slip is along the traction
+            let slips = size >= 1.0 - RIM && outwards > (1.0 - size).max(0.0) * self.length;
+            let rim = scaled([-e[1], e[0]], size.recip());
             let [a, b] = rim;
             let part = if slips { [a * a, a * b, b * b] } else { [1.0, 0.0, 1.0] };
             sums.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
             along.push(slips.then_some(rim));
-            added.push(if slips { -dot(e, slip) / radius } else { 0.0 });
+            added.push(if slips { outwards / radius } else { 0.0 });
         }
         let weights = added.iter().map(|added| (1.0 + added * stiffness).sqrt().recip()).collect();
         Free { along, added, weights, sums }
@@ -281,14 +287,19 @@ impl<'a> VectorStep<'a> {
         iterations + 2
     }
 
-    /// A step along the projected gradient with the least energy on the chord, and the factor of the pace for the next one.
+    /// A step along the projected gradient, with the least energy on the chord if it does not fall along all of it, and the factor of
+    /// the pace for the next one.
     fn gradient_step(&mut self, at: &mut Iterate, shift: Pair, pace: f64) -> f64 {
         let nodes = at.tau.iter().zip(&at.w).zip(&self.discs.radii);
         let mut trial: Vec<Pair> = nodes.map(|((tau, w), r)| add(scaled(*tau, r.recip()), -pace, *w)).collect();
         self.discs.carry(&mut trial);
         let chord = self.compare(at, trial, shift);
         let part = chord.part();
-        chord.take_chord(at);
+        if chord.falls() {
+            *at = chord.to;
+        } else {
+            chord.take_chord(at);
+        }
         part.clamp(0.2, 2.0)
     }
 
@@ -296,13 +307,15 @@ impl<'a> VectorStep<'a> {
     /// digits.
     fn compare(&mut self, at: &Iterate, tau: Vec<Pair>, shift: Pair) -> Chord {
         let w = self.gradient(&tau);
-        let (mut slope, mut curvature) = (0.0, 0.0);
+        let (mut slope, mut curvature, mut noise) = (0.0, 0.0, 0.0);
         for (i, (to, w_to)) in tau.iter().zip(&w).enumerate() {
             let change = add(*to, -1.0, at.tau[i]);
-            slope += dot(change, add(at.w[i], -1.0, shift));
+            let slip = add(at.w[i], -1.0, shift);
+            slope += dot(change, slip);
+            noise += NOISE * self.discs.radii[i] * length(slip);
             curvature += dot(change, add(*w_to, -1.0, at.w[i]));
         }
-        Chord { slope, curvature, to: Iterate { tau, w } }
+        Chord { slope, curvature, noise, to: Iterate { tau, w } }
     }
 }
 
@@ -310,13 +323,15 @@ impl<'a> VectorStep<'a> {
 struct Chord {
     slope: f64,
     curvature: f64,
+    /// What rounding may add to the energy.
+    noise: f64,
     to: Iterate,
 }
 
 impl Chord {
-    /// Whether the energy is lower at the other end.
+    /// Whether the energy is lower at the other end, as far as rounding lets one see.
     fn falls(&self) -> bool {
-        self.slope < 0.0 && self.slope + 0.5 * self.curvature <= ENOUGH * self.slope
+        self.slope + 0.5 * self.curvature <= ENOUGH * self.slope.min(0.0) + self.noise
     }
 
     /// Where the energy is least along the way, in parts of it; zero if it does not fall.
