@@ -10,6 +10,9 @@ const HALVINGS: usize = 60;
 /// Newton steps for the best shift of a certificate.
 const SHIFT_STEPS: usize = 12;
 
+/// Relative distance from the rim of its disc from which a node counts as inside.
+const INSIDE: f64 = 1e-9;
+
 /// Part of the trace that keeps a Hessian of two unknowns regular.
 const RIDGE: f64 = 1e-14;
 
@@ -121,50 +124,70 @@ impl Discs {
         })
     }
 
-    /// A shift that lowers [`Discs::missed`] as far as some Newton steps do, from a first one, with the value.
+    /// A shift that lowers [`Discs::missed`] as far as some Newton steps do, with the value.
     ///
-    /// They minimise the sum with `sqrt(|w - l|^2 + spread^2)` for `|w - l|`, where `spread` is the distance that nodes inside their
-    /// discs have from the shift.
+    /// The first shift is the best of three: the one that is given, the mean of `w` over the nodes inside their discs, and the one that
+    /// leaves the least slip where nodes are inside and across the traction where they are at the rim. Newton steps minimise the sum with
+    /// `sqrt(|w - l|^2 + spread^2)` for `|w - l|`, where `spread` is the distance that nodes inside have from the mean.
     pub fn best_shift(&self, tau: &[Pair], w: &[Pair], first: Pair) -> (Pair, f64) {
-        let is_inside = |tau: Pair, radius: f64| length(tau) < radius * (1.0 - 1e-9);
-        let inside = || tau.iter().zip(w).zip(&self.radii).filter(|((tau, _), radius)| is_inside(**tau, **radius));
-        let weight: f64 = inside().map(|(_, radius)| radius).sum();
         let mut best = (first, self.missed(tau, w, first));
         let mut spread = 0.0;
+        let (mut weight, mut mean, mut sums, mut across) = (0.0, [0.0; 2], [0.0; 3], [0.0; 2]);
+        for ((tau, w), &radius) in tau.iter().zip(w).zip(&self.radii) {
+            let size = length(*tau);
+            if size < radius * (1.0 - INSIDE) {
+                weight += radius;
+                mean = add(mean, radius, *w);
+                sums = [sums[0] + 1.0, sums[1], sums[2] + 1.0];
+                across = add(across, 1.0, *w);
+            } else {
+                let [a, b] = [-tau[1] / size, tau[0] / size];
+                sums = [sums[0] + a * a, sums[1] + a * b, sums[2] + b * b];
+                across = add(across, dot([a, b], *w), [a, b]);
+            }
+        }
+        let mut firsts = vec![solve(sums, across)];
         if weight > 0.0 {
-            let sum = inside().fold([0.0; 2], |sum, ((_, w), radius)| add(sum, *radius / weight, *w));
-            let squares: f64 = inside().map(|((_, w), radius)| radius * length(add(*w, -1.0, sum)).powi(2)).sum();
+            let mean = scaled(mean, weight.recip());
+            let squares = tau.iter().zip(w).zip(&self.radii).filter(|((t, _), r)| length(**t) < **r * (1.0 - INSIDE));
+            let squares: f64 = squares.map(|((_, w), radius)| radius * length(add(*w, -1.0, mean)).powi(2)).sum();
             spread = (squares / weight).sqrt();
-            let value = self.missed(tau, w, sum);
+            firsts.push(mean);
+        }
+        for shift in firsts.into_iter().filter(|shift| shift[0].is_finite() && shift[1].is_finite()) {
+            let value = self.missed(tau, w, shift);
             if value < best.1 {
-                best = (sum, value);
+                best = (shift, value);
             }
         }
         for _ in 0..SHIFT_STEPS {
-            let mut slope = scaled(self.total, -1.0);
-            let mut hessian = [0.0; 3];
-            for (w, radius) in w.iter().zip(&self.radii) {
-                let slip = add(*w, -1.0, best.0);
-                let r = length(slip).hypot(spread);
-                if r > 0.0 {
-                    let (e, stiffness) = (scaled(slip, r.recip()), radius / r);
-                    slope = add(slope, -radius, e);
-                    hessian[0] += stiffness * (1.0 - e[0] * e[0]);
-                    hessian[1] -= stiffness * e[0] * e[1];
-                    hessian[2] += stiffness * (1.0 - e[1] * e[1]);
-                }
-            }
-            if hessian[0] + hessian[2] <= 0.0 {
-                break;
-            }
-            let trial = add(best.0, -1.0, solve(hessian, slope));
-            let value = self.missed(tau, w, trial);
-            if !(value < 0.999 * best.1) {
-                break;
-            }
-            best = (trial, value);
+            let step = self.shift_step(w, best.0, spread);
+            let trial = |part: f64| {
+                let shift = add(best.0, -part, step);
+                (shift, self.missed(tau, w, shift))
+            };
+            let better = [1.0, 0.3, 0.1, 0.01].into_iter().map(trial).find(|(_, value)| *value < 0.999 * best.1);
+            let Some(better) = better else { break };
+            best = better;
         }
         best
+    }
+
+    /// The Newton step of a shift, to be taken away.
+    fn shift_step(&self, w: &[Pair], shift: Pair, spread: f64) -> Pair {
+        let (mut slope, mut hessian) = (scaled(self.total, -1.0), [0.0; 3]);
+        for (w, radius) in w.iter().zip(&self.radii) {
+            let slip = add(*w, -1.0, shift);
+            let r = length(slip).hypot(spread);
+            if r > 0.0 {
+                let (e, stiffness) = (scaled(slip, r.recip()), radius / r);
+                slope = add(slope, -radius, e);
+                hessian[0] += stiffness * (1.0 - e[0] * e[0]);
+                hessian[1] -= stiffness * e[0] * e[1];
+                hessian[2] += stiffness * (1.0 - e[1] * e[1]);
+            }
+        }
+        if hessian[0] + hessian[2] > 0.0 { solve(hessian, slope) } else { [0.0; 2] }
     }
 }
 

@@ -391,7 +391,7 @@ mod tests {
         assert!(exact.iterations < 150, "{}", exact.iterations);
         with_step(|step| {
             step.gradient_only = true;
-            let found = step.solve(&start(step), &stop);
+            let found = step.solve(&start(step), &Stop::new(1e-7, 100_000).unwrap());
             assert_eq!(found.status, Status::Converged);
             let most = exact.tau.iter().fold(0.0, |most: f64, tau| most.max(length(*tau)));
             let apart = exact.tau.iter().zip(&found.tau).map(|(a, b)| length(add(*a, -1.0, *b))).fold(0.0, f64::max);
