@@ -73,6 +73,25 @@ pub(crate) fn sheared_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: 
     rectangle(at, sides, contact_modulus) + m * along / (PI * contact_modulus)
 }
 
+/// Displacement along `y` at the distance `[y, x]` from the middle of a rectangle of sides `[dy, dx]`, per unit of traction along `x`, for
+/// `m = 1`: `(1 / (pi E*)) int x y/r^3` over the rectangle. It is odd in `x` and in `y`.
+///
+/// # Source
+/// Cerruti; Johnson, *Contact Mechanics* (1985), Eq. 3.75. The mixed derivative of `-r` is `x y/r^3`.
+pub(crate) fn crossed_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: f64) -> f64 {
+    let [[y, x], [dy, dx]] = [at, sides];
+    let far = FAR_RECTANGLE * dx.max(dy);
+    let integral = if x * x + y * y > far * far {
+        let value = |y: f64, x: f64| x * y / (x * x + y * y).powf(1.5);
+        let inner = GAUSS.map(|[t, w]| w * GAUSS.map(|[s, v]| v * value(y + dy * s, x + dx * t)).iter().sum::<f64>());
+        dx * dy * inner.iter().sum::<f64>()
+    } else {
+        let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
+        right.hypot(below) + left.hypot(above) - right.hypot(above) - left.hypot(below)
+    };
+    integral / (PI * contact_modulus)
+}
+
 /// The integral of `1/r` over a rectangle in closed form. It loses digits as the square of the distance, by cancellation.
 fn integral_near([y, x]: [f64; 2], [dy, dx]: [f64; 2]) -> f64 {
     let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
@@ -148,6 +167,21 @@ mod tests {
             let both = sheared_rectangle(at, sides, 1.0, m) + sheared_rectangle(turned(at), turned(sides), 1.0, m);
             let exact = (2.0 + m) * rectangle(at, sides, 1.0);
             assert!((both / exact - 1.0).abs() < 1e-11, "{at:?}: {both:e}, {exact:e}");
+        }
+    }
+
+    /// The closed form of the crossed term is the sum of those of four quarters, is odd, and meets the quadrature of distant elements.
+    #[test]
+    fn the_crossed_term_is_odd_and_additive() {
+        for at in [[0.3, 0.2], [0.0, 1.0], [3.0, 0.5], [40.0, -30.0], [70.0, 67.0], [70.0, 80.0]] {
+            let (sides, [y, x]) = ([1.0, 1.5], at);
+            let whole = crossed_rectangle(at, sides, 1.0);
+            let quarters = [[-0.25, -0.375], [-0.25, 0.375], [0.25, -0.375], [0.25, 0.375]];
+            let sum: f64 = quarters.iter().map(|[b, a]| crossed_rectangle([y + b, x + a], [0.5, 0.75], 1.0)).sum();
+            assert!((whole - sum).abs() < 1e-13, "{at:?}: {whole:e}, {sum:e}");
+            assert!((whole + crossed_rectangle([-y, x], sides, 1.0)).abs() < 1e-14);
+            let middle = 1.5 * x * y / (PI * x.hypot(y).powi(3));
+            assert!(x.hypot(y) < 30.0 || (whole / middle - 1.0).abs() < 1e-2, "{whole:e}, {middle:e}");
         }
     }
 

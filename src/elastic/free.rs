@@ -41,6 +41,18 @@ impl FreeTable {
         Ok(Self { modulus, padded, weights })
     }
 
+    /// The table of tractions along `y`, which is that of `x` on a turned element.
+    pub fn sheared_across(grid: &Grid, solid: &dyn ElasticSolid, m: f64) -> Result<Self, GridError> {
+        let (padded, modulus, [dy, dx]) = (padded(grid)?, solid.contact_modulus(), grid.spacing());
+        let weights = transformed(&padded, |[y, x]| element::sheared_rectangle([x, y], [dx, dy], modulus, m));
+        Ok(Self { modulus, padded, weights })
+    }
+
+    /// Displacement over traction by the places of the filter of the padded grid.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
     /// Stiffness of the field that gives way most.
     pub fn softest(&self) -> f64 {
         self.weights.iter().fold(0.0, |most: f64, weight| most.max(weight.abs())).recip()

@@ -15,6 +15,7 @@ mod layer;
 mod prony;
 mod response;
 mod secular;
+mod shear;
 mod solid;
 pub mod stress;
 
@@ -25,5 +26,6 @@ pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};
 pub use prony::{Prony, PronyTerm};
 pub use response::Response;
+pub use shear::{ShearCompliance, ShearResponse};
 pub use solid::{ElasticSolid, LongWaves};
 pub use stress::Stress;

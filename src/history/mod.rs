@@ -19,6 +19,7 @@ mod creep_process;
 mod creep_state;
 mod creep_steps;
 mod cycle;
+mod discs;
 mod kelvin;
 mod motion_process;
 mod process;
@@ -28,6 +29,7 @@ mod sliding;
 mod slip;
 mod slip_process;
 mod slip_state;
+mod slip_vector;
 
 pub use archive::archive_of_history;
 pub use creep::Creep;

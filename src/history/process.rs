@@ -118,6 +118,18 @@ impl HistoryField {
         Self { name: "slip", title, symbol, is_pressure: false, values }
     }
 
+    /// The traction along `y` on the solid.
+    pub fn traction_across(values: Field) -> Self {
+        let (title, symbol) = ("Traction along y on the solid", "τ_y / E*");
+        Self { name: "traction_across", title, symbol, is_pressure: true, values }
+    }
+
+    /// The slip of the surface of the solid along `y` relative to the rigid surface.
+    pub fn slip_across(values: Field) -> Self {
+        let (title, symbol) = ("Slip of the solid along y", "slip_y / h_rms");
+        Self { name: "slip_across", title, symbol, is_pressure: false, values }
+    }
+
     /// What a solid that creeps remembers, as the pressure that would cause the same displacement of the glassy solid.
     pub fn remembered(values: Field) -> Self {
         let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");

@@ -1,42 +1,53 @@
 //! Partial slip with a history.
 
+use super::discs::{Discs, Pair};
 use super::slip_state::{SlipCertificate, SlipState, Zone};
+use super::slip_vector::VectorStep;
 use crate::chunks;
+use crate::clock::Instant;
 use crate::contact::{Contact, Load, Observer, Problem, Solver, Status, Stop, Work};
-use crate::elastic::{Compliance, Response};
+use crate::elastic::{Compliance, Response, ShearCompliance, ShearResponse};
 use crate::error::SlipError;
 use crate::surface::{Field, Surface};
-use ndarray::Zip;
+use ndarray::Array2;
 use std::sync::Arc;
 
 /// A contact with Coulomb friction under normal and tangential loads, one pair after the other: the traction after a step depends on
 /// those before.
 ///
-/// A step finds the pressure `p` under the normal load, and then the traction `tau` along `x` with the given mean, from the traction
-/// `tau_0` before the step:
+/// A step finds the pressure `p` under the normal load, and then the traction `tau` with the given mean, from the traction `tau_0` before
+/// the step:
 ///
 /// ```text
 /// slip   s = A_t (tau - tau_0) - delta
 /// law    |tau| <= mu p,   s = 0 where |tau| < mu p,   s against tau elsewhere
 /// ```
 ///
-/// These are the conditions of the minimum of `1/2 <tau A_t tau> - <tau A_t tau_0>` over `|tau| <= mu p` with `<tau>` given. With `t = tau + mu p` it
-/// is a [`Problem`] with the heights `A_t (tau_0 + mu p)`, below a [ceiling](crate::contact::Ceiling) `2 mu p` of each node. Every solver
-/// that takes a hardness solves it, to a [`SlipCertificate`].
+/// These are the conditions of the minimum of `1/2 <tau A_t tau> - <tau A_t tau_0>` over `|tau| <= mu p` with `<tau>` given.
 ///
-/// A path along which every node slips in one sense only is solved exactly in one step. A step must end where the tangential load
-/// turns.
+/// | grid                       | traction       | the step is solved                                                        |
+/// |----------------------------|----------------|---------------------------------------------------------------------------|
+/// | line                       | along `x`      | by the solver of the history                                              |
+/// | surface with `m = 0`       | along `x`, until a load across is given | by the solver of the history                     |
+/// | other surface              | along `x`, `y` | by Newton steps on the nodes that stick and slip                          |
 ///
-/// | grid    | it is exact                                                                                        |
-/// |---------|----------------------------------------------------------------------------------------------------|
-/// | line    | if normal and tangential loads do not couple (Dundurs' `beta = 0`)                                   |
-/// | surface | if Poisson's ratio is 0 as well; else it leaves out tractions across the load, which are small       |
+/// **Along `x` alone**, `t = tau + mu p` is the pressure of a [`Problem`] with the heights `A_t (tau_0 + mu p)`, below a
+/// [ceiling](crate::contact::Ceiling) `2 mu p` of each node. Every solver that takes a hardness solves it. `A_t` is
+/// [`Compliance::tangential`].
 ///
-/// `A_t` is [`Compliance::tangential`]. Where the pressure of a node falls to zero, its traction is lost.
+/// **Along both axes**, the traction of each node lies in a disc, and `A_t` is that of [`ShearCompliance`]. A node that sticks has two unknowns.
+/// One that slips has the angle of `tau = mu p (cos a, sin a)`; its equation says that the slip has no part across the traction, and
+/// `|s|/(mu p)` is added to the diagonal of `A_t`. Sets of nodes are exchanged as a whole. The linear equations of a set are solved by
+/// conjugate gradients, with the shift as the multiplier of the mean. Where the energy does not fall, or the certificate falls too slowly, a
+/// step goes along the projected gradient to the least energy on its chord. These steps alone converge, since the energy is convex.
+///
+/// Both kinds of steps have a [`SlipCertificate`]. A path along which every node slips in one direction only is solved exactly in one step. A
+/// step must end where the tangential load turns. The result is exact if normal and tangential loads do not couple (Dundurs' `beta = 0`).
+/// Where the pressure of a node falls to zero, its traction is lost.
 ///
 /// # Source
 /// Cattaneo (1938); Mindlin & Deresiewicz, J. Appl. Mech. 20, 327 (1953); the minimum is that of Kalker, *Three-Dimensional Elastic Bodies
-/// in Rolling Contact* (1990), chapter 4.
+/// in Rolling Contact* (1990), chapter 4. The Newton step on discs is derived here.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel};
@@ -61,12 +72,15 @@ pub struct SlipHistory<'s> {
     compliance: Arc<Compliance>,
     solver: &'s dyn Solver,
     stop: Stop,
-    /// The contact of the last step, with the displacement `A_t p`.
+    m: f64,
+    /// What makes steps along both axes.
+    shear: Option<ShearResponse>,
+    /// The contact of the last step, with the displacement `A_t p` along `x` by tractions `p` along `x`.
     pressed: Option<(Contact, Vec<f64>)>,
-    traction: Vec<f64>,
+    /// The traction along `x` and `y`; the second one is empty in steps along `x` alone.
+    traction: [Vec<f64>; 2],
     /// `A_t` of the traction.
-    sheared: Vec<f64>,
-    tangential: f64,
+    sheared: [Vec<f64>; 2],
 }
 
 impl<'s> SlipHistory<'s> {
@@ -80,10 +94,10 @@ impl<'s> SlipHistory<'s> {
     }
 
     /// The history on bodies of the ratio `m = sum (nu/G) / sum ((1 - nu)/G)`, which matters on surfaces: see
-    /// [`Compliance::tangential`].
+    /// [`ShearCompliance`].
     ///
     /// # Errors
-    /// The errors of [`SlipHistory::new`].
+    /// The errors of [`SlipHistory::new`] and of [`ShearCompliance::new`].
     pub fn sheared(
         problem: Problem,
         coefficient: f64,
@@ -99,50 +113,98 @@ impl<'s> SlipHistory<'s> {
         }
         let compliance = Compliance::tangential(problem.surface().grid(), problem.solid().clone(), m)?;
         let zeros = || vec![0.0; problem.nodes()];
-        let (traction, sheared) = (zeros(), zeros());
         let compliance = Arc::new(compliance);
-        Ok(Self { problem, coefficient, compliance, solver, stop, pressed: None, traction, sheared, tangential: 0.0 })
+        let (traction, sheared) = ([zeros(), Vec::new()], [zeros(), Vec::new()]);
+        let mut history =
+            Self { problem, coefficient, compliance, solver, stop, m, shear: None, pressed: None, traction, sheared };
+        if m != 0.0 && !history.problem.surface().grid().is_line() {
+            history.take_both_axes()?;
+        }
+        Ok(history)
     }
 
-    /// The next state: under the normal load `load` and the tangential load `tangential`, of the same kind as the normal one and of any
-    /// sign. The observer sees the steps of both solves.
+    /// Takes steps along both axes from now on.
+    fn take_both_axes(&mut self) -> Result<(), SlipError> {
+        let (grid, solid) = (self.problem.surface().grid(), self.problem.solid().clone());
+        self.shear = Some(ShearResponse::new(Arc::new(ShearCompliance::new(grid, solid, self.m)?)));
+        let nodes = self.problem.nodes();
+        self.traction[1].resize(nodes, 0.0);
+        self.sheared[1].resize(nodes, 0.0);
+        Ok(())
+    }
+
+    /// The next state: under the normal load `load` and the tangential load `tangential` along `x`, of the same kind as the normal one
+    /// and of any sign, with no load along `y`. The observer sees the steps of the normal solve, and those of the traction where it is along
+    /// `x` alone.
+    ///
+    /// # Errors
+    /// The errors of [`SlipHistory::step_towards`].
+    pub fn step(&mut self, load: Load, tangential: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+        self.step_towards(load, [tangential, 0.0], observer)
+    }
+
+    /// The next state, with a tangential load along `x` and one along `y`, of the same kind as the normal one.
     ///
     /// # Errors
     /// [`SlipError::NeedsPressure`] for a normal load that is no pressure, [`SlipError::Sliding`] for a tangential load that friction cannot
-    /// carry, and the errors of [`Problem::with_load`] and of [`Solver::solve_from`]. After an error the history is as it was before the step.
-    pub fn step(&mut self, load: Load, tangential: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+    /// carry, the errors of [`ShearCompliance::new`] for a load along `y` on a line, and those of [`Problem::with_load`] and of
+    /// [`Solver::solve_from`]. After an error the history is as it was before the step.
+    ///
+    /// ```
+    /// use asperity::contact::{ContactModulus, Load, Multilevel};
+    /// use asperity::history::SlipHistory;
+    /// use asperity::{Grid, Indenter, Problem, Stop};
+    /// let grid = Grid::surface([32, 32], [2.0, 2.0])?.with_periodic([false; 2]);
+    /// let load = Load::Force(1.0);
+    /// let problem = Problem::new(Indenter::Sphere { radius: 1.0 }.surface(grid)?, ContactModulus(2.0), load)?;
+    /// // one body of Poisson's ratio 1/3: m = 1/2. Pulled along x, then along y
+    /// let mut history = SlipHistory::sheared(problem, 0.5, 0.5, &Multilevel, Stop::default())?;
+    /// let first = history.step_towards(load, [0.3, 0.0], &mut ())?;
+    /// let turned = history.step_towards(load, [0.0, 0.3], &mut ())?;
+    /// assert!(first.shift > 0.0 && first.shift_across.abs() < 1e-6 * first.shift);
+    /// assert!(turned.shift < 0.0 && turned.shift_across > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_towards(
+        &mut self,
+        load: Load,
+        tangential: [f64; 2],
+        observer: &mut dyn Observer,
+    ) -> Result<SlipState, SlipError> {
         let share = self.share(load, tangential)?;
-        let (contact, pressed, mut work) = self.press(load, observer)?;
-        let mean_pressure = contact.mean_pressure();
-        let target = share * self.coefficient * mean_pressure;
-        let found = match self.coefficient {
-            0.0 => Traction::none(self.traction.len()),
-            _ => self.pull(&contact, &pressed, target, observer)?,
-        };
-        let Traction { values, displacement, shift, status, work: of_traction } = found;
-        work = sum(work, of_traction);
-        let slip: Vec<f64> = displacement.iter().zip(&self.sheared).map(|(now, before)| now - before - shift).collect();
-        let mut contact = contact;
-        if status != Status::Converged && contact.is_converged() {
-            contact.status = status;
+        if tangential[1] != 0.0 && self.shear.is_none() {
+            self.take_both_axes()?;
         }
-        let state = self.state(contact, &values, slip, (shift, target), [&displacement, &pressed], work);
+        let (mut contact, pressed, mut work) = self.press(load, observer)?;
+        let full = self.coefficient * contact.mean_pressure();
+        let target = share.map(|share| share * full);
+        let found = match self.coefficient {
+            0.0 => Traction::none(self.traction.each_ref().map(Vec::len)),
+            _ if self.shear.is_some() => self.pull_towards(&contact, &pressed, target),
+            _ => self.pull(&contact, &pressed, target[0], observer)?,
+        };
+        work = sum(work, found.work);
+        if found.status != Status::Converged && contact.is_converged() {
+            contact.status = found.status;
+        }
+        let state = self.state(contact, &found, target, &pressed, work);
         self.pressed = Some((state.contact.clone(), pressed));
-        (self.traction, self.sheared, self.tangential) = (values, displacement, target);
+        (self.traction, self.sheared) = (found.values, found.displacement);
         Ok(state)
     }
 
-    /// The share `Q / (mu P)` of the load at which everything slides, with its sign.
-    fn share(&self, load: Load, tangential: f64) -> Result<f64, SlipError> {
+    /// The shares `Q / (mu P)` of the load at which everything slides, with their signs.
+    fn share(&self, load: Load, tangential: [f64; 2]) -> Result<[f64; 2], SlipError> {
         if !load.is_pressure() {
             return Err(SlipError::NeedsPressure { load: load.to_string() });
         }
-        let limit = self.coefficient * load.value();
-        let is_carried = tangential.abs() < limit || tangential == 0.0;
+        let (limit, most) = (self.coefficient * load.value(), tangential[0].hypot(tangential[1]));
+        let is_carried = most < limit || most == 0.0;
         if !is_carried {
+            let tangential = if tangential[1] == 0.0 { tangential[0] } else { most };
             return Err(SlipError::Sliding { tangential, limit });
         }
-        Ok(if tangential == 0.0 { 0.0 } else { tangential / limit })
+        Ok(tangential.map(|tangential| if tangential == 0.0 { 0.0 } else { tangential / limit }))
     }
 
     /// The contact under a normal load, with `A_t` of its pressure: that of the last step if the load is the same.
@@ -156,7 +218,7 @@ impl<'s> SlipHistory<'s> {
         let problem = self.problem.clone().with_load(load)?;
         let start = before.map(|(contact, _)| &contact.pressure);
         let contact = self.solver.solve_from(start, &problem, &self.stop, observer)?;
-        let mut pressed = vec![0.0; self.traction.len()];
+        let mut pressed = vec![0.0; self.problem.nodes()];
         Response::from_compliance(self.compliance.clone()).displacement(values(&contact.pressure), &mut pressed);
         let work = sum(contact.work, Work { transforms: 2, ..Work::default() });
         Ok((contact, pressed, work))
@@ -178,60 +240,98 @@ impl<'s> SlipHistory<'s> {
             |of: &dyn Fn(usize) -> f64| Field::from_shape_fn(grid.shape(), |(y, x)| of(y * grid.shape()[1] + x));
         let load = Load::MeanPressure(mu * contact.mean_pressure() + target.abs());
         let yardstick = Surface::new(grid, field(&|i| mu * pressed[i])).map_err(SlipError::Surface)?;
-        let heights = field(&|i| sign * self.sheared[i] + mu * pressed[i]);
+        let heights = field(&|i| sign * self.sheared[0][i] + mu * pressed[i]);
         let ceilings: Vec<f64> = p.iter().map(|p| 2.0 * mu * p).collect();
         let problem = Problem::of_compliance(yardstick.into(), self.compliance.clone(), load)?;
         let problem = problem.with_heights(heights)?.with_ceilings(ceilings)?;
-        let start = field(&|i| (sign * self.traction[i] + mu * p[i]).clamp(0.0, 2.0 * mu * p[i]));
-        let found = self.solver.solve_from(Some(&start), &problem, &self.stop, observer)?;
+        let start = field(&|i| (sign * self.traction[0][i] + mu * p[i]).clamp(0.0, 2.0 * mu * p[i]));
+        let stop = Stop::new(FINER * self.stop.tolerance(), self.stop.max_iterations()).unwrap_or(self.stop);
+        let found = self.solver.solve_from(Some(&start), &problem, &stop, observer)?;
         let t = values(&found.pressure);
         // nodes that stick lie at minus the datum of the heights as they were given
         let level = -(datum(&found) + problem.shift());
         Ok(Traction {
-            values: t.iter().zip(p).map(|(t, p)| sign * (t - mu * p)).collect(),
-            displacement: values(&found.displacement).iter().zip(pressed).map(|(u, p)| sign * (u - mu * p)).collect(),
-            shift: sign * level,
+            values: [t.iter().zip(p).map(|(t, p)| sign * (t - mu * p)).collect(), Vec::new()],
+            displacement: [
+                values(&found.displacement).iter().zip(pressed).map(|(u, p)| sign * (u - mu * p)).collect(),
+                Vec::new(),
+            ],
+            shift: [sign * level, 0.0],
             status: found.status,
             work: found.work,
         })
     }
 
-    /// The state with a traction and its slip.
-    fn state(
-        &self,
-        contact: Contact,
-        traction: &[f64],
-        mut slip: Vec<f64>,
-        (shift, target): (f64, f64),
-        [displacement, pressed]: [&[f64]; 2],
-        work: Work,
-    ) -> SlipState {
-        let (mu, shape) = (self.coefficient, contact.pressure.raw_dim());
-        let zone = |tau: f64, p: f64| match mu * p {
-            _ if p <= 0.0 => Zone::Open,
-            limit if tau >= limit * (1.0 - ROUNDING) => Zone::Forward,
-            limit if tau <= -limit * (1.0 - ROUNDING) => Zone::Backward,
-            _ => Zone::Stick,
+    /// The traction along both axes with the mean `target` under the pressure of a contact.
+    fn pull_towards(&mut self, contact: &Contact, pressed: &[f64], target: Pair) -> Traction {
+        let start_of_work = Instant::now();
+        let (mu, p) = (self.coefficient, values(&contact.pressure));
+        let places: Vec<usize> = chunks::positive(p, 0..p.len()).collect();
+        let at = |fields: &[Vec<f64>; 2]| places.iter().map(|&i| [fields[0][i], fields[1][i]]).collect::<Vec<Pair>>();
+        let (start, before) = (at(&self.traction), at(&self.sheared));
+        let radii: Vec<f64> = places.iter().map(|&i| mu * p[i]).collect();
+        let discs = Discs { radii, total: target.map(|target| target * p.len() as f64) };
+        let response = self.shear.as_mut().expect("the history takes both axes");
+        let transforms = response.transforms();
+        let found = VectorStep::new(response, places.clone(), discs, before, sliding_length(mu, pressed))
+            .solve(&start, &self.stop);
+        let zeros = || [vec![0.0; p.len()], vec![0.0; p.len()]];
+        let (mut traction, mut displacement) = (zeros(), zeros());
+        for (axis, field) in traction.iter_mut().enumerate() {
+            places.iter().zip(&found.tau).for_each(|(&i, tau)| field[i] = tau[axis]);
+        }
+        response.displacement(traction.each_ref().map(Vec::as_slice), displacement.each_mut().map(Vec::as_mut_slice));
+        let transforms = response.transforms() - transforms;
+        let work = Work { iterations: found.iterations, transforms, seconds: start_of_work.elapsed().as_secs_f64() };
+        Traction { values: traction, displacement, shift: found.shift, status: found.status, work }
+    }
+
+    /// The state with a traction.
+    fn state(&self, contact: Contact, found: &Traction, target: Pair, pressed: &[f64], work: Work) -> SlipState {
+        let (mu, shape, p) = (self.coefficient, contact.pressure.raw_dim(), values(&contact.pressure));
+        let n = p.len();
+        let slip_along = |axis: usize| -> Vec<f64> {
+            let both = found.displacement[axis].iter().zip(&self.sheared[axis]);
+            both.map(|(now, before)| now - before - found.shift[axis]).collect()
         };
+        let mut slip = [slip_along(0), slip_along(1)];
+        let certificate = certify(mu, p, found, &slip, pressed);
+        let reach = sliding_length(mu, pressed);
+        let zone = |i: usize| match mu * p[i] {
+            _ if p[i] <= 0.0 => Zone::Open,
+            limit if !found.slips(i, limit, at(&slip, i), reach) => Zone::Stick,
+            _ if found.values[0][i] >= 0.0 => Zone::Forward,
+            _ => Zone::Backward,
+        };
+        let zones: Vec<Zone> = (0..n).map(zone).collect();
+        let is_still = |zone: Zone| matches!(zone, Zone::Open | Zone::Stick);
+        let before = self.pressed.as_ref().map(|(contact, _)| values(&contact.pressure));
+        let dissipated = |i: usize| match zones[i] {
+            zone if is_still(zone) => 0.0,
+            _ => 0.5 * mu * (p[i] + before.map_or(p[i], |before| before[i])) * length_at(&slip, i),
+        };
+        let dissipated = chunks::sum(n, dissipated) / n as f64;
+        let work_at = |i: usize| {
+            let ([a, b], [u, v]) = (at(&found.values, i), at(&found.displacement, i));
+            a * u + b * v
+        };
+        let stored = 0.5 * chunks::sum(n, work_at) / n as f64;
+        for slip in &mut slip {
+            slip.iter_mut().zip(&zones).filter(|(_, zone)| **zone == Zone::Stick).for_each(|(slip, _)| *slip = 0.0);
+        }
         let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
-        let tau = field(traction.to_vec());
-        let zones = Zip::from(&tau).and(&contact.pressure).map_collect(|&tau, &p| zone(tau, p));
-        let certificate = certify(mu, values(&contact.pressure), [traction, &slip], pressed);
-        let (n, before) = (slip.len() as f64, self.pressed.as_ref().map(|(contact, _)| values(&contact.pressure)));
-        let (p, zone_of) = (values(&contact.pressure), zones.as_slice().expect("standard layout"));
-        let dissipated = |i: usize| match zone_of[i] {
-            Zone::Open | Zone::Stick => 0.0,
-            _ => 0.5 * mu * (p[i] + before.map_or(p[i], |before| before[i])) * slip[i].abs(),
-        };
-        let dissipated = chunks::sum(slip.len(), dissipated) / n;
-        let stored = 0.5 * chunks::sum(slip.len(), |i| traction[i] * displacement[i]) / n;
-        slip.iter_mut().zip(zone_of).filter(|(_, zone)| **zone == Zone::Stick).for_each(|(slip, _)| *slip = 0.0);
+        let across = |values: Vec<f64>| (!values.is_empty()).then(|| field(values));
+        let [along_x, along_y] = slip;
         SlipState {
-            tangential: target,
-            traction: tau,
-            slip: field(slip),
-            zones,
-            shift,
+            tangential: target[0],
+            tangential_across: target[1],
+            traction: field(found.values[0].clone()),
+            traction_across: across(found.values[1].clone()),
+            slip: field(along_x),
+            slip_across: across(along_y),
+            zones: Array2::from_shape_vec(shape, zones).expect("one zone per node"),
+            shift: found.shift[0],
+            shift_across: found.shift[1],
             dissipated,
             stored,
             certificate,
@@ -241,37 +341,76 @@ impl<'s> SlipHistory<'s> {
     }
 }
 
+/// A traction along `x` is solved to this part of the tolerance: its certificate is over `mu <p>`, and not over the mean of `t`, which may be
+/// twice as large, and is taken with the shift of the nodes that stick, and not with the best one.
+const FINER: f64 = 0.1;
+
 /// Relative distance from `mu p` up to which a traction counts as slipping, because of rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// A traction, and what was found with it.
+/// A traction, and what was found with it. The second component of fields is empty where the traction is along `x` alone.
 struct Traction {
-    values: Vec<f64>,
-    displacement: Vec<f64>,
-    shift: f64,
+    values: [Vec<f64>; 2],
+    displacement: [Vec<f64>; 2],
+    shift: Pair,
     status: Status,
     work: Work,
 }
 
 impl Traction {
-    /// No traction.
-    fn none(nodes: usize) -> Self {
-        let (values, displacement) = (vec![0.0; nodes], vec![0.0; nodes]);
-        Self { values, displacement, shift: 0.0, status: Status::Converged, work: Work::default() }
+    /// No traction, on so many nodes along each axis.
+    fn none(nodes: [usize; 2]) -> Self {
+        let zeros = || nodes.map(|nodes| vec![0.0; nodes]);
+        Self {
+            values: zeros(),
+            displacement: zeros(),
+            shift: [0.0; 2],
+            status: Status::Converged,
+            work: Work::default(),
+        }
+    }
+
+    /// Whether a node in contact slips. Along both axes it does where `tau/(mu p) - s/reach` lies outside of the unit circle: where it
+    /// sticks the slip is zero except for the tolerance.
+    fn slips(&self, i: usize, limit: f64, [a, b]: Pair, reach: f64) -> bool {
+        let [x, y] = at(&self.values, i);
+        if self.values[1].is_empty() || limit == 0.0 {
+            return x.abs() >= limit * (1.0 - ROUNDING);
+        }
+        (x / limit - a / reach).hypot(y / limit - b / reach) >= 1.0 - ROUNDING
     }
 }
 
-/// The bounds of a traction with its slip, under a pressure that displaces the surface by `pressed`.
-fn certify(mu: f64, pressure: &[f64], [traction, slip]: [&[f64]; 2], pressed: &[f64]) -> SlipCertificate {
-    let n = slip.len() as f64;
-    let mean = |of: &(dyn Fn(usize) -> f64 + Sync)| chunks::sum(slip.len(), of) / n;
-    let gap = mean(&|i| if pressure[i] > 0.0 { traction[i] * slip[i] + mu * pressure[i] * slip[i].abs() } else { 0.0 });
+/// The vector at a node, whose second component is zero in a field without one.
+fn at(fields: &[Vec<f64>; 2], i: usize) -> Pair {
+    [fields[0][i], fields[1].get(i).copied().unwrap_or(0.0)]
+}
+
+fn length_at(fields: &[Vec<f64>; 2], i: usize) -> f64 {
+    let [x, y] = at(fields, i);
+    if y == 0.0 { x.abs() } else { x.hypot(y) }
+}
+
+/// The rms of the displacement by `mu p`, about its mean.
+fn sliding_length(mu: f64, pressed: &[f64]) -> f64 {
+    let mean = |of: &(dyn Fn(usize) -> f64 + Sync)| chunks::sum(pressed.len(), of) / pressed.len() as f64;
     let middle = mean(&|i| pressed[i]);
-    let length = mu * mean(&|i| (pressed[i] - middle).powi(2)).sqrt();
+    mu * mean(&|i| (pressed[i] - middle).powi(2)).sqrt()
+}
+
+/// The bounds of a traction with its slip, under a pressure that displaces the surface by `pressed`.
+fn certify(mu: f64, pressure: &[f64], found: &Traction, slip: &[Vec<f64>; 2], pressed: &[f64]) -> SlipCertificate {
+    let n = pressure.len();
+    let mean = |of: &(dyn Fn(usize) -> f64 + Sync)| chunks::sum(n, of) / n as f64;
+    let missed = |i: usize| {
+        let ([x, y], [a, b]) = (at(&found.values, i), at(slip, i));
+        if pressure[i] > 0.0 { x * a + y * b + mu * pressure[i] * length_at(slip, i) } else { 0.0 }
+    };
+    let gap = mean(&missed);
     let square = mu * mu * mean(&|i| pressure[i] * pressed[i]);
     let over = |gap: f64, scale: f64| if mu > 0.0 { gap.max(0.0) / scale } else { 0.0 };
     SlipCertificate {
-        eta: over(gap, mu * mean(&|i| pressure[i]) * length),
+        eta: over(gap, mu * mean(&|i| pressure[i]) * sliding_length(mu, pressed)),
         traction_error_bound: over(gap, square).sqrt(),
     }
 }

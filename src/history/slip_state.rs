@@ -11,23 +11,35 @@ use serde::Serialize;
 /// | field      | shape      | unit     | meaning                                                                     |
 /// |------------|------------|----------|-----------------------------------------------------------------------------|
 /// | `traction` | `(ny, nx)` | pressure | `tau` along `x` on the solid, `|tau| <= mu p`, of mean `tangential`         |
-/// | `slip`     | `(ny, nx)` | length   | slip in this step, `s = A (tau - tau_0) - delta`; zero where the solid sticks |
+/// | `traction_across` | `(ny, nx)` | pressure | `tau` along `y`, of mean `tangential_across`                 |
+/// | `slip`     | `(ny, nx)` | length   | slip along `x` in this step, `s = A (tau - tau_0) - delta`; zero where the solid sticks |
+/// | `slip_across` | `(ny, nx)` | length | slip along `y` in this step                                                      |
 /// | `zones`    | `(ny, nx)` |          | whether a node is open, sticks, or slips, and in which direction            |
+///
+/// The fields along `y` are none on lines, and on surfaces where the step was along `x` alone, see [`crate::history::SlipHistory`].
 #[derive(Debug, Clone)]
 pub struct SlipState {
     /// The contact under the normal load.
     pub contact: Contact,
-    /// The mean traction, a pressure.
+    /// The mean traction along `x`, a pressure.
     pub tangential: f64,
+    /// The mean traction along `y`, a pressure.
+    pub tangential_across: f64,
     /// The traction along `x` on the surface of the solid.
     pub traction: Field,
+    /// The traction along `y` on the surface of the solid; none where the step was along `x` alone.
+    pub traction_across: Option<Field>,
     /// The slip in this step: the displacement of the surface of the solid along `x` relative to the rigid surface.
     pub slip: Field,
+    /// The slip along `y` in this step; none where the step was along `x` alone.
+    pub slip_across: Option<Field>,
     /// The zone of each node.
     pub zones: Array2<Zone>,
     /// The shift `delta` of the rigid surface along `x` in this step, a length. On a periodic grid it is measured from the mean
     /// displacement of the solid, on a free line from the datum of line loads.
     pub shift: f64,
+    /// The shift along `y` in this step, a length.
+    pub shift_across: f64,
     /// The energy that friction dissipates in this step, per area of the cell: `<mu p |s|>`, with the mean of the pressures before and
     /// after the step.
     pub dissipated: f64,
@@ -48,9 +60,10 @@ pub enum Zone {
     Open,
     /// It sticks: the traction is below `mu p`.
     Stick,
-    /// It slips, with the traction `+mu p` on the solid: the rigid surface moves towards `+x` over the solid.
+    /// It slips, with the traction `+mu p` on the solid: the rigid surface moves towards `+x` over the solid. Where there are tractions
+    /// along both axes it slips in any direction, and the traction along `x` is not negative.
     Forward,
-    /// It slips, with the traction `-mu p` on the solid.
+    /// It slips, with the traction `-mu p` on the solid; with a negative traction along `x` where there are tractions along both axes.
     Backward,
 }
 
@@ -58,7 +71,7 @@ pub enum Zone {
 ///
 /// A step minimises `f(tau) = 1/2 <tau A tau> - <tau A tau_0>` over `|tau| <= mu p` with `<tau>` given. With the slip `s`,
 ///
-/// `f(tau) - f* <= G = <tau s> + <mu p |s|>`,
+/// `f(tau) - f* <= G = <tau s> + <mu p |s|>` (where there are two components, `tau s` is their scalar product and `|s|` a length),
 ///
 /// a sum of terms that are not negative and vanish where Coulomb's law holds, for any shift in `s`; and
 /// `<(tau - tau*) A (tau - tau*)> <= G`.
@@ -100,7 +113,10 @@ impl SlipState {
             traction_certificate: Some(self.certificate.eta),
             ..HistoryNumbers::default()
         };
-        let fields = vec![HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
+        let along = [HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
+        let across =
+            [self.traction_across.map(HistoryField::traction_across), self.slip_across.map(HistoryField::slip_across)];
+        let fields = along.into_iter().chain(across.into_iter().flatten()).collect();
         let (claim, contact, work) = (ResultClaim::Solution, self.contact, self.work);
         HistoryState { contact, point, claim, numbers, fields, work }
     }

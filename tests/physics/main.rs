@@ -12,6 +12,7 @@ mod sliding;
 mod sliding_stability;
 mod slip;
 mod slip_history;
+mod slip_vector;
 mod solids;
 mod stress;
 mod surfaces;
