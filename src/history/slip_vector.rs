@@ -234,7 +234,7 @@ impl<'a> VectorStep<'a> {
                 let factor = square / before;
                 direction.iter_mut().zip(&better).for_each(|(d, z)| *d = add(*z, factor, *d));
             }
-            if !(square > reduction * reduction * first) || square <= 0.0 {
+            if square <= (reduction * reduction * first).max(0.0) || !square.is_finite() {
                 return (step, iteration);
             }
             let mut image = self.displacement(&direction);
@@ -242,7 +242,7 @@ impl<'a> VectorStep<'a> {
             added.for_each(|((image, d), added)| *image = add(*image, *added, *d));
             free.balance(&mut image);
             let curvature: f64 = direction.iter().zip(&image).map(|(d, a)| dot(*d, *a)).sum();
-            if !(curvature > 0.0) {
+            if curvature <= 0.0 || !curvature.is_finite() {
                 return (step, iteration);
             }
             let factor = square / curvature;

@@ -29,14 +29,6 @@ fn the_sphere_of_contact_has_its_printed_figures_to_a_thousandth() {
     let (problem, load, area) = sphere(19);
     let mut history = SlipHistory::sheared(problem, 0.4, M, &Multilevel, stop(1e-12)).unwrap();
     let state = history.step(load, 0.875 * 0.4 * 9.1954, &mut ()).unwrap();
-    println!(
-        "{:?} {:?} {:?} shift {:e} work {:e}",
-        state.contact.status,
-        state.certificate,
-        state.work,
-        state.shift,
-        state.dissipated * area
-    );
     let near = |found: f64, printed: f64| assert!((found / printed - 1.0).abs() < 1e-3, "{found} against {printed}");
     near(state.contact.max_pressure(), 4.393);
     near(state.contact.approach().unwrap(), 0.01998);
@@ -148,7 +140,6 @@ fn without_poissons_ratio_both_kinds_of_steps_agree() {
                 most(&(&scalar.slip - &slip)) / scalar.shift.abs(),
                 most(&vector.traction) / most(&tau),
             ];
-            println!("{periodic} {share}: {errors:?}");
             assert!(errors.into_iter().all(|error| error < 1e-9), "{periodic} {share}: {errors:?}");
         }
     }
@@ -170,7 +161,6 @@ fn a_turned_surface_has_the_turned_traction() {
                 (a.shift_across - b.shift).abs() / a.shift.hypot(a.shift_across),
                 (a.dissipated / b.dissipated - 1.0).abs(),
             ];
-            println!("{periodic} {x} {y}: {errors:?}");
             assert!(errors.into_iter().all(|error| error < 1e-7), "{periodic} {x} {y}: {errors:?}");
         }
     }
