@@ -159,7 +159,8 @@ fn a_contact_in_time_is_that_of_a_softer_solid() {
     let areas = values(&steps["relative_area"]);
     assert!(areas.len() > 4 && areas.is_sorted_by(|a, b| a <= b), "the contact grows state by state: {areas:?}");
     assert_eq!(*areas.last().unwrap(), number(&run, "relative_area"));
-    assert_eq!(facet("motion")["sections"].as_array().unwrap().len(), outcome.states.len());
+    let shown = facet("motion")["sections"].as_array().unwrap().len();
+    assert!((4..=outcome.states.len()).contains(&shown), "{shown} of {} states move", outcome.states.len());
     assert!(facet("why").is_null());
     assert_eq!(facet("patches")["is_hertzian"], false);
 }
