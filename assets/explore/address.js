@@ -85,8 +85,8 @@ function words(state) {
   return JSON.stringify(state, sorted);
 }
 
-/** Knobs in the colours of this page. */
-const painted = (wanted) => ({ ...wanted, theme: document.documentElement.dataset.theme });
+/** Knobs in the colours of this page, with those of the solid that earlier pages did not have. */
+const painted = (wanted) => ({ ...defaultsOf("solid"), ...wanted, theme: document.documentElement.dataset.theme });
 
 /** Waits until the order of a revision is carried out. */
 async function ended(revision) {

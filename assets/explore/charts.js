@@ -69,10 +69,11 @@ function legend(svg, top, curves, width) {
 }
 
 /** The knobs that make surface and solid of a sweep. */
-function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps, hardness, layer }) {
+function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time }) {
   if (body === "scene") return scene;
-  if (body === "file") return JSON.stringify([heights, hardness, layer]);
-  return JSON.stringify([hardness, layer, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
+  const memory = creep > 0 && [creep, speed, speed === 0 && time];
+  if (body === "file") return JSON.stringify([heights, hardness, layer, memory]);
+  return JSON.stringify([hardness, layer, memory, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 
 /** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */

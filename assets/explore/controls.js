@@ -9,7 +9,7 @@ const isOwn = (k) => k.body !== "scene";
 
 /** Whether a state has a knob, by the scenes that have it. */
 const HAS = {
-  all: () => true, own: isOwn, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "power-law": (k) => k.body === "power-law",
+  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "power-law": (k) => k.body === "power-law",
   gfmd: isGfmd, damped: (k) => isGfmd(k) && k.solver.dynamics === "damped",
 };
 
@@ -164,10 +164,11 @@ function explain(target, tip) {
 
 /** The parts of a recording of a checkbox. */
 const parts = (box) => box.value.split(" ");
-const POSITION = { linear: (value) => value, log10: Math.log10, log2: Math.log2 };
-const VALUE = { linear: (position) => position, log10: (position) => Number((10 ** position).toPrecision(4)), log2: (position) => Math.round(2 ** position) };
-const toSlider = (control, value) => control.values ? control.values.indexOf(value) : POSITION[control.scale](value);
-const fromSlider = (control, position) => control.values ? control.values[position] : VALUE[control.scale](position);
+const log10 = (position) => Number((10 ** position).toPrecision(4));
+const POSITION = { linear: (value) => value, log10: Math.log10, log2: Math.log2, "zero-or-log10": (value, [first]) => value === 0 ? first : Math.log10(value) };
+const VALUE = { linear: (position) => position, log10, log2: (position) => Math.round(2 ** position), "zero-or-log10": (position, [first]) => position <= first ? 0 : log10(position) };
+const toSlider = (control, value) => control.values ? control.values.indexOf(value) : POSITION[control.scale](value, control.slider);
+const fromSlider = (control, position) => control.values ? control.values[position] : VALUE[control.scale](position, control.slider);
 
 /** Takes the value of a control into the knobs. */
 function take(control) {

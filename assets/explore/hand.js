@@ -70,10 +70,13 @@ function followRigid({ rigid }) {
 const isDeep = () => byId("fringes").checked;
 
 /** Whether points of the profile can be dragged: those of lines that the knobs make. */
-const canBend = () => !isAsked() && knobs.domain === "line" && isMade(knobs);
+const canBend = () => !isAsked() && !isAging() && knobs.domain === "line" && isMade(knobs);
 
-/** Whether the rigid surface can be pressed: not where the boundary is free. */
-const canPress = () => section.is_pressed_by_gap && !isAsked();
+/** Whether the rigid surface can be pressed: not where the boundary is free, and not in the course of time. */
+const canPress = () => section.is_pressed_by_gap && !isAging() && !isAsked();
+
+/** Whether the contact is one of many in time, on a solid that creeps: then a hand moves nothing, as each of them takes the ones before. */
+const isAging = () => HAS.resting(knobs) && knobs.time > 0;
 
 /** Whether a question is open whose answer the hand would show. */
 const isAsked = () => document.body.dataset.asked === "true" && lesson?.steps[lesson.at].ask.kind !== "act";

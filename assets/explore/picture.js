@@ -48,6 +48,8 @@ function placeLabels() {
   const at = frame(byId("section"));
   byId("label-pressure").textContent = say("section.scale", { pressure: figure(axes.pressure, 3) });
   byId("label-pressure").hidden = !(axes.pressure > 0);
+  byId("label-rigid").textContent = section.slides ? say("label.rigid.slides") : say("label.rigid");
+  byId("label-solid").textContent = HAS.creeping(knobs) ? say("label.solid.creeps") : say("label.solid");
   byId("label-rigid").style.top = `${at.top + 2}px`;
   byId("label-drag").hidden = !canPress() || isTouched;
 }
@@ -169,7 +171,8 @@ function paintShear(to, at, { solid, length, shear: { depth, columns, highest, v
 }
 
 /** A section in words, for those who do not see it. */
-function inWords({ pressure, highest_pressure }) {
+function inWords({ pressure, highest_pressure, slides }) {
   const share = pressure.filter((p) => p > 0).length / pressure.length;
-  return say("section.words", { share: figure(100 * share, 3), pressure: figure(highest_pressure, 3) });
+  const told = say("section.words", { share: figure(100 * share, 3), pressure: figure(highest_pressure, 3) });
+  return slides ? `${told}. ${say("section.slides")}` : told;
 }

@@ -301,7 +301,9 @@ function lengthOf(metres, digits = 3) {
 /** The observables that the server knows, and those that are shown: those that change step by step, and these. */
 let known = [];
 let observables = [];
-const SHOWN = ["kappa_r_error", "iterations", "transforms", "seconds"];
+const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds"];
+/** One that has a row only where a contact slides. */
+const FRICTION = "friction";
 /** The observables beside which exact values stand. */
 const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
@@ -316,7 +318,8 @@ const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
 function titleOf({ title }) {
   const [, surface, rest] = /^([^,]*)(.*)$/.exec(title);
   const name = slug(surface);
-  return `${knows(`surface.${name}`) ? say(`surface.${name}`) : surface}${inLocale(rest.replace("load sweep", say("surface.sweep")))}`;
+  const words = rest.replace("load sweep", say("surface.sweep")).split(", ").map(inLocale).join(", ");
+  return `${knows(`surface.${name}`) ? say(`surface.${name}`) : surface}${words}`;
 }
 
 /** The name of an exact solution, such as "cylinder, periodic". */
@@ -374,8 +377,9 @@ function numbers() {
   const before = rival(run);
   const cell = (text, name) => element("td", { "data-number": name }, ...[text].flat());
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
-  const body = observables.map(({ name }) => {
-    const values = [moment || run, run.beside || before].map((it) => valueOf(it?.numbers, name));
+  const both = [moment || run, run.beside || before].map((it) => it?.numbers);
+  const body = observables.filter(({ name }) => name !== FRICTION || both.some((told) => Number.isFinite(told?.[name]))).map(({ name }) => {
+    const values = both.map((told) => valueOf(told, name));
     const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });

@@ -1,6 +1,5 @@
 //! Facets: data about a run that has ended, in addition to its report.
 
-use super::patches::PatchTable;
 use super::section::{Section, Shear};
 use super::session_recording::SolvedRun;
 use super::why::Why;
@@ -23,7 +22,7 @@ pub const FACETS: [Facet; 8] = [
     Facet { name: "shear", of: |solved| json!(Shear::below(&solved.contact)) },
     Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::from_contact)) },
     Facet { name: "shear-beside", of: |solved| json!(solved.beside.as_ref().and_then(Shear::below)) },
-    Facet { name: "patches", of: |solved| json!(PatchTable::new(&solved.contact)) },
+    Facet { name: "patches", of: |solved| json!(solved.patches()) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
     Facet { name: MOTION, of: |solved| json!(solved.motion) },
     Facet { name: "why", of: |solved| json!(Why::find(solved)) },

@@ -56,6 +56,9 @@ impl Hold {
         before: &mut [Option<Field>; 2],
     ) -> Result<Held, Refusal> {
         let setup = self.knobs.setup_with(source)?;
+        if setup.is_history()? {
+            return Err(Refusal("a contact that creeps cannot be dragged: set the time to 0".into()));
+        }
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {
             problem = problem.with_load(Load::MeanGap(mean_gap))?;
@@ -78,12 +81,17 @@ impl Hold {
     }
 }
 
+/// The fastest solver of a setup, whatever the setup says.
+pub(super) fn fast_solver(setup: &Setup) -> &dyn Solver {
+    if setup.sliding.is_some() { setup.solver() } else { &Multilevel }
+}
+
 /// The contact of a problem, from the pressure before if it is on the same grid.
 fn solve(problem: &Problem, setup: &Setup, before: &mut Option<Field>) -> Result<Contact, Refusal> {
     let stop = Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS).map_err(|it| Refusal(it.to_string()))?;
     let shape = problem.surface().grid().shape();
     let start = before.take().filter(|field| field.dim() == shape.into());
-    let solved = Multilevel.solve_from(start.as_ref(), problem, &stop, &mut ());
+    let solved = fast_solver(setup).solve_from(start.as_ref(), problem, &stop, &mut ());
     let contact = solved.map_err(|fault| Refusal(fault.to_string()))?;
     *before = Some(contact.pressure.clone());
     Ok(contact)

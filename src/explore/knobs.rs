@@ -6,7 +6,10 @@ use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE};
 use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
-use crate::setup::{Cell, LayerModulus, Method, Part, Recipe, Record, Setup, Solid, Theme};
+use crate::grid::Grid;
+use crate::setup::{
+    Cell, LayerModulus, LoadPath, Method, Part, Recipe, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic,
+};
 use crate::surface::{Bump, Bumps, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
 
@@ -17,6 +20,8 @@ pub(super) const MODULUS: f64 = 1e9;
 const RADIUS: f64 = 100.0 * CELL;
 /// Amplitude of the waves.
 const AMPLITUDE: f64 = 1e-3 * CELL;
+/// Retardation time of a solid that creeps: the unit of time.
+const RETARDATION_TIME: f64 = 1.0;
 /// Poisson's ratio of a layer.
 const LAYER_POISSON: f64 = 0.3;
 
@@ -46,6 +51,15 @@ pub struct Knobs {
     /// Thickness of a bonded layer of Poisson's ratio 0.3 on a rigid base, over the cell; 0 for a half-space.
     #[serde(default)]
     layer: f64,
+    /// Creep of the solid, a Kelvin term: its compliance after a long time over that at once, minus 1; 0 for an elastic one.
+    #[serde(default)]
+    creep: f64,
+    /// Speed of sliding towards `+x` over a solid that creeps, in lengths of the cell per retardation time; 0 at rest.
+    #[serde(default)]
+    speed: f64,
+    /// How long the load has acted on a solid that creeps, where the surface is at rest, in retardation times.
+    #[serde(default)]
+    time: f64,
     solver: Method,
     stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
@@ -219,10 +233,21 @@ impl Knobs {
         }
         let (surface, cell) = self.surface(source)?;
         let grid = surface.grid(&cell)?;
+        self.check_motion(&grid)?;
+        let load = Load::ReducedPressure(self.load);
+        let has_memory = self.slides() || self.creeps_in_time();
         Ok(Setup {
+            viscoelastic: has_memory
+                .then(|| Viscoelastic { creep: vec![self.creep, RETARDATION_TIME], ..Viscoelastic::default() }),
+            sliding: self
+                .slides()
+                .then(|| SlidingMotion { speed: vec![self.speed * grid.size()[1] / RETARDATION_TIME] }),
+            path: self
+                .creeps_in_time()
+                .then(|| LoadPath { time: vec![self.time * RETARDATION_TIME], ..LoadPath::default() }),
             solid: Some(self.solid(grid.longest_wavelength())),
             law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
-            ..Setup::new(surface, cell, Load::ReducedPressure(self.load))
+            ..Setup::new(surface, cell, load)
         })
     }
 
@@ -238,8 +263,9 @@ impl Knobs {
                 "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"",
             );
         }
-        let Self { load, hardness, layer, solver, stop, record, theme, .. } = self.clone();
-        let other = Self { load, hardness, layer, solver, stop, record, theme, ..Self::clone(beside) };
+        let Self { load, hardness, layer, creep, speed, time, solver, stop, record, theme, .. } = self.clone();
+        let other =
+            Self { load, hardness, layer, creep, speed, time, solver, stop, record, theme, ..Self::clone(beside) };
         let (first, second) = (self.setup_with(source)?, other.setup_with(source)?);
         let is_line = |setup: &Setup| Ok::<_, Refusal>(setup.surface.grid(&setup.grid)?.is_line());
         if is_line(&first)? != is_line(&second)? {
@@ -273,6 +299,43 @@ impl Knobs {
         }
         let modulus = LayerModulus::Contact(MODULUS);
         Solid::Layer { modulus, poisson: LAYER_POISSON, thickness: self.layer * length, base: Base::Bonded }
+    }
+
+    /// Whether the surface slides over a solid that creeps.
+    fn slides(&self) -> bool {
+        self.creep > 0.0 && self.speed > 0.0
+    }
+
+    /// Whether the surface is at rest on a solid that has crept for some time.
+    fn creeps_in_time(&self) -> bool {
+        self.creep > 0.0 && self.speed == 0.0 && self.time > 0.0
+    }
+
+    /// The motion and the time in a few symbols, for titles; empty for an elastic contact, as are the words for names of files.
+    pub(super) fn motion_in_words(&self) -> [String; 2] {
+        if self.takes_scene() {
+            return Default::default();
+        }
+        let Self { creep, speed, time, .. } = self;
+        match (self.slides(), self.creeps_in_time()) {
+            (true, _) => [format!(", f = {creep}, Vτ/L = {speed}"), format!("_f{creep}_v{speed}")],
+            (_, true) => [format!(", f = {creep}, T/τ = {time}"), format!("_f{creep}_t{time}")],
+            _ => Default::default(),
+        }
+    }
+
+    /// Refuses what a contact that slides or creeps in time cannot have.
+    fn check_motion(&self, grid: &Grid) -> Result<(), Refusal> {
+        let (slides, is_gfmd) = (self.slides(), matches!(self.solver, Method::Gfmd(_)));
+        Err(Refusal(String::from(if slides && self.hardness > 0.0 {
+            "a surface cannot slide over a solid that yields here: set the hardness or the speed to 0"
+        } else if slides && !grid.is_periodic() {
+            "a surface with a free boundary cannot slide here: choose the periodic boundary, or set the speed to 0"
+        } else if (slides || self.creeps_in_time()) && is_gfmd {
+            "GFMD solves elastic contacts only: choose another method, or set the creep to 0"
+        } else {
+            return Ok(());
+        })))
     }
 
     /// Checks the limits of the page.

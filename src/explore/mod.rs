@@ -11,6 +11,7 @@
 //! A file of heights that is dropped on the page stays in the memory of the session until the next file replaces it.
 
 mod answer;
+mod creep;
 mod description;
 mod facet;
 mod hand;

@@ -112,7 +112,7 @@ impl PatchTable {
             patches: all.iter().enumerate().map(row).collect(),
             count,
             fewest_nodes: Resolution::fewest_nodes(grid),
-            is_hertzian: problem.solid().is_half_space() && problem.law() == Law::HardWall,
+            is_hertzian: problem.solid().is_half_space() && problem.law() == Law::HardWall && !problem.is_moving(),
             grid: grid.shape(),
             shape,
             size: grid.size(),

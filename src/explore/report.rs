@@ -1,5 +1,6 @@
 //! The state of a session, as the page gets it.
 
+use super::creep::StateNumbers;
 use super::knobs::{Knobs, MODULUS};
 use super::section::Section;
 use crate::contact::{Contact, Failure, Observables, Step};
@@ -71,6 +72,8 @@ pub struct RunReport {
     pub warnings: Vec<RunWarning>,
     /// The state of the knobs.
     pub knobs: Knobs,
+    /// Whether its steps are states in time, of a solid that creeps.
+    pub creeps: bool,
     /// Whether solver and recording have ended.
     pub ended: bool,
     /// Numbers of its latest state.
@@ -177,6 +180,11 @@ impl Numbers {
     pub fn from_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
         Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
+    }
+
+    /// The numbers, with those that the state of a history knows better.
+    pub fn corrected(self, states: &StateNumbers) -> Self {
+        Self { observables: states.correct(self.observables), ..self }
     }
 
     /// The numbers of a contact.

@@ -52,6 +52,10 @@ pub enum KnobScenes {
     All,
     /// All but that of a setup file.
     Own,
+    /// All but that of a setup file, with a solid that creeps.
+    Creeping,
+    /// The same, where the surface does not slide.
+    Resting,
     /// Surfaces that the knobs make: no file is the body.
     Made,
     /// Made surfaces with roughness.
@@ -77,7 +81,10 @@ pub enum KnobScenes {
 impl KnobScenes {
     /// Whether the other states hold a value of the knob, too, for when it is needed again.
     fn is_held_by_others(self) -> bool {
-        matches!(self, Self::All | Self::Own | Self::Made | Self::Rough | Self::PowerLaw)
+        matches!(
+            self,
+            Self::All | Self::Own | Self::Creeping | Self::Resting | Self::Made | Self::Rough | Self::PowerLaw
+        )
     }
 }
 
@@ -89,6 +96,8 @@ pub enum SliderScale {
     Linear,
     /// The position is the logarithm of the value to the base of ten.
     Log10,
+    /// The same, but the first position is zero.
+    ZeroOrLog10,
     /// The position is the logarithm of the value to the base of two; values are whole.
     Log2,
 }
@@ -125,6 +134,10 @@ impl NumericKnob {
 
     const fn log10(self, slider: [f64; 3]) -> Self {
         Self { scale: SliderScale::Log10, ..self.linear(slider) }
+    }
+
+    const fn zero_or_log10(self, slider: [f64; 3]) -> Self {
+        Self { scale: SliderScale::ZeroOrLog10, ..self.linear(slider) }
     }
 
     const fn log2(self, slider: [f64; 3]) -> Self {
@@ -235,6 +248,9 @@ pub const KNOBS: &[Knob] = &[
     knob(Load, "load", Number(NumericKnob::new([1e-5, 1e3], 0.05).log10([-4.0, 1.5, 0.02]))),
     knob(Solid, "hardness", Number(NumericKnob::new([0.0, 1.0], 0.0).linear([0.0, 0.002, 0.00002]))).only_in(KnobScenes::Own),
     knob(Solid, "layer", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 0.5, 0.005]))).only_in(KnobScenes::Own),
+    knob(Solid, "creep", Number(NumericKnob::new([0.0, 100.0], 0.0).linear([0.0, 20.0, 0.5]))).only_in(KnobScenes::Own),
+    knob(Solid, "speed", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 2.0, 0.1]))).only_in(KnobScenes::Creeping),
+    knob(Solid, "time", Number(NumericKnob::new([0.0, 100.0], 0.0).zero_or_log10([-2.1, 2.0, 0.1]))).only_in(KnobScenes::Resting),
     knob(Surface, "domain", Choice { options: &["line", "surface"], default: "line" }).only_in(KnobScenes::Made),
     knob(Surface, "body", Choice { options: &["flat", "round", "sine", "power-law", "file", "scene"], default: "flat" }),
     knob(Surface, "exponent", Number(NumericKnob::new([1.0, 12.0], 4.0).linear([1.0, 12.0, 0.5]))).only_in(KnobScenes::PowerLaw),

@@ -42,6 +42,8 @@ pub struct Section {
     pub exact: Option<Vec<f32>>,
     /// Whether it is pressed by its mean gap: not where the boundary is free.
     pub is_pressed_by_gap: bool,
+    /// Whether the rigid surface slides over the solid, towards larger places.
+    pub slides: bool,
     /// Mean gap.
     pub mean_gap: f64,
     /// The highest peak above the mean of the rigid surface: a larger mean gap than that is no contact.
@@ -117,6 +119,7 @@ impl Section {
             highest_pressure: pressure.fold(0.0, |most: f64, &p| most.max(p)) / modulus,
             exact: None,
             is_pressed_by_gap: grid.is_periodic(),
+            slides: problem.is_moving(),
             mean_gap,
             highest: problem.highest(),
         }

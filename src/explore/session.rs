@@ -1,5 +1,6 @@
 //! One session: the orders of the page, and their results.
 
+use super::creep::StateNumbers;
 use super::description::Description;
 use super::hand::{Held, Hold};
 use super::height_knobs::HeightKnobs;
@@ -138,6 +139,9 @@ impl Session {
     pub fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
+        if kind == RunKind::Sweep && setup.is_history()? {
+            return Err(Refusal("the load of a contact that creeps cannot be swept: set the time to 0".into()));
+        }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));
             state.generation += 1;
@@ -324,9 +328,10 @@ impl Turn<'_> {
         beside: Option<Contact>,
         curves: TapeCurves,
         (steps, motion): (StepNumbers, Motion),
+        [states, states_beside]: [&StateNumbers; 2],
     ) {
-        let numbers = Numbers::from_contact(&contact);
-        let numbers_beside = beside.as_ref().map(Numbers::from_contact);
+        let numbers = Numbers::from_contact(&contact).corrected(states);
+        let numbers_beside = beside.as_ref().map(|beside| Numbers::from_contact(beside).corrected(states_beside));
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;

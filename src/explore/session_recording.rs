@@ -1,6 +1,7 @@
 //! A recording of the session, and the result of its solve or sweep.
 
 use super::motion::Motion;
+use super::patches::PatchTable;
 use super::report::{RunReport, SweepReport};
 use super::section::Section;
 use super::step_numbers::StepNumbers;
@@ -91,6 +92,12 @@ impl SolvedRun {
     pub fn section(&self) -> Section {
         let Self { contact, exact, .. } = self;
         exact.as_ref().map_or_else(|| Section::from_contact(contact), |exact| Section::with_exact(contact, exact))
+    }
+
+    /// The patches of the contact. A patch on a solid that creeps is compared with no elastic one.
+    pub fn patches(&self) -> PatchTable {
+        let table = PatchTable::new(&self.contact);
+        PatchTable { is_hertzian: table.is_hertzian && !self.report.creeps, ..table }
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

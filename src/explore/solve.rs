@@ -1,5 +1,6 @@
 //! One solve, recorded and reported while it runs.
 
+use super::creep::{CreepSolver, StateNumbers};
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
@@ -29,16 +30,19 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let grid = problem.surface().grid();
     let exact = problem.mean_pressure().and_then(|pressure| setup.exact(grid, pressure));
     let surface = setup.surface.title(grid);
-    let title = format!("{surface}, p* = {}", knobs.load);
+    let [motion, for_files] = knobs.motion_in_words();
+    let title = format!("{surface}, p* = {}{motion}", knobs.load);
+    let creeps = setup.is_history()?;
     let report = RunReport {
         id: format!("run-{}", turn.number),
-        file_stem: file_stem(&surface, &format!("p{}", knobs.load), setup.solver.name()),
+        file_stem: file_stem(&surface, &format!("p{}{for_files}", knobs.load), setup.solver().name()),
         title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),
         prepared: prepared(&setup, problem.surface())?,
         warnings: Vec::new(),
         knobs,
+        creeps,
         ended: false,
         numbers: None,
         exact: exact.as_ref().map(ExactNumbers::from),
@@ -50,9 +54,19 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let record = setup.record.clone();
-    let job = Job::from_run(JobRun { title: Some(title), problem: Some(problem), ..JobRun::new(setup) });
-    let job = beside.into_iter().fold(job, |job, (setup, problem)| {
-        job.beside(JobRun { name: "beside".into(), problem: Some(problem), ..JobRun::new(setup) })
+    let states = [StateNumbers::default(), StateNumbers::default()];
+    let goes_on = || turn.goes_on();
+    let [history, history_beside] = [Some(&setup), beside.as_ref().map(|(setup, _)| setup)]
+        .map(|setup| setup.filter(|_| creeps))
+        .into_iter()
+        .zip(&states)
+        .map(|(setup, states)| setup.map(|setup| CreepSolver::new(setup, &goes_on, states.clone())))
+        .collect::<Vec<_>>()
+        .try_into()
+        .unwrap_or_default();
+    let job = Job::from_run(JobRun { title: Some(title), ..job_run(&setup, problem, history.as_ref()) });
+    let job = beside.iter().fold(job, |job, (setup, problem)| {
+        job.beside(JobRun { name: "beside".into(), ..job_run(setup, problem.clone(), history_beside.as_ref()) })
     });
     let job = tape::recorded(job, &id, &record, turn.view(), |live| {
         turn.keep(SessionRecording::new(&id, &file_stem, live));
@@ -62,7 +76,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         turn,
         reported: Instant::now(),
         curves: tape::curves(&id),
-        steps: StepNumbers::default(),
+        steps: StepNumbers::new(states[0].clone()),
+        states: &states,
         motion: Motion::default(),
     };
     let solved = job.run(&mut watch)?.solved;
@@ -74,8 +89,17 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         return Err(SolveError::Observer(failure).into());
     }
     let RunCollector { curves, steps, motion, .. } = watch;
-    turn.finish(rank, contact, exact, other, curves, (steps, motion));
+    turn.finish(rank, contact, exact, other, curves, (steps, motion), states.each_ref());
     Ok(())
+}
+
+/// The run of a setup, or of its history.
+fn job_run<'a>(setup: &Setup, problem: Problem, history: Option<&'a CreepSolver<'_>>) -> JobRun<'a> {
+    let run = match history {
+        Some(history) => JobRun { other: Some(history), ..JobRun::new(history.setup_of_contact()) },
+        None => JobRun::new(setup.clone()),
+    };
+    JobRun { problem: Some(problem), ..run }
 }
 
 /// A setup under the mean pressure of a problem, and its problem.
@@ -106,12 +130,14 @@ struct RunCollector<'a> {
     curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
+    states: &'a [StateNumbers; 2],
 }
 
 /// Reports where a solve stands, if its numbers are those of the run, and ends it when its turn is over.
 struct ProgressReport<'w, 'a> {
     turn: Turn<'a>,
     reported: Option<&'w mut Instant>,
+    states: &'a StateNumbers,
 }
 
 impl job::Watcher for RunCollector<'_> {
@@ -119,10 +145,10 @@ impl job::Watcher for RunCollector<'_> {
         let turn = self.turn;
         match pass {
             Pass::Solve(_, 0) => {
-                let progress = ProgressReport { turn, reported: Some(&mut self.reported) };
+                let progress = ProgressReport { turn, reported: Some(&mut self.reported), states: &self.states[0] };
                 Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress))
             }
-            _ => Box::new(ProgressReport { turn, reported: None }),
+            _ => Box::new(ProgressReport { turn, reported: None, states: &self.states[1] }),
         }
     }
 }
@@ -134,7 +160,7 @@ impl Observer for ProgressReport<'_, '_> {
         }
         if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
             **reported = Instant::now();
-            let (numbers, section) = (Numbers::from_step(step), Section::from_step(step));
+            let (numbers, section) = (Numbers::from_step(step).corrected(self.states), Section::from_step(step));
             self.turn.update_report(|news| {
                 if let Some(run) = &mut news.run {
                     (run.numbers, run.section) = (Some(numbers), Some(section));

@@ -1,5 +1,6 @@
 //! The numbers of the steps of a run.
 
+use super::creep::StateNumbers;
 use crate::contact::{Contact, Failure, OBSERVABLES, Observer, State, Step, Wish, Work};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -9,6 +10,8 @@ use std::ops::ControlFlow;
 const MOST: usize = 2000;
 /// Observables that are kept beside those that are traced.
 const COUNTED: [&str; 2] = ["iterations", "transforms"];
+/// One that is kept where it is known: of a contact that slides.
+const FRICTION: &str = "friction";
 
 /// The numbers of the steps of a run by their names, a column each, and the final contact as the last row. The step of a row in the
 /// recording is its number of `iterations`; what is not known at a step is null in JSON.
@@ -17,6 +20,9 @@ pub struct StepNumbers {
     seconds: Vec<f64>,
     #[serde(flatten)]
     columns: BTreeMap<&'static str, Vec<f64>>,
+    /// The numbers of the states of a history.
+    #[serde(skip)]
+    states: StateNumbers,
     /// Steps seen so far, and the power of two of which the numbers of kept ones are multiples.
     #[serde(skip)]
     seen: usize,
@@ -25,11 +31,23 @@ pub struct StepNumbers {
 }
 
 impl StepNumbers {
+    /// The numbers of steps that are the states of a history, if it is one.
+    pub fn new(states: StateNumbers) -> Self {
+        Self { states, ..Self::default() }
+    }
+
     fn add<'a>(&mut self, work: Work, state: impl Into<State<'a>>) {
         let state = state.into();
         self.seconds.push(work.seconds);
+        let of = |name: &str| OBSERVABLES.iter().find(|it| it.name == name).map_or(f64::NAN, |it| (it.value)(&state));
+        let load = of("reduced_pressure");
         for observable in OBSERVABLES.iter().filter(|it| it.is_traced || COUNTED.contains(&it.name)) {
-            self.columns.entry(observable.name).or_default().push((observable.value)(&state));
+            let value = self.states.of(observable.name, load).unwrap_or_else(|| (observable.value)(&state));
+            self.columns.entry(observable.name).or_default().push(value);
+        }
+        let friction = of(FRICTION);
+        if friction.is_finite() {
+            self.columns.entry(FRICTION).or_default().push(friction);
         }
     }
 

@@ -1,5 +1,6 @@
 //! A sweep of the load from first touch to full contact, recorded load by load.
 
+use super::hand::fast_solver;
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
@@ -7,7 +8,7 @@ use super::section::Section;
 use super::session::Turn;
 use super::session_recording::SessionRecording;
 use super::tape::SweepTape;
-use crate::contact::{Contact, Each, Failure, Law, Load, Multilevel, Observables, Problem, Solver, Step};
+use crate::contact::{Contact, Each, Failure, Law, Load, Observables, Problem, Step};
 use crate::error::ProblemError;
 use crate::setup::{Setup, Solid};
 use crate::theory::{Exact, persson};
@@ -28,10 +29,11 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let problem = at_load(&setup.problem()?, FIRST)?;
     let theories = [is_rough_flat(&setup), exact(&setup, &problem).is_some()];
     let surface = setup.surface.title(problem.surface().grid());
+    let [motion, for_files] = knobs.motion_in_words();
     let report = SweepReport {
         id: format!("sweep-{}", turn.number),
-        file_stem: file_stem(&surface, "sweep", Multilevel.name()),
-        title: format!("{surface}, load sweep"),
+        file_stem: file_stem(&surface, &format!("sweep{for_files}"), fast_solver(&setup).name()),
+        title: format!("{surface}, load sweep{motion}"),
         knobs,
         ended: false,
         points: Vec::new(),
@@ -54,12 +56,13 @@ fn loads() -> impl Iterator<Item = f64> {
     (0..=steps).map(|i| FIRST * 10f64.powf(f64::from(i) / PER_DECADE))
 }
 
-/// Whether Persson's theory is about a surface: it is for rough flats on an elastic half-space, random or measured.
+/// Whether Persson's theory is about a surface: it is for rough flats at rest on an elastic half-space, random or measured.
 fn is_rough_flat(setup: &Setup) -> bool {
     let Setup { surface, solid, law, .. } = setup;
     let is_half_space = !matches!(solid, Some(Solid::Layer { .. }));
     let is_rough = surface.spectrum.is_some() || surface.height.is_some();
-    is_half_space && *law == Law::HardWall && is_rough && surface.indenter.is_none()
+    let is_elastic = *law == Law::HardWall && setup.viscoelastic.is_none();
+    is_half_space && is_elastic && is_rough && surface.indenter.is_none()
 }
 
 /// The load that the pictures have room for: contact is full there, if the surface is rough.
@@ -96,7 +99,8 @@ impl Press<'_> {
         let mut start = None;
         for (number, &load) in loads.iter().enumerate() {
             let problem = at_load(problem, load)?;
-            let contact = Multilevel.solve_from(start.as_ref(), &problem, &self.setup.stop, &mut watch)?;
+            let solver = fast_solver(self.setup);
+            let contact = solver.solve_from(start.as_ref(), &problem, &self.setup.stop, &mut watch)?;
             if !turn.goes_on() {
                 break;
             }

@@ -1,7 +1,7 @@
 //! Why a run took so many steps, for the page.
 
 use super::session_recording::SolvedRun;
-use crate::contact::{Observer, Step, Wish};
+use crate::contact::{MonotoneSets, Observer, Solver, Step, Wish};
 use crate::diagnosis::{Diagnosis, Findings, Reference, SpectrogramRow};
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -50,12 +50,17 @@ struct Stretch {
 }
 
 impl Why {
-    /// Solves the setup again, and compares each step with the final state. None if this fails.
+    /// Solves the setup again, and compares each step with the final state. None if this fails, and for a solid that creeps in time,
+    /// whose steps are many solves.
     pub fn find(solved: &SolvedRun) -> Option<Self> {
+        if solved.report.creeps {
+            return None;
+        }
         let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());
+        let solver: &dyn Solver = if contact.problem.is_moving() { &MonotoneSets } else { method.solver() };
         let mut diagnosis = Diagnosis::new(&contact.problem, Some(Arc::new(Reference::from_contact(contact))));
         let mut decisions = Decisions { steps: [0, contact.work.iterations], ..Decisions::default() };
-        method.solver().solve(&contact.problem, &stop, &mut (&mut diagnosis, &mut decisions)).ok()?;
+        solver.solve(&contact.problem, &stop, &mut (&mut diagnosis, &mut decisions)).ok()?;
         let spectrogram = diagnosis.spectrogram();
         let bands = spectrogram.bands();
         let rows: Vec<&SpectrogramRow> =

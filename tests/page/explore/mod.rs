@@ -8,6 +8,7 @@ mod hand;
 mod heights;
 mod lessons;
 mod played;
+mod rubber;
 mod scenes;
 mod schema;
 mod scripts;
@@ -251,11 +252,10 @@ fn page_and_guide_explain_the_same_symbols() {
     let page = Page::open();
     let html = page.get("/");
     let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
-    let symbols = ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L"];
+    let symbols = ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T"];
     assert_eq!(words.collect::<Vec<_>>(), symbols);
-    for symbol in
-        ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`", "`E*`", "`h_rms`", "`H_c`, `t`, `L`"]
-    {
+    let symbols = ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`", "`E*`", "`h_rms`"];
+    for symbol in symbols.into_iter().chain(["`H_c`, `t`, `L`", "`f`, `tau`", "`V`, `T`", "`mu`"]) {
         assert!(
             include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md"))
                 .contains(&format!("| {symbol} | ")),

@@ -2,7 +2,7 @@
 
 use super::Page;
 use asperity::contact::OBSERVABLES;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use std::time::Instant;
@@ -66,7 +66,7 @@ fn texts(step: &Value, language: &str) -> String {
 
 #[test]
 fn every_lesson_is_played_to_its_end() {
-    assert_eq!(LESSONS.len(), 6);
+    assert_eq!(LESSONS.len(), 7);
     let shown: Vec<&str> = OBSERVABLES.iter().filter(|row| row.is_traced).map(|row| row.name).collect();
     for (name, steps) in LESSONS.iter() {
         let asked = steps.iter().filter(|played| played.step["ask"].is_object()).count();
@@ -112,7 +112,7 @@ fn every_text_is_in_both_languages() {
 }
 
 /// Numbers that a text tells, as it tells them: lesson, step, observable.
-const TOLD: [(&str, usize, &str, &str); 33] = [
+const TOLD: [(&str, usize, &str, &str); 38] = [
     ("hertz-and-rough", 2, "kappa_r", "1.46"),
     ("hertz-and-rough", 4, "patches", "31"),
     ("kappa-r", 1, "kappa", "2.56"),
@@ -146,6 +146,11 @@ const TOLD: [(&str, usize, &str, &str); 33] = [
     ("crawl", 1, "relative_area", "0.1522"),
     ("crawl", 3, "relative_area", "0.1522"),
     ("crawl", 4, "relative_area", "0.1522"),
+    ("grip", 2, "relative_area", "0.245"),
+    ("grip", 5, "friction", "0.0737"),
+    ("grip", 6, "friction", "0.0500"),
+    ("grip", 7, "friction", "0.0183"),
+    ("grip", 7, "relative_area", "0.684"),
 ];
 
 #[test]
@@ -237,6 +242,62 @@ fn metals_yield_as_told() {
     near(number("yield", 4, highest), 1.28e-3, 5e-6, "the largest pressure of the rough line");
     near(number("yield", 5, area) / number("yield", 4, area), 1.12, 5e-3, "the area of the rough metal");
     near(5e-5 / number("yield", 5, area) / 5e-4, 0.75, 5e-3, "the mean pressure in contact over the hardness");
+}
+
+/// The number `of` of a step of the lesson on rubber with other knobs.
+fn turned(page: &Page, step: usize, changes: &Value, of: &str) -> f64 {
+    let mut knobs = LESSONS["grip"][step - 1].step["knobs"].clone();
+    changes.as_object().unwrap().iter().for_each(|(name, value)| knobs[name] = value.clone());
+    page.solve(&knobs)["numbers"][of].as_f64().unwrap()
+}
+
+#[test]
+fn rubber_grips_as_told() {
+    let page = Page::open();
+    let (friction, area) = ("friction", "relative_area");
+    let grip = |step: usize, of: &str| number("grip", step, of);
+    let at = |step: usize, speed: f64, of: &str| turned(&page, step, &json!({"speed": speed}), of);
+    near(grip(1, area), 1.0, 0.0, "the area of the slow wave");
+    near(grip(1, friction), 1.26e-4, 5e-7, "the friction of the slow wave");
+    near(grip(2, friction), 3.13e-5, 5e-8, "the friction of the fast wave");
+    near(turned(&page, 2, &json!({"creep": 0}), area), 0.245, 5e-4, "the area of the elastic solid");
+    near(grip(3, friction), 3.65e-3, 5e-6, "the friction of the wave between");
+    near(grip(3, friction) / grip(1, friction), 29.0, 0.5, "the wave between over the slow wave");
+    // one wave in full contact: the largest friction is where 2 pi V = 1 + f
+    let best = at(4, 10.0 / std::f64::consts::TAU, friction);
+    near(best, 1.25e-3, 5e-6, "the largest friction of one wave");
+    for (speed, share) in [(0.159, 0.2), (15.9, 0.2), (1.5, 1.0), (1.7, 1.0)] {
+        let its = at(4, speed, friction) / best;
+        near(its, share, 5e-3, "the share at another speed");
+        assert!(its < 1.0, "{its} at {speed}");
+    }
+    for speed in [1e-4, 100.0] {
+        near(at(4, speed, area), 1.0, 0.0, "the area under the large load");
+    }
+    let half = 2.0 + 3f64.sqrt();
+    near(half * half, 14.0, 0.1, "the width of the maximum of one wave");
+    near(at(4, 1.5915 * half, friction) / best, 0.5, 1e-3, "the friction at its end");
+    let [slow, fast] = [0.0025, 0.126].map(|speed| at(5, speed, friction) / grip(5, friction));
+    assert!((0.5..0.55).contains(&slow) && (0.5..0.52).contains(&fast), "{slow} {fast}");
+    near(0.126 / 0.0025, 50.0, 0.5, "the width of the maximum of the rough line");
+    near(at(5, 0.02, "rms_gradient"), 0.1, 1e-9, "the slope");
+    let [less, more] = [0.01, 0.022].map(|speed| at(5, speed, friction));
+    assert!(less < grip(5, friction) && more < 1.01 * grip(5, friction), "{less} {more}");
+    near(turned(&page, 5, &json!({"roughness": 0.01}), friction) / grip(5, friction), 0.1, 1e-6, "gentle slopes");
+    near(grip(6, area), 0.65, 5e-3, "the area under the larger load");
+    near(grip(6, friction) / grip(5, friction), 2.0 / 3.0, 0.02, "friction under the larger load");
+    near(turned(&page, 6, &json!({"load": 0.01}), friction), 0.0578, 5e-5, "friction under a small load");
+    let [full, fuller] = [1.0, 2.0].map(|load| load * turned(&page, 6, &json!({"load": load}), friction));
+    near(fuller / full, 1.0, 1e-6, "the friction force in full contact");
+    near(grip(5, area), 0.2196, 5e-5, "the area at the best speed");
+    near(grip(7, area) / grip(5, area), 3.1, 0.05, "the area of slow sliding");
+    near(grip(7, friction) / grip(5, friction), 0.25, 5e-3, "friction of slow sliding");
+    let areas = [1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0].map(|speed| at(7, speed, area));
+    assert!(areas.is_sorted_by(|a, b| a > b), "{areas:?}");
+    near(areas[0], 0.721, 5e-4, "the area of the slowest sliding");
+    near(areas[6], 0.123, 5e-4, "the area of the fastest sliding");
+    let [area, friction] = [area, friction].map(|of| at(7, 0.0316, of));
+    assert!(area < 0.2 && friction > 0.065, "the challenge can be done: {area} {friction}");
 }
 
 /// Work is told to the step, but may differ by some where processors round otherwise.

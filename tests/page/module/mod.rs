@@ -159,6 +159,14 @@ fn the_module_solves_as_the_native_library_does() {
         ("a rough line", knobs(Start::RoughLine, json!({}))),
         ("a rough surface", knobs(Start::RoughSurface, json!({"points": 128, "cutoff": 16.0}))),
         ("a layer", knobs(Start::RoughLine, json!({"layer": 0.05}))),
+        (
+            "a surface that slides",
+            knobs(Start::RoughLine, json!({"creep": 9.0, "speed": 0.02, "points": 1024, "cutoff": 64.0})),
+        ),
+        (
+            "a solid that creeps",
+            knobs(Start::RoughLine, json!({"creep": 9.0, "time": 1.0, "points": 1024, "cutoff": 64.0})),
+        ),
         ("a hardness", knobs(Start::RoughLine, json!({"hardness": 5e-4}))),
         ("a free boundary", knobs(Start::RoughSurface, heights)),
         ("GFMD", knobs(Start::RoughLine, json!({"solver": {"method": "gfmd"}, "points": 512, "cutoff": 64.0}))),
