@@ -152,7 +152,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (cylinder("--rolling 0.01"), "slide"),
         (cylinder("--rolling 0 --creepage 1e-3"), "give one of them"),
         (cylinder("--rolling 0 --creep 9,1"), "elastic"),
-        (cylinder("--path-tangential 1e-3 --path-time 1"), "does not know time"),
+        (cylinder("--path-tangential 1e-3 --path-time 1"), "does not depend on time"),
         (cylinder("--tangential 1e-3 --hardness 1"), "yield"),
     ];
     for (line, sentence) in cases {
