@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, Each, Observables, Observer, Problem, Solver, Status, Step, Stop, Work};
 use crate::error::{Failure, HistoryError, SolveError};
-use crate::history::{HistoryNumbers, HistoryState};
+use crate::history::{HistoryNumbers, HistoryState, Process};
 use crate::setup::Setup;
 use crate::surface::Field;
 use std::ops::ControlFlow;
@@ -82,11 +82,7 @@ impl Solver for CreepSolver<'_> {
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
         let failed = |failure: Failure| SolveError::Observer(Arc::new(failure));
-        let mut process = match self.setup.history(problem.clone()) {
-            Ok(Some(process)) => process,
-            Ok(None) => return self.setup.solver.solver().solve(problem, stop, observer),
-            Err(error) => return Err(failed(error.into())),
-        };
+        let mut process = self.setup.creep(problem.clone()).map_err(|error| failed(error.into()))?;
         observer.begin(self, problem, stop).map_err(failed)?;
         let (mut work, mut last) = (Work::default(), None);
         let mut asked =
