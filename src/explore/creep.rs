@@ -23,7 +23,7 @@ impl StateNumbers {
     }
 
     /// The observable `name` of the state, if the state knows it better than its contact.
-    pub fn of(&self, name: &str, reduced_pressure: f64) -> Option<f64> {
+    pub fn value(&self, name: &str, reduced_pressure: f64) -> Option<f64> {
         let HistoryNumbers { relative_area, kappa_r, .. } = self.get()?;
         match name {
             "relative_area" => relative_area,
@@ -35,7 +35,7 @@ impl StateNumbers {
 
     /// The observables of a contact or a step, with those that the state knows better.
     pub fn correct(&self, found: Observables) -> Observables {
-        let of = |name: &str, own: f64| self.of(name, found.reduced_pressure).unwrap_or(own);
+        let of = |name: &str, own: f64| self.value(name, found.reduced_pressure).unwrap_or(own);
         Observables {
             relative_area: of("relative_area", found.relative_area),
             kappa: of("kappa", found.kappa),
