@@ -2,7 +2,7 @@
 
 use crate::contact::{Contact, Each, Observables, Observer, Problem, Solver, Status, Step, Stop, Work};
 use crate::error::{Failure, HistoryError, SolveError};
-use crate::history::{HistoryNumbers, HistoryState};
+use crate::history::{HistoryNumbers, HistoryState, Process};
 use crate::setup::Setup;
 use crate::surface::Field;
 use std::ops::ControlFlow;
@@ -23,7 +23,7 @@ impl StateNumbers {
     }
 
     /// The observable `name` of the state, if the state knows it better than its contact.
-    pub fn of(&self, name: &str, reduced_pressure: f64) -> Option<f64> {
+    pub fn value(&self, name: &str, reduced_pressure: f64) -> Option<f64> {
         let HistoryNumbers { relative_area, kappa_r, .. } = self.get()?;
         match name {
             "relative_area" => relative_area,
@@ -35,7 +35,7 @@ impl StateNumbers {
 
     /// The observables of a contact or a step, with those that the state knows better.
     pub fn correct(&self, found: Observables) -> Observables {
-        let of = |name: &str, own: f64| self.of(name, found.reduced_pressure).unwrap_or(own);
+        let of = |name: &str, own: f64| self.value(name, found.reduced_pressure).unwrap_or(own);
         Observables {
             relative_area: of("relative_area", found.relative_area),
             kappa: of("kappa", found.kappa),
@@ -82,11 +82,7 @@ impl Solver for CreepSolver<'_> {
         observer: &mut dyn Observer,
     ) -> Result<Contact, SolveError> {
         let failed = |failure: Failure| SolveError::Observer(Arc::new(failure));
-        let mut process = match self.setup.history(problem.clone()) {
-            Ok(Some(process)) => process,
-            Ok(None) => return self.setup.solver.solver().solve(problem, stop, observer),
-            Err(error) => return Err(failed(error.into())),
-        };
+        let mut process = self.setup.creep(problem.clone()).map_err(|error| failed(error.into()))?;
         observer.begin(self, problem, stop).map_err(failed)?;
         let (mut work, mut last) = (Work::default(), None);
         let mut asked =

@@ -8,7 +8,8 @@ use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
 use crate::setup::{
-    Cell, LayerModulus, LoadPath, Method, Part, Recipe, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic,
+    Cell, LayerModulus, LoadPath, Method, Part, ProcessKind, Recipe, Record, Setup, SlidingMotion, Solid, Theme,
+    Viscoelastic,
 };
 use crate::surface::{Bump, Bumps, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
@@ -216,6 +217,10 @@ impl Knobs {
             ..pressed
         };
         setup.check()?;
+        if setup.is_history()? && setup.process()? != Some(ProcessKind::Creep) {
+            let sentence = "the page shows one contact, or creep in time: give a scene with one speed, or without slip and rolling";
+            return Err(Refusal(sentence.into()));
+        }
         Ok(setup)
     }
 

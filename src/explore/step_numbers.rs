@@ -42,7 +42,7 @@ impl StepNumbers {
         let of = |name: &str| OBSERVABLES.iter().find(|it| it.name == name).map_or(f64::NAN, |it| (it.value)(&state));
         let load = of("reduced_pressure");
         for observable in OBSERVABLES.iter().filter(|it| it.is_traced || COUNTED.contains(&it.name)) {
-            let value = self.states.of(observable.name, load).unwrap_or_else(|| (observable.value)(&state));
+            let value = self.states.value(observable.name, load).unwrap_or_else(|| (observable.value)(&state));
             self.columns.entry(observable.name).or_default().push(value);
         }
         let friction = of(FRICTION);

@@ -204,14 +204,8 @@ impl Setup {
         let (solver, stop): (&dyn Solver, _) = (self.solver.solver(), self.stop);
         let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
         let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
-        let rule = self.viscoelastic.as_ref().map_or_else(Default::default, |it| it.rule);
         let process: Box<dyn Process + '_> = match kind {
-            ProcessKind::Creep => {
-                let path = self.path.clone().unwrap_or_default();
-                let tolerance = path.time_tolerance.unwrap_or(TIME_TOLERANCE);
-                let points = self.path_points();
-                Box::new(CreepProcess::new((problem, prony, rule), &points, (path.steps, tolerance), (solver, stop))?)
-            }
+            ProcessKind::Creep => Box::new(self.creep(problem)?),
             ProcessKind::Slip => {
                 let m = self.shear_ratio();
                 let history = SlipHistory::sheared(problem, mu, m, solver, stop)?;
@@ -229,6 +223,19 @@ impl Setup {
             }
         };
         Ok(Some(process))
+    }
+
+    /// What makes the history of a problem on a solid that creeps along the path of this setup.
+    ///
+    /// # Errors
+    /// The errors of [`Viscoelastic::prony`](super::Viscoelastic::prony) and of [`CreepProcess::new`].
+    pub fn creep(&self, problem: Problem) -> Result<CreepProcess<'_>, SetupError> {
+        let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
+        let rule = self.viscoelastic.as_ref().map_or_else(Default::default, |it| it.rule);
+        let (steps, tolerance) = self.path.as_ref().map_or((None, None), |path| (path.steps, path.time_tolerance));
+        let (points, solver) = (self.path_points(), self.solver.solver());
+        let steps = (steps, tolerance.unwrap_or(TIME_TOLERANCE));
+        Ok(CreepProcess::new((problem, prony, rule), &points, steps, (solver, self.stop))?)
     }
 
     /// The conditions of rolling, one for each creepage or tangential load.

@@ -41,7 +41,9 @@ fn creep_speed_and_time_make_the_setup() {
 #[test]
 fn states_without_the_knobs_are_elastic() {
     let mut earlier = with(json!({}));
-    ["creep", "speed", "time"].map(|name| earlier.as_object_mut().unwrap().remove(name));
+    for name in ["creep", "speed", "time"] {
+        earlier.as_object_mut().unwrap().remove(name);
+    }
     assert_eq!(Knobs::read(earlier.to_string().as_bytes()).unwrap(), Start::RoughLine.knobs());
 }
 
@@ -126,7 +128,9 @@ fn a_hand_and_a_sweep_slide_too() {
     };
     near(&loaded, "friction");
     let held = hold(loaded["section"]["mean_gap"].as_f64());
-    ["friction", "reduced_pressure", "relative_area"].map(|of| near(&held, of));
+    for of in ["friction", "reduced_pressure", "relative_area"] {
+        near(&held, of);
+    }
     assert!(held["shear"]["highest"].as_f64().unwrap() > 0.0);
     page.order("/api/sweep", &with(state));
     let sweep = page.wait(|state| state["busy"] == false && state["sweep"]["ended"] == true)["sweep"].clone();
