@@ -46,7 +46,7 @@ pub(super) struct VectorStep<'a> {
 
 /// A traction in its discs, with its displacement.
 #[derive(Clone)]
-struct Iterate {
+struct SlipIterate {
     tau: Vec<Pair>,
     w: Vec<Pair>,
 }
@@ -116,7 +116,7 @@ impl<'a> VectorStep<'a> {
         let mut tau: Vec<Pair> = start.iter().zip(&self.discs.radii).map(|(t, r)| scaled(*t, r.recip())).collect();
         self.discs.carry(&mut tau);
         let w = self.gradient(&tau);
-        let mut at = Iterate { tau, w };
+        let mut at = SlipIterate { tau, w };
         let scale = self.discs.radii.iter().sum::<f64>() * self.length;
         let (mut shift, mut missed) = self.discs.best_shift(&at.tau, &at.w, [0.0; 2]);
         let mut best = (at.tau.clone(), shift, missed);
@@ -195,7 +195,7 @@ impl<'a> VectorStep<'a> {
     }
 
     /// The sets of an iterate: a node slips if it lies near the rim of its disc and its slip is against its traction.
-    fn sets(&self, at: &Iterate, shift: Pair) -> Free {
+    fn sets(&self, at: &SlipIterate, shift: Pair) -> Free {
         let stiffness = self.response.compliance().mean_stiffness();
         let count = self.discs.len();
         let (mut along, mut added) = (Vec::with_capacity(count), Vec::with_capacity(count));
@@ -219,7 +219,7 @@ impl<'a> VectorStep<'a> {
     /// The Newton step of the sets by conjugate gradients, to a reduction of the residual, and the number of iterations.
     ///
     /// On the free directions with the sum zero, `A` is projected, and `|s|/(mu p)` is added where the traction turns along the rim.
-    fn newton(&mut self, at: &Iterate, free: &Free, reduction: f64) -> (Vec<Pair>, usize) {
+    fn newton(&mut self, at: &SlipIterate, free: &Free, reduction: f64) -> (Vec<Pair>, usize) {
         let mut residual: Vec<Pair> = at.w.iter().map(|w| scaled(*w, -1.0)).collect();
         free.balance(&mut residual);
         let mut step = vec![[0.0; 2]; residual.len()];
@@ -254,7 +254,7 @@ impl<'a> VectorStep<'a> {
     }
 
     /// An exchange of the sets and a Newton step, if the energy falls; and the number of iterations.
-    fn exchange(&mut self, at: &mut Iterate, shift: Pair, reduction: f64, is_guarded: &mut bool) -> usize {
+    fn exchange(&mut self, at: &mut SlipIterate, shift: Pair, reduction: f64, is_guarded: &mut bool) -> usize {
         let free = self.sets(at, shift);
         let (step, iterations) = self.newton(at, &free, reduction);
         let trial = |part: f64| {
@@ -289,7 +289,7 @@ impl<'a> VectorStep<'a> {
 
     /// A step along the projected gradient, with the least energy on the chord if it does not fall along all of it, and the factor of
     /// the pace for the next one.
-    fn gradient_step(&mut self, at: &mut Iterate, shift: Pair, pace: f64) -> f64 {
+    fn gradient_step(&mut self, at: &mut SlipIterate, shift: Pair, pace: f64) -> f64 {
         let nodes = at.tau.iter().zip(&at.w).zip(&self.discs.radii);
         let mut trial: Vec<Pair> = nodes.map(|((tau, w), r)| add(scaled(*tau, r.recip()), -pace, *w)).collect();
         self.discs.carry(&mut trial);
@@ -305,7 +305,7 @@ impl<'a> VectorStep<'a> {
 
     /// The way to another traction of the same sum. The sum of the changes is zero except for rounding, and so the `shift` only keeps
     /// digits.
-    fn compare(&mut self, at: &Iterate, tau: Vec<Pair>, shift: Pair) -> Chord {
+    fn compare(&mut self, at: &SlipIterate, tau: Vec<Pair>, shift: Pair) -> Chord {
         let w = self.gradient(&tau);
         let (mut slope, mut curvature, mut noise) = (0.0, 0.0, 0.0);
         for (i, (to, w_to)) in tau.iter().zip(&w).enumerate() {
@@ -315,7 +315,7 @@ impl<'a> VectorStep<'a> {
             noise += NOISE * self.discs.radii[i] * length(slip);
             curvature += dot(change, add(*w_to, -1.0, at.w[i]));
         }
-        Chord { slope, curvature, noise, to: Iterate { tau, w } }
+        Chord { slope, curvature, noise, to: SlipIterate { tau, w } }
     }
 }
 
@@ -325,7 +325,7 @@ struct Chord {
     curvature: f64,
     /// What rounding may add to the energy.
     noise: f64,
-    to: Iterate,
+    to: SlipIterate,
 }
 
 impl Chord {
@@ -340,7 +340,7 @@ impl Chord {
     }
 
     /// Goes where the energy is least.
-    fn take_chord(self, at: &mut Iterate) {
+    fn take_chord(self, at: &mut SlipIterate) {
         let part = self.part().min(1.0);
         if part >= 1.0 {
             *at = self.to;
@@ -377,7 +377,7 @@ mod tests {
         work(&mut VectorStep::new(&mut response, places, discs, before, 0.5))
     }
 
-    fn energy(step: &VectorStep<'_>, at: &Iterate) -> f64 {
+    fn energy(step: &VectorStep<'_>, at: &SlipIterate) -> f64 {
         let terms = at.tau.iter().zip(&at.w).zip(&step.before);
         terms.map(|((tau, w), before)| 0.5 * dot(*tau, add(*w, -1.0, *before))).sum()
     }
@@ -401,7 +401,7 @@ mod tests {
             let mut tau = start(step);
             step.discs.carry(&mut tau);
             let w = step.gradient(&tau);
-            let (mut at, mut pace, mut last) = (Iterate { tau, w }, 2.0, f64::INFINITY);
+            let (mut at, mut pace, mut last) = (SlipIterate { tau, w }, 2.0, f64::INFINITY);
             for _ in 0..300 {
                 pace *= step.gradient_step(&mut at, [0.0; 2], pace);
                 let now = energy(step, &at);
@@ -409,7 +409,7 @@ mod tests {
                 last = now;
             }
             let w = step.gradient(&exact.tau);
-            let least = energy(step, &Iterate { tau: exact.tau.clone(), w });
+            let least = energy(step, &SlipIterate { tau: exact.tau.clone(), w });
             assert!((last / least - 1.0).abs() < 1e-9, "{last} against {least}");
         });
     }
@@ -420,7 +420,7 @@ mod tests {
         with_step(|step| {
             let tau: Vec<Pair> = step.discs.radii.iter().map(|r| [0.6 * r, -0.8 * r]).collect();
             let w = tau.iter().enumerate().map(|(i, tau)| scaled(*tau, (i as f64).sin())).collect();
-            let free = step.sets(&Iterate { tau, w }, [0.0; 2]);
+            let free = step.sets(&SlipIterate { tau, w }, [0.0; 2]);
             let count = free.along.iter().flatten().count();
             assert!(count > 10 && count + 10 < step.discs.len());
             let mut vectors: Vec<Pair> = (0..step.discs.len()).map(|i| [(i % 5) as f64, (i % 3) as f64]).collect();

@@ -60,7 +60,7 @@ const PLACES: &[(&str, &[&str])] = &[
         &["theory/", "contact/forecast.rs", "contact/multilevel/split.rs", "paper/fit.rs", "setup/expected_area.rs"],
     ),
     ("nalgebra", &["paper/fit.rs"]),
-    ("ndarray_npy", &["surface/", "contact/archive.rs"]),
+    ("ndarray_npy", &["surface/", "contact/archive.rs", "history/archive.rs"]),
     ("parquet", &["study/parquet.rs"]),
     ("procfs", &["setup/cost.rs", "lab/"]),
     ("rand", &["surface/synthesis.rs", "lab/stability/"]),
