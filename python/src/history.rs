@@ -87,7 +87,7 @@ impl History {
                 if self.rank == 1 { values.index_axis_move(Axis(0), 0).into_dyn() } else { values.into_dyn() }
             };
             let values: Vec<ArrayD<f64>> = self.outcome.states.iter().map(of_rank).collect();
-            let views: Vec<_> = values.iter().map(ArrayD::view).collect();
+            let views: Vec<_> = values.iter().map(|it| it.view()).collect();
             let stacked = stack(Axis(0), &views).map_err(|error| py_error(error.to_string()))?;
             fields.set_item(name, PyArrayDyn::from_owned_array(py, stacked))?;
         }
