@@ -323,12 +323,11 @@ impl Turn<'_> {
     pub fn finish(
         self,
         rank: usize,
-        contact: Contact,
+        (contact, states): (Contact, &StateNumbers),
         exact: Option<Exact>,
-        beside: Option<Contact>,
+        (beside, states_beside): (Option<Contact>, &StateNumbers),
         curves: TapeCurves,
         (steps, motion): (StepNumbers, Motion),
-        [states, states_beside]: [&StateNumbers; 2],
     ) {
         let numbers = Numbers::from_contact(&contact).corrected(states);
         let numbers_beside = beside.as_ref().map(|beside| Numbers::from_contact(beside).corrected(states_beside));

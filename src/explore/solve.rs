@@ -89,7 +89,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         return Err(SolveError::Observer(failure).into());
     }
     let RunCollector { curves, steps, motion, .. } = watch;
-    turn.finish(rank, contact, exact, other, curves, (steps, motion), states.each_ref());
+    let [first, second] = states.each_ref();
+    turn.finish(rank, (contact, first), exact, (other, second), curves, (steps, motion));
     Ok(())
 }
 
