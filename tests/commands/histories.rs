@@ -142,7 +142,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--creep 9,1 --path-time 1 --time-tolerance 2"), "between 0 and 1"),
         (rough("--creep 9,1 --path missing.csv"), "missing.csv"),
         (rough("--creep 9,1 --path wrong.csv"), "`force` is not known"),
-        (rough("--creep 9,1 --path empty.csv"), "empty"),
+        (rough("--creep 9,1 --path empty.csv"), "is empty"),
         (rough("--creep 9,1 --speed 1 --hardness 0.1"), "leave the hardness out"),
         (rough("--creep 9,1 --path-time 1 --solver gfmd"), "gfmd"),
         (rough("--creep 9,1 --path-time 1 --live"), "--live"),
@@ -153,7 +153,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (cylinder("--rolling 0 --creepage 1e-3"), "give one of them"),
         (cylinder("--rolling 0 --creep 9,1"), "elastic"),
         (cylinder("--path-tangential 1e-3 --path-time 1"), "does not depend on time"),
-        (cylinder("--tangential 1e-3 --hardness 1"), "yield"),
+        (cylinder("--tangential 1e-3 --hardness 1"), "elastic contacts only"),
     ];
     for (line, sentence) in cases {
         let output = folder.run(&format!("{line} --out result.npz"));
