@@ -131,6 +131,9 @@ fn wait(steps: &Receiver<StepHandle>, is_cancelled: &AtomicBool, foreground: For
         let goes_on = match (steps.recv_timeout(CHECK_INTERVAL), foreground.on_step) {
             (Ok(step), Some(on_step)) => {
                 let goes_on = Python::attach(|py| (foreground.on_idle)(py).and_then(|()| on_step(py, &step)));
+                if !matches!(goes_on, Ok(true)) {
+                    is_cancelled.store(true, Ordering::Relaxed); // before the solver makes another step
+                }
                 step.0.send(Message::Done(*goes_on.as_ref().unwrap_or(&false))).ok(); // the solver waits for it
                 goes_on
             }

@@ -109,7 +109,7 @@ def test_a_callback_ends_a_history() -> None:
 
     def stop(step: asp.Step) -> bool:
         seen.append(step)
-        return len(seen) < 40
+        return len(seen) < 200
 
     history = asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 10.0}, callback=stop)
-    assert 0 < len(history) < 10 and len(seen) == 40
+    assert 0 < len(history) < 10 and len(seen) == 200
