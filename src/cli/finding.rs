@@ -55,7 +55,7 @@ const MANY_OF_SHAPE: f64 = 0.05;
 #[derive(Serialize)]
 pub struct Finding {
     pub status: Status,
-    /// What the certificate claims.
+    /// The claim of the contact: what its certificate proves.
     pub claim: ResultClaim,
     #[serde(flatten)]
     pub observables: Observables,

@@ -86,7 +86,7 @@ struct HistorySummary {
     #[serde(flatten)]
     subject: ProblemSummary,
     process: &'static str,
-    /// What the states claim to be.
+    /// The claim of all states, in words: what their certificates prove.
     claim: &'static str,
     states: Vec<Map<String, Value>>,
     /// Energy lost in each closed cycle of the path, per area of the cell.

@@ -8,10 +8,13 @@ use asperity::setup::ProcessKind;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
 
-/// What a panel shows, by the names of two quantities, of which the first may be the number of the `state`, and whether the first one is on a logarithmic axis.
+/// A panel of the picture: one quantity of the states against another one.
 struct HistoryPanel {
+    /// Name of the quantity on the horizontal axis, or `state` for the number of the state.
     x: &'static str,
+    /// Name of the quantity on the vertical axis.
     y: &'static str,
+    /// Whether the horizontal axis is logarithmic.
     is_logarithmic: bool,
 }
 

@@ -3,8 +3,9 @@
 use super::units::Units;
 use asperity::contact::Problem;
 use asperity::error::SetupError;
-use asperity::setup::{Method, Setup};
+use asperity::setup::Setup;
 use serde::Serialize;
+use serde_json::{Map, Value};
 
 /// Surface, grid, solid and solver of a solve, as text and as JSON.
 #[derive(Serialize)]
@@ -23,8 +24,8 @@ pub struct ProblemSummary {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hardness: Option<f64>,
     pub prescribed: &'static str,
-    /// The solver with all its settings.
-    pub solver: Method,
+    /// The solver that is used, with the settings of the setup if it has any.
+    pub solver: Map<String, Value>,
     #[serde(skip)]
     pub title: String,
     /// The name and the settings of the solver that is used.
@@ -57,7 +58,7 @@ impl ProblemSummary {
             contact_modulus: problem.contact_modulus(),
             hardness: setup.law.hardness(),
             prescribed: problem.load().name(),
-            solver: setup.solver,
+            solver: described(setup),
             title: setup.surface.title(grid),
             name: setup.solver().name().into(),
             settings: setup.solver().settings(),
@@ -95,6 +96,16 @@ impl ProblemSummary {
             .map(|(name, value)| (name.to_owned(), value))
             .collect()
     }
+}
+
+/// The solver that is used, in the form of the section `solver`. Sliding has a solver of its own, which has no settings.
+fn described(setup: &Setup) -> Map<String, Value> {
+    let section = match serde_json::to_value(setup.solver) {
+        Ok(Value::Object(section)) if setup.solver().name() == setup.solver.name() => section,
+        _ => Map::new(),
+    };
+    let name = Value::from(setup.solver().name());
+    section.into_iter().filter(|(key, _)| key != "method").chain([("method".to_owned(), name)]).collect()
 }
 
 /// Solid and boundary in words, where they are not a half-space and periodic.

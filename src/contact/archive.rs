@@ -168,24 +168,23 @@ const CURVES: [(&str, CurveOf); 5] = [
 ];
 
 /// An archive that is being written.
-struct ArchiveWriter {
+struct ArchiveWriter<'n> {
     npz: NpzWriter<Cursor<Vec<u8>>>,
     rank: usize,
     /// Whether what depends on the load has a first axis of loads.
     is_list: bool,
     /// Observables that are left out.
-    left_out: Vec<String>,
+    left_out: &'n [&'n str],
 }
 
-impl ArchiveWriter {
+impl<'n> ArchiveWriter<'n> {
     /// An archive of the contacts of one surface, if there are any.
     fn new(contacts: &[Contact], is_list: bool, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
-        Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list, left_out: Vec::new() }.with(contacts, setup)
+        Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list, left_out: &[] }.with(contacts, setup)
     }
 
     /// An archive of a list of contacts without some observables.
-    fn without(contacts: &[Contact], names: &[&str], rank: usize, setup: &str) -> Result<Self, WriteNpzError> {
-        let left_out = names.iter().map(|name| (*name).to_owned()).collect();
+    fn without(contacts: &[Contact], left_out: &'n [&'n str], rank: usize, setup: &str) -> Result<Self, WriteNpzError> {
         let npz = NpzWriter::new(Cursor::new(Vec::new()));
         Self { npz, rank, is_list: true, left_out }.with(contacts, Some(setup))
     }
@@ -219,9 +218,8 @@ impl ArchiveWriter {
             }
         }
         let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
-        for row in
-            OBSERVABLES.iter().filter(|row| !self.left_out.iter().any(|name| name == row.name)).collect::<Vec<_>>()
-        {
+        let left_out = self.left_out;
+        for row in OBSERVABLES.iter().filter(|row| !left_out.contains(&row.name)) {
             self.add_each(row.name, states.iter().map(|state| arr0((row.value)(state)).into()))?;
         }
         Ok(())

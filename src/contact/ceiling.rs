@@ -12,7 +12,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// node to node, since it is proportional to the pressure, see [`crate::history::SlipHistory`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ceiling {
-    /// The same for all nodes; infinite for a hard wall.
+    /// One ceiling for all nodes, a pressure; infinite for a hard wall.
     Uniform(f64),
     /// One value for each node, row by row. It may be zero: no pressure is allowed there.
     Field(Arc<[f64]>),
@@ -28,7 +28,7 @@ impl Ceiling {
         }
     }
 
-    /// Whether it limits any pressure.
+    /// Whether the ceiling of any node is finite.
     pub fn is_finite(&self) -> bool {
         match self {
             Self::Uniform(ceiling) => ceiling.is_finite(),

@@ -1,10 +1,10 @@
-//! What a result claims.
+//! The claim of a result: what its certificate proves.
 
 use crate::contact::Contact;
 use serde::Serialize;
 use strum::{EnumMessage, IntoStaticStr};
 
-/// What the certificate of a contact claims about it.
+/// The claim of a result: what its certificate proves about energy, pressure and mean gap.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, MonotoneSets, ResultClaim, Solver};
@@ -42,7 +42,7 @@ impl ResultClaim {
 }
 
 impl Contact {
-    /// What the certificate claims.
+    /// The claim of this contact: the solution, or, for a contact that moves, a bounded error of the pressure.
     pub fn claim(&self) -> ResultClaim {
         if self.problem.is_moving() { ResultClaim::Bounded } else { ResultClaim::Solution }
     }

@@ -23,8 +23,8 @@ const ELASTIC_STEPS: f64 = 2.0;
 ///
 /// **Adaptive steps.** Each step is solved once, and again as two halves, whose states are kept. The error of the
 /// halves is estimated by the difference of both effective pressures `p + sum_j eps_j` (root mean square), divided by the
-/// effective pressure. The error of one step is of second order in its length. A step with an error above the tolerance is repeated with a shorter one. The
-/// first step after a jump is a twentieth of the shortest time of the solid, and steps at most double. Errors of earlier steps fade
+/// effective pressure. The error of one step is of second order in its length. A step with an error above the tolerance is
+/// repeated with a shorter one. The first step after a jump is a twentieth of the shortest time of the solid, and steps at most double. Errors of earlier steps fade
 /// as the slowest term of the solid does; [`CreepState::time_error`] is the sum of what is left of them.
 ///
 /// ```

@@ -37,7 +37,7 @@ pub struct HistoryState {
     pub contact: Contact,
     /// The point of the path that it has reached, from 0; none between two points.
     pub point: Option<usize>,
-    /// What the certificate claims about the state.
+    /// The claim of the state: what its certificate proves about energy, pressure and mean gap.
     pub claim: ResultClaim,
     /// The numbers of the process; those of [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES).
     pub numbers: HistoryNumbers,

@@ -358,7 +358,7 @@ struct Traction {
 }
 
 impl Traction {
-    /// No traction, on so many nodes along each axis.
+    /// No traction on each axis; each number is the count of nodes of one axis.
     fn none(nodes: [usize; 2]) -> Self {
         let zeros = || nodes.map(|nodes| vec![0.0; nodes]);
         Self {

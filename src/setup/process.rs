@@ -2,6 +2,7 @@
 
 use super::{RollingMotion, Setup};
 use crate::contact::{Problem, Solver};
+use crate::elastic::Prony;
 use crate::error::{SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
@@ -127,10 +128,14 @@ impl Setup {
         }
     }
 
+    /// The Prony series of the solid; without terms for one that does not creep.
+    fn prony(&self) -> Result<Prony, SetupError> {
+        Ok(self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default())
+    }
+
     /// The terms of a solid that creeps, a ratio and a time each.
     pub(super) fn memory(&self) -> Result<Vec<(f64, f64)>, SetupError> {
-        let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
-        Ok(prony.terms().iter().map(|term| (term.ratio, term.time)).collect())
+        Ok(self.prony()?.terms().iter().map(|term| (term.ratio, term.time)).collect())
     }
 
     /// The points of the path of a history; none if it has no path.
@@ -203,7 +208,6 @@ impl Setup {
         let Some(kind) = self.process()? else { return Ok(None) };
         let (solver, stop): (&dyn Solver, _) = (self.solver.solver(), self.stop);
         let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
-        let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
         let process: Box<dyn Process + '_> = match kind {
             ProcessKind::Creep => Box::new(self.creep(problem)?),
             ProcessKind::Slip => {
@@ -214,7 +218,7 @@ impl Setup {
             }
             ProcessKind::Sliding => {
                 let speeds = self.sliding.clone().map_or(Vec::new(), |it| it.speed);
-                Box::new(SlidingProcess::new(problem, prony, speeds, stop))
+                Box::new(SlidingProcess::new(problem, self.prony()?, speeds, stop))
             }
             ProcessKind::Rolling => {
                 let rolling = self.rolling.clone().unwrap_or_default();
@@ -230,12 +234,11 @@ impl Setup {
     /// # Errors
     /// The errors of [`Viscoelastic::prony`](super::Viscoelastic::prony) and of [`CreepProcess::new`].
     pub fn creep(&self, problem: Problem) -> Result<CreepProcess<'_>, SetupError> {
-        let prony = self.viscoelastic.as_ref().map(super::Viscoelastic::prony).transpose()?.unwrap_or_default();
         let rule = self.viscoelastic.as_ref().map_or_else(Default::default, |it| it.rule);
         let (steps, tolerance) = self.path.as_ref().map_or((None, None), |path| (path.steps, path.time_tolerance));
         let (points, solver) = (self.path_points(), self.solver.solver());
         let steps = (steps, tolerance.unwrap_or(TIME_TOLERANCE));
-        Ok(CreepProcess::new((problem, prony, rule), &points, steps, (solver, self.stop))?)
+        Ok(CreepProcess::new((problem, self.prony()?, rule), &points, steps, (solver, self.stop))?)
     }
 
     /// The conditions of rolling, one for each creepage or tangential load.

@@ -72,6 +72,7 @@ fn a_friction_curve_has_its_maximum_between_slow_and_fast() {
     assert!(std::fs::read_to_string(folder.join("curve.svg")).unwrap().contains("<svg"));
     // one speed is an ordinary contact, whose steps can be recorded
     let one = json(&folder, &format!("{ROUGH} --creep 9,1 --speed 0.01 --json --record one.rrd"));
+    assert_eq!([&one, &found].map(|it| it["solver"]["method"].as_str().unwrap()), ["monotone"; 2]);
     assert!((one["friction"].as_f64().unwrap() / friction[2] - 1.0).abs() < 1e-4);
     let text_of = folder.run(&format!("{ROUGH} --creep 9,1 --speed 0.01"));
     assert!(text(&text_of.stdout).contains("friction"), "{}", text(&text_of.stdout));

@@ -14,12 +14,14 @@ use crate::surface::Field;
 /// The parts `rho`, from solution to solution.
 const PARTS: [f64; 8] = [1.0, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4];
 
-/// Each solution has at most this certificate, or this part of that of the start if it is less, or so many updates.
+/// Each proximal step is solved until its certificate is below the tolerance and below this part of the certificate of the start, or for
+/// this number of updates.
 const TOLERANCE: f64 = 1e-4;
 const REDUCTION: f64 = 0.03;
 const UPDATES: usize = 60;
 
-/// The pressure at the end of the way from a pressure of the certificate `eta`, and the transforms that it took; none for a problem whose solid does not creep.
+/// The pressure after all proximal steps from a pressure whose certificate is `eta`, and the transforms that they took. None for a problem
+/// whose solid does not creep.
 pub(super) fn approach(problem: &Problem, mut pressure: Vec<f64>, eta: f64) -> Option<(Vec<f64>, u64)> {
     let creep = problem.compliance().creep()?;
     let mut at_rest = Response::new(problem.surface().grid(), problem.solid().clone()).ok()?;

@@ -66,8 +66,8 @@ pub struct MonotoneSets;
 /// Updates without a better state after which a run stops, in addition to as many as it took to find the best one.
 const PATIENCE: usize = 3000;
 
-/// Coarse grids are solved to this certificate, or to this part of that at their own start, if that is less, with so many updates at
-/// most.
+/// A coarse grid is solved until its certificate is below the tolerance and below this part of its first certificate, or for this number
+/// of updates.
 const COARSE_TOLERANCE: f64 = 1e-2;
 const COARSE_REDUCTION: f64 = 0.1;
 const COARSE_UPDATES: usize = 60;
