@@ -128,7 +128,7 @@ pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Resu
     }
     let is_converged = outcome.states.iter().all(|state| state.contact.is_converged());
     let mut all = of_surface;
-    all.extend(outcome.warnings(setup));
+    all.extend(outcome.warnings());
     let mut all = warnings::in_flags(&all);
     all.extend(failed);
     warnings::refuse_if_strict(&all, outputs.strict)?;

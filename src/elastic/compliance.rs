@@ -1,6 +1,6 @@
 //! The compliance of a solid on a grid.
 
-use super::directed::{DirectedTable, SteadyMotion, rolling_strip, sign_strip};
+use super::directed::{DirectedTable, SteadyMotion, rolling_strip};
 use super::free::{FreeTable, datum};
 use super::solid::stiffness;
 use super::{ElasticSolid, HalfSpace};
@@ -167,35 +167,6 @@ impl Compliance {
             DirectedTable::free(grid, |x| rolling_strip(x, step, strip))?
         };
         Ok(at_rest.directed(table, motion))
-    }
-
-    /// The coupling of normal and tangential displacements of a line, for Dundurs' `beta = 1`:
-    ///
-    /// `(S p)(x) = (1/E*) int sgn(x - s) p(s) ds`,
-    ///
-    /// so that a pressure displaces the surface along `x` by `-beta S p`, and a traction displaces it into the solid by `beta S tau`
-    /// (the signs as in [`crate::history::Rolling`]). With a `step` `dq` it is `(S p)(x) - (S p)(x + dq)`, as rolling needs it. It is
-    /// skew: its symmetric part vanishes without a step. On a periodic line the weight of a wave is `2/(i q E*)`.
-    ///
-    /// # Errors
-    /// [`ProblemError::NeedsLine`] for a surface, [`ProblemError::NotPositive`] for a step that is not positive and finite, and the
-    /// errors of [`Compliance::new`], whose solid must be a half-space.
-    pub fn coupling(grid: &Grid, solid: Arc<dyn ElasticSolid>, step: Option<f64>) -> Result<Self, ProblemError> {
-        check_line(grid, step.unwrap_or(1.0))?;
-        let (modulus, width) = (solid.contact_modulus(), grid.spacing()[1]);
-        let motion = step.map(|step| SteadyMotion::Rolling { step });
-        let factor = |qx: f64| motion.as_ref().map_or(Complex::new(1.0, 0.0), |motion| motion.factor(qx));
-        let table = if grid.is_periodic() {
-            DirectedTable::periodic(grid, |[_, qx]| match qx {
-                0.0 => Complex::default(),
-                _ => factor(qx) * Complex::new(0.0, -2.0 / (qx * modulus)),
-            })
-        } else {
-            let ahead = |x: f64| step.map_or(0.0, |step| sign_strip(x + step, width));
-            DirectedTable::free(grid, |x| (sign_strip(x, width) - ahead(x)) / modulus)?
-        };
-        let at_rest = Self::new(grid, solid, false)?;
-        Ok(at_rest.directed(table, motion.unwrap_or(SteadyMotion::Rolling { step: 0.0 })))
     }
 
     /// The weights of the waves of this compliance on a periodic grid times the factor of a motion.

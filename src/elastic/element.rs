@@ -92,6 +92,30 @@ pub(crate) fn crossed_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: 
     integral / (PI * contact_modulus)
 }
 
+/// Displacement into the solid at the distance `[y, x]` from the middle of a rectangle of sides `[dy, dx]`, per unit of traction along
+/// `x`, for Dundurs' `beta = 1`: `(1 / (pi E*)) int x/r^2` over the rectangle. It is odd in `x`.
+///
+/// # Source
+/// Cerruti; Johnson, *Contact Mechanics* (1985), Eq. 3.77. The mixed derivative of `(y/2) ln r^2 + x atan(y/x)` is `x/r^2`.
+pub(crate) fn coupled_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: f64) -> f64 {
+    let [[y, x], [dy, dx]] = [at, sides];
+    let far = FAR_RECTANGLE * dx.max(dy);
+    let integral = if x * x + y * y > far * far {
+        let value = |y: f64, x: f64| x / (x * x + y * y);
+        let inner = GAUSS.map(|[t, w]| w * GAUSS.map(|[s, v]| v * value(y + dy * s, x + dx * t)).iter().sum::<f64>());
+        dx * dy * inner.iter().sum::<f64>()
+    } else {
+        let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
+        let of = |y: f64, x: f64| {
+            let angle = if x == 0.0 { 0.0 } else { x * (y / x).atan() };
+            let log = if y == 0.0 { 0.0 } else { y * x.hypot(y).ln() };
+            log + angle
+        };
+        of(above, right) - of(above, left) - of(below, right) + of(below, left)
+    };
+    integral / (PI * contact_modulus)
+}
+
 /// The integral of `1/r` over a rectangle in closed form. It loses digits as the square of the distance, by cancellation.
 fn integral_near([y, x]: [f64; 2], [dy, dx]: [f64; 2]) -> f64 {
     let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);

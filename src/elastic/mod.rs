@@ -6,6 +6,7 @@
 
 mod compliance;
 mod convolution;
+mod coupling;
 pub mod direct;
 mod directed;
 pub(crate) mod element;
@@ -21,6 +22,7 @@ pub mod stress;
 
 pub use compliance::Compliance;
 pub(crate) use convolution::Convolution;
+pub use coupling::Coupling;
 pub(crate) use directed::SteadyMotion;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};

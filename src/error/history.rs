@@ -30,6 +30,15 @@ pub enum SlipError {
         "friction needs a given pressure, but {load} is given: give a mean pressure, a reduced pressure or a force"
     )]
     NeedsPressure { load: String },
+    /// Dundurs' constant out of its range.
+    #[error("Dundurs' constant beta is {value:?}: it must lie between -0.5 and 0.5")]
+    Beta { value: f64 },
+    /// The rounds between pressure and traction did not converge.
+    #[error(
+        "pressure and traction do not converge together: after {rounds} rounds the certificate of the pressure is \
+         {certificate:.1e}; take smaller steps, or lower the friction"
+    )]
+    Rounds { rounds: usize, certificate: f64 },
 }
 
 /// A history that cannot go on.

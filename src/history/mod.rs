@@ -27,8 +27,11 @@ mod quantity;
 mod rolling;
 mod sliding;
 mod slip;
+mod slip_coupling;
 mod slip_process;
+mod slip_round;
 mod slip_state;
+mod slip_traction;
 mod slip_vector;
 
 pub use archive::archive_of_history;

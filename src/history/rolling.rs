@@ -4,8 +4,8 @@ use crate::contact::{
     BoxInequality, Ceiling, Certificate, Contact, LoadOrDatum, Multilevel, Observer, Problem, SetIteration, Solver,
     Stop,
 };
-use crate::elastic::{Compliance, Response};
-use crate::error::MotionError;
+use crate::elastic::{Compliance, Coupling, Response};
+use crate::error::{MotionError, ProblemError};
 use crate::surface::Field;
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ pub struct RollingConditions {
 ///
 /// `s(x) = xi dq + (A tau)(x) - (A tau)(x + dq) - beta (T p)(x)`
 ///
-/// with the creepage `xi` and the compliances of [`Compliance::rolling`] and [`Compliance::coupling`], since the material at `x` was at
+/// with the creepage `xi` and the compliances of [`Compliance::rolling`] and [`Coupling::rolling`], since the material at `x` was at
 /// `x + dq` before. By Coulomb `|tau| <= mu p`, and `tau = -mu p sgn(s)` where it slips. With `t = tau + mu p` this is a variational
 /// inequality with bounds, `0 <= t <= 2 mu p`, whose operator is monotone but not symmetric. Its traction is unique, and no energy
 /// belongs to it.
@@ -231,7 +231,7 @@ struct Shifts {
     grid: crate::Grid,
     rolling: Arc<Compliance>,
     /// `T` and `S`, where there is coupling.
-    coupling: Option<[Response; 2]>,
+    coupling: Option<[Coupling; 2]>,
 }
 
 /// A solved traction.
@@ -248,12 +248,15 @@ struct SolvedTraction {
 
 impl Shifts {
     fn new(problem: &Problem, conditions: RollingConditions) -> Result<Self, MotionError> {
-        let (grid, solid) = (*problem.surface().grid(), || problem.solid().clone());
-        let rolling = Arc::new(Compliance::rolling(&grid, solid(), conditions.step)?);
-        let response = |step| Compliance::coupling(&grid, solid(), step).map(|it| Response::from_compliance(it.into()));
+        let grid = *problem.surface().grid();
+        let rolling = Arc::new(Compliance::rolling(&grid, problem.solid().clone(), conditions.step)?);
+        let half_space = problem.solid().as_ref();
         let coupling = match conditions.beta {
             0.0 => None,
-            _ => Some([response(Some(conditions.step))?, response(None)?]),
+            _ => Some([
+                Coupling::rolling(&grid, half_space, conditions.step)?,
+                Coupling::new(&grid, half_space).map_err(ProblemError::from)?,
+            ]),
         };
         Ok(Self { conditions, grid, rolling, coupling })
     }
@@ -273,7 +276,7 @@ impl Shifts {
         Response::from_compliance(self.rolling.clone()).displacement(&limit, &mut height);
         if let Some([ahead, _]) = &mut self.coupling {
             let mut shift = vec![0.0; n];
-            ahead.displacement(pressure, &mut shift);
+            ahead.by_pressure(pressure, [&mut shift, &mut []]);
             height.iter_mut().zip(shift).for_each(|(h, shift)| *h += beta * shift);
         }
         let load: f64 = limit.iter().sum();
@@ -322,7 +325,7 @@ impl Shifts {
         let mut height = problem.surface().height().clone();
         if let Some([_, sign]) = &mut self.coupling {
             let mut shift = vec![0.0; traction.len()];
-            sign.displacement(traction, &mut shift);
+            sign.by_traction([traction, &[]], &mut shift);
             height.iter_mut().zip(shift).for_each(|(h, shift)| *h -= self.conditions.beta * shift);
         }
         height

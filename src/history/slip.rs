@@ -1,15 +1,17 @@
 //! Partial slip with a history.
 
 use super::discs::{Discs, Pair};
-use super::slip_state::{SlipCertificate, SlipState, Zone};
+use super::slip_coupling::{SlipCoupling, SlipRounds};
+use super::slip_round::{SlipRound, SlipTask, values};
+use super::slip_state::SlipState;
+use super::slip_traction::{Traction, better_shift, sliding_length};
 use super::slip_vector::VectorStep;
 use crate::chunks;
 use crate::clock::Instant;
-use crate::contact::{Contact, Load, Observer, Problem, Solver, Status, Stop, Work};
-use crate::elastic::{Compliance, Response, ShearCompliance, ShearResponse};
+use crate::contact::{Certificate, Contact, Load, Observer, Problem, ResultClaim, Solver, Status, Stop, Work};
+use crate::elastic::{Compliance, Coupling, Response, ShearCompliance, ShearResponse};
 use crate::error::SlipError;
 use crate::surface::{Field, Surface};
-use ndarray::Array2;
 use std::sync::Arc;
 
 /// A contact with Coulomb friction under normal and tangential loads, one pair after the other: the traction after a step depends on
@@ -19,11 +21,12 @@ use std::sync::Arc;
 /// the step:
 ///
 /// ```text
-/// slip   s = A_t (tau - tau_0) - delta
+/// slip   s = A_t (tau - tau_0) - beta S (p - p_0) - delta
 /// law    |tau| <= mu p,   s = 0 where |tau| < mu p,   s against tau elsewhere
 /// ```
 ///
-/// These are the conditions of the minimum of `1/2 <tau A_t tau> - <tau A_t tau_0>` over `|tau| <= mu p` with `<tau>` given.
+/// For a given `p` these are the conditions of the minimum of `1/2 <tau A_t tau> - <tau w_0>` over `|tau| <= mu p` with `<tau>` given, where
+/// `w_0 = A_t tau_0 + beta S (p - p_0)`.
 ///
 /// | grid                       | traction       | the step is solved                                                        |
 /// |----------------------------|----------------|---------------------------------------------------------------------------|
@@ -31,7 +34,7 @@ use std::sync::Arc;
 /// | surface with `m = 0`       | along `x`, until a load across is given | by the solver of the history                     |
 /// | other surface              | along `x`, `y` | by Newton steps on the nodes that stick and slip                          |
 ///
-/// **Along `x` alone**, `t = tau + mu p` is the pressure of a [`Problem`] with the heights `A_t (tau_0 + mu p)`, below a
+/// **Along `x` alone**, `t = tau + mu p` is the pressure of a [`Problem`] with the heights `w_0 + mu A_t p`, below a
 /// [ceiling](crate::contact::Ceiling) `2 mu p` of each node. Every solver that takes a hardness solves it. `A_t` is
 /// [`Compliance::tangential`].
 ///
@@ -41,9 +44,15 @@ use std::sync::Arc;
 /// conjugate gradients, with the shift as the multiplier of the mean. Where the energy does not fall, or the certificate falls too slowly, a
 /// step goes along the projected gradient to the least energy on its chord. These steps alone converge, since the energy is convex.
 ///
-/// Both kinds of steps have a [`SlipCertificate`]. A path along which every node slips in one direction only is solved exactly in one step. A
-/// step must end where the tangential load turns. The result is exact if normal and tangential loads do not couple (Dundurs' `beta = 0`).
-/// Where the pressure of a node falls to zero, its traction is lost.
+/// Both kinds of steps have a [`SlipCertificate`](crate::history::SlipCertificate). A step must end where the tangential load turns. Where
+/// the pressure of a node falls to zero, its traction is lost.
+///
+/// # Coupling
+/// With Dundurs' `beta = 0`, as for two bodies of the same material, the normal contact is solved once in a step. A path along which every node
+/// slips in one direction only is then solved exactly in one step. Otherwise the pressure displaces the surface along `x` and `y` by `-beta S p`,
+/// and the traction displaces it into the solid by `beta S tau`, see [`Coupling`] and [`SlipHistory::with_coupling`]. Pressure and traction
+/// are solved in turn (Panagiotopoulos 1975), until the pressure fits the heights with the last traction to the tolerance. No bound of the
+/// joint error is known. Normal loads cause slip as well, so a path needs steps: a node that comes into contact sticks where it is then.
 ///
 /// # Source
 /// Cattaneo (1938); Mindlin & Deresiewicz, J. Appl. Mech. 20, 327 (1953); the minimum is that of Kalker, *Three-Dimensional Elastic Bodies
@@ -79,8 +88,9 @@ pub struct SlipHistory<'s> {
     pressed: Option<(Contact, Vec<f64>)>,
     /// The traction along `x` and `y`; the second one is empty in steps along `x` alone.
     traction: [Vec<f64>; 2],
-    /// `A_t` of the traction.
-    sheared: [Vec<f64>; 2],
+    /// The displacement along `x` and `y` by the traction and, with coupling, by the pressure.
+    displaced: [Vec<f64>; 2],
+    coupling: Option<SlipCoupling>,
 }
 
 impl<'s> SlipHistory<'s> {
@@ -114,13 +124,50 @@ impl<'s> SlipHistory<'s> {
         let compliance = Compliance::tangential(problem.surface().grid(), problem.solid().clone(), m)?;
         let zeros = || vec![0.0; problem.nodes()];
         let compliance = Arc::new(compliance);
-        let (traction, sheared) = ([zeros(), Vec::new()], [zeros(), Vec::new()]);
+        let [traction, displaced] = [[zeros(), Vec::new()], [zeros(), Vec::new()]];
+        let (shear, pressed, coupling) = (None, None, None);
         let mut history =
-            Self { problem, coefficient, compliance, solver, stop, m, shear: None, pressed: None, traction, sheared };
+            Self { problem, coefficient, compliance, solver, stop, m, shear, pressed, traction, displaced, coupling };
         if m != 0.0 && !history.problem.surface().grid().is_line() {
             history.take_both_axes()?;
         }
         Ok(history)
+    }
+
+    /// The history before its first step on bodies of Dundurs' constant `beta`, between -0.5 and 0.5, which is
+    /// `(1 - 2 nu)/(2 (1 - nu))` for a body below a rigid surface. A surface takes steps along both axes then.
+    ///
+    /// # Errors
+    /// [`SlipError::Beta`] for a constant out of range, and the errors of [`Coupling::new`] and of [`ShearCompliance::new`].
+    ///
+    /// ```
+    /// use asperity::contact::{ContactModulus, Load, Multilevel, ResultClaim};
+    /// use asperity::history::SlipHistory;
+    /// use asperity::{Grid, Indenter, Problem, Stop};
+    /// let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(256, 1.0)?.with_periodic([false; 2]))?;
+    /// let load = Load::MeanPressure(0.01);
+    /// let problem = Problem::new(cylinder, ContactModulus(1.0), load)?;
+    /// let mut history = SlipHistory::new(problem, 0.2, &Multilevel, Stop::default())?.with_coupling(0.3)?;
+    /// // the pressure alone draws the solid towards the middle, and friction holds it on both sides
+    /// let state = history.step(load, 0.0, &mut ())?;
+    /// assert!(state.traction[[0, 118]] < 0.0 && state.traction[[0, 138]] > 0.0);
+    /// assert_eq!(state.claim, ResultClaim::RoundsConverged);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_coupling(mut self, beta: f64) -> Result<Self, SlipError> {
+        if !(-0.5..=0.5).contains(&beta) {
+            return Err(SlipError::Beta { value: beta });
+        }
+        if beta == 0.0 {
+            return Ok(self);
+        }
+        let grid = *self.problem.surface().grid();
+        if !grid.is_line() && self.shear.is_none() {
+            self.take_both_axes()?;
+        }
+        let coupling = Coupling::new(&grid, self.problem.solid().as_ref())?;
+        self.coupling = Some(SlipCoupling::new(beta, coupling, grid.len()));
+        Ok(self)
     }
 
     /// Takes steps along both axes from now on.
@@ -129,7 +176,7 @@ impl<'s> SlipHistory<'s> {
         self.shear = Some(ShearResponse::new(Arc::new(ShearCompliance::new(grid, solid, self.m)?)));
         let nodes = self.problem.nodes();
         self.traction[1].resize(nodes, 0.0);
-        self.sheared[1].resize(nodes, 0.0);
+        self.displaced[1].resize(nodes, 0.0);
         Ok(())
     }
 
@@ -147,8 +194,8 @@ impl<'s> SlipHistory<'s> {
     ///
     /// # Errors
     /// [`SlipError::NeedsPressure`] for a normal load that is no pressure, [`SlipError::Sliding`] for a tangential load that friction cannot
-    /// carry, the errors of [`ShearCompliance::new`] for a load along `y` on a line, and those of [`Problem::with_load`] and of
-    /// [`Solver::solve_from`]. After an error the history is as it was before the step.
+    /// carry, [`SlipError::Rounds`] if pressure and traction do not converge together, the errors of [`ShearCompliance::new`] for a load along
+    /// `y` on a line, and those of [`Problem::with_load`] and of [`Solver::solve_from`]. After an error the history is as it was before the step.
     ///
     /// ```
     /// use asperity::contact::{ContactModulus, Load, Multilevel};
@@ -175,22 +222,83 @@ impl<'s> SlipHistory<'s> {
         if tangential[1] != 0.0 && self.shear.is_none() {
             self.take_both_axes()?;
         }
-        let (mut contact, pressed, mut work) = self.press(load, observer)?;
+        let mut rounds = SlipRounds::new(self.coefficient, self.coupling.as_ref());
+        let mut last: Option<SlipRound> = None;
+        let mut work = Work::default();
+        loop {
+            let round = self.round(load, share, (&rounds, last.as_ref()), observer)?;
+            work = sum(work, round.work);
+            let raised = self.coupling.as_mut().map(|coupling| coupling.by_traction(&round.found.values));
+            let eta = match &raised {
+                Some(raised) => {
+                    Certificate::new(&posed(&self.problem, raised, load)?, values(&round.contact.pressure)).eta
+                }
+                None => round.contact.certificate.eta,
+            };
+            let is_last = raised.is_none() || eta <= self.stop.tolerance() || !round.contact.is_converged();
+            if is_last {
+                return Ok(self.take(round, raised, (eta, rounds.number(), work)));
+            }
+            if !rounds.advance(raised.as_deref().unwrap_or_default()) {
+                return Err(SlipError::Rounds { rounds: rounds.number() - 1, certificate: eta });
+            }
+            last = Some(round);
+        }
+    }
+
+    /// When a solve of a round ends: with coupling before the tolerance of the step, so that the last rounds do not end with the old pressure.
+    fn round_stop(&self) -> Stop {
+        if self.coupling.is_some() { finer(self.stop) } else { self.stop }
+    }
+
+    /// The pressure under the heights of a round, and the traction under this pressure.
+    fn round(
+        &mut self,
+        load: Load,
+        share: Pair,
+        (rounds, last): (&SlipRounds, Option<&SlipRound>),
+        observer: &mut dyn Observer,
+    ) -> Result<SlipRound, SlipError> {
+        let (mut contact, pressed, pressing) = self.press(load, rounds, last, observer)?;
+        let mut before = self.displaced.clone();
+        if let Some(coupling) = &mut self.coupling {
+            coupling.add_by_pressure(values(&contact.pressure), &mut before, 1.0);
+        }
         let full = self.coefficient * contact.mean_pressure();
         let target = share.map(|share| share * full);
+        let start = last.map_or(&self.traction, |round| &round.found.values).clone();
+        let task = SlipTask { contact: &contact, pressed: &pressed, target, before: &before, start: &start };
         let found = match self.coefficient {
             0.0 => Traction::none(self.traction.each_ref().map(Vec::len)),
-            _ if self.shear.is_some() => self.pull_towards(&contact, &pressed, target),
-            _ => self.pull(&contact, &pressed, target[0], observer)?,
+            _ if self.shear.is_some() => self.pull_towards(&task),
+            _ => self.pull(&task, observer)?,
         };
-        work = sum(work, found.work);
+        let work = sum(pressing, found.work);
         if found.status != Status::Converged && contact.is_converged() {
             contact.status = found.status;
         }
-        let state = self.state(contact, &found, target, &pressed, work);
-        self.pressed = Some((state.contact.clone(), pressed));
-        (self.traction, self.sheared) = (found.values, found.displacement);
-        Ok(state)
+        Ok(SlipRound { contact, pressed, before, found, target, work })
+    }
+
+    /// Ends a step with its last round, after which this history goes on from it.
+    fn take(
+        &mut self,
+        round: SlipRound,
+        raised: Option<Vec<f64>>,
+        (eta, rounds, mut work): (f64, usize, Work),
+    ) -> SlipState {
+        work.transforms += self.coupling.as_mut().map_or(0, SlipCoupling::transforms);
+        let earlier = self.pressed.as_ref().map(|(contact, _)| contact);
+        let claim = if raised.is_some() { ResultClaim::RoundsConverged } else { ResultClaim::Solution };
+        let state = round.state(self.coefficient, earlier, claim, (eta, rounds, work));
+        self.displaced = round.found.displacement;
+        if let (Some(coupling), Some(raised)) = (&mut self.coupling, raised) {
+            coupling.add_by_pressure(values(&round.contact.pressure), &mut self.displaced, -1.0);
+            coupling.keep(raised);
+        }
+        self.traction = round.found.values;
+        self.pressed = Some((round.contact, round.pressed));
+        state
     }
 
     /// The shares `Q / (mu P)` of the load at which everything slides, with their signs.
@@ -207,17 +315,25 @@ impl<'s> SlipHistory<'s> {
         Ok(tangential.map(|tangential| if tangential == 0.0 { 0.0 } else { tangential / limit }))
     }
 
-    /// The contact under a normal load, with `A_t` of its pressure: that of the last step if the load is the same.
-    fn press(&self, load: Load, observer: &mut dyn Observer) -> Result<(Contact, Vec<f64>, Work), SlipError> {
+    /// The contact under a normal load, with `A_t` of its pressure: that of the last step if load and heights are the same.
+    fn press(
+        &self,
+        load: Load,
+        rounds: &SlipRounds,
+        last: Option<&SlipRound>,
+        observer: &mut dyn Observer,
+    ) -> Result<(Contact, Vec<f64>, Work), SlipError> {
         let before = self.pressed.as_ref();
-        if let Some((contact, pressed)) = before.filter(|(contact, _)| contact.problem.load() == load) {
+        let is_coupled = self.coupling.is_some();
+        if let Some((contact, pressed)) = before.filter(|(it, _)| !is_coupled && it.problem.load() == load) {
             let mut contact = contact.clone();
             contact.work = Work::default();
             return Ok((contact, pressed.clone(), Work::default()));
         }
-        let problem = self.problem.clone().with_load(load)?;
-        let start = before.map(|(contact, _)| &contact.pressure);
-        let contact = self.solver.solve_from(start, &problem, &self.stop, observer)?;
+        let problem = posed(&self.problem, rounds.raised(), load)?;
+        let start = last.map(|round| &round.contact).or(before.map(|(contact, _)| contact));
+        let start = start.map(|contact| &contact.pressure);
+        let contact = self.solver.solve_from(start, &problem, &self.round_stop(), observer)?;
         let mut pressed = vec![0.0; self.problem.nodes()];
         Response::from_compliance(self.compliance.clone()).displacement(values(&contact.pressure), &mut pressed);
         let work = sum(contact.work, Work { transforms: 2, ..Work::default() });
@@ -227,54 +343,53 @@ impl<'s> SlipHistory<'s> {
     /// The traction with the mean `target` under the pressure of a contact.
     ///
     /// With the sign of the target, `t = mu p + tau` or `mu p - tau`, whose mean is not below `mu <p>`.
-    fn pull(
-        &self,
-        contact: &Contact,
-        pressed: &[f64],
-        target: f64,
-        observer: &mut dyn Observer,
-    ) -> Result<Traction, SlipError> {
+    fn pull(&self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Result<Traction, SlipError> {
+        let &SlipTask { contact, pressed, target: [target, _], before, start } = task;
         let (mu, sign) = (self.coefficient, if target < 0.0 { -1.0 } else { 1.0 });
         let (grid, p) = (*contact.problem.surface().grid(), values(&contact.pressure));
         let field =
             |of: &dyn Fn(usize) -> f64| Field::from_shape_fn(grid.shape(), |(y, x)| of(y * grid.shape()[1] + x));
         let load = Load::MeanPressure(mu * contact.mean_pressure() + target.abs());
         let yardstick = Surface::new(grid, field(&|i| mu * pressed[i])).map_err(SlipError::Surface)?;
-        let heights = field(&|i| sign * self.sheared[0][i] + mu * pressed[i]);
+        let heights = field(&|i| sign * before[0][i] + mu * pressed[i]);
         let ceilings: Vec<f64> = p.iter().map(|p| 2.0 * mu * p).collect();
         let problem = Problem::of_compliance(yardstick.into(), self.compliance.clone(), load)?;
         let problem = problem.with_heights(heights)?.with_ceilings(ceilings)?;
-        let start = field(&|i| (sign * self.traction[0][i] + mu * p[i]).clamp(0.0, 2.0 * mu * p[i]));
-        let stop = Stop::new(FINER * self.stop.tolerance(), self.stop.max_iterations()).unwrap_or(self.stop);
+        let start = field(&|i| (sign * start[0][i] + mu * p[i]).clamp(0.0, 2.0 * mu * p[i]));
+        let stop = finer(self.round_stop());
         let found = self.solver.solve_from(Some(&start), &problem, &stop, observer)?;
         let t = values(&found.pressure);
         // nodes that stick lie at minus the datum of the heights as they were given
         let level = -(datum(&found) + problem.shift());
+        let traction: Vec<f64> = t.iter().zip(p).map(|(t, p)| sign * (t - mu * p)).collect();
+        let displacement = values(&found.displacement).iter().zip(pressed);
+        let displacement: Vec<f64> = displacement.map(|(u, p)| sign * (u - mu * p)).collect();
+        let moved: Vec<f64> = displacement.iter().zip(&before[0]).map(|(now, before)| now - before).collect();
+        let shift = better_shift(mu, p, [&traction, &moved], sign * level);
         Ok(Traction {
-            values: [t.iter().zip(p).map(|(t, p)| sign * (t - mu * p)).collect(), Vec::new()],
-            displacement: [
-                values(&found.displacement).iter().zip(pressed).map(|(u, p)| sign * (u - mu * p)).collect(),
-                Vec::new(),
-            ],
-            shift: [sign * level, 0.0],
+            values: [traction, Vec::new()],
+            displacement: [displacement, Vec::new()],
+            shift: [shift, 0.0],
             status: found.status,
             work: found.work,
         })
     }
 
     /// The traction along both axes with the mean `target` under the pressure of a contact.
-    fn pull_towards(&mut self, contact: &Contact, pressed: &[f64], target: Pair) -> Traction {
+    fn pull_towards(&mut self, task: &SlipTask<'_>) -> Traction {
+        let &SlipTask { contact, pressed, target, before, start } = task;
         let start_of_work = Instant::now();
         let (mu, p) = (self.coefficient, values(&contact.pressure));
         let places: Vec<usize> = chunks::positive(p, 0..p.len()).collect();
         let at = |fields: &[Vec<f64>; 2]| places.iter().map(|&i| [fields[0][i], fields[1][i]]).collect::<Vec<Pair>>();
-        let (start, before) = (at(&self.traction), at(&self.sheared));
+        let (start, before) = (at(start), at(before));
         let radii: Vec<f64> = places.iter().map(|&i| mu * p[i]).collect();
         let discs = Discs { radii, total: target.map(|target| target * p.len() as f64) };
+        let stop = self.round_stop();
         let response = self.shear.as_mut().expect("the history takes both axes");
         let transforms = response.transforms();
-        let found = VectorStep::new(response, places.clone(), discs, before, sliding_length(mu, pressed))
-            .solve(&start, &self.stop);
+        let found =
+            VectorStep::new(response, places.clone(), discs, before, sliding_length(mu, pressed)).solve(&start, &stop);
         let zeros = || [vec![0.0; p.len()], vec![0.0; p.len()]];
         let (mut traction, mut displacement) = (zeros(), zeros());
         for (axis, field) in traction.iter_mut().enumerate() {
@@ -285,143 +400,29 @@ impl<'s> SlipHistory<'s> {
         let work = Work { iterations: found.iterations, transforms, seconds: start_of_work.elapsed().as_secs_f64() };
         Traction { values: traction, displacement, shift: found.shift, status: found.status, work }
     }
-
-    /// The state with a traction.
-    fn state(&self, contact: Contact, found: &Traction, target: Pair, pressed: &[f64], work: Work) -> SlipState {
-        let (mu, shape, p) = (self.coefficient, contact.pressure.raw_dim(), values(&contact.pressure));
-        let n = p.len();
-        let slip_along = |axis: usize| -> Vec<f64> {
-            let both = found.displacement[axis].iter().zip(&self.sheared[axis]);
-            both.map(|(now, before)| now - before - found.shift[axis]).collect()
-        };
-        let mut slip = [slip_along(0), slip_along(1)];
-        let certificate = certify(mu, p, found, &slip, pressed);
-        let reach = sliding_length(mu, pressed);
-        let zone = |i: usize| match mu * p[i] {
-            _ if p[i] <= 0.0 => Zone::Open,
-            limit if !found.slips(i, limit, at(&slip, i), reach) => Zone::Stick,
-            _ if found.values[0][i] >= 0.0 => Zone::Forward,
-            _ => Zone::Backward,
-        };
-        let zones: Vec<Zone> = (0..n).map(zone).collect();
-        let is_still = |zone: Zone| matches!(zone, Zone::Open | Zone::Stick);
-        let before = self.pressed.as_ref().map(|(contact, _)| values(&contact.pressure));
-        let dissipated = |i: usize| match zones[i] {
-            zone if is_still(zone) => 0.0,
-            _ => 0.5 * mu * (p[i] + before.map_or(p[i], |before| before[i])) * length_at(&slip, i),
-        };
-        let dissipated = chunks::sum(n, dissipated) / n as f64;
-        let work_at = |i: usize| {
-            let ([a, b], [u, v]) = (at(&found.values, i), at(&found.displacement, i));
-            a * u + b * v
-        };
-        let stored = 0.5 * chunks::sum(n, work_at) / n as f64;
-        for slip in &mut slip {
-            slip.iter_mut().zip(&zones).filter(|(_, zone)| **zone == Zone::Stick).for_each(|(slip, _)| *slip = 0.0);
-        }
-        let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
-        let across = |values: Vec<f64>| (!values.is_empty()).then(|| field(values));
-        let [along_x, along_y] = slip;
-        SlipState {
-            tangential: target[0],
-            tangential_across: target[1],
-            traction: field(found.values[0].clone()),
-            traction_across: across(found.values[1].clone()),
-            slip: field(along_x),
-            slip_across: across(along_y),
-            zones: Array2::from_shape_vec(shape, zones).expect("one zone per node"),
-            shift: found.shift[0],
-            shift_across: found.shift[1],
-            dissipated,
-            stored,
-            certificate,
-            work,
-            contact,
-        }
-    }
 }
 
 /// A traction along `x` is solved to this part of the tolerance: its certificate is over `mu <p>`, and not over the mean of `t`, which may be
 /// twice as large, and is taken with the shift of the nodes that stick, and not with the best one.
 const FINER: f64 = 0.1;
 
-/// Relative distance from `mu p` up to which a traction counts as slipping, because of rounding.
-const ROUNDING: f64 = 1e-14;
-
-/// A traction, and what was found with it. The second component of fields is empty where the traction is along `x` alone.
-struct Traction {
-    values: [Vec<f64>; 2],
-    displacement: [Vec<f64>; 2],
-    shift: Pair,
-    status: Status,
-    work: Work,
+fn finer(stop: Stop) -> Stop {
+    Stop::new(FINER * stop.tolerance(), stop.max_iterations()).unwrap_or(stop)
 }
 
-impl Traction {
-    /// No traction on each axis; each number is the count of nodes of one axis.
-    fn none(nodes: [usize; 2]) -> Self {
-        let zeros = || nodes.map(|nodes| vec![0.0; nodes]);
-        Self {
-            values: zeros(),
-            displacement: zeros(),
-            shift: [0.0; 2],
-            status: Status::Converged,
-            work: Work::default(),
-        }
+/// The problem under a load, with heights that are less by what a traction displaces.
+fn posed(problem: &Problem, raised: &[f64], load: Load) -> Result<Problem, SlipError> {
+    if raised.iter().all(|u| *u == 0.0) {
+        return Ok(problem.clone().with_load(load)?);
     }
-
-    /// Whether a node in contact slips. Along both axes it does where `tau/(mu p) - s/reach` lies outside of the unit circle: where it
-    /// sticks the slip is zero except for the tolerance.
-    fn slips(&self, i: usize, limit: f64, [a, b]: Pair, reach: f64) -> bool {
-        let [x, y] = at(&self.values, i);
-        if self.values[1].is_empty() || limit == 0.0 {
-            return x.abs() >= limit * (1.0 - ROUNDING);
-        }
-        (x / limit - a / reach).hypot(y / limit - b / reach) >= 1.0 - ROUNDING
-    }
-}
-
-/// The vector at a node, whose second component is zero in a field without one.
-fn at(fields: &[Vec<f64>; 2], i: usize) -> Pair {
-    [fields[0][i], fields[1].get(i).copied().unwrap_or(0.0)]
-}
-
-fn length_at(fields: &[Vec<f64>; 2], i: usize) -> f64 {
-    let [x, y] = at(fields, i);
-    if y == 0.0 { x.abs() } else { x.hypot(y) }
-}
-
-/// The rms of the displacement by `mu p`, about its mean.
-fn sliding_length(mu: f64, pressed: &[f64]) -> f64 {
-    let mean = |of: &(dyn Fn(usize) -> f64 + Sync)| chunks::sum(pressed.len(), of) / pressed.len() as f64;
-    let middle = mean(&|i| pressed[i]);
-    mu * mean(&|i| (pressed[i] - middle).powi(2)).sqrt()
-}
-
-/// The bounds of a traction with its slip, under a pressure that displaces the surface by `pressed`.
-fn certify(mu: f64, pressure: &[f64], found: &Traction, slip: &[Vec<f64>; 2], pressed: &[f64]) -> SlipCertificate {
-    let n = pressure.len();
-    let mean = |of: &(dyn Fn(usize) -> f64 + Sync)| chunks::sum(n, of) / n as f64;
-    let missed = |i: usize| {
-        let ([x, y], [a, b]) = (at(&found.values, i), at(slip, i));
-        if pressure[i] > 0.0 { x * a + y * b + mu * pressure[i] * length_at(slip, i) } else { 0.0 }
-    };
-    let gap = mean(&missed);
-    let square = mu * mu * mean(&|i| pressure[i] * pressed[i]);
-    let over = |gap: f64, scale: f64| if mu > 0.0 { gap.max(0.0) / scale } else { 0.0 };
-    SlipCertificate {
-        eta: over(gap, mu * mean(&|i| pressure[i]) * sliding_length(mu, pressed)),
-        traction_error_bound: over(gap, square).sqrt(),
-    }
+    let mut height = problem.surface().height().clone();
+    height.iter_mut().zip(raised).for_each(|(h, u)| *h -= u);
+    Ok(problem.with_heights(height)?.with_load(load)?)
 }
 
 /// The datum of the gap of a contact, by one node: `g - (u - h)`.
 fn datum(contact: &Contact) -> f64 {
     contact.gap[[0, 0]] - (contact.displacement[[0, 0]] - contact.problem.height()[0])
-}
-
-fn values(field: &Field) -> &[f64] {
-    field.as_slice().expect("results are made in standard layout")
 }
 
 fn sum(a: Work, b: Work) -> Work {

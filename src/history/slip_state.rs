@@ -19,7 +19,7 @@ use serde::Serialize;
 /// The fields along `y` are none on lines, and on surfaces where the step was along `x` alone, see [`crate::history::SlipHistory`].
 #[derive(Debug, Clone)]
 pub struct SlipState {
-    /// The contact under the normal load.
+    /// The contact under the normal load; with coupling, that of the heights less what the traction displaces.
     pub contact: Contact,
     /// The mean traction along `x`, a pressure.
     pub tangential: f64,
@@ -44,10 +44,16 @@ pub struct SlipState {
     /// after the step.
     pub dissipated: f64,
     /// The elastic energy of the traction after this step, per area of the cell: `<tau A_t tau>/2`. The work of the tangential load is
-    /// the increase of this energy plus the dissipated energy.
+    /// the increase of this energy plus the dissipated energy, under a normal load that stays and without coupling.
     pub stored: f64,
-    /// The error of the traction.
+    /// The error of the traction, for the pressure as it is.
     pub certificate: SlipCertificate,
+    /// The certificate `eta` of the pressure, for the traction as it is.
+    pub pressure_certificate: f64,
+    /// Rounds between pressure and traction; 1 without coupling.
+    pub rounds: usize,
+    /// What the certificates prove together.
+    pub claim: ResultClaim,
     /// Work of the solvers in this step, normal and tangential.
     pub work: Work,
 }
@@ -117,7 +123,7 @@ impl SlipState {
         let across =
             [self.traction_across.map(HistoryField::traction_across), self.slip_across.map(HistoryField::slip_across)];
         let fields = along.into_iter().chain(across.into_iter().flatten()).collect();
-        let (claim, contact, work) = (ResultClaim::Solution, self.contact, self.work);
+        let (claim, contact, work) = (self.claim, self.contact, self.work);
         HistoryState { contact, point, claim, numbers, fields, work }
     }
 

@@ -58,7 +58,7 @@ impl HistoryOutcome {
     }
 
     /// Reasons to doubt the states.
-    pub fn warnings(&self, setup: &Setup) -> Vec<Warning> {
+    pub fn warnings(&self) -> Vec<Warning> {
         let missed = self.states.iter().filter(|state| !state.contact.is_converged()).count();
         let missed = (missed > 0).then(|| {
             Warning::new(
@@ -67,7 +67,6 @@ impl HistoryOutcome {
             )
             .with_remedy("stop.tolerance", None)
         });
-        let coupling = if self.kind == ProcessKind::Slip { setup.warning_of_coupling() } else { None };
-        missed.into_iter().chain(coupling).collect()
+        missed.into_iter().collect()
     }
 }

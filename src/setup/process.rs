@@ -211,8 +211,8 @@ impl Setup {
         let process: Box<dyn Process + '_> = match kind {
             ProcessKind::Creep => Box::new(self.creep(problem)?),
             ProcessKind::Slip => {
-                let m = self.shear_ratio();
-                let history = SlipHistory::sheared(problem, mu, m, solver, stop)?;
+                let history = SlipHistory::sheared(problem, mu, self.shear_ratio(), solver, stop)?;
+                let history = history.with_coupling(self.dundurs_beta())?;
                 let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
                 Box::new(SlipProcess::new(history, self.path_points(), steps))
             }
@@ -244,7 +244,7 @@ impl Setup {
     /// The conditions of rolling, one for each creepage or tangential load.
     fn rolling_conditions(&self, rolling: &RollingMotion, grid: &Grid) -> Result<Vec<RollingConditions>, SetupError> {
         let friction = self.friction.map_or(0.0, |friction| friction.coefficient);
-        let beta = self.solid.and_then(|solid| solid.dundurs_beta()).unwrap_or(0.0);
+        let beta = self.dundurs_beta();
         let step = rolling.step.unwrap_or(grid.spacing()[1]);
         let limit = friction * self.load.value();
         let of = |drive| RollingConditions { friction, step, beta, drive };
@@ -254,6 +254,11 @@ impl Setup {
             return Err(SlipError::Sliding { tangential, limit }.into());
         }
         Ok(creepages.chain(loads).collect())
+    }
+
+    /// Dundurs' constant; 0 for a solid of which only the contact modulus is known.
+    fn dundurs_beta(&self) -> f64 {
+        self.solid.and_then(|solid| solid.dundurs_beta()).unwrap_or(0.0)
     }
 
     /// The ratio `m = sum (nu/G) / sum ((1 - nu)/G)` over the bodies, see [`Compliance::tangential`](crate::elastic::Compliance::tangential);

@@ -22,7 +22,7 @@ const UNEQUAL: f64 = 0.01;
 const LARGEST_BETA: f64 = 0.01;
 
 impl Setup {
-    /// The warning that normal and tangential loads couple, which partial slip as the difference of two normal contacts leaves out.
+    /// The warning that normal and tangential loads couple, which a single pull, as the difference of two normal contacts, leaves out.
     pub fn warning_of_coupling(&self) -> Option<Warning> {
         let beta = self.friction.and(self.solid)?.dundurs_beta()?.abs();
         (beta > LARGEST_BETA).then(|| {
@@ -31,8 +31,9 @@ impl Setup {
                     "In these bodies the normal load alone causes tangential tractions (Dundurs' beta is {beta:.2}). \
                      The stick and slip areas neglect them"
                 ),
-                "The result is exact for equal bodies and for a Poisson's ratio of 0.5",
+                "A path of tangential loads includes them",
             )
+            .with_remedy("path.tangential", None)
         })
     }
 

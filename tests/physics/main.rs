@@ -11,6 +11,7 @@ mod rolling;
 mod sliding;
 mod sliding_stability;
 mod slip;
+mod slip_coupling;
 mod slip_history;
 mod slip_vector;
 mod solids;

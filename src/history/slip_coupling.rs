@@ -1,0 +1,101 @@
+//! Rounds between pressure and traction, where they displace the surface in each other's direction.
+
+use crate::elastic::Coupling;
+
+/// Largest number of rounds between pressure and traction in one step.
+const ROUNDS: usize = 400;
+
+/// A round counts as progress if the change of the heights is less than this part of the least one so far. After some rounds without
+/// progress the pace is halved.
+const PROGRESS: f64 = 0.95;
+const PATIENCE: usize = 3;
+
+/// What pressure and traction of a contact displace in each other's direction, `beta S` with Dundurs' constant.
+pub(super) struct SlipCoupling {
+    beta: f64,
+    coupling: Coupling,
+    /// What the traction of the last step displaces into the solid.
+    raised: Vec<f64>,
+    /// Transforms of the steps before.
+    counted: u64,
+}
+
+/// The rounds of one step. Each takes the part `pace` of the change of the heights. Rounds with a pace of 1 may run in a circle, where nodes
+/// touch and leave in turn.
+pub(super) struct SlipRounds {
+    number: usize,
+    pace: f64,
+    /// The least change so far, and the rounds that may follow without progress.
+    least: f64,
+    patience: usize,
+    raised: Vec<f64>,
+}
+
+impl SlipCoupling {
+    pub fn new(beta: f64, coupling: Coupling, nodes: usize) -> Self {
+        Self { beta, coupling, raised: vec![0.0; nodes], counted: 0 }
+    }
+
+    /// Number of transforms since this was asked last.
+    pub fn transforms(&mut self) -> u64 {
+        let all = self.coupling.transforms();
+        all - std::mem::replace(&mut self.counted, all)
+    }
+
+    /// Adds `sign` times `beta S p` to displacements along `x` and `y`, the second of which is empty on a line.
+    pub fn add_by_pressure(&mut self, pressure: &[f64], displacement: &mut [Vec<f64>; 2], sign: f64) {
+        let mut added = displacement.each_ref().map(|it| vec![0.0; it.len()]);
+        self.coupling.by_pressure(pressure, added.each_mut().map(Vec::as_mut_slice));
+        for (displacement, added) in displacement.iter_mut().zip(added) {
+            displacement.iter_mut().zip(added).for_each(|(u, added)| *u += sign * self.beta * added);
+        }
+    }
+
+    /// `beta S tau`, the displacement into the solid by a traction.
+    pub fn by_traction(&mut self, traction: &[Vec<f64>; 2]) -> Vec<f64> {
+        let mut raised = vec![0.0; traction[0].len()];
+        self.coupling.by_traction(traction.each_ref().map(Vec::as_slice), &mut raised);
+        raised.iter_mut().for_each(|u| *u *= self.beta);
+        raised
+    }
+
+    /// Keeps what the traction of a step displaces.
+    pub fn keep(&mut self, raised: Vec<f64>) {
+        self.raised = raised;
+    }
+}
+
+impl SlipRounds {
+    /// The rounds of a step with the coefficient of friction `mu`, which begin with what the last step left.
+    pub fn new(mu: f64, coupling: Option<&SlipCoupling>) -> Self {
+        let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, it.raised.clone()));
+        // where everything slips, a round multiplies each wave of the pressure by i mu beta, and this is the best pace
+        let pace = 1.0 / (1.0 + (mu * beta).powi(2));
+        Self { number: 1, pace, least: f64::INFINITY, patience: PATIENCE, raised }
+    }
+
+    /// The number of the round, from 1.
+    pub fn number(&self) -> usize {
+        self.number
+    }
+
+    /// What the traction displaces into the solid in this round; empty without coupling.
+    pub fn raised(&self) -> &[f64] {
+        &self.raised
+    }
+
+    /// Goes on to the next round with what the last traction displaces, and whether there is one.
+    pub fn advance(&mut self, raised: &[f64]) -> bool {
+        let change = self.raised.iter().zip(raised).map(|(from, to)| (to - from).powi(2)).sum::<f64>().sqrt();
+        if change < PROGRESS * self.least {
+            (self.least, self.patience) = (change, PATIENCE);
+        } else if self.patience > 1 {
+            self.patience -= 1;
+        } else {
+            (self.pace, self.patience) = (0.5 * self.pace, PATIENCE);
+        }
+        self.raised.iter_mut().zip(raised).for_each(|(from, to)| *from += self.pace * (to - *from));
+        self.number += 1;
+        self.number <= ROUNDS
+    }
+}
