@@ -6,6 +6,7 @@
     reason = "fields are the values in the sentence of their variant, and a wrapped error speaks for itself"
 )]
 
+mod adhesion;
 mod creep;
 mod file;
 mod history;
@@ -15,6 +16,7 @@ mod preparation;
 mod setup;
 mod study;
 
+pub use adhesion::AdhesionError;
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;

@@ -98,6 +98,7 @@
 #[cfg(feature = "cli")]
 extern crate self as asperity;
 
+pub mod adhesion;
 mod chunks;
 #[cfg(feature = "cli")]
 pub mod cli;

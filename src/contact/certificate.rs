@@ -169,7 +169,7 @@ impl Certificate {
     };
 
     /// The value for a state without a certificate.
-    pub(super) const UNKNOWN: Self = Self {
+    pub(crate) const UNKNOWN: Self = Self {
         eta: f64::NAN,
         eta_gap: f64::NAN,
         pressure_error_bound: f64::NAN,

@@ -32,6 +32,20 @@ pub enum ResultClaim {
         message = "rounds converged: the pressure is certified for this traction, and the traction for this pressure, but not both together"
     )]
     RoundsConverged,
+    /// A state with adhesion that is in equilibrium and stable; there may be others.
+    #[strum(
+        message = "stable: in equilibrium, and small changes do not grow; other states may exist under the same load"
+    )]
+    Stable,
+    /// A state with adhesion that is in equilibrium and close to a jump.
+    #[strum(message = "marginal: in equilibrium, but close to a jump, so that its stability is not certain")]
+    Marginal,
+    /// A state with adhesion that is in equilibrium and not stable.
+    #[strum(message = "saddle: in equilibrium, but a small change grows")]
+    Saddle,
+    /// A state with adhesion that is in equilibrium; its stability is not known.
+    #[strum(message = "stationary: in equilibrium; its stability is not known")]
+    Stationary,
 }
 
 impl ResultClaim {

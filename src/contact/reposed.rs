@@ -94,4 +94,12 @@ impl Problem {
         let (shift, mean_height) = (self.shift + surface.mean_height(), chunks::compensated_mean(surface.heights()));
         Ok(Self { surface: surface.into(), shift, mean_height, rms_gradient, ..self.clone() })
     }
+
+    /// The problem of other heights as if it were posed for them, with their own highest peak and mean plane; only the rms height, by which
+    /// certificates are divided, stays. The load is that of this problem, and a new one must be given that suits the heights.
+    pub(crate) fn posed_for(&self, height: Field) -> Result<Self, SurfaceError> {
+        let posed = self.with_heights(height)?;
+        let highest = posed.surface.heights().iter().fold(0.0, |most: f64, &h| most.max(h)) - posed.mean_height;
+        Ok(Self { highest, shift: 0.0, ..posed })
+    }
 }

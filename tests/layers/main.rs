@@ -23,6 +23,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("surface", 2),
     ("theory", 2),
     ("contact", 3),
+    ("adhesion", 4),
     ("diagnosis", 4),
     ("foreign", 4),
     ("history", 4),

@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+
+mod adhesion;
 mod creep;
 mod hardness;
 mod paper;

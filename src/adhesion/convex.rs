@@ -1,0 +1,245 @@
+//! The safe method: each step is a contact without adhesion, of other heights.
+
+use super::attraction::Attraction;
+use super::control::AdhesiveControl;
+use super::gap_energy::mean;
+use crate::chunks;
+use crate::contact::{Load, Observer, Problem, Solver, Status, Stop};
+use crate::elastic::Response;
+use crate::error::AdhesionError;
+use crate::surface::Field;
+
+/// Earlier tractions that an accelerated step combines.
+const DEPTH: usize = 6;
+
+/// Rounding of the energy, relative to its parts.
+const ROUNDING: f64 = 1e-11;
+
+/// The tolerance of the contact in a step: the square of this part of the last change of the traction, within bounds.
+const PART: f64 = 0.03;
+const FINEST: f64 = 1e-12;
+const COARSEST: f64 = 1e-7;
+
+/// A state on the way of the safe method.
+#[derive(Clone)]
+pub(super) struct ConvexState {
+    /// The contact pressure.
+    pub pressure: Vec<f64>,
+    /// The attraction that the step was solved with, a pressure.
+    pub traction: Vec<f64>,
+    pub displacement: Vec<f64>,
+    pub gap: Vec<f64>,
+    /// The datum of the gap: `g = u - h + d`.
+    pub datum: f64,
+    /// `1/2 <p u> + <V(g)>`, with `P d` added under a mean pressure.
+    pub energy: f64,
+    /// The largest change of the traction by its gap, over the strength.
+    pub change: f64,
+}
+
+/// How a search by convex steps ended.
+pub(super) enum ConvexEnd {
+    Found,
+    /// The attraction cannot hold the load any more.
+    Separated,
+    /// The steps were too many, or the contact of a step was not found.
+    Failed,
+    Stopped,
+}
+
+/// What convex steps need to know.
+pub(super) struct ConvexSteps<'a> {
+    pub problem: &'a Problem,
+    pub attraction: &'a Attraction,
+    pub control: AdhesiveControl,
+    pub solver: &'a dyn Solver,
+    pub stop: Stop,
+    /// Energies of the accepted states.
+    pub energies: Vec<f64>,
+    pub transforms: u64,
+    pub steps: usize,
+    response: Response,
+}
+
+impl<'a> ConvexSteps<'a> {
+    pub fn new(
+        problem: &'a Problem,
+        attraction: &'a Attraction,
+        control: AdhesiveControl,
+        solver: &'a dyn Solver,
+        stop: Stop,
+    ) -> Self {
+        let (energies, transforms, steps, response) = (Vec::new(), 0, 0, problem.response());
+        Self { problem, attraction, control, solver, stop, energies, transforms, steps, response }
+    }
+
+    /// Lowers the energy from a traction by convex steps until the traction changes by at most `tolerance` of the strength.
+    ///
+    /// `V` is concave, so the energy lies below its tangent: the contact with the attraction `sigma_k` held fast has less energy than the
+    /// last state, whatever its length. It is the contact without adhesion of the heights `h + A sigma_k` under the pressure `P + <sigma_k>`.
+    /// Anderson's method combines the last tractions; where its step does not lower the energy, the plain one is taken.
+    pub fn lower(
+        &mut self,
+        start: Vec<f64>,
+        pressed: Option<Field>,
+        (tolerance, steps): (f64, usize),
+        observer: &mut dyn Observer,
+    ) -> Result<(Option<ConvexState>, ConvexEnd), AdhesionError> {
+        let mut accepted: Option<ConvexState> = None;
+        let mut traction = start;
+        let mut pressed = pressed;
+        let mut memory: Vec<[Vec<f64>; 2]> = Vec::new();
+        let mut change = 1.0;
+        for _ in 0..steps {
+            self.steps += 1;
+            let (state, status) = match self.step(&traction, pressed.as_ref(), change, observer)? {
+                Some(found) => found,
+                // an accelerated traction may be too weak where the plain one is not
+                None if !memory.is_empty() => {
+                    traction = self.tractions(&accepted);
+                    memory.clear();
+                    continue;
+                }
+                None => return Ok((accepted, ConvexEnd::Separated)),
+            };
+            if status == Status::StoppedByObserver {
+                return Ok((accepted.or(Some(state)), ConvexEnd::Stopped));
+            }
+            let scale = ROUNDING * (state.energy.abs() + self.attraction.work());
+            let rises = accepted.as_ref().is_some_and(|last| state.energy > last.energy + scale);
+            if rises && memory.len() > 1 {
+                traction = self.tractions(&accepted);
+                memory.clear();
+                continue;
+            }
+            self.energies.push(state.energy);
+            change = state.change;
+            pressed = Some(field(self.problem, state.pressure.clone()));
+            let next: Vec<f64> = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
+            let is_found = change <= tolerance;
+            accepted = Some(state);
+            if is_found {
+                return Ok((accepted, ConvexEnd::Found));
+            }
+            let moved: Vec<f64> = next.iter().zip(&traction).map(|(to, from)| to - from).collect();
+            memory.push([traction, moved]);
+            if memory.len() > DEPTH {
+                memory.remove(0);
+            }
+            traction = self.combined(&memory);
+        }
+        Ok((accepted, ConvexEnd::Failed))
+    }
+
+    /// The tractions at the gap of an accepted state.
+    fn tractions(&self, accepted: &Option<ConvexState>) -> Vec<f64> {
+        let gap = accepted.as_ref().map_or(&[][..], |state| &state.gap);
+        gap.iter().map(|gap| self.attraction.traction(*gap)).collect()
+    }
+
+    /// The contact with a traction held fast; none if nothing carries the load.
+    fn step(
+        &mut self,
+        traction: &[f64],
+        pressed: Option<&Field>,
+        change: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<(ConvexState, Status)>, AdhesionError> {
+        let n = traction.len();
+        let mut lifted = vec![0.0; n];
+        self.response.displacement(traction, &mut lifted);
+        self.transforms += 2;
+        let height = self.problem.height();
+        let heights: Vec<f64> = height.iter().zip(&lifted).map(|(h, u)| h + u).collect();
+        let posed = self.problem.posed_for(field(self.problem, heights.clone()))?;
+        // a surface keeps its heights about their mean
+        let (middle, highest) = (mean(&heights), posed.highest());
+        let datum = match self.control {
+            AdhesiveControl::MeanPressure(_) => None,
+            AdhesiveControl::MeanGap(gap) => Some(gap - middle),
+            AdhesiveControl::Approach(approach) => Some(self.problem.highest() - approach - middle),
+        };
+        let load = match self.control {
+            AdhesiveControl::MeanPressure(pressure) => pressure + mean(traction),
+            AdhesiveControl::MeanGap(_) | AdhesiveControl::Approach(_) => f64::NAN,
+        };
+        let touches = datum.map_or(load > 0.0, |datum| highest > datum);
+        let (pressure, displaced, datum, status) = if touches {
+            let load = match (self.control, datum) {
+                (AdhesiveControl::Approach(_), Some(datum)) => Load::Approach(posed.highest() - datum),
+                (_, Some(datum)) => Load::MeanGap(datum),
+                (_, None) => Load::MeanPressure(load),
+            };
+            let posed = posed.with_load(load)?;
+            let tolerance = (PART * change).powi(2).clamp(FINEST, COARSEST);
+            let stop = Stop::new(tolerance, self.stop.max_iterations()).unwrap_or(self.stop);
+            let contact = self.solver.solve_from(pressed, &posed, &stop, observer)?;
+            self.transforms += contact.work.transforms;
+            let datum = contact.gap[[0, 0]] - contact.displacement[[0, 0]] + posed.height()[0];
+            let values = |field: Field| field.into_raw_vec_and_offset().0;
+            (values(contact.pressure), values(contact.displacement), datum + middle, contact.status)
+        } else {
+            let Some(datum) = datum else { return Ok(None) };
+            (vec![0.0; n], vec![0.0; n], datum + middle, Status::Converged)
+        };
+        let displacement: Vec<f64> = displaced.iter().zip(&lifted).map(|(u, lifted)| u - lifted).collect();
+        let gap: Vec<f64> = displacement.iter().zip(height).map(|(u, h)| (u - h + datum).max(0.0)).collect();
+        let (strength, attraction) = (self.attraction.strength(), self.attraction);
+        let change = (0..n).map(|i| (attraction.traction(gap[i]) - traction[i]).abs()).fold(0.0, f64::max) / strength;
+        let work = |i: usize| 0.5 * (pressure[i] - traction[i]) * displacement[i] + attraction.energy(gap[i]);
+        let mut energy = chunks::sum(n, work) / n as f64;
+        if let AdhesiveControl::MeanPressure(load) = self.control {
+            energy += load * datum;
+        }
+        let traction = traction.to_vec();
+        Ok(Some((ConvexState { pressure, traction, displacement, gap, datum, energy, change }, status)))
+    }
+
+    /// The next traction by Anderson's method: the combination of the last ones whose changes are least, and its change added.
+    fn combined(&self, memory: &[[Vec<f64>; 2]]) -> Vec<f64> {
+        let Some(([last, moved], earlier)) = memory.split_last() else { return Vec::new() };
+        let weights = least_squares(moved, earlier);
+        let at = |i: usize| {
+            let corrections =
+                earlier.iter().zip(&weights).map(|([x, r], weight)| weight * ((x[i] + r[i]) - (last[i] + moved[i])));
+            (last[i] + moved[i] + corrections.sum::<f64>()).clamp(0.0, self.attraction.strength())
+        };
+        (0..last.len()).map(at).collect()
+    }
+}
+
+/// The weights `c` with the least `|r + sum c_j (r_j - r)|`, by the normal equations with a little damping.
+fn least_squares(moved: &[f64], earlier: &[[Vec<f64>; 2]]) -> Vec<f64> {
+    let size = earlier.len();
+    let difference = |j: usize, i: usize| earlier[j][1][i] - moved[i];
+    let product = |a: usize, b: usize| chunks::sum(moved.len(), |i| difference(a, i) * difference(b, i));
+    let mut rows: Vec<Vec<f64>> = (0..size)
+        .map(|a| {
+            let right = -chunks::sum(moved.len(), |i| difference(a, i) * moved[i]);
+            (0..size).map(|b| product(a, b)).chain([right]).collect()
+        })
+        .collect();
+    let largest = (0..size).map(|a| rows[a][a]).fold(0.0, f64::max);
+    (0..size).for_each(|a| rows[a][a] += 1e-12 * largest);
+    // elimination without exchange of rows: the matrix is symmetric and positive
+    for a in 0..size {
+        let pivot = rows[a].clone();
+        for row in rows.iter_mut().skip(a + 1) {
+            let factor = row[a] / pivot[a];
+            if factor.is_finite() {
+                row.iter_mut().zip(&pivot).skip(a).for_each(|(value, pivot)| *value -= factor * pivot);
+            }
+        }
+    }
+    let mut weights = vec![0.0; size];
+    for a in (0..size).rev() {
+        let rest: f64 = (a + 1..size).map(|b| rows[a][b] * weights[b]).sum();
+        let weight = (rows[a][size] - rest) / rows[a][a];
+        weights[a] = if weight.is_finite() { weight } else { 0.0 };
+    }
+    weights
+}
+
+fn field(problem: &Problem, values: Vec<f64>) -> Field {
+    Field::from_shape_vec(problem.surface().grid().shape(), values).expect("one value per node")
+}

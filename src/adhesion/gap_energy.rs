@@ -1,0 +1,172 @@
+//! The energy of a contact with adhesion as a function of the gap.
+
+use super::attraction::Attraction;
+use super::control::AdhesiveControl;
+use crate::chunks;
+use crate::contact::Problem;
+use crate::elastic::Response;
+
+/// The energy of a gap `g >= 0` on a periodic grid, per area:
+///
+/// `E(g) = 1/2 <u K u> + <V(g)> + P <g>`, with `u = g + h - d` and the stiffness `K`, the inverse of the compliance.
+///
+/// Under a mean pressure `P` and at a mean gap, `K` of the mean is zero, and `d` does not matter; at a mean gap there is no `P`, and the
+/// mean of `g` is given. At an approach, `d` is given and `K` of the mean is the stiffness of the solid under a uniform pressure.
+pub(super) struct GapEnergy<'a> {
+    pub attraction: &'a Attraction,
+    pub control: AdhesiveControl,
+    pub height: &'a [f64],
+    response: Response,
+    /// Stiffness of the mean, a pressure per length.
+    uniform: f64,
+    /// The datum at a given approach.
+    datum: f64,
+}
+
+/// A gap with what belongs to it.
+#[derive(Clone)]
+pub(super) struct GapState {
+    pub gap: Vec<f64>,
+    /// `K u`.
+    pub force: Vec<f64>,
+    /// The gradient `K u + sigma(g) + P`, at a mean gap with the multiplier of it in place of `P`: the contact pressure where the surfaces touch, and zero elsewhere at a solution.
+    pub gradient: Vec<f64>,
+}
+
+impl<'a> GapEnergy<'a> {
+    pub fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl) -> Self {
+        let uniform = match control {
+            AdhesiveControl::Approach(_) => problem.solid().uniform_compliance().map_or(0.0, f64::recip),
+            _ => 0.0,
+        };
+        let datum = if let AdhesiveControl::Approach(approach) = control { problem.highest() - approach } else { 0.0 };
+        Self { attraction, control, height: problem.height(), response: problem.response(), uniform, datum }
+    }
+
+    /// Transforms so far.
+    pub fn transforms(&self) -> u64 {
+        self.response.transforms()
+    }
+
+    /// The softest stiffness of a wave, a pressure per length.
+    pub fn softest(&self) -> f64 {
+        self.response.softest_stiffness()
+    }
+
+    /// Whether the mean of the gap is given.
+    pub fn keeps_mean(&self) -> bool {
+        matches!(self.control, AdhesiveControl::MeanGap(_))
+    }
+
+    /// `K x`: two transforms.
+    pub fn stiffness(&mut self, x: &[f64], result: &mut [f64]) {
+        self.response.pressure(x, result);
+        if self.uniform > 0.0 {
+            let mean = self.uniform * mean(x);
+            result.iter_mut().for_each(|value| *value += mean);
+        }
+    }
+
+    /// An approximate inverse of `K` between open nodes: the compliance, and `1/k_min` for the mean where the solid has none.
+    pub fn precondition(&mut self, x: &[f64], result: &mut [f64]) {
+        self.response.displacement(x, result);
+        if self.uniform == 0.0 && !self.keeps_mean() {
+            let mean = mean(x) / self.softest();
+            result.iter_mut().for_each(|value| *value += mean);
+        }
+    }
+
+    /// The state of a gap that is not negative; at a mean gap it must have this mean.
+    pub fn state(&mut self, gap: Vec<f64>) -> GapState {
+        let displacement: Vec<f64> = gap.iter().zip(self.height).map(|(g, h)| g + h - self.datum).collect();
+        let mut force = vec![0.0; gap.len()];
+        self.stiffness(&displacement, &mut force);
+        self.with_force(gap, force)
+    }
+
+    /// The state of a gap whose `K u` is known.
+    pub fn with_force(&self, gap: Vec<f64>, force: Vec<f64>) -> GapState {
+        let pulled: Vec<f64> = force.iter().zip(&gap).map(|(f, g)| f + self.attraction.traction(*g)).collect();
+        let mean_pressure = match self.control {
+            AdhesiveControl::MeanPressure(pressure) => pressure,
+            AdhesiveControl::Approach(_) => 0.0,
+            AdhesiveControl::MeanGap(_) => multiplier(&gap, &pulled),
+        };
+        let gradient = pulled.into_iter().map(|value| value + mean_pressure).collect();
+        GapState { gap, force, gradient }
+    }
+
+    /// The change of the energy from a state by a change of its gap with its `K dg`: `<r dg> + 1/2 <dg K dg>` and what the attraction adds
+    /// beyond its traction. At a mean gap the changes must have the sum zero.
+    pub fn change(&self, from: &GapState, by: &[f64], stiff: &[f64]) -> f64 {
+        chunks::sum(by.len(), |i| match by[i] {
+            0.0 => 0.0,
+            by => by * (from.gradient[i] + 0.5 * stiff[i]) + self.attraction.excess(from.gap[i], by),
+        }) / by.len() as f64
+    }
+
+    /// The elastic energy and that of the attraction, per area.
+    pub fn parts(&self, state: &GapState) -> [f64; 2] {
+        let n = state.gap.len();
+        let elastic =
+            chunks::sum(n, |i| 0.5 * state.force[i] * (state.gap[i] + self.height[i] - self.datum)) / n as f64;
+        [elastic, chunks::sum(n, |i| self.attraction.energy(state.gap[i])) / n as f64]
+    }
+
+    /// Moves a gap to the nearest one that is not negative and has the given mean, if one is given.
+    pub fn carry(&self, gap: &mut [f64]) {
+        if let AdhesiveControl::MeanGap(goal) = self.control {
+            // the mean of max(g + c, 0) is convex in c, and so Newton's method from below is monotone after its first step
+            let mut shift = 0.0;
+            for _ in 0..100 {
+                let (mut sum, mut open) = (0.0, 0usize);
+                for value in gap.iter().map(|g| g + shift).filter(|value| *value > 0.0) {
+                    (sum, open) = (sum + value, open + 1);
+                }
+                let missing = goal * gap.len() as f64 - sum;
+                if open == 0 {
+                    shift = goal - gap.iter().fold(f64::NEG_INFINITY, |most, g| most.max(*g));
+                    continue;
+                }
+                shift += missing / open as f64;
+                if missing.abs() <= 1e-15 * goal * gap.len() as f64 {
+                    break;
+                }
+            }
+            gap.iter_mut().for_each(|g| *g += shift);
+        }
+        gap.iter_mut().for_each(|g| *g = g.max(0.0));
+    }
+}
+
+impl GapState {
+    /// Whether a node touches: its gap is zero, and the surfaces press there.
+    pub fn touches(&self, i: usize) -> bool {
+        self.gap[i] <= 0.0 && self.gradient[i] >= 0.0
+    }
+
+    /// The largest violation of the conditions of equilibrium, a pressure: of the gradient where the surfaces do not touch.
+    pub fn violation(&self) -> f64 {
+        let open = (0..self.gap.len()).filter(|&i| !self.touches(i));
+        open.map(|i| self.gradient[i].abs()).fold(0.0, f64::max)
+    }
+}
+
+/// The multiplier of a given mean gap: minus the mean of `K u + sigma` where the surfaces do not touch. Nodes that touch and would not be
+/// pressed count as open.
+fn multiplier(gap: &[f64], pulled: &[f64]) -> f64 {
+    let mean_of = |is_open: &dyn Fn(usize) -> bool| {
+        let (mut sum, mut count) = (0.0, 0usize);
+        for i in (0..gap.len()).filter(|&i| is_open(i)) {
+            (sum, count) = (sum + pulled[i], count + 1);
+        }
+        (count > 0).then(|| -sum / count as f64)
+    };
+    let first = mean_of(&|i| gap[i] > 0.0).unwrap_or(0.0);
+    mean_of(&|i| gap[i] > 0.0 || pulled[i] + first < 0.0).unwrap_or(first)
+}
+
+/// The mean of values.
+pub(super) fn mean(x: &[f64]) -> f64 {
+    chunks::sum(x.len(), |i| x[i]) / x.len() as f64
+}

@@ -1,0 +1,198 @@
+//! The fast method: projected Newton steps in the gap, by conjugate gradients.
+
+use super::gap_energy::{GapEnergy, GapState};
+use crate::chunks;
+
+/// Most conjugate gradient iterations in one step.
+const INNER: usize = 60;
+
+/// Part of the fall that the slope promises, from which a step counts.
+const ENOUGH: f64 = 1e-4;
+
+/// Halvings of a step before it has failed.
+const HALVINGS: usize = 25;
+
+/// Steps after which `K u` is computed anew, so that rounding does not add up.
+const REFRESH: usize = 5;
+
+/// Most ranges of the attraction by which a node within its reach moves in one step, so that a step does not leap over a barrier.
+const LONGEST_STEP: f64 = 4.0;
+
+/// How a search in the gap ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum GapEnd {
+    /// The conditions hold to the tolerance.
+    Found,
+    /// No step lowers the energy, or there were too many.
+    Failed,
+    /// Nothing touches, and the load pulls more than the attraction: the surfaces part for good.
+    Separated,
+    /// The observer stopped it.
+    Stopped,
+}
+
+/// Lowers the energy of a state until the largest violation of equilibrium is at most `tolerance` times the strength, or for some steps.
+/// `watch` sees each state, and whether to go on.
+///
+/// A step solves `(K + V'') dg = -r` on the nodes that do not touch by conjugate gradients with the compliance as a preconditioner. They end at
+/// the first direction of negative curvature. Then the step is shortened until the energy falls.
+pub(super) fn lower(
+    energy: &mut GapEnergy<'_>,
+    state: &mut GapState,
+    (tolerance, steps): (f64, usize),
+    watch: &mut dyn FnMut(&GapState, usize, u64) -> bool,
+) -> (GapEnd, usize) {
+    let strength = energy.attraction.strength();
+    for step in 0..=steps {
+        let violation = state.violation() / strength;
+        if std::env::var("DBG").is_ok() {
+            eprintln!(
+                "step {step} violation {violation:e} T {} touch {}",
+                energy.transforms(),
+                (0..state.gap.len()).filter(|&i| state.touches(i)).count()
+            );
+        }
+        if !watch(state, step, energy.transforms()) {
+            return (GapEnd::Stopped, step);
+        }
+        if has_separated(energy, state) {
+            return (GapEnd::Separated, step);
+        }
+        if violation <= tolerance {
+            // what was updated step by step is computed once more before it counts
+            *state = energy.state(std::mem::take(&mut state.gap));
+            if state.violation() / strength <= tolerance {
+                return (GapEnd::Found, step);
+            }
+        }
+        if step == steps {
+            break;
+        }
+        let direction = newton_direction(energy, state, violation);
+        if !take_step(energy, state, direction) {
+            return (GapEnd::Failed, step);
+        }
+        if step % REFRESH == REFRESH - 1 {
+            *state = energy.state(std::mem::take(&mut state.gap));
+        }
+    }
+    (GapEnd::Failed, steps)
+}
+
+/// Whether nothing touches, and parting lowers the energy: the traction only falls with the gap, so it does so for good.
+fn has_separated(energy: &GapEnergy<'_>, state: &GapState) -> bool {
+    let super::AdhesiveControl::MeanPressure(pressure) = energy.control else { return false };
+    let n = state.gap.len();
+    (0..n).all(|i| state.gap[i] > 0.0)
+        && pressure + chunks::sum(n, |i| energy.attraction.traction(state.gap[i])) / (n as f64) < 0.0
+}
+
+/// The Newton step on the open nodes, zero where the surfaces touch.
+fn newton_direction(energy: &mut GapEnergy<'_>, state: &GapState, violation: f64) -> Vec<f64> {
+    let n = state.gap.len();
+    let open = OpenNodes::new(energy, state);
+    let mut step = vec![0.0; n];
+    let mut residual: Vec<f64> = (0..n).map(|i| -state.gradient[i]).collect();
+    open.project(&mut residual);
+    let goal = violation.sqrt().min(0.1) * norm(&residual);
+    let (mut better, mut direction, mut image) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+    let mut before = 0.0;
+    for inner in 0..INNER {
+        energy.precondition(&residual, &mut better);
+        open.project(&mut better);
+        let square = dot(&residual, &better);
+        if !(square > 0.0) {
+            break;
+        }
+        let factor = if inner == 0 { 0.0 } else { square / before };
+        direction.iter_mut().zip(&better).for_each(|(d, z)| *d = z + factor * *d);
+        open.curved(energy, state, &direction, &mut image);
+        let curvature = dot(&direction, &image);
+        if !(curvature > 0.0) {
+            if inner == 0 {
+                step.copy_from_slice(&direction);
+            }
+            break;
+        }
+        let length = square / curvature;
+        step.iter_mut().zip(&direction).for_each(|(s, d)| *s += length * d);
+        residual.iter_mut().zip(&image).for_each(|(r, a)| *r -= length * a);
+        before = square;
+        if norm(&residual) <= goal {
+            break;
+        }
+    }
+    step
+}
+
+/// Moves along a direction as far as the energy falls; false where it does not.
+fn take_step(energy: &mut GapEnergy<'_>, state: &mut GapState, direction: Vec<f64>) -> bool {
+    let n = direction.len();
+    let reach = LONGEST_STEP * energy.attraction.range();
+    let near = (0..n).filter(|&i| state.gap[i] < reach).map(|i| direction[i].abs()).fold(0.0, f64::max);
+    let mut length = if near > reach { reach / near } else { 1.0 };
+    let mut stiff = vec![0.0; n];
+    let noise = 1e-15 * energy.attraction.work();
+    for _ in 0..HALVINGS {
+        let mut gap: Vec<f64> = state.gap.iter().zip(&direction).map(|(g, d)| g + length * d).collect();
+        energy.carry(&mut gap);
+        let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
+        energy.stiffness(&by, &mut stiff);
+        let change = energy.change(state, &by, &stiff);
+        let slope = (chunks::sum(n, |i| state.gradient[i] * by[i]) / n as f64).min(0.0);
+        if std::env::var("DBG").is_ok() {
+            eprintln!("   length {length:e} change {change:e} slope {slope:e} noise {noise:e} near {near:e}");
+        }
+        if change <= ENOUGH * slope || change.abs() <= noise {
+            let force = state.force.iter().zip(&stiff).map(|(f, k)| f + k).collect();
+            *state = energy.with_force(gap, force);
+            return true;
+        }
+        length *= 0.5;
+    }
+    false
+}
+
+/// The nodes that do not touch. Where the mean gap is given, changes of the gap have the sum zero.
+pub(super) struct OpenNodes {
+    is_open: Vec<bool>,
+    count: usize,
+    keeps_mean: bool,
+}
+
+impl OpenNodes {
+    pub fn new(energy: &GapEnergy<'_>, state: &GapState) -> Self {
+        let is_open: Vec<bool> = (0..state.gap.len()).map(|i| !state.touches(i)).collect();
+        let count = is_open.iter().filter(|it| **it).count();
+        Self { is_open, count, keeps_mean: energy.keeps_mean() }
+    }
+
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Sets closed nodes to zero, and takes the mean of the open ones off where it is kept.
+    pub fn project(&self, x: &mut [f64]) {
+        let off = match self.keeps_mean && self.count > 0 {
+            true => chunks::sum(x.len(), |i| if self.is_open[i] { x[i] } else { 0.0 }) / self.count as f64,
+            false => 0.0,
+        };
+        x.iter_mut().zip(&self.is_open).for_each(|(x, open)| *x = if *open { *x - off } else { 0.0 });
+    }
+
+    /// `(K + V'') x` on the open nodes.
+    pub fn curved(&self, energy: &mut GapEnergy<'_>, state: &GapState, x: &[f64], result: &mut [f64]) {
+        energy.stiffness(x, result);
+        let nodes = result.iter_mut().zip(x).zip(&state.gap);
+        nodes.for_each(|((result, x), gap)| *result += energy.attraction.slope(*gap) * x);
+        self.project(result);
+    }
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    chunks::sum(a.len(), |i| a[i] * b[i])
+}
+
+pub(super) fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}

@@ -1,0 +1,65 @@
+//! A state of a contact with adhesion.
+
+use super::control::AdhesiveControl;
+use crate::contact::{Contact, ResultClaim, Work};
+use crate::surface::Field;
+
+/// A state of a contact with adhesion.
+///
+/// | field                  | shape      | unit     | meaning                                                   |
+/// |------------------------|------------|----------|-----------------------------------------------------------|
+/// | `contact.pressure`     | `(ny, nx)` | pressure | `p_c >= 0`, where the surfaces touch                      |
+/// | `traction`             | `(ny, nx)` | pressure | `sigma(g) >= 0`, by which the surfaces attract each other |
+/// | `contact.displacement` | `(ny, nx)` | length   | `A (p_c - sigma)`, into the solid                         |
+/// | `contact.gap`          | `(ny, nx)` | length   | `g >= 0`                                                  |
+///
+/// The certificate of `contact` is that of a contact without adhesion and says nothing here; [`AdhesiveState::residual`] and
+/// [`AdhesiveState::claim`] do. Its area counts the nodes that touch: edges are not resolved.
+#[derive(Debug, Clone)]
+pub struct AdhesiveState {
+    /// What was prescribed.
+    pub control: AdhesiveControl,
+    /// The fields of the contact, on the surface of the problem.
+    pub contact: Contact,
+    /// The attraction.
+    pub traction: Field,
+    /// The mean pressure `P = <p_c> - <sigma>`, negative where the surfaces are pulled apart.
+    pub mean_pressure: f64,
+    /// The datum `d` of the gap `u - h + d`.
+    pub datum: f64,
+    /// The elastic energy and that of the attraction, per area; without the load.
+    pub energy: f64,
+    /// The largest violation of equilibrium at a node over the strength of the attraction.
+    pub residual: f64,
+    /// The least curvature of the energy over that of the softest wave of the solid: where it is positive, the state is stable. It is
+    /// none on free boundaries, where it is not computed, and where all nodes touch.
+    pub least_curvature: Option<f64>,
+    /// What is claimed of the state.
+    pub claim: ResultClaim,
+    /// The method that found it.
+    pub method: &'static str,
+    /// Steps of the method.
+    pub steps: usize,
+    /// Work done.
+    pub work: Work,
+}
+
+impl AdhesiveState {
+    /// The share of nodes that touch.
+    pub fn relative_area(&self) -> f64 {
+        self.contact.counted().relative_area
+    }
+
+    /// The mean gap, a length.
+    pub fn mean_gap(&self) -> f64 {
+        self.contact.mean_gap()
+    }
+
+    /// The energy with that of the load, per area, which a step under this control lowers: `P d` is added under a mean pressure.
+    pub fn potential(&self) -> f64 {
+        match self.control {
+            AdhesiveControl::MeanPressure(pressure) => self.energy + pressure * self.datum,
+            _ => self.energy,
+        }
+    }
+}
