@@ -113,27 +113,31 @@ impl<'a> GapEnergy<'a> {
         [elastic, chunks::sum(n, |i| self.attraction.energy(state.gap[i])) / n as f64]
     }
 
-    /// Moves a gap to the nearest one that is not negative and has the given mean, if one is given.
-    pub fn carry(&self, gap: &mut [f64]) {
+    /// Moves a gap to the nearest one that is not negative and has the given mean, if one is given. Only nodes for which `may_move` holds are
+    /// shifted, so that nodes in contact stay there.
+    pub fn carry(&self, gap: &mut [f64], may_move: impl Fn(usize) -> bool) {
         if let AdhesiveControl::MeanGap(goal) = self.control {
-            // the mean of max(g + c, 0) is convex in c, and so Newton's method from below is monotone after its first step
+            let goal = goal * gap.len() as f64;
+            // the sum of max(g + c, 0) is convex in c, and so Newton's method is monotone after its first step
             let mut shift = 0.0;
             for _ in 0..100 {
                 let (mut sum, mut open) = (0.0, 0usize);
-                for value in gap.iter().map(|g| g + shift).filter(|value| *value > 0.0) {
-                    (sum, open) = (sum + value, open + 1);
+                let (mut highest, mut movable) = (f64::NEG_INFINITY, 0usize);
+                for (i, g) in gap.iter().enumerate() {
+                    let is_movable = may_move(i);
+                    let value = if is_movable { g + shift } else { *g };
+                    sum += value.max(0.0);
+                    open += usize::from(is_movable && value > 0.0);
+                    movable += usize::from(is_movable);
+                    highest = if is_movable { highest.max(*g) } else { highest };
                 }
-                let missing = goal * gap.len() as f64 - sum;
-                if open == 0 {
-                    shift = goal - gap.iter().fold(f64::NEG_INFINITY, |most, g| most.max(*g));
-                    continue;
-                }
-                shift += missing / open as f64;
-                if missing.abs() <= 1e-15 * goal * gap.len() as f64 {
+                let missing = goal - sum;
+                if movable == 0 || missing.abs() <= 1e-15 * goal {
                     break;
                 }
+                shift = if open > 0 { shift + missing / open as f64 } else { goal / movable as f64 - highest };
             }
-            gap.iter_mut().for_each(|g| *g += shift);
+            gap.iter_mut().enumerate().filter(|(i, _)| may_move(*i)).for_each(|(_, g)| *g += shift);
         }
         gap.iter_mut().for_each(|g| *g = g.max(0.0));
     }

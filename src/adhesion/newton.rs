@@ -45,13 +45,6 @@ pub(super) fn lower(
     let strength = energy.attraction.strength();
     for step in 0..=steps {
         let violation = state.violation() / strength;
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "step {step} violation {violation:e} T {} touch {}",
-                energy.transforms(),
-                (0..state.gap.len()).filter(|&i| state.touches(i)).count()
-            );
-        }
         if !watch(state, step, energy.transforms()) {
             return (GapEnd::Stopped, step);
         }
@@ -135,14 +128,11 @@ fn take_step(energy: &mut GapEnergy<'_>, state: &mut GapState, direction: Vec<f6
     let noise = 1e-15 * energy.attraction.work();
     for _ in 0..HALVINGS {
         let mut gap: Vec<f64> = state.gap.iter().zip(&direction).map(|(g, d)| g + length * d).collect();
-        energy.carry(&mut gap);
+        energy.carry(&mut gap, |i| !state.touches(i));
         let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
         energy.stiffness(&by, &mut stiff);
         let change = energy.change(state, &by, &stiff);
         let slope = (chunks::sum(n, |i| state.gradient[i] * by[i]) / n as f64).min(0.0);
-        if std::env::var("DBG").is_ok() {
-            eprintln!("   length {length:e} change {change:e} slope {slope:e} noise {noise:e} near {near:e}");
-        }
         if change <= ENOUGH * slope || change.abs() <= noise {
             let force = state.force.iter().zip(&stiff).map(|(f, k)| f + k).collect();
             *state = energy.with_force(gap, force);

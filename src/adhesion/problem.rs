@@ -257,7 +257,7 @@ impl Search<'_> {
     fn fast(mut self, gap: Vec<f64>, observer: &mut dyn Observer) -> Result<AdhesiveOutcome, AdhesionError> {
         let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
         let mut gap = gap;
-        energy.carry(&mut gap);
+        energy.carry(&mut gap, |_| true);
         let mut state = energy.state(gap);
         let mut steps = 0;
         for _ in 0..SEARCHES {
@@ -295,7 +295,7 @@ impl Search<'_> {
                         (_, ConvexEnd::Stopped) => return Err(AdhesionError::Stopped),
                         (Some(found), _) => {
                             let mut gap = found.gap;
-                            energy.carry(&mut gap);
+                            energy.carry(&mut gap, |_| true);
                             state = energy.state(gap);
                         }
                         (None, _) => break,
@@ -349,7 +349,7 @@ impl Search<'_> {
         if self.problem.surface().grid().is_periodic() {
             let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
             let mut gap = found.gap;
-            energy.carry(&mut gap);
+            energy.carry(&mut gap, |_| true);
             let state = energy.state(gap);
             let least = least_curvature(&mut energy, &state);
             return self.state(energy, state, least, ("safe", steps));
@@ -463,7 +463,7 @@ fn leave_saddle(energy: &mut GapEnergy<'_>, state: &mut GapState, least: &LeastC
     for sign in [1.0, -1.0] {
         let length = sign * NUDGE * energy.attraction.range() / largest;
         let mut gap: Vec<f64> = state.gap.iter().zip(&least.vector).map(|(g, x)| g + length * x).collect();
-        energy.carry(&mut gap);
+        energy.carry(&mut gap, |i| !state.touches(i));
         let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
         let mut stiff = vec![0.0; by.len()];
         energy.stiffness(&by, &mut stiff);

@@ -46,6 +46,9 @@ pub enum ResultClaim {
     /// A state with adhesion that is in equilibrium; its stability is not known.
     #[strum(message = "stationary: in equilibrium; its stability is not known")]
     Stationary,
+    /// The attraction does not hold the load, and the surfaces have parted.
+    #[strum(message = "separated: the attraction does not hold this load, and the surfaces have parted")]
+    Separated,
 }
 
 impl ResultClaim {

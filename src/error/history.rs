@@ -1,6 +1,6 @@
 //! Contacts with friction, and histories of contacts, that cannot be solved.
 
-use super::{CreepError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
+use super::{AdhesionError, CreepError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
 
 /// A tangential load that cannot be carried or solved.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -56,6 +56,8 @@ pub enum HistoryError {
     Creep(#[from] CreepError),
     #[error(transparent)]
     Motion(#[from] MotionError),
+    #[error(transparent)]
+    Adhesion(#[from] AdhesionError),
     /// An observer stopped the history.
     #[error("the history was stopped")]
     Stopped,

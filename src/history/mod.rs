@@ -5,6 +5,7 @@
 //! | [`Creep`]       | a contact with other heights, under a load that is larger by a factor | what a viscoelastic solid remembers |
 //! | [`SlipHistory`] | a normal contact, then a traction below `mu p`                  | the traction                   |
 //! | [`Sliding`]     | a contact that slides steadily over a viscoelastic solid        | nothing: one state for each speed |
+//! | [`AdhesiveProcess`] | a contact with an attraction, from the last state      | the state                      |
 //! | [`Rolling`]     | a line that rolls steadily, with friction                       | nothing: one state for each creepage or load |
 //!
 //! A [`Process`] makes the states of any of them along its path, as [`HistoryState`]s: tables, recordings and pictures know these.
@@ -12,6 +13,7 @@
 //! One picture holds for all processes that move. The rough surface lies above the solid and moves towards `+x` over it. The fields move with the
 //! surface. So new material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
+mod adhesive;
 mod archive;
 mod creep;
 mod creep_path;
@@ -34,6 +36,7 @@ mod slip_state;
 mod slip_traction;
 mod slip_vector;
 
+pub use adhesive::AdhesiveProcess;
 pub use archive::archive_of_history;
 pub use creep::Creep;
 pub use creep_path::CreepPath;

@@ -103,6 +103,16 @@ pub struct HistoryNumbers {
     pub history_bound: Option<f64>,
     /// Certificate of the traction.
     pub traction_certificate: Option<f64>,
+    /// Mean of the contact pressure less that of the attraction, with adhesion.
+    pub net_pressure: Option<f64>,
+    /// Mean of the attraction, a pressure.
+    pub attraction: Option<f64>,
+    /// Energy lost in the jump that ends with this state, per area of the cell.
+    pub jump: Option<f64>,
+    /// The largest violation of equilibrium at a node, over the strength of the attraction.
+    pub residual: Option<f64>,
+    /// The least curvature of the energy over that of the softest wave of the solid; positive where the state is stable.
+    pub least_curvature: Option<f64>,
 }
 
 impl HistoryField {
@@ -128,6 +138,12 @@ impl HistoryField {
     pub fn slip_across(values: Field) -> Self {
         let (title, symbol) = ("Slip of the solid along y", "slip_y / h_rms");
         Self { name: "slip_across", title, symbol, is_pressure: false, values }
+    }
+
+    /// The traction by which the surfaces attract each other.
+    pub fn attraction(values: Field) -> Self {
+        let (title, symbol) = ("Attraction between the surfaces", "σ / E*");
+        Self { name: "attraction", title, symbol, is_pressure: true, values }
     }
 
     /// What a solid that creeps remembers, as the pressure that would cause the same displacement of the glassy solid.

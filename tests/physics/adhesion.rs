@@ -51,3 +51,59 @@ fn a_sine_follows_johnson() {
         }
     }
 }
+
+#[test]
+fn explore_loop() {
+    use asperity::history::{AdhesiveProcess, PathPoint, Process};
+    let problem = sine(1024, 0.2, 0.05);
+    let point = |load| PathPoint { time: None, load, tangential: None };
+    for path in [
+        vec![point(Load::MeanGap(1.6)), point(Load::MeanGap(0.4)), point(Load::MeanGap(1.6))],
+        vec![point(Load::MeanPressure(0.0)), point(Load::MeanPressure(0.3)), point(Load::MeanPressure(-0.1))],
+    ] {
+        let mut process = AdhesiveProcess::new(problem.clone(), path, 20, AdhesiveMethod::Fast, Stop::default());
+        process
+            .run(&mut (), &mut |state| {
+                let n = state.numbers;
+                println!(
+                    "p {:?} gap {:.5} area {:.4} jump {:?} lost {:.5} work {:.5} stored {:.5} {:?} T {} {:?}",
+                    n.net_pressure, state.contact.mean_gap(), n.relative_area.unwrap(), n.jump, n.dissipated.unwrap(), n.work_done.unwrap(),
+                    n.stored.unwrap(), state.claim, state.work.transforms, state.point
+                );
+                Ok(())
+            })
+            .unwrap();
+    }
+}
+
+#[test]
+fn explore_sphere() {
+    let (radius, work, modulus) = (1.0, 0.05, 10.0);
+    for (points, lambda, size) in [(64, 0.5, 3.0), (96, 1.0, 3.0)] {
+        let stiff = 4.0 / 3.0 * modulus;
+        let sigma: f64 = lambda / 2.0 * (PI * work * stiff * stiff / radius).cbrt();
+        let unit = (PI * work * radius * radius / stiff).cbrt();
+        let grid = Grid::surface([points, points], [size * unit * 2.0, size * unit * 2.0]).unwrap().with_periodic([false; 2]);
+        let surface = Indenter::Sphere { radius }.surface(grid).unwrap();
+        let area = grid.area();
+        let problem = Problem::new(surface, ContactModulus(modulus), Load::Force(1.0)).unwrap();
+        for form in [AttractionForm::Dugdale, AttractionForm::Exponential] {
+        let attraction = Attraction::new(form, work, work / sigma).unwrap();
+        let problem = AdhesiveProblem::new(problem.clone(), attraction).unwrap();
+        println!("{:?}", problem.scales());
+        let mut last: Option<AdhesiveState> = None;
+        for f in [0.0, -0.5, -1.0, -1.3, -1.4, -1.5, -1.55, -1.6, -1.65, -1.7, -1.75, -1.8] {
+            let control = AdhesiveControl::MeanPressure(f * PI * work * radius / area);
+            let start = std::time::Instant::now();
+            match problem.solve(control, last.as_ref(), AdhesiveMethod::Fast, &Stop::default(), &mut ()) {
+                Ok(AdhesiveOutcome::State(found)) => {
+                    let a = (found.relative_area() * area / PI).sqrt() / unit;
+                    println!("{f} a {a:.4} {} {} {:?} {:.1e} {} {:?}", found.steps, found.method, found.claim, found.residual, found.work.transforms, start.elapsed());
+                    last = Some(found);
+                }
+                other => { println!("{f} {:?}", other.map(|_| "separated")); break; }
+            }
+        }
+        }
+    }
+}

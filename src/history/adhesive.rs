@@ -1,0 +1,276 @@
+//! The process of adhesion along a path of loads, with its jumps.
+
+use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
+use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, AdhesiveState};
+use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, Status, Stop, Work};
+use crate::error::{AdhesionError, HistoryError};
+use crate::surface::Field;
+
+/// The part of a step of the path below which a step is not halved again.
+const FINEST: f64 = 1e-3;
+
+/// Energy over the work of adhesion that a step may lose before it is halved, as the part of the area of the cell.
+const JUMP: f64 = 2e-3;
+
+/// Ranges of the attraction at which surfaces that have parted are drawn, where the attraction has no cut-off.
+const APART: f64 = 30.0;
+
+/// The process of adhesion: a number of equal steps from one point of its path to the next.
+///
+/// Each step starts from the last state, moved rigidly. With the energy `E = 1/2 <p u> + <V>`, the mean pressure `P` and the datum `d` of the
+/// gap, a step from state 0 to state 1 loses the energy
+///
+/// `E_0 - E_1 - (P_0 + P_1)(d_1 - d_0)/2`.
+///
+/// Without a jump this is an error of third order in the step. A step that loses more is halved until it is short: what it loses then is
+/// a jump, with a state before it and one after it. Under a mean pressure the surfaces may part; the energy of the last state is released then.
+pub struct AdhesiveProcess {
+    problem: AdhesiveProblem,
+    path: Vec<PathPoint>,
+    steps: usize,
+    method: AdhesiveMethod,
+    stop: Stop,
+}
+
+/// What a history with adhesion adds up, per area of the cell.
+#[derive(Debug, Clone, Copy, Default)]
+struct Ledger {
+    /// Energy lost in jumps.
+    lost: f64,
+    /// Work of the load.
+    work: f64,
+}
+
+/// A place on the path.
+#[derive(Clone)]
+enum Place {
+    State(Box<AdhesiveState>),
+    /// The surfaces have parted.
+    Apart,
+}
+
+/// A place that is told.
+struct Visit {
+    place: Place,
+    control: AdhesiveControl,
+    ledger: Ledger,
+    /// The energy lost in the jump that ends here.
+    jump: Option<f64>,
+    work: Work,
+}
+
+impl AdhesiveProcess {
+    /// The process of a problem along a path of mean pressures (of any sign), mean gaps or approaches.
+    pub fn new(
+        problem: AdhesiveProblem,
+        path: Vec<PathPoint>,
+        steps: usize,
+        method: AdhesiveMethod,
+        stop: Stop,
+    ) -> Self {
+        Self { problem, path, steps: steps.max(1), method, stop }
+    }
+
+    /// What a load of the path prescribes.
+    fn control(&self, load: Load) -> AdhesiveControl {
+        let problem = self.problem.problem();
+        match load {
+            Load::MeanPressure(pressure) => AdhesiveControl::MeanPressure(pressure),
+            Load::ReducedPressure(reduced) => {
+                AdhesiveControl::MeanPressure(reduced * problem.rms_gradient() * problem.contact_modulus())
+            }
+            Load::Force(force) => AdhesiveControl::MeanPressure(force / problem.surface().grid().area()),
+            Load::MeanGap(gap) => AdhesiveControl::MeanGap(gap),
+            Load::Approach(approach) => AdhesiveControl::Approach(approach),
+        }
+    }
+
+    /// The place under a control, from the last one. What has parted under a load that pulls stays apart.
+    fn solve(
+        &self,
+        control: AdhesiveControl,
+        from: Option<&Place>,
+        observer: &mut dyn Observer,
+    ) -> Result<(Place, Work), AdhesionError> {
+        let start = match from {
+            Some(Place::State(state)) => Some(&**state),
+            Some(Place::Apart) if control.value() < 0.0 => return Ok((Place::Apart, Work::default())),
+            Some(Place::Apart) | None => None,
+        };
+        Ok(match self.problem.solve(control, start, self.method, &self.stop, observer)? {
+            AdhesiveOutcome::State(state) => {
+                let work = state.work;
+                (Place::State(Box::new(state)), work)
+            }
+            AdhesiveOutcome::Separated { work } => (Place::Apart, work),
+        })
+    }
+
+    /// The places from one to the next point of the path: both sides of each jump, and the end.
+    fn visits(
+        &self,
+        last: &Visit,
+        target: AdhesiveControl,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<Visit>, AdhesionError> {
+        let allowed = JUMP * self.problem.attraction().work();
+        let (end, whole) = (target.value(), (target.value() - last.control.value()).abs());
+        let (mut from, mut at, mut ledger) = (last.place.clone(), last.control.value(), last.ledger);
+        let (mut visits, mut work) = (Vec::new(), Work::default());
+        loop {
+            let mut to = end;
+            let (mut after, spent) = self.solve(target.with_value(to), Some(&from), observer)?;
+            work = sum(work, spent);
+            while lost(&from, &after) > allowed && (to - at).abs() > FINEST * whole {
+                let middle = 0.5 * (at + to);
+                let (place, spent) = self.solve(target.with_value(middle), Some(&from), observer)?;
+                work = sum(work, spent);
+                if lost(&from, &place) > allowed {
+                    (after, to) = (place, middle);
+                } else {
+                    ledger.work += work_of_load(&from, &place);
+                    (from, at) = (place, middle);
+                }
+            }
+            let jump = Some(lost(&from, &after)).filter(|lost| *lost > allowed);
+            if jump.is_some() && at != last.control.value() {
+                let (place, control) = (from.clone(), target.with_value(at));
+                visits.push(Visit { place, control, ledger, jump: None, work: std::mem::take(&mut work) });
+            }
+            let jump = jump
+                .map(|lost| if let (Place::State(from), Place::Apart) = (&from, &after) { -from.energy } else { lost });
+            ledger.lost += jump.unwrap_or(0.0);
+            ledger.work += work_of_load(&from, &after);
+            if to == end || jump.is_some() {
+                let (place, control) = (after.clone(), target.with_value(to));
+                visits.push(Visit { place, control, ledger, jump, work: std::mem::take(&mut work) });
+            }
+            if to == end {
+                return Ok(visits);
+            }
+            (from, at) = (after, to);
+        }
+    }
+
+    /// A place as a state of any history.
+    fn told(&self, visit: Visit, point: Option<usize>) -> HistoryState {
+        let Visit { place, control, ledger, jump, work } = visit;
+        let numbers = HistoryNumbers {
+            dissipated: Some(ledger.lost),
+            work_done: Some(ledger.work),
+            jump,
+            ..HistoryNumbers::default()
+        };
+        match place {
+            Place::State(state) => {
+                let counted = state.contact.counted();
+                let numbers = HistoryNumbers {
+                    net_pressure: Some(state.mean_pressure),
+                    attraction: state.traction.mean(),
+                    relative_area: Some(counted.relative_area),
+                    kappa_r: Some(counted.kappa_r).filter(|it| it.is_finite()),
+                    stored: Some(state.energy),
+                    residual: Some(state.residual),
+                    least_curvature: state.least_curvature,
+                    ..numbers
+                };
+                let fields = vec![HistoryField::attraction(state.traction)];
+                HistoryState { contact: state.contact, point, claim: state.claim, numbers, fields, work }
+            }
+            Place::Apart => {
+                let numbers = HistoryNumbers {
+                    net_pressure: Some(control.value()),
+                    attraction: Some(0.0),
+                    relative_area: Some(0.0),
+                    stored: Some(0.0),
+                    residual: Some(0.0),
+                    ..numbers
+                };
+                HistoryState {
+                    contact: self.apart(),
+                    point,
+                    claim: ResultClaim::Separated,
+                    numbers,
+                    fields: Vec::new(),
+                    work,
+                }
+            }
+        }
+    }
+
+    /// The contact of surfaces that have parted, drawn beyond the attraction.
+    fn apart(&self) -> Contact {
+        let problem = self.problem.problem();
+        let attraction = self.problem.attraction();
+        let datum = problem.highest() + attraction.cutoff().min(APART * attraction.range());
+        let zero = Field::zeros(problem.surface().grid().shape());
+        let gap = problem.surface().height().mapv(|h| datum - h);
+        let parts = (Certificate::UNKNOWN, Work::default(), Status::Converged);
+        Contact::from_parts(problem.clone(), [zero.clone(), zero, gap], parts, "none", None)
+            .expect("fields fit the grid")
+    }
+}
+
+impl Process for AdhesiveProcess {
+    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
+        let mut last: Option<Visit> = None;
+        for (number, point) in self.path.iter().enumerate() {
+            let target = self.control(point.load);
+            let Some(mut from) = last.take() else {
+                let (place, work) = self.solve(target, None, observer)?;
+                let visit = Visit { place, control: target, ledger: Ledger::default(), jump: None, work };
+                last = Some(visit.kept());
+                each(self.told(visit, Some(number)))?;
+                continue;
+            };
+            let begin = from.control.value();
+            for step in 1..=self.steps {
+                let share = step as f64 / self.steps as f64;
+                let value = if step == self.steps { target.value() } else { begin + share * (target.value() - begin) };
+                let mut visits = self.visits(&from, target.with_value(value), observer)?;
+                let reached = visits.pop().expect("a step has an end");
+                for visit in visits {
+                    each(self.told(visit, None))?;
+                }
+                from = reached.kept();
+                each(self.told(reached, (step == self.steps).then_some(number)))?;
+            }
+            last = Some(from);
+        }
+        Ok(())
+    }
+}
+
+impl Visit {
+    /// What the next step begins with.
+    fn kept(&self) -> Self {
+        Self { place: self.place.clone(), work: Work::default(), ..*self }
+    }
+}
+
+/// Energy that a step loses, per area; infinite where the surfaces part, and none where they come together from afar.
+fn lost(from: &Place, to: &Place) -> f64 {
+    match (from, to) {
+        (Place::State(before), Place::State(after)) => before.energy - after.energy + work_of_load(from, to),
+        (Place::State(_), Place::Apart) => f64::INFINITY,
+        (Place::Apart, _) => 0.0,
+    }
+}
+
+/// Work of the load in a step, per area.
+fn work_of_load(from: &Place, to: &Place) -> f64 {
+    match (from, to) {
+        (Place::State(from), Place::State(to)) => {
+            -0.5 * (from.mean_pressure + to.mean_pressure) * (to.datum - from.datum)
+        }
+        _ => 0.0,
+    }
+}
+
+fn sum(a: Work, b: Work) -> Work {
+    Work {
+        iterations: a.iterations + b.iterations,
+        transforms: a.transforms + b.transforms,
+        seconds: a.seconds + b.seconds,
+    }
+}
