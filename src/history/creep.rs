@@ -24,8 +24,8 @@ const GAP_STIFFNESS: f64 = 0.5;
 ///
 /// So a step is an elastic contact: the heights are `h - A hist`, the pressure is `p' = m p` on the same solid under the
 /// load `m P`, or at the same mean gap or approach, with the hardness `m H_c`. It is convex, and its certificate bounds the error
-/// of the pressure. Compliance and plans are those of the problem for all steps. Each solve starts where the last states point to; with
-/// several terms a step costs one transform pair besides.
+/// of the pressure. Compliance and plans are those of the problem for all steps. Each solve starts where the last states point to. With
+/// several terms, or linear pressures, a step costs one transform pair besides.
 ///
 /// A hardness limits the pressure, but the surface does not keep what has yielded: its heights recover when the load
 /// falls.
@@ -95,7 +95,7 @@ impl Creep {
             moved: 0.0,
             has_jumped: true,
             bounds: ErrorBounds::default(),
-            direct: None,
+            remembered: None,
             before: None,
         };
         let (contact, energy) = (self.apart(zero(), Work::default(), None), CreepEnergy::default());
@@ -163,6 +163,8 @@ impl Creep {
         let remembered = self.remembered(&steps, state).unwrap_or_else(|| self.displacement(&hist));
         let extra = self.response.transforms() - counted;
 
+        // the displacement by the memory of a single term, at the end of the step
+        let mut own = (steps.len() == 1).then(|| remembered.clone());
         let contact = self.posed(&placed, &remembered, m)?.map(|problem| {
             let start = match near {
                 Some(near) => Some(near - &hist),
@@ -187,10 +189,15 @@ impl Creep {
                 (contact, Some(direct))
             }
         };
+        if let (Some(own), Some(direct)) = (&mut own, &direct) {
+            own.scaled_add(steps[0].after, direct);
+        }
         for (eps, step) in memory.iter_mut().zip(&steps) {
             eps.zip_mut_with(&contact.pressure, |eps, p| *eps += step.after * p);
         }
-        Ok(self.next_state(state, dt, load, &steps, contact, direct, memory))
+        let mut next = self.next_state(state, dt, load, &steps, contact, direct, memory);
+        next.carried.remembered = own;
+        Ok(next)
     }
 
     /// The state with its energies and bounds, from the contact and the displacement `A p`, none without contact.
@@ -240,7 +247,7 @@ impl Creep {
             moved,
             has_jumped: dt == 0.0,
             bounds: state.carried.bounds.next(steps, error),
-            direct: direct.filter(|_| steps.len() == 1),
+            remembered: None,
             before: (dt > 0.0).then(|| (signed_pressure(state), dt)),
         };
         CreepState {
@@ -298,18 +305,15 @@ impl Creep {
         Ok(Some(problem.with_load(load)?.with_law(law)?))
     }
 
-    /// The displacement by the memory of a single term, from those of the last state. That of several terms is not known apart.
+    /// The displacement by what is left of the memory, from that of the last state, if it is known and nothing is added to it.
     fn remembered(&self, steps: &[KelvinStep], state: &CreepState) -> Option<Field> {
-        let &[step] = steps else { return None };
-        let compliances = [&self.problem, &state.contact.problem].map(Problem::compliance);
-        if compliances[0].has_uniform() != compliances[1].has_uniform() {
-            return None;
+        let has_uniform = |problem: &Problem| problem.compliance().has_uniform();
+        match (steps, &state.carried.remembered) {
+            ([step], Some(before)) if step.before == 0.0 => {
+                (has_uniform(&self.problem) == has_uniform(&state.contact.problem)).then(|| before * step.keep)
+            }
+            _ => None,
         }
-        let mut displacement = &state.contact.displacement * step.keep;
-        if let Some(direct) = &state.carried.direct {
-            displacement.scaled_add(step.before - step.keep, direct);
-        }
-        Some(displacement)
     }
 
     /// The displacement by a pressure: one transform pair, or none for no pressure.

@@ -38,7 +38,7 @@ fn small_steps_from_the_last_states_cost_a_third_of_a_solve_from_nothing_on_line
     }
 }
 
-/// The memory of a single term is displaced without transforms; that of two terms costs a pair.
+/// Under the rule of constant pressure the memory of a single term is displaced without transforms.
 #[test]
 fn displacements_are_those_of_the_memory_and_the_pressure_after_many_steps() {
     for terms in [vec![[9.0, 1.0]], vec![[4.0, 0.3], [5.0, 2.0]]] {
