@@ -20,6 +20,9 @@ impl<T: FftNum> Planners<T> {
 /// A real number of a filter: double precision, or single precision for inner steps, whose results are corrected by others in
 /// double precision.
 pub(crate) trait Real: FftNum + Zero {
+    /// The relative rounding of a number.
+    const EPSILON: f64;
+
     /// The nearest number.
     fn from_double(value: f64) -> Self;
 
@@ -31,6 +34,8 @@ pub(crate) trait Real: FftNum + Zero {
 }
 
 impl Real for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+
     fn from_double(value: f64) -> Self {
         value
     }
@@ -46,6 +51,8 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    const EPSILON: f64 = f32::EPSILON as f64;
+
     fn from_double(value: f64) -> Self {
         value as f32
     }

@@ -9,6 +9,9 @@ use crate::elastic::{Prony, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
 
+/// The stiffness of a node that comes into contact, in that of the shortest wave: it took the fewest transforms.
+const GAP_STIFFNESS: f64 = 0.5;
+
 /// The contact of a viscoelastic solid in time: a process that makes the next state from the last one.
 ///
 /// The solid is that of the problem, whose modulus is the glassy one, with the memory of a [`Prony`] series. Over a step `dt`
@@ -21,13 +24,13 @@ use crate::surface::Field;
 ///
 /// So a step is an elastic contact: the heights are `h - A hist`, the pressure is `p' = m p` on the same solid under the
 /// load `m P`, or at the same mean gap or approach, with the hardness `m H_c`. It is convex, and its certificate bounds the error
-/// of the pressure. Compliance and plans are those of the problem for all steps; each step costs one transform pair besides its solve,
-/// which starts from the last state.
+/// of the pressure. Compliance and plans are those of the problem for all steps. Each solve starts where the last states point to. With
+/// several terms, or linear pressures, a step costs one transform pair besides.
 ///
 /// A hardness limits the pressure, but the surface does not keep what has yielded: its heights recover when the load
 /// falls.
 ///
-/// Storage: a field for each term, and about four fields for the contact and the start of the next one.
+/// Storage: a field for each term, and about five fields for the contact and the start of the next one.
 ///
 /// # Source
 /// The equations follow from the exact integral of the Kelvin elements over a step (Taylor, Pister & Goudreau, Int. J. Numer. Meth. Eng. 2,
@@ -92,6 +95,7 @@ impl Creep {
             moved: 0.0,
             has_jumped: true,
             bounds: ErrorBounds::default(),
+            remembered: None,
             before: None,
         };
         let (contact, energy) = (self.apart(zero(), Work::default(), None), CreepEnergy::default());
@@ -112,7 +116,7 @@ impl Creep {
     /// of zero, and where a mean gap or an approach leaves the surfaces apart, there is no pressure and the solid recovers.
     /// Mean gaps above the highest peak and approaches that are not positive are allowed.
     ///
-    /// The solve starts from the last state. The observer sees the steps of the convex problem: heights `h - A hist`, pressure
+    /// The solve starts from the last state and its change. The observer sees the steps of the convex problem: heights `h - A hist`, pressure
     /// `m p`.
     ///
     /// # Errors
@@ -156,9 +160,11 @@ impl Creep {
         let mut memory = carried_on(&steps, &state.memory, old);
         let hist = memory.iter().fold(Field::zeros(old.dim()), |sum, eps| sum + eps);
         let counted = self.response.transforms();
-        let remembered = self.displacement(&hist);
+        let remembered = self.remembered(&steps, state).unwrap_or_else(|| self.displacement(&hist));
         let extra = self.response.transforms() - counted;
 
+        // the displacement by the memory of a single term, at the end of the step
+        let mut own = (steps.len() == 1).then(|| remembered.clone());
         let contact = self.posed(&placed, &remembered, m)?.map(|problem| {
             let start = match near {
                 Some(near) => Some(near - &hist),
@@ -183,10 +189,15 @@ impl Creep {
                 (contact, Some(direct))
             }
         };
+        if let (Some(own), Some(direct)) = (&mut own, &direct) {
+            own.scaled_add(steps[0].after, direct);
+        }
         for (eps, step) in memory.iter_mut().zip(&steps) {
             eps.zip_mut_with(&contact.pressure, |eps, p| *eps += step.after * p);
         }
-        Ok(self.next_state(state, dt, load, &steps, contact, direct, memory))
+        let mut next = self.next_state(state, dt, load, &steps, contact, direct, memory);
+        next.carried.remembered = own;
+        Ok(next)
     }
 
     /// The state with its energies and bounds, from the contact and the displacement `A p`, none without contact.
@@ -236,7 +247,8 @@ impl Creep {
             moved,
             has_jumped: dt == 0.0,
             bounds: state.carried.bounds.next(steps, error),
-            before: (dt > 0.0).then(|| (state.effective_pressure(), dt)),
+            remembered: None,
+            before: (dt > 0.0).then(|| (signed_pressure(state), dt)),
         };
         CreepState {
             time: state.time + dt,
@@ -291,6 +303,17 @@ impl Creep {
         let load = self.problem.mean_pressure().map_or(load, |mean| Load::MeanPressure(m * mean));
         let law = self.law.hardness().map_or(Law::HardWall, |hardness| Law::Hardness(m * hardness));
         Ok(Some(problem.with_load(load)?.with_law(law)?))
+    }
+
+    /// The displacement by what is left of the memory, from that of the last state, if it is known and nothing is added to it.
+    fn remembered(&self, steps: &[KelvinStep], state: &CreepState) -> Option<Field> {
+        let has_uniform = |problem: &Problem| problem.compliance().has_uniform();
+        match (steps, &state.carried.remembered) {
+            ([step], Some(before)) if step.before == 0.0 => {
+                (has_uniform(&self.problem) == has_uniform(&state.contact.problem)).then(|| before * step.keep)
+            }
+            _ => None,
+        }
     }
 
     /// The displacement by a pressure: one transform pair, or none for no pressure.
@@ -368,21 +391,34 @@ fn carried_on(steps: &[KelvinStep], memory: &[Field], old: &Field) -> Vec<Field>
     steps.iter().zip(memory).map(carry).collect()
 }
 
-/// The pressure `m p` to start from: the effective pressure, as it went from the state before to this one, goes on for the step.
+/// The pressure `m p` to start from: the signed pressure, as it went from the state before to this one, goes on for the step.
 /// On rough surfaces with small steps it needs fewer transforms than the last pressure does, and never many more.
 fn warm_start(state: &CreepState, hist: &Field, dt: f64) -> Option<Field> {
-    state.contact.pressure.iter().any(|&p| p > 0.0).then(|| {
-        let effective = state.effective_pressure();
-        match &state.carried.before {
-            Some((before, step)) if dt > 0.0 => {
-                let growth = dt / step;
-                let further = |now: &f64, before: &f64| now + growth * (now - before);
-                let further = effective.iter().zip(before).map(|(now, before)| further(now, before)).collect();
-                Field::from_shape_vec(effective.dim(), further).expect("one value per node") - hist
-            }
-            _ => effective - hist,
+    state.contact.pressure.iter().any(|&p| p > 0.0).then(|| match &state.carried.before {
+        Some((before, step)) if dt > 0.0 => {
+            let growth = dt / step;
+            let further = |now: &f64, before: &f64| now + growth * (now - before);
+            let mut start = signed_pressure(state);
+            start.zip_mut_with(before, |now, before| *now = further(now, before));
+            start - hist
         }
+        _ => state.effective_pressure() - hist,
     })
+}
+
+/// The effective pressure and, where a surface has a gap, that less the gap times a stiffness: the field goes on
+/// through zero where a contact grows, so that it tells which nodes will touch and about how much they will carry. On lines
+/// it is the effective pressure alone, since few nodes at a time come into contact.
+fn signed_pressure(state: &CreepState) -> Field {
+    let (mut field, problem) = (state.effective_pressure(), &state.contact.problem);
+    if !problem.surface().grid().is_line() {
+        let [_, stiffest] = problem.compliance().stiffness_range();
+        let pairs = state.contact.pressure.iter().zip(&state.contact.gap);
+        field.iter_mut().zip(pairs).filter(|(_, (p, _))| **p == 0.0).for_each(|(field, (_, gap))| {
+            *field -= GAP_STIFFNESS * stiffest * gap.max(0.0);
+        });
+    }
+    field
 }
 
 /// `<x u>`.

@@ -83,7 +83,9 @@ pub(super) struct Carried {
     /// Whether the next step takes the pressure as constant: there was no step with time since the start or the last jump.
     pub has_jumped: bool,
     pub bounds: ErrorBounds,
-    /// The effective pressure of the state before and the time since then.
+    /// The displacement `A eps_1` by the memory of a solid of one term.
+    pub remembered: Option<Field>,
+    /// The signed pressure of the state before and the time since then.
     pub before: Option<(Field, f64)>,
 }
 

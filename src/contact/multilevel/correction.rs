@@ -22,6 +22,8 @@ pub(super) struct Correction<'a> {
     /// `A delta` at the nodes of `reach`, without what is uniform.
     pub moved: Vec<f64>,
     residual: Vec<f64>,
+    /// The square of the norm of the first residual.
+    first: f64,
     direction: Vec<f64>,
     steps: StepVectors,
     /// The last step.
@@ -66,8 +68,9 @@ impl<'a> Correction<'a> {
             false if operator.sees_mean() => MeanRule::Seen,
             false => MeanRule::Multiplied(uniform_stiffness(support, operator)),
         };
-        let mut correction = Self { support, reach, delta, moved, direction, residual, steps, last, mean };
+        let mut correction = Self { support, reach, delta, moved, direction, residual, first: 0.0, steps, last, mean };
         correction.project_residual();
+        correction.first = dot(&correction.residual, &correction.residual);
         operator.prepare(support);
         correction
     }
@@ -80,7 +83,21 @@ impl<'a> Correction<'a> {
         operator: &mut (impl SetOperator + ?Sized),
         watch: &mut dyn FnMut(&Self, f64) -> Option<Status>,
     ) -> Option<Status> {
-        let goal = reduction * reduction * dot(&self.residual, &self.residual);
+        self.solve_until(&mut |correction| correction.is_reduced(reduction), operator, watch)
+    }
+
+    /// Whether the norm of the residual has fallen by `reduction`.
+    pub fn is_reduced(&self, reduction: f64) -> bool {
+        dot(&self.residual, &self.residual) <= reduction * reduction * self.first
+    }
+
+    /// Iterates like [`Correction::solve`] until it `is_done`.
+    pub fn solve_until(
+        &mut self,
+        is_done: &mut dyn FnMut(&Self) -> bool,
+        operator: &mut (impl SetOperator + ?Sized),
+        watch: &mut dyn FnMut(&Self, f64) -> Option<Status>,
+    ) -> Option<Status> {
         let mut previous = None;
         for _ in 0..MOST_STEPS {
             self.precondition(operator);
@@ -101,7 +118,7 @@ impl<'a> Correction<'a> {
             if let Some(status) = watch(self, operator.transforms()) {
                 return Some(status);
             }
-            if dot(&self.residual, &self.residual) <= goal {
+            if is_done(self) {
                 return None;
             }
         }

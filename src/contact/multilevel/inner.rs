@@ -2,7 +2,7 @@
 
 use super::correction::{Correction, mean};
 use super::level::{Displacement, InnerStep, InnerStepCallback, Level};
-use super::method::UpdateMethod;
+use super::method::{InnerPace, UpdateMethod};
 use super::operator::{SetOperator, Spectral};
 use super::split::Split;
 use super::support::{RowOfNodes, SparsePressure, Support};
@@ -15,20 +15,16 @@ use crate::contact::{Decision, Problem, Status};
 const HALO: usize = 2;
 const NEAR: f64 = 0.02;
 
-/// A node without pressure belongs to the first set if it penetrates by more than this part of the deepest penetration. Where the
-/// pressure comes from a coarser grid, half of all nodes near the set penetrate a little.
-const DEEP: f64 = 0.5;
-
 /// Largest number of updates of an inner iteration, and of updates without a better state after which it ends.
 const UPDATES: usize = 12;
 const STALE: usize = 3;
 /// A state is better when its certificate is this part of that of the last better one.
 const BETTER: f64 = 0.9;
 
-/// Reduction of the residual in an inner update, its part after an update that was no better, and the least.
-const REDUCTION: f64 = 0.05;
+/// The part of the reduction of the residual after an update that was no better, the least one, and the largest one near the solution.
 const TIGHTENING: f64 = 0.5;
 const TIGHTEST: f64 = 1e-3;
+const LOOSEST: f64 = 0.3;
 
 impl Level<'_> {
     /// An inner iteration on a surface, from this state: updates of the set within the candidates, whose displacements differ from
@@ -61,7 +57,7 @@ impl Level<'_> {
         let mut pressure = vec![0.0; candidates.nodes()];
         support.transfer(values, &candidates, &mut pressure);
         (self.u, self.displacement) = (Vec::new(), Displacement::Outdated);
-        let mut inner = Inner::new(self.problem, candidates, pressure, v);
+        let mut inner = Inner::new(self.problem, self.pace, candidates, pressure, v);
         self.first_eta.get_or_insert(inner.certificate() / self.problem.rms_height());
         let spent = self.transforms();
         let status = inner.iterate(goal.max(operator.accuracy()), operator.as_mut(), &mut |step| {
@@ -86,7 +82,9 @@ impl Level<'_> {
     /// Lets whole-set updates take over from inner iterations if there are nodes that yield, which only they know.
     pub fn see_yielding(&mut self) {
         if self.method.has_inner_iterations() && self.pressure.reaches(self.ceiling()) {
-            self.change_method(UpdateMethod::Exact);
+            while self.method.has_inner_iterations() {
+                self.change_method(self.method.slower());
+            }
         }
     }
 
@@ -108,7 +106,7 @@ impl Level<'_> {
                 }
             },
             UpdateMethod::Single | UpdateMethod::Exact => Box::new(Spectral::<f32>::new(self.problem)),
-            UpdateMethod::Double => Box::new(Spectral::<f64>::new(self.problem)),
+            UpdateMethod::Nested | UpdateMethod::Double => Box::new(Spectral::<f64>::new(self.problem)),
         })
     }
 
@@ -141,6 +139,7 @@ impl Level<'_> {
 /// The state of an inner iteration; vectors live on the candidates.
 struct Inner<'a> {
     problem: &'a Problem,
+    pace: InnerPace,
     candidates: Support,
     pressure: Vec<f64>,
     /// `v` of the pressure: that at the start, and since then what the operator of inner steps adds.
@@ -155,9 +154,9 @@ struct Inner<'a> {
 type Watch<'w> = dyn FnMut(InnerStep<'_>) -> Option<Status> + 'w;
 
 impl<'a> Inner<'a> {
-    fn new(problem: &'a Problem, candidates: Support, pressure: Vec<f64>, v: Vec<f64>) -> Self {
+    fn new(problem: &'a Problem, pace: InnerPace, candidates: Support, pressure: Vec<f64>, v: Vec<f64>) -> Self {
         let (best, workspace) = (pressure.clone(), Workspace::new(pressure.len()));
-        let mut inner = Self { problem, candidates, pressure, v, lambda: f64::NAN, best, workspace };
+        let mut inner = Self { problem, pace, candidates, pressure, v, lambda: f64::NAN, best, workspace };
         inner.place_datum();
         inner
     }
@@ -165,7 +164,7 @@ impl<'a> Inner<'a> {
     /// Updates until the certificate has fallen to the part `goal` of that at the start.
     fn iterate(&mut self, goal: f64, operator: &mut dyn SetOperator, watch: &mut Watch<'_>) -> Option<Status> {
         let goal = goal * self.certificate();
-        let (mut reduction, mut mark, mut stale) = (REDUCTION, f64::INFINITY, 0);
+        let (mut reduction, mut mark, mut stale) = (self.pace.reduction(), f64::INFINITY, 0);
         let (mut set, mut least) = (self.first_set(), f64::INFINITY);
         for update in 0.. {
             let certificate = self.certificate();
@@ -181,7 +180,8 @@ impl<'a> Inner<'a> {
             if certificate <= goal || certificate.is_nan() || update == UPDATES || stale == STALE {
                 break;
             }
-            let (next, status) = self.update(&set, reduction, operator, watch);
+            let loose = if self.pace == InnerPace::Near { LOOSEST.min(goal / certificate) } else { 0.0 };
+            let (next, status) = self.update(&set, [reduction.max(loose), goal], operator, watch);
             let Some(next) = next else { return status };
             set = next;
             if status.is_some() {
@@ -194,41 +194,45 @@ impl<'a> Inner<'a> {
     /// The nodes with pressure and those that penetrate deeply.
     fn first_set(&self) -> Support {
         let Self { pressure, v, lambda, .. } = self;
-        let deep = lambda - DEEP * (lambda - self.lowest()).max(0.0);
+        let deep = self.pace.deep(self.certificate() / self.problem.rms_height());
+        let deep = lambda - deep * (lambda - lowest(v)).max(0.0);
         self.candidates.filter(|i| pressure[i] > 0.0 || v[i] < deep)
     }
 
-    /// One update. Returns the next set, unless there is no pressure left, and whether the run is to end.
+    /// One update, which reduces the residual and, if the set stays near the solution, goes on to the `goal` of the certificate. Returns the next set, unless there is no pressure left, and whether the run is to end.
     fn update(
         &mut self,
         set: &Support,
-        reduction: f64,
+        [reduction, goal]: [f64; 2],
         operator: &mut dyn SetOperator,
         watch: &mut Watch<'_>,
     ) -> (Option<Support>, Option<Status>) {
-        let gap = self.problem.datum();
-        let Self { candidates, pressure, v, lambda, workspace, .. } = self;
+        let (gap, is_near) = (self.problem.datum(), self.pace == InnerPace::Near);
+        let Self { problem, candidates, pressure, v, lambda, workspace, .. } = self;
         let [mut residual, mut on_set] = [(); 2].map(|()| workspace.zeros(set.nodes()));
         candidates.transfer(v, set, &mut residual);
         chunks::update(&mut residual, |_, v| v.iter_mut().for_each(|v| *v = -(*v + gap.unwrap_or(0.0))));
         candidates.transfer(pressure, set, &mut on_set);
         let mut correction = Correction::new([set, candidates], residual, gap.is_none(), operator, workspace);
-        let status = correction.solve(reduction, operator, &mut |correction, spent| {
+        let mut trial = is_near.then(|| InnerTrial::new([set, candidates], workspace));
+        let mut is_done = |correction: &Correction<'_>| {
+            let mut certificate = |trial: &mut InnerTrial<'_>| trial.certificate(problem, [&on_set, v], correction);
+            correction.is_reduced(reduction) && trial.as_mut().and_then(&mut certificate).is_none_or(|it| it <= goal)
+        };
+        let status = correction.solve_until(&mut is_done, operator, &mut |correction, spent| {
             let sum = || on_set.iter().zip(&correction.delta).map(|(p, delta)| p + delta).collect();
             let candidates = Some(&*candidates);
             watch(InnerStep { set, candidates, signed: &sum, decision: correction.last, transforms: spent })
         });
+        trial.into_iter().for_each(|trial| workspace.keep(trial.vectors));
         let [delta, moved] = correction.finish(workspace);
         add(&mut on_set, &delta);
         set.transfer(&on_set, candidates, pressure);
         add(v, &moved);
-        *lambda = gap.map_or_else(
-            || {
-                candidates.transfer(v, set, &mut on_set);
-                mean(&on_set)
-            },
-            |gap| -gap,
-        );
+        *lambda = datum(gap, || {
+            candidates.transfer(v, set, &mut on_set);
+            mean(&on_set)
+        });
         workspace.keep([delta, moved, on_set]);
         let next = candidates.filter(|i| pressure[i] > 0.0 || pressure[i] == 0.0 && v[i] < *lambda);
         self.clip(operator);
@@ -272,27 +276,12 @@ impl<'a> Inner<'a> {
 
     /// Takes `lambda` from the state.
     fn place_datum(&mut self) {
-        self.lambda = self.problem.datum().map_or_else(|| self.weighted_mean(), |gap| -gap);
+        self.lambda = datum(self.problem.datum(), || weighted_mean(&self.pressure, &self.v));
     }
 
-    /// Mean of `v` weighted by the pressure.
-    fn weighted_mean(&self) -> f64 {
-        let (p, v) = (&self.pressure, &self.v);
-        let load = chunks::sum(p.len(), |i| p[i]);
-        chunks::sum(p.len(), |i| p[i] / load * v[i])
-    }
-
-    /// The depth below the datum, as in the certificate, as far as the candidates know it, a length.
+    /// The certificate of this state.
     fn certificate(&self) -> f64 {
-        let lowest = self.lowest();
-        let mean = self.weighted_mean();
-        (mean - lowest).max(0.0) + (mean - self.problem.datum().map_or(mean, |gap| -gap)).abs()
-    }
-
-    /// The least `v`.
-    fn lowest(&self) -> f64 {
-        let parts = chunks::visit(self.v.len(), |range| self.v[range].iter().copied().fold(f64::INFINITY, f64::min));
-        parts.into_iter().fold(f64::INFINITY, f64::min)
+        certificate(self.problem, &self.pressure, &self.v)
     }
 
     /// The best pressure.
@@ -303,6 +292,59 @@ impl<'a> Inner<'a> {
         candidates.transfer(&best, &support, &mut values);
         SparsePressure { support, values }
     }
+}
+
+/// A look at the state that an update would lead to, for whether the set stays; vectors live on the set, and twice on the candidates.
+struct InnerTrial<'s> {
+    set: &'s Support,
+    candidates: &'s Support,
+    vectors: [Vec<f64>; 3],
+}
+
+impl<'s> InnerTrial<'s> {
+    fn new([set, candidates]: [&'s Support; 2], workspace: &mut Workspace) -> Self {
+        let vectors = [set, candidates, candidates].map(|nodes| workspace.zeros(nodes.nodes()));
+        Self { set, candidates, vectors }
+    }
+
+    /// The certificate after a correction of the pressure on the set and of `v`, if no node would leave or enter.
+    fn certificate(&mut self, problem: &Problem, [on_set, v]: [&[f64]; 2], correction: &Correction<'_>) -> Option<f64> {
+        let Self { set, candidates, vectors: [of_set, pressure, moved] } = self;
+        let Correction { delta, moved: change, .. } = correction;
+        chunks::update(of_set, |range, p| range.zip(p).for_each(|(i, p)| *p = on_set[i] + delta[i]));
+        set.transfer(of_set, candidates, pressure);
+        chunks::update(moved, |range, to| range.zip(to).for_each(|(i, to)| *to = v[i] + change[i]));
+        let lambda = datum(problem.datum(), || {
+            candidates.transfer(moved, set, of_set);
+            mean(of_set)
+        });
+        let changes = |i: usize| pressure[i] < 0.0 || pressure[i] == 0.0 && moved[i] < lambda;
+        let stays = chunks::visit(moved.len(), |range| !range.into_iter().any(changes)).into_iter().all(|stays| stays);
+        stays.then(|| certificate(problem, pressure, moved))
+    }
+}
+
+/// `lambda`: minus the mean gap if that is given, or else a mean.
+fn datum(gap: Option<f64>, mean: impl FnOnce() -> f64) -> f64 {
+    gap.map_or_else(mean, |gap| -gap)
+}
+
+/// The depth below the datum, as in the certificate, as far as the candidates know it, a length.
+fn certificate(problem: &Problem, pressure: &[f64], v: &[f64]) -> f64 {
+    let mean = weighted_mean(pressure, v);
+    (mean - lowest(v)).max(0.0) + (mean - datum(problem.datum(), || mean)).abs()
+}
+
+/// The mean of `v` weighted by the pressure.
+fn weighted_mean(p: &[f64], v: &[f64]) -> f64 {
+    let load = chunks::sum(p.len(), |i| p[i]);
+    chunks::sum(p.len(), |i| p[i] / load * v[i])
+}
+
+/// The least `v`.
+fn lowest(v: &[f64]) -> f64 {
+    let parts = chunks::visit(v.len(), |range| v[range].iter().copied().fold(f64::INFINITY, f64::min));
+    parts.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 fn add(to: &mut [f64], values: &[f64]) {

@@ -1,7 +1,7 @@
 //! The iteration on one grid.
 
 use super::correction::{Correction, mean};
-use super::method::UpdateMethod;
+use super::method::{InnerPace, UpdateMethod};
 use super::operator::SetOperator;
 use super::support::{SparsePressure, Support, corrected};
 use super::workspace::Workspace;
@@ -51,6 +51,8 @@ pub(super) struct Level<'a> {
     pub decision: Decision,
     /// Whether it is the grid of the problem that is to be solved.
     is_finest: bool,
+    /// How inner iterations go about their updates.
+    pub pace: InnerPace,
     /// The fewest nodes that a free update had to exchange where some yield so far, and whether the last one had fewer than any before.
     pub fewest: usize,
     pub has_fewer: bool,
@@ -113,10 +115,17 @@ impl<'a> Level<'a> {
             mode: Mode::Free { mark: f64::INFINITY, stale: 0 },
             decision: Decision::Start,
             is_finest: true,
+            pace: InnerPace::Wide,
             fewest: usize::MAX,
             has_fewer: false,
             guarded_phases: 0,
         }
+    }
+
+    /// The same state, from a given pressure that is near the solution.
+    pub fn near(self) -> Self {
+        let method = UpdateMethod::near(self.problem, &self.pressure);
+        Self { method, pace: InnerPace::Near, ..self }
     }
 
     /// This state with a displacement that `interpolated` makes from the coarser grid, where inner iterations can begin with it.

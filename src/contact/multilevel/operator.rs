@@ -10,8 +10,9 @@ use crate::fourier::{Real, smooth};
 use crate::grid::Grid;
 use std::sync::Arc;
 
-/// The part to which an inner iteration in single precision brings the certificate, well above the rounding of its displacements.
-const SINGLE_ACCURACY: f64 = 1e-4;
+/// The part to which an inner iteration brings the certificate, in units of the rounding of its numbers: 1e-4 in single precision,
+/// well above the rounding of its displacements.
+const ACCURACY: f64 = 1e-4 / f32::EPSILON as f64;
 
 /// The margin along a free axis, in lengths of the grid.
 const MARGIN: f64 = 0.25;
@@ -176,7 +177,7 @@ impl<T: Real> SetOperator for Spectral<T> {
     }
 
     fn accuracy(&self) -> f64 {
-        SINGLE_ACCURACY
+        ACCURACY * T::EPSILON
     }
 
     fn transforms(&self) -> f64 {
