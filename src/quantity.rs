@@ -55,6 +55,26 @@ pub fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(QuantityVisitor { kind: "a speed", example: "\"1 m/s\"", parse: units::speed })
 }
 
+/// Reads an optional energy per area.
+///
+/// # Errors
+/// For anything that is neither a number nor an energy per area with a unit.
+pub fn some_energy_per_area<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    let visitor =
+        QuantityVisitor { kind: "an energy per area", example: "\"50 mJ/m^2\"", parse: units::energy_per_area };
+    from.deserialize_any(visitor).map(Some)
+}
+
+/// The length that a text with a unit means.
+pub fn length_of(text: &str) -> Option<f64> {
+    units::length(text)
+}
+
+/// The pressure that a text with a unit means.
+pub fn pressure_of(text: &str) -> Option<f64> {
+    units::pressure(text)
+}
+
 /// A length in a list of them, read as [`length`] reads one.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(transparent)]
@@ -211,6 +231,15 @@ mod units {
         read(text, |unit| force(unit).or_else(|| per_length(unit)))
     }
 
+    /// A joule per square metre is a newton per metre.
+    pub fn energy_per_area(text: &str) -> Option<f64> {
+        read(text, |unit| {
+            let squares = ["J/m²", "J/m^2", "J/m2"];
+            let same = squares.iter().find_map(|square| unit.strip_suffix(square)).map(|prefix| format!("{prefix}N/m"));
+            same.as_deref().unwrap_or(unit).parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>())
+        })
+    }
+
     pub fn time(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Time>().ok().map(|one| one.get::<second>()))
     }
@@ -238,7 +267,7 @@ mod units {
 
 #[cfg(not(feature = "units"))]
 mod units {
-    pub use {length as force, length as pressure, length as speed, length as time};
+    pub use {length as energy_per_area, length as force, length as pressure, length as speed, length as time};
 
     pub fn length(_: &str) -> Option<f64> {
         None

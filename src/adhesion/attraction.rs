@@ -1,7 +1,9 @@
 //! Attractions between two surfaces.
 
 use crate::error::AdhesionError;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Changes over the range below which an exponential is computed by its series.
 const SERIES: f64 = 1e-3;
@@ -35,27 +37,35 @@ const SERIES: f64 = 1e-3;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attraction {
-    form: AttractionForm,
+    shape: AttractionShape,
     work: f64,
     range: f64,
 }
 
-/// The form of an [`Attraction`].
-#[derive(Debug, Clone, PartialEq)]
+/// The form of an [`Attraction`] that is no table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum AttractionForm {
-    /// An exponential.
+    /// An exponential: smooth, without a cut-off.
+    #[default]
     Exponential,
-    /// A cubic energy with a cut-off.
+    /// A cubic energy, with a cut-off at three ranges.
     Cubic,
-    /// A constant traction with a cut-off.
+    /// A constant traction, with a cut-off at the range.
     Dugdale,
-    /// A table, made by [`Attraction::from_table`].
+}
+
+/// What an attraction is computed from.
+#[derive(Debug, Clone, PartialEq)]
+enum AttractionShape {
+    Form(AttractionForm),
     Table(Arc<TractionTable>),
 }
 
 /// Tractions at some gaps, linear between them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TractionTable {
+struct TractionTable {
     gaps: Vec<f64>,
     tractions: Vec<f64>,
     /// The energy at each gap.
@@ -68,12 +78,16 @@ impl Attraction {
     /// # Errors
     /// [`AdhesionError::NotPositive`] for a number that is not positive and finite.
     pub fn new(form: AttractionForm, work: f64, range: f64) -> Result<Self, AdhesionError> {
+        Self::of_shape(AttractionShape::Form(form), work, range)
+    }
+
+    fn of_shape(shape: AttractionShape, work: f64, range: f64) -> Result<Self, AdhesionError> {
         for (name, value) in [("work of adhesion", work), ("range of the attraction", range)] {
             if !(value.is_finite() && value > 0.0 && (work / range).is_normal()) {
                 return Err(AdhesionError::NotPositive { name, value });
             }
         }
-        Ok(Self { form, work, range })
+        Ok(Self { shape, work, range })
     }
 
     /// The attraction whose tractions at some gaps are given, and linear between them. The first gap is zero.
@@ -118,12 +132,7 @@ impl Attraction {
         }
         let (work, strength) = (-energies[0], tractions[0]);
         let table = TractionTable { gaps, tractions, energies };
-        Self::new(AttractionForm::Table(Arc::new(table)), work, work / strength)
-    }
-
-    /// The form.
-    pub fn form(&self) -> &AttractionForm {
-        &self.form
+        Self::of_shape(AttractionShape::Table(Arc::new(table)), work, work / strength)
     }
 
     /// Work of adhesion `w`, an energy per area.
@@ -143,11 +152,11 @@ impl Attraction {
 
     /// The gap from which on there is no attraction, a length; infinite for the exponential form.
     pub fn cutoff(&self) -> f64 {
-        match &self.form {
-            AttractionForm::Exponential => f64::INFINITY,
-            AttractionForm::Cubic => 3.0 * self.range,
-            AttractionForm::Dugdale => self.range,
-            AttractionForm::Table(table) => *table.gaps.last().unwrap_or(&0.0),
+        match &self.shape {
+            AttractionShape::Form(AttractionForm::Exponential) => f64::INFINITY,
+            AttractionShape::Form(AttractionForm::Cubic) => 3.0 * self.range,
+            AttractionShape::Form(AttractionForm::Dugdale) => self.range,
+            AttractionShape::Table(table) => *table.gaps.last().unwrap_or(&0.0),
         }
     }
 
@@ -156,11 +165,11 @@ impl Attraction {
         if gap >= self.cutoff() {
             return 0.0;
         }
-        match &self.form {
-            AttractionForm::Exponential => -self.work * (-gap / self.range).exp(),
-            AttractionForm::Cubic => -self.work * (1.0 - gap / (3.0 * self.range)).powi(3),
-            AttractionForm::Dugdale => self.strength() * gap - self.work,
-            AttractionForm::Table(table) => {
+        match &self.shape {
+            AttractionShape::Form(AttractionForm::Exponential) => -self.work * (-gap / self.range).exp(),
+            AttractionShape::Form(AttractionForm::Cubic) => -self.work * (1.0 - gap / (3.0 * self.range)).powi(3),
+            AttractionShape::Form(AttractionForm::Dugdale) => self.strength() * gap - self.work,
+            AttractionShape::Table(table) => {
                 let (i, along, slope) = table.place(gap);
                 table.energies[i] + along * (table.tractions[i] + 0.5 * slope * along)
             }
@@ -172,11 +181,11 @@ impl Attraction {
         if gap >= self.cutoff() {
             return 0.0;
         }
-        match &self.form {
-            AttractionForm::Exponential => self.strength() * (-gap / self.range).exp(),
-            AttractionForm::Cubic => self.strength() * (1.0 - gap / (3.0 * self.range)).powi(2),
-            AttractionForm::Dugdale => self.strength(),
-            AttractionForm::Table(table) => {
+        match &self.shape {
+            AttractionShape::Form(AttractionForm::Exponential) => self.strength() * (-gap / self.range).exp(),
+            AttractionShape::Form(AttractionForm::Cubic) => self.strength() * (1.0 - gap / (3.0 * self.range)).powi(2),
+            AttractionShape::Form(AttractionForm::Dugdale) => self.strength(),
+            AttractionShape::Table(table) => {
                 let (i, along, slope) = table.place(gap);
                 table.tractions[i] + slope * along
             }
@@ -188,11 +197,15 @@ impl Attraction {
         if gap >= self.cutoff() {
             return 0.0;
         }
-        match &self.form {
-            AttractionForm::Exponential => -self.strength() / self.range * (-gap / self.range).exp(),
-            AttractionForm::Cubic => -2.0 / 3.0 * self.strength() / self.range * (1.0 - gap / (3.0 * self.range)),
-            AttractionForm::Dugdale => 0.0,
-            AttractionForm::Table(table) => table.place(gap).2,
+        match &self.shape {
+            AttractionShape::Form(AttractionForm::Exponential) => {
+                -self.strength() / self.range * (-gap / self.range).exp()
+            }
+            AttractionShape::Form(AttractionForm::Cubic) => {
+                -2.0 / 3.0 * self.strength() / self.range * (1.0 - gap / (3.0 * self.range))
+            }
+            AttractionShape::Form(AttractionForm::Dugdale) => 0.0,
+            AttractionShape::Table(table) => table.place(gap).2,
         }
     }
 
@@ -200,19 +213,19 @@ impl Attraction {
     /// difference where the change is small.
     pub fn excess(&self, gap: f64, by: f64) -> f64 {
         let is_within = gap.max(gap + by) < self.cutoff();
-        match &self.form {
-            AttractionForm::Exponential => {
+        match &self.shape {
+            AttractionShape::Form(AttractionForm::Exponential) => {
                 let x = by / self.range;
                 let rest =
                     if x.abs() < SERIES { x * x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) } else { (-x).exp_m1() + x };
                 self.energy(gap) * rest
             }
-            AttractionForm::Cubic if is_within => {
+            AttractionShape::Form(AttractionForm::Cubic) if is_within => {
                 let [left, x] = [1.0 - gap / (3.0 * self.range), by / (3.0 * self.range)];
                 -self.work * x * x * (3.0 * left - x)
             }
-            AttractionForm::Dugdale if is_within => 0.0,
-            AttractionForm::Table(table) if is_within && table.place(gap).0 == table.place(gap + by).0 => {
+            AttractionShape::Form(AttractionForm::Dugdale) if is_within => 0.0,
+            AttractionShape::Table(table) if is_within && table.place(gap).0 == table.place(gap + by).0 => {
                 0.5 * table.place(gap).2 * by * by
             }
             _ => self.energy(gap + by) - self.energy(gap) - self.traction(gap) * by,
@@ -221,10 +234,10 @@ impl Attraction {
 
     /// The largest `-V''(g)`, a pressure per length; infinite for the Dugdale form, whose traction jumps.
     pub fn steepest(&self) -> f64 {
-        match &self.form {
-            AttractionForm::Dugdale => f64::INFINITY,
-            AttractionForm::Table(table) if table.tractions.last().is_some_and(|last| *last > 0.0) => f64::INFINITY,
-            AttractionForm::Table(table) => table.gaps.iter().map(|&gap| -self.slope(gap)).fold(0.0, f64::max),
+        match &self.shape {
+            AttractionShape::Form(AttractionForm::Dugdale) => f64::INFINITY,
+            AttractionShape::Table(table) if table.tractions.last().is_some_and(|last| *last > 0.0) => f64::INFINITY,
+            AttractionShape::Table(table) => table.gaps.iter().map(|&gap| -self.slope(gap)).fold(0.0, f64::max),
             _ => -self.slope(0.0),
         }
     }

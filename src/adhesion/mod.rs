@@ -18,7 +18,7 @@ mod problem;
 mod scales;
 mod state;
 
-pub use attraction::{Attraction, AttractionForm, TractionTable};
+pub use attraction::{Attraction, AttractionForm};
 pub use control::AdhesiveControl;
 pub use problem::{AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem};
 pub use scales::AdhesionScales;

@@ -77,7 +77,7 @@ impl Extent for OfProblem {
 }
 
 /// Sections that describe how a contact is solved, or what follows it.
-const OF_A_SOLVE: [&str; 7] = ["friction", "viscoelastic", "sliding", "rolling", "path", "solver", "stop"];
+const OF_A_SOLVE: [&str; 8] = ["friction", "adhesion", "viscoelastic", "sliding", "rolling", "path", "solver", "stop"];
 
 /// A scene and the flags that are laid over it.
 pub struct SceneArgs<E> {
@@ -220,7 +220,8 @@ fn heading<E: Extent>(flag: &Flag) -> &'static str {
         "load" => E::LOAD,
         "solid" | "law" => "Solid (contact modulus, or elastic constants; required with a mean pressure)",
         "friction" => "Friction (a tangential load after the normal one)",
-        "viscoelastic" | "sliding" | "rolling" | "path" => "History (creep, slip, sliding or rolling)",
+        "adhesion" => "Adhesion (an attraction between the surfaces)",
+        "viscoelastic" | "sliding" | "rolling" | "path" => "History (creep, slip, sliding, rolling or adhesion)",
         "record" => "Recording",
         _ => "Solver",
     }

@@ -12,10 +12,13 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
+use asperity::adhesion::AdhesionScales;
 use asperity::contact::{Problem, Status};
 use asperity::error::HistoryError;
 use asperity::files::write_beside;
-use asperity::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history};
+use asperity::history::{
+    AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history,
+};
 use asperity::job::HistoryOutcome;
 use asperity::quantity::number_in_words;
 use asperity::setup::{Part, ProcessKind, Setup};
@@ -25,7 +28,21 @@ use std::io::{self, Write, stdout};
 use std::path::Path;
 
 /// Columns of the table for reading, by process.
-const COLUMNS: [(ProcessKind, &[&str]); 4] = [
+const COLUMNS: [(ProcessKind, &[&str]); 5] = [
+    (
+        ProcessKind::Adhesion,
+        &[
+            "mean_pressure",
+            "mean_gap",
+            "approach",
+            "relative_area",
+            "attraction",
+            "jump",
+            "dissipated",
+            "least_curvature",
+            "residual",
+        ],
+    ),
     (
         ProcessKind::Creep,
         &[
@@ -86,14 +103,69 @@ struct HistorySummary {
     #[serde(flatten)]
     subject: ProblemSummary,
     process: &'static str,
-    /// The claim of all states, in words: what their certificates prove.
+    /// The claim of all states, in words: what their certificates prove. With adhesion each state has its own.
     claim: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    adhesion: Option<AdhesionSummary>,
     states: Vec<Map<String, Value>>,
     /// Energy lost in each closed cycle of the path, per area of the cell.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     energy_per_cycle: Vec<f64>,
     warnings: Vec<String>,
     setup: Setup,
+}
+
+/// What a script may want to know about adhesion.
+#[derive(Serialize)]
+struct AdhesionSummary {
+    work: f64,
+    range: f64,
+    #[serde(flatten)]
+    scales: AdhesionScales,
+    #[serde(flatten)]
+    totals: AdhesionTotals,
+}
+
+impl AdhesionSummary {
+    fn new(setup: &Setup, outcome: &HistoryOutcome) -> Result<Option<Self>> {
+        let (Some(adhesion), Some(scales)) = (&setup.adhesion, outcome.scales) else { return Ok(None) };
+        let Some(totals) = AdhesionTotals::new(&outcome.states) else { return Ok(None) };
+        let attraction = adhesion.attraction()?;
+        Ok(Some(Self { work: attraction.work(), range: attraction.range(), scales, totals }))
+    }
+
+    /// Names and values for reading.
+    fn rows(&self, units: Units) -> Vec<(String, String)> {
+        let scales = &self.scales;
+        let number = |value: Option<f64>| value.map_or("-".into(), number_in_words);
+        let zone = format!("{}, {} spacings", units.length(scales.process_zone), number_in_words(scales.spacings));
+        [
+            ("work of adhesion", units.energy_per_area(self.work)),
+            ("range", units.length(self.range)),
+            ("process zone", zone),
+            ("Tabor's number", number(scales.tabor)),
+            ("Maugis' number", number(scales.maugis)),
+            ("Pastewka-Robbins", format!("{} (below 1: sticky)", number_in_words(scales.pastewka_robbins))),
+        ]
+        .map(|(name, value)| (name.to_owned(), value))
+        .into()
+    }
+
+    /// The end of the summary: pull-off, jumps and energies.
+    fn write_totals(&self, units: Units, out: &mut impl Write) -> io::Result<()> {
+        let totals = &self.totals;
+        match totals.lowest_pressure.map(|pressure| units.pressure(pressure)) {
+            None => writeln!(out, "\nthe attraction does not hold this load")?,
+            Some(lowest) if totals.separated => writeln!(out, "\npull-off at a mean pressure of {lowest}")?,
+            Some(lowest) => writeln!(out, "\nlowest mean pressure {lowest}")?,
+        }
+        let [jumps, all] = [totals.lost_in_jumps, totals.lost_in_all].map(|energy| units.energy_per_area(energy));
+        let count = match totals.jumps.len() {
+            1 => "1 jump".to_owned(),
+            count => format!("{count} jumps"),
+        };
+        writeln!(out, "energy lost per area: {jumps} in {count}, {all} by the closed balance of all steps")
+    }
 }
 
 /// Follows the history of a setup, and writes and prints its states.
@@ -193,6 +265,7 @@ fn write(
     let summary = HistorySummary {
         process: outcome.kind.into(),
         claim: outcome.states.first().map_or("", |state| state.claim.words()),
+        adhesion: AdhesionSummary::new(setup, &outcome)?,
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, &quantities)).collect(),
         energy_per_cycle: outcome.cycles(setup),
         warnings,
@@ -215,8 +288,10 @@ fn write(
 /// The numbers of a state, by their names.
 fn object(number: usize, state: &HistoryState, quantities: &[&HistoryQuantity]) -> Map<String, Value> {
     let first = [("state".to_owned(), Value::from(number + 1)), ("status".to_owned(), word(state.contact.status))];
+    let claim: &str = state.claim.into();
+    let claim = state.numbers.residual.map(|_| ("claim".to_owned(), Value::from(claim)));
     let value = |it: &&HistoryQuantity| Some((it.name.to_owned(), Value::from((it.value)(state)?)));
-    first.into_iter().chain(quantities.iter().filter_map(value)).collect()
+    first.into_iter().chain(claim).chain(quantities.iter().filter_map(value)).collect()
 }
 
 fn word(status: Status) -> Value {
@@ -243,18 +318,24 @@ impl HistorySummary {
     fn write_text(&self, outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
         let (states, process) = (counted(outcome.states.len()), self.process);
         writeln!(out, "{}: {process}, {states}", self.subject.line())?;
-        let claim = ("claim".to_owned(), self.claim.to_owned());
-        write_rows(self.subject.rows(units).into_iter().chain([claim]), out)?;
+        let claim = self.adhesion.is_none().then(|| ("claim".to_owned(), self.claim.to_owned()));
+        let adhesion = self.adhesion.iter().flat_map(|adhesion| adhesion.rows(units));
+        write_rows(self.subject.rows(units).into_iter().chain(claim).chain(adhesion), out)?;
         let named = COLUMNS.iter().find(|(kind, _)| *kind == outcome.kind).map_or(&[][..], |(_, columns)| columns);
         let has = |it: &&HistoryQuantity| outcome.states.iter().any(|state| (it.value)(state).is_some());
         let find = |name: &&str| HISTORY_QUANTITIES.iter().find(|it| it.name == *name).filter(has);
         let columns: Vec<&HistoryQuantity> = named.iter().filter_map(find).collect();
         writeln!(out)?;
         columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(it)))?;
-        writeln!(out)?;
+        let is_claimed = self.adhesion.is_some();
+        writeln!(out, "{}", if is_claimed { "  claim" } else { "" })?;
         for state in &outcome.states {
             columns.iter().try_for_each(|it| write!(out, " {:>15}", cell(it, state, units)))?;
-            writeln!(out)?;
+            let claim: &str = if is_claimed { state.claim.into() } else { "" };
+            writeln!(out, "{}{claim}", if is_claimed { "  " } else { "" })?;
+        }
+        if let Some(adhesion) = &self.adhesion {
+            adhesion.write_totals(units, out)?;
         }
         if !self.energy_per_cycle.is_empty() {
             let energies: Vec<String> = self.energy_per_cycle.iter().map(|it| units.energy_per_area(*it)).collect();
@@ -273,6 +354,8 @@ fn heading(quantity: &HistoryQuantity) -> &'static str {
         "effective_pressure" => "eff. pressure",
         "stick_share" => "sticks",
         "dissipated" => "energy lost",
+        "attraction" => "attraction",
+        "jump" => "lost in jump",
         "max_pressure" => "max. pressure",
         "certificate" => "eta",
         "traction_certificate" => "eta of traction",
@@ -287,7 +370,12 @@ fn cell(quantity: &HistoryQuantity, state: &HistoryState, units: Units) -> Strin
         HistoryUnit::Length => units.length(value),
         HistoryUnit::Pressure => units.pressure(value),
         HistoryUnit::EnergyPerArea => units.energy_per_area(value),
-        _ if quantity.name.contains("certificate") || quantity.name.contains("error") => format!("{value:.1e}"),
+        _ if quantity.name.contains("certificate")
+            || quantity.name.contains("error")
+            || quantity.name == "residual" =>
+        {
+            format!("{value:.1e}")
+        }
         _ => number_in_words(value),
     }
 }

@@ -1,5 +1,6 @@
 //! The picture of a history.
 
+use asperity::contact::ResultClaim;
 use asperity::history::{HISTORY_QUANTITIES, HistoryState};
 use asperity::job::HistoryOutcome;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
@@ -23,6 +24,7 @@ fn panels(kind: ProcessKind) -> [HistoryPanel; 2] {
     let panel = |x, y, is_logarithmic| HistoryPanel { x, y, is_logarithmic };
     match kind {
         ProcessKind::Creep => [panel("time", "relative_area", false), panel("time", "mean_gap", false)],
+        ProcessKind::Adhesion => [panel("mean_gap", "mean_pressure", false), panel("mean_gap", "relative_area", false)],
         ProcessKind::Slip => [panel("shift", "mean_traction", false), panel("state", "stick_share", false)],
         ProcessKind::Sliding => [panel("speed", "friction", true), panel("speed", "relative_area", true)],
         ProcessKind::Rolling => [panel("creepage", "friction", false), panel("creepage", "stick_share", false)],
@@ -40,6 +42,7 @@ impl HistoryPanel {
         let [x, y] = [self.x, self.y].map(|name| {
             let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
             let value = |(number, state): (usize, &HistoryState)| match found {
+                _ if state.claim == ResultClaim::Separated => f64::NAN,
                 Some(it) => (it.value)(state).unwrap_or(f64::NAN),
                 None => (number + 1) as f64,
             };
@@ -54,7 +57,14 @@ impl HistoryPanel {
         };
         let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
         let mut panel = Panel::new(format!("{} against {}", y.0, x.0), axis(&x, self.is_logarithmic), axis(&y, false));
-        panel.add("", Colour::ORANGE, Mark::Joined { symbol: Symbol::Circle, filled: true }, dots);
+        let is_loop = states.iter().any(|state| state.numbers.residual.is_some());
+        if is_loop && self.y == "mean_pressure" {
+            panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());
+        }
+        panel.add("", Colour::ORANGE, Mark::Joined { symbol: Symbol::Circle, filled: true }, dots.iter().copied());
+        for jump in (1..states.len()).filter(|&i| states[i].numbers.jump.is_some()) {
+            panel.add("", Colour::BLACK, Mark::Arrow, [dots[jump - 1], dots[jump]]);
+        }
         panel
     }
 }

@@ -57,11 +57,11 @@ impl ProblemSummary {
             seed: surface.seed(),
             contact_modulus: problem.contact_modulus(),
             hardness: setup.law.hardness(),
-            prescribed: problem.load().name(),
+            prescribed: setup.load.name(),
             solver: described(setup),
             title: setup.surface.title(grid),
-            name: setup.solver().name().into(),
-            settings: setup.solver().settings(),
+            name: solver_of(setup).0,
+            settings: solver_of(setup).1,
             solid: setup.solid.map_or("not given: pressures are divided by it".into(), |solid| solid.description()),
             others: others(setup, problem),
             rank,
@@ -98,8 +98,19 @@ impl ProblemSummary {
     }
 }
 
-/// The solver that is used, in the form of the section `solver`. Sliding has a solver of its own, which has no settings.
+/// Name and settings of the solver that is used.
+fn solver_of(setup: &Setup) -> (String, String) {
+    match &setup.adhesion {
+        Some(adhesion) => (adhesion.method.name().into(), adhesion.method.words().into()),
+        None => (setup.solver().name().into(), setup.solver().settings()),
+    }
+}
+
+/// The solver that is used, in the form of the section `solver`. Sliding and adhesion have solvers of their own, which have no settings.
 fn described(setup: &Setup) -> Map<String, Value> {
+    if setup.adhesion.is_some() {
+        return [("method".to_owned(), Value::from(solver_of(setup).0))].into_iter().collect();
+    }
     let section = match serde_json::to_value(setup.solver) {
         Ok(Value::Object(section)) if setup.solver().name() == setup.solver.name() => section,
         _ => Map::new(),

@@ -1,8 +1,8 @@
 //! Setups that cannot be.
 
 use super::{
-    CreepError, FileError, GridError, HistoryError, PreparationError, ProblemError, SettingError, SlipError,
-    SolidError, SolveError, SurfaceError,
+    AdhesionError, CreepError, FileError, GridError, HistoryError, PreparationError, ProblemError, SettingError,
+    SlipError, SolidError, SolveError, SurfaceError,
 };
 use crate::quantity::bytes_in_words;
 use std::path::PathBuf;
@@ -40,6 +40,11 @@ pub enum SetupError {
     /// A motion that cannot be.
     #[error("{reason}")]
     Motion { reason: String },
+    /// A section about adhesion that cannot be.
+    #[error("{reason}")]
+    Adhesion { reason: String },
+    #[error(transparent)]
+    Attraction(#[from] AdhesionError),
     #[error(transparent)]
     Setting(#[from] SettingError),
     #[error(transparent)]

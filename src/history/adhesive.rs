@@ -22,7 +22,7 @@ const APART: f64 = 30.0;
 ///
 /// `E_0 - E_1 - (P_0 + P_1)(d_1 - d_0)/2`.
 ///
-/// Without a jump this is an error of third order in the step. A step that loses more is halved until it is short: what it loses then is
+/// Without a jump this is an error of third order in the step. Where it is large, the step is halved until it is short: what it loses then is
 /// a jump, with a state before it and one after it. Under a mean pressure the surfaces may part; the energy of the last state is released then.
 pub struct AdhesiveProcess {
     problem: AdhesiveProblem,
@@ -114,41 +114,46 @@ impl AdhesiveProcess {
         observer: &mut dyn Observer,
     ) -> Result<Vec<Visit>, AdhesionError> {
         let allowed = JUMP * self.problem.attraction().work();
-        let (end, whole) = (target.value(), (target.value() - last.control.value()).abs());
-        let (mut from, mut at, mut ledger) = (last.place.clone(), last.control.value(), last.ledger);
+        let (begin, end) = (last.control.value(), target.value());
+        let (mut from, mut at, mut ledger) = (last.place.clone(), begin, last.ledger);
         let (mut visits, mut work) = (Vec::new(), Work::default());
+        let mut length = end - begin;
         loop {
-            let mut to = end;
-            let (mut after, spent) = self.solve(target.with_value(to), Some(&from), observer)?;
-            work = sum(work, spent);
-            while lost(&from, &after) > allowed && (to - at).abs() > FINEST * whole {
-                let middle = 0.5 * (at + to);
-                let (place, spent) = self.solve(target.with_value(middle), Some(&from), observer)?;
-                work = sum(work, spent);
-                if lost(&from, &place) > allowed {
-                    (after, to) = (place, middle);
-                } else {
-                    ledger.work += work_of_load(&from, &place);
-                    (from, at) = (place, middle);
+            let to = if (end - at).abs() <= length.abs() { end } else { at + length };
+            let is_short = (to - at).abs() <= FINEST * (end - begin).abs();
+            let (after, spent) = match self.solve(target.with_value(to), Some(&from), observer) {
+                // close to a jump the safe method may be too slow
+                Err(AdhesionError::NotFound { .. }) if !is_short => {
+                    length *= 0.5;
+                    continue;
                 }
+                found => found?,
+            };
+            work = sum(work, spent);
+            let missed = lost(&from, &after);
+            if missed.abs() > allowed && !is_short {
+                length *= 0.5;
+                continue;
             }
-            let jump = Some(lost(&from, &after)).filter(|lost| *lost > allowed);
-            if jump.is_some() && at != last.control.value() {
+            let is_jump = missed > allowed;
+            if is_jump && at != begin {
                 let (place, control) = (from.clone(), target.with_value(at));
                 visits.push(Visit { place, control, ledger, jump: None, work: std::mem::take(&mut work) });
             }
-            let jump = jump
-                .map(|lost| if let (Place::State(from), Place::Apart) = (&from, &after) { -from.energy } else { lost });
+            let jump = is_jump.then(|| match (&from, &after) {
+                (Place::State(from), Place::Apart) => -from.energy,
+                _ => missed,
+            });
             ledger.lost += jump.unwrap_or(0.0);
             ledger.work += work_of_load(&from, &after);
-            if to == end || jump.is_some() {
+            if to == end || is_jump {
                 let (place, control) = (after.clone(), target.with_value(to));
                 visits.push(Visit { place, control, ledger, jump, work: std::mem::take(&mut work) });
             }
             if to == end {
                 return Ok(visits);
             }
-            (from, at) = (after, to);
+            (from, at, length) = (after, to, 2.0 * length);
         }
     }
 
@@ -178,6 +183,7 @@ impl AdhesiveProcess {
                 HistoryState { contact: state.contact, point, claim: state.claim, numbers, fields, work }
             }
             Place::Apart => {
+                let shape = self.problem.problem().surface().grid().shape();
                 let numbers = HistoryNumbers {
                     net_pressure: Some(control.value()),
                     attraction: Some(0.0),
@@ -191,7 +197,7 @@ impl AdhesiveProcess {
                     point,
                     claim: ResultClaim::Separated,
                     numbers,
-                    fields: Vec::new(),
+                    fields: vec![HistoryField::attraction(Field::zeros(shape))],
                     work,
                 }
             }

@@ -1,15 +1,21 @@
 //! A run of a setup with a history: creep, slip, sliding or rolling.
 
+use crate::adhesion::AdhesionScales;
 use crate::contact::{Observer, Problem, Status};
 use crate::error::{HistoryError, SetupError};
 use crate::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses};
-use crate::setup::{ProcessKind, Setup};
+use crate::setup::{Adhesion, ProcessKind, Setup};
 use crate::warning::Warning;
+
+/// A process zone of fewer spacings gets a warning.
+const FEW_SPACINGS: f64 = 4.0;
 
 /// The states of a history, and what they add up to.
 pub struct HistoryOutcome {
     /// The process.
     pub kind: ProcessKind,
+    /// How the attraction compares with surface and solid, with adhesion.
+    pub scales: Option<AdhesionScales>,
     /// The states, in their order.
     pub states: Vec<HistoryState>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
@@ -35,7 +41,11 @@ impl HistoryOutcome {
         });
         match ended {
             Err(error) if states.is_empty() => Err(error.into()),
-            ended => Ok(Self { kind, states, ended: ended.err() }),
+            ended => {
+                let attraction = setup.adhesion.as_ref().map(Adhesion::attraction).transpose()?;
+                let scales = attraction.map(|attraction| AdhesionScales::new(problem, &attraction));
+                Ok(Self { kind, scales, states, ended: ended.err() })
+            }
         }
     }
 
@@ -67,6 +77,16 @@ impl HistoryOutcome {
             )
             .with_remedy("stop.tolerance", None)
         });
-        missed.into_iter().collect()
+        let coarse = self.scales.filter(|scales| scales.spacings < FEW_SPACINGS).map(|scales| {
+            Warning::new(
+                format!(
+                    "The process zone of the attraction is {:.1} spacings long, and so the nodes hold the edges of the contact",
+                    scales.spacings
+                ),
+                "Use more points, or a longer range: the zone should be at least 4 spacings long",
+            )
+            .with_remedy("grid.points", None)
+        });
+        missed.into_iter().chain(coarse).collect()
     }
 }

@@ -10,10 +10,10 @@ use crate::setup::Setup;
 use std::path::Path;
 
 /// Quantities without a curve: those that other curves or the axis show.
-const WITHOUT_CURVE: [&str; 3] = ["transforms", "certificate", "traction_certificate"];
+const WITHOUT_CURVE: [&str; 5] = ["transforms", "certificate", "traction_certificate", "residual", "jump"];
 
 /// Quantities whose curves stand first, in the rows of their own.
-const FIRST: [&str; 4] = ["friction", "relative_area", "dissipated", "kappa_r"];
+const FIRST: [&str; 5] = ["friction", "mean_pressure", "relative_area", "dissipated", "kappa_r"];
 
 impl HistoryOutcome {
     /// Writes a recording of all states, on the timelines `step` and, where states have times, `time`.
@@ -76,7 +76,10 @@ impl HistoryOutcome {
     /// The state in a few words.
     fn caption(&self, i: usize) -> String {
         let state = &self.states[i];
-        let said = ["time", "speed", "creepage", "friction"];
+        let said: &[&str] = match state.numbers.residual {
+            Some(_) => &["mean_pressure", "mean_gap"],
+            None => &["time", "speed", "creepage", "friction"],
+        };
         let words = self.quantities().into_iter().filter(|it| said.contains(&it.name)).filter_map(|it| {
             (it.value)(state).map(|value| format!("{} {}", it.title, crate::quantity::number_in_words(value)))
         });

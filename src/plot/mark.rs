@@ -11,6 +11,10 @@ pub enum Mark {
     Dashed,
     /// A dotted line.
     Dotted,
+    /// A pale fill of the area that a line through all points encloses.
+    Area,
+    /// An arrow from the first point to the last one.
+    Arrow,
     /// A symbol at each point.
     Symbol {
         /// Shape of the symbol.

@@ -9,6 +9,10 @@ use super::sheet::Sheet;
 
 const LINE: f64 = 2.0;
 const FINE_LINE: f64 = 1.4;
+/// Opacity of an area.
+const PALE: f64 = 0.18;
+/// Length of the head of an arrow.
+const HEAD: f64 = 12.0;
 /// From the middle of an error bar to the end of a cap.
 const CAP: f64 = 4.0;
 
@@ -28,11 +32,28 @@ pub fn draw_series(sheet: &mut Sheet, frame: &AxesFrame, series: &Series) {
 pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
     let pattern = match series.mark {
         Mark::Symbol { .. } => return,
+        Mark::Area => return sheet.shape(points, series.colour, PALE),
+        Mark::Arrow => return draw_arrow(sheet, series.colour, &points),
         Mark::Line | Mark::Joined { .. } => return sheet.line(points, series.colour, LINE),
         Mark::Dashed => [7.0, 4.5],
         Mark::Dotted => [2.0, 3.5],
     };
     dashes(&points, pattern).into_iter().for_each(|dash| sheet.line(dash, series.colour, LINE));
+}
+
+/// Draws an arrow from the first to the last point.
+fn draw_arrow(sheet: &mut Sheet, colour: Colour, points: &[[f64; 2]]) {
+    let (Some(&[x, y]), Some(&end)) = (points.first(), points.last()) else { return };
+    let [dx, dy] = [end[0] - x, end[1] - y];
+    let length = dx.hypot(dy);
+    if length == 0.0 {
+        return;
+    }
+    let [along, side] = [[dx / length, dy / length], [-dy / length, dx / length]];
+    let head = HEAD.min(0.5 * length);
+    let corner = |back: f64, out: f64| [0, 1].map(|axis| end[axis] - back * along[axis] + out * side[axis]);
+    sheet.line(vec![[x, y], corner(head, 0.0)], colour, LINE);
+    sheet.shape(vec![end, corner(head, 0.4 * head), corner(head, -0.4 * head)], colour, 1.0);
 }
 
 /// Draws the symbol of a series at a position on the sheet, if it has one.

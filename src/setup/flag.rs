@@ -1,6 +1,7 @@
 //! The flags of the command line that set values of a setup.
 
 use super::{Boundary, Method, Part, Theme};
+use crate::adhesion::{AdhesiveMethod, AttractionForm};
 use crate::contact::{Dynamics, Masses};
 use crate::elastic::Base;
 use crate::history::CreepRule;
@@ -102,6 +103,11 @@ pub const FLAGS: &[Flag] = &[
     flag("mean-gap", "load.mean-gap", FlagValue::List, "G[,G]", "Mean gap: distance between the mean planes of both surfaces, less than the height of the highest peak; not with --solver gfmd"),
     flag("friction", "friction.coefficient", FlagValue::One, "MU", "Coefficient of friction; needs --tangential, --path-tangential, --creepage or --rolling"),
     flag("tangential", "friction.tangential", FlagValue::One, "Q", "Tangential load along x, less than MU times the normal load, and of the same kind as it: a mean traction, a reduced traction or a force"),
+    flag("adhesion", "adhesion.work", FlagValue::One, "W", "Work of adhesion, an energy per area such as 50mJ/m^2; needs --adhesion-range"),
+    flag("adhesion-range", "adhesion.range", FlagValue::One, "RHO", "Range of the attraction: the work of adhesion over its largest traction, a length"),
+    flag("adhesion-form", "adhesion.form", FlagValue::Choice(choices::<AttractionForm>), "FORM", "How the attraction falls with the gap [default: exponential]"),
+    flag("adhesion-table", "adhesion.table", FlagValue::One, "FILE.csv", "Table of the attraction with the columns gap and traction, instead of the three flags above"),
+    flag("adhesion-method", "adhesion.method", FlagValue::Choice(choices::<AdhesiveMethod>), "METHOD", "Method that finds states with adhesion [default: fast]"),
     flag("creep", "viscoelastic.creep", FlagValue::List, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is the one at once after loading; needs --path-time, --path or --speed"),
     flag("relaxation", "viscoelastic.relaxation", FlagValue::List, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time"),
     flag("time-rule", "viscoelastic.rule", FlagValue::Choice(choices::<CreepRule>), "RULE", "How the pressure varies within a step in time [default: constant-pressure]"),
@@ -113,7 +119,7 @@ pub const FLAGS: &[Flag] = &[
     flag("path-time", "path.time", FlagValue::List, "T[,T]", "Times of the path; with a single time, the load is held until then; needs --creep or --relaxation"),
     flag("path-load", "path.load", FlagValue::List, "P[,P]", "Normal loads of the path, of the same kind as the load [default: the load at all points]"),
     flag("path-tangential", "path.tangential", FlagValue::List, "Q[,Q]", "Tangential loads of the path, of the same kind as the load; if the first one is negative, write --path-tangential=-1,1; needs --friction"),
-    flag("path-steps", "path.steps", FlagValue::One, "N", "Number of equal steps between two points of the path [default: with friction 1; in time as many as --time-tolerance needs]"),
+    flag("path-steps", "path.steps", FlagValue::One, "N", "Number of equal steps between two points of the path [default: with friction 1; with adhesion 20; in time as many as --time-tolerance needs]"),
     flag("time-tolerance", "path.time-tolerance", FlagValue::One, "ERROR", "Largest estimated relative error of a step in time [default: 1e-3]"),
     flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),
     flag("approach", "load.approach", FlagValue::List, "D[,D]", "Approach of the bodies after the first contact, for a layer or a free boundary; not with --solver gfmd"),

@@ -31,6 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod adhesion;
 mod auto;
 mod axis;
 mod cell;
@@ -57,6 +58,7 @@ mod viscoelastic;
 mod warnings;
 mod words;
 
+pub use adhesion::Adhesion;
 pub use auto::Auto;
 pub use axis::{ParameterAxis, Scalar};
 pub use cell::{Boundary, Cell};
@@ -83,6 +85,9 @@ use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
+/// A reduced pressure for problems whose load is not used.
+const ANY: f64 = 0.01;
+
 /// The description of a contact to solve.
 ///
 /// | section   | holds                                                        | where it is left out            |
@@ -93,6 +98,7 @@ use std::sync::Arc;
 /// | `law`     | the hardness of the softer body, a pressure                  | elastic at any pressure         |
 /// | `load`    | a mean pressure or a force (of a `solid`), a reduced pressure, a mean gap, an approach | must be there |
 /// | `friction` | a coefficient of friction and a tangential load            | none                            |
+/// | `adhesion` | work of adhesion, range and form of the attraction          | none                            |
 /// | `viscoelastic` | the terms of a solid that creeps                       | elastic at all times            |
 /// | `path`    | times, loads and tangential loads of a history               | one contact, no history         |
 /// | `sliding`, `rolling` | speeds; creepages or tangential loads             | a surface at rest               |
@@ -118,6 +124,9 @@ pub struct Setup {
     /// The tangential load that follows the normal one, and the friction that carries it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<Friction>,
+    /// The attraction between surface and solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adhesion: Option<Adhesion>,
     /// The memory of a solid that creeps.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub viscoelastic: Option<Viscoelastic>,
@@ -146,8 +155,23 @@ impl Setup {
     /// divided by the modulus. A mean pressure also needs a solid, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
         let (solid, law, friction, solver, stop, record) = Default::default();
-        let (viscoelastic, path, sliding, rolling) = Default::default();
-        Self { surface, grid, solid, law, load, friction, viscoelastic, path, sliding, rolling, solver, stop, record }
+        let (adhesion, viscoelastic, path, sliding, rolling) = Default::default();
+        Self {
+            surface,
+            grid,
+            solid,
+            law,
+            load,
+            friction,
+            adhesion,
+            viscoelastic,
+            path,
+            sliding,
+            rolling,
+            solver,
+            stop,
+            record,
+        }
     }
 
     /// The setup on a solid.
@@ -263,7 +287,9 @@ impl Setup {
     pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
         let surface = surface.into();
         self.check_on(surface.grid())?;
-        let problem = Problem::new(surface, self.elastic()?, self.load)?.with_law(self.law)?;
+        // adhesion has loads that no other contact has, such as pulls
+        let load = if self.adhesion.is_some() { Load::ReducedPressure(ANY) } else { self.load };
+        let problem = Problem::new(surface, self.elastic()?, load)?.with_law(self.law)?;
         match self.speed() {
             Some(speed) => Ok(problem.sliding(speed, &self.memory()?)?),
             None => Ok(problem),

@@ -53,11 +53,12 @@ impl LoadPath {
         self.len() == 0
     }
 
-    /// Checks that the lists have one length, that times ascend from 0, and that all numbers are finite.
+    /// Checks that the lists have one length, that times ascend from 0, and that all numbers are finite. Loads are 0 or more, unless the
+    /// surfaces may be pulled apart.
     ///
     /// # Errors
     /// [`SetupError::Path`].
-    pub fn check(&self) -> Result<(), SetupError> {
+    pub fn check(&self, may_pull: bool) -> Result<(), SetupError> {
         let wrong = |reason: String| Err(SetupError::Path { reason });
         let lists = [&self.time, &self.load, &self.tangential];
         let lengths = lists.map(Vec::len);
@@ -76,7 +77,8 @@ impl LoadPath {
             ));
         }
         for (name, list) in named {
-            let least = if name == "tangential" { f64::NEG_INFINITY } else { 0.0 };
+            let is_signed = name == "tangential" || name == "load" && may_pull;
+            let least = if is_signed { f64::NEG_INFINITY } else { 0.0 };
             if let Some(value) = list.iter().find(|value| !value.is_finite() || **value < least) {
                 let range = if least == 0.0 { "a finite value, 0 or more" } else { "a finite value" };
                 return wrong(format!("a {name} of the path is {value:?}: give {range}"));

@@ -1,13 +1,14 @@
 //! The process of a setup: which history it describes, and what makes it.
 
 use super::{RollingMotion, Setup};
+use crate::adhesion::AdhesiveProblem;
 use crate::contact::{Problem, Solver};
 use crate::elastic::Prony;
 use crate::error::{SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
-    CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess, SlipHistory,
-    SlipProcess,
+    AdhesiveProcess, CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess,
+    SlipHistory, SlipProcess,
 };
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
@@ -16,6 +17,9 @@ const TIME_TOLERANCE: f64 = 1e-3;
 
 /// Steps between two points of a path in time that are expected where the error in time chooses them.
 const STEPS_OF_TIME: usize = 32;
+
+/// Steps between two points of a path with adhesion, if no number is given.
+const STEPS_OF_ADHESION: usize = 20;
 
 /// The processes that a setup can describe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, IntoStaticStr)]
@@ -29,6 +33,8 @@ pub enum ProcessKind {
     Sliding,
     /// Steady rolling with friction.
     Rolling,
+    /// Adhesion under loads up and down.
+    Adhesion,
 }
 
 impl ProcessKind {
@@ -38,7 +44,7 @@ impl ProcessKind {
         match self {
             Self::Creep => Some("time"),
             Self::Sliding => Some("speed"),
-            Self::Slip | Self::Rolling => None,
+            Self::Slip | Self::Rolling | Self::Adhesion => None,
         }
     }
 }
@@ -51,6 +57,9 @@ impl Setup {
     pub fn process(&self) -> Result<Option<ProcessKind>, SetupError> {
         let motion = |reason: &str| Err(SetupError::Motion { reason: reason.into() });
         let path = |reason: &str| Err(SetupError::Path { reason: reason.into() });
+        if self.adhesion.is_some() {
+            return self.adhesive_process().map(Some);
+        }
         match (&self.viscoelastic, &self.path, &self.sliding, &self.rolling) {
             (_, _, Some(_), Some(_)) => motion("both sliding and rolling are given: give one of them"),
             (_, Some(_), Some(_), _) | (_, Some(_), _, Some(_)) => {
@@ -93,6 +102,32 @@ impl Setup {
         }
     }
 
+    /// The process of a setup with adhesion, which goes with loads alone.
+    fn adhesive_process(&self) -> Result<ProcessKind, SetupError> {
+        let others = [
+            (self.viscoelastic.is_some(), "creep"),
+            (self.friction.is_some(), "friction"),
+            (self.sliding.is_some(), "sliding"),
+            (self.rolling.is_some(), "rolling"),
+            (!self.law.is_hard_wall(), "hardness"),
+        ];
+        if let Some((_, other)) = others.iter().find(|(is_given, _)| *is_given) {
+            let reason = format!("adhesion and {other} cannot be combined: leave one of them out");
+            return Err(SetupError::Adhesion { reason });
+        }
+        match &self.path {
+            Some(path) if path.is_empty() => {
+                let reason = "the path has no points: give loads, or leave the path out".into();
+                Err(SetupError::Path { reason })
+            }
+            Some(path) if !path.time.is_empty() || !path.tangential.is_empty() => {
+                let reason = "a path with adhesion has loads only: leave times and tangential loads out".into();
+                Err(SetupError::Path { reason })
+            }
+            _ => Ok(ProcessKind::Adhesion),
+        }
+    }
+
     /// Whether the setup describes more than one state. A contact that slides at one speed is a single state, solved like any other.
     ///
     /// # Errors
@@ -114,6 +149,7 @@ impl Setup {
         Ok(match self.process()? {
             Some(ProcessKind::Creep) => path(STEPS_OF_TIME),
             Some(ProcessKind::Slip) => path(1),
+            Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1),
             Some(ProcessKind::Sliding) => self.sliding.as_ref().map_or(0, |it| it.speed.len()),
             Some(ProcessKind::Rolling) => self.rolling.as_ref().map_or(0, rolling),
             None => 0,
@@ -138,15 +174,18 @@ impl Setup {
         Ok(self.prony()?.terms().iter().map(|term| (term.ratio, term.time)).collect())
     }
 
-    /// The points of the path of a history; none if it has no path.
+    /// The points of the path of a history; with adhesion the load alone if it has no path, and else none.
     pub fn path_points(&self) -> Vec<PathPoint> {
-        self.path.as_ref().map_or(Vec::new(), |path| path.points(self.load))
+        let alone =
+            || self.adhesion.iter().map(|_| PathPoint { time: None, load: self.load, tangential: None }).collect();
+        self.path.as_ref().map_or_else(alone, |path| path.points(self.load))
     }
 
     /// Checks what belongs to a process.
     pub(super) fn check_process(&self, process: ProcessKind, grid: &Grid) -> Result<(), SetupError> {
         self.viscoelastic.as_ref().map_or(Ok(()), |it| it.prony().map(drop))?;
-        self.path.as_ref().map_or(Ok(()), super::LoadPath::check)?;
+        self.path.as_ref().map_or(Ok(()), |path| path.check(self.adhesion.is_some()))?;
+        self.adhesion.as_ref().map_or(Ok(()), |it| it.attraction().map(drop))?;
         self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
         let motion = |reason: String| Err(SetupError::Motion { reason });
@@ -166,6 +205,10 @@ impl Setup {
         }
         match process {
             ProcessKind::Creep => Ok(()),
+            ProcessKind::Adhesion if self.solver != super::Method::default() => {
+                motion(format!("adhesion has methods of its own, not {}: leave the solver out", self.solver.name()))
+            }
+            ProcessKind::Adhesion => Ok(()),
             ProcessKind::Sliding if !grid.is_periodic() => {
                 motion("sliding needs a periodic boundary: leave the boundary out".into())
             }
@@ -210,6 +253,7 @@ impl Setup {
         let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
         let process: Box<dyn Process + '_> = match kind {
             ProcessKind::Creep => Box::new(self.creep(problem)?),
+            ProcessKind::Adhesion => Box::new(self.adhesive(problem)?),
             ProcessKind::Slip => {
                 let history = SlipHistory::sheared(problem, mu, self.shear_ratio(), solver, stop)?;
                 let history = history.with_coupling(self.dundurs_beta())?;
@@ -227,6 +271,14 @@ impl Setup {
             }
         };
         Ok(Some(process))
+    }
+
+    /// What makes the history of a problem with adhesion along the path of this setup.
+    fn adhesive(&self, problem: Problem) -> Result<AdhesiveProcess, SetupError> {
+        let adhesion = self.adhesion.clone().unwrap_or_default();
+        let problem = AdhesiveProblem::new(problem, adhesion.attraction()?)?;
+        let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(STEPS_OF_ADHESION);
+        Ok(AdhesiveProcess::new(problem, self.path_points(), steps, adhesion.method, self.stop))
     }
 
     /// What makes the history of a problem on a solid that creeps along the path of this setup.

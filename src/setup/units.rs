@@ -20,6 +20,7 @@ const KINDS: [(&str, &[&str]); 2] = [
             "solid.layer",
             "load.mean-gap",
             "load.approach",
+            "adhesion.range",
         ],
     ),
 ];

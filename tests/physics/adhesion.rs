@@ -67,8 +67,16 @@ fn explore_loop() {
                 let n = state.numbers;
                 println!(
                     "p {:?} gap {:.5} area {:.4} jump {:?} lost {:.5} work {:.5} stored {:.5} {:?} T {} {:?}",
-                    n.net_pressure, state.contact.mean_gap(), n.relative_area.unwrap(), n.jump, n.dissipated.unwrap(), n.work_done.unwrap(),
-                    n.stored.unwrap(), state.claim, state.work.transforms, state.point
+                    n.net_pressure,
+                    state.contact.mean_gap(),
+                    n.relative_area.unwrap(),
+                    n.jump,
+                    n.dissipated.unwrap(),
+                    n.work_done.unwrap(),
+                    n.stored.unwrap(),
+                    state.claim,
+                    state.work.transforms,
+                    state.point
                 );
                 Ok(())
             })
@@ -78,32 +86,45 @@ fn explore_loop() {
 
 #[test]
 fn explore_sphere() {
+    use asperity::history::{AdhesiveProcess, PathPoint, Process};
     let (radius, work, modulus) = (1.0, 0.05, 10.0);
-    for (points, lambda, size) in [(64, 0.5, 3.0), (96, 1.0, 3.0)] {
+    let point = |load| PathPoint { time: None, load, tangential: None };
+    for (points, lambda) in [(64, 0.5), (128, 0.5), (256, 0.5), (96, 1.0), (192, 1.0), (384, 1.0)] {
+        let size = 6.0;
         let stiff = 4.0 / 3.0 * modulus;
         let sigma: f64 = lambda / 2.0 * (PI * work * stiff * stiff / radius).cbrt();
         let unit = (PI * work * radius * radius / stiff).cbrt();
-        let grid = Grid::surface([points, points], [size * unit * 2.0, size * unit * 2.0]).unwrap().with_periodic([false; 2]);
+        let grid = Grid::surface([points, points], [size * unit, size * unit]).unwrap().with_periodic([false; 2]);
         let surface = Indenter::Sphere { radius }.surface(grid).unwrap();
-        let area = grid.area();
         let problem = Problem::new(surface, ContactModulus(modulus), Load::Force(1.0)).unwrap();
+        let force = PI * work * radius;
         for form in [AttractionForm::Dugdale, AttractionForm::Exponential] {
-        let attraction = Attraction::new(form, work, work / sigma).unwrap();
-        let problem = AdhesiveProblem::new(problem.clone(), attraction).unwrap();
-        println!("{:?}", problem.scales());
-        let mut last: Option<AdhesiveState> = None;
-        for f in [0.0, -0.5, -1.0, -1.3, -1.4, -1.5, -1.55, -1.6, -1.65, -1.7, -1.75, -1.8] {
-            let control = AdhesiveControl::MeanPressure(f * PI * work * radius / area);
+            let attraction = Attraction::new(form.clone(), work, work / sigma).unwrap();
+            let problem = AdhesiveProblem::new(problem.clone(), attraction).unwrap();
+            let path =
+                vec![point(Load::Force(0.0)), point(Load::Force(-1.4 * force)), point(Load::Force(-2.0 * force))];
+            let mut process = AdhesiveProcess::new(problem.clone(), path, 10, AdhesiveMethod::Fast, Stop::default());
+            let mut first = None;
+            let mut last = 0.0;
             let start = std::time::Instant::now();
-            match problem.solve(control, last.as_ref(), AdhesiveMethod::Fast, &Stop::default(), &mut ()) {
-                Ok(AdhesiveOutcome::State(found)) => {
-                    let a = (found.relative_area() * area / PI).sqrt() / unit;
-                    println!("{f} a {a:.4} {} {} {:?} {:.1e} {} {:?}", found.steps, found.method, found.claim, found.residual, found.work.transforms, start.elapsed());
-                    last = Some(found);
-                }
-                other => { println!("{f} {:?}", other.map(|_| "separated")); break; }
-            }
-        }
+            let (mut t, mut count) = (0, 0);
+            process
+                .run(&mut (), &mut |state| {
+                    let a = (state.numbers.relative_area.unwrap() / PI).sqrt() * size;
+                    first.get_or_insert(a);
+                    t += state.work.transforms;
+                    count += 1;
+                    if state.claim != ResultClaim::Separated {
+                        last = state.numbers.net_pressure.unwrap() * size * size * unit * unit / force;
+                    }
+                    Ok(())
+                })
+                .unwrap();
+            println!(
+                "{points} {lambda} {form:?} a0 {first:?} pull-off {last:.5} T {t} states {count} {:?} spac {}",
+                start.elapsed(),
+                problem.scales().spacings
+            );
         }
     }
 }

@@ -1,0 +1,68 @@
+//! What a history with adhesion adds up to.
+
+use super::HistoryState;
+use crate::contact::ResultClaim;
+use serde::Serialize;
+
+/// What a history with adhesion adds up to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AdhesionTotals {
+    /// The lowest mean pressure of all states, negative if the surfaces stick: the pull-off pressure, if they parted. None if they were
+    /// apart from the first.
+    pub lowest_pressure: Option<f64>,
+    /// Whether the surfaces parted under the load.
+    pub separated: bool,
+    /// The jumps.
+    pub jumps: Vec<AdhesionJump>,
+    /// Energy lost in all jumps, per area of the cell.
+    pub lost_in_jumps: f64,
+    /// The work of the load less the increase of the energy, per area of the cell: what all steps lost, those without a jump as well. The
+    /// difference from `lost_in_jumps` is the error of the steps.
+    pub lost_in_all: f64,
+}
+
+/// A jump: from one state to another one, under the same load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AdhesionJump {
+    /// The number of the state after the jump, from 1.
+    pub state: usize,
+    /// Mean gap before and after, a length.
+    pub mean_gap: [f64; 2],
+    /// Mean pressure before and after.
+    pub mean_pressure: [f64; 2],
+    /// Share of nodes that touch before and after.
+    pub relative_area: [f64; 2],
+    /// Energy lost, per area of the cell.
+    pub energy: f64,
+}
+
+impl AdhesionTotals {
+    /// The totals of the states of a history; none for one without adhesion.
+    pub fn new(states: &[HistoryState]) -> Option<Self> {
+        let first = states.first()?;
+        first.numbers.residual?;
+        let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
+        let pressure = |state: &HistoryState| state.numbers.net_pressure.unwrap_or(f64::NAN);
+        let held = states.iter().filter(|state| state.claim != ResultClaim::Separated);
+        let jump = |i: usize| {
+            let energy = states[i].numbers.jump?;
+            let pair = |of: &dyn Fn(&HistoryState) -> f64| [of(&states[i - 1]), of(&states[i])];
+            Some(AdhesionJump {
+                state: i + 1,
+                mean_gap: pair(&|state| state.contact.mean_gap()),
+                mean_pressure: pair(&pressure),
+                relative_area: pair(&HistoryState::relative_area),
+                energy,
+            })
+        };
+        let last = states.last()?;
+        let of = |value: fn(&HistoryState) -> Option<f64>| value(last).unwrap_or(0.0) - value(first).unwrap_or(0.0);
+        Some(Self {
+            lowest_pressure: held.map(pressure).reduce(f64::min),
+            separated,
+            jumps: (1..states.len()).filter_map(jump).collect(),
+            lost_in_jumps: of(|state| state.numbers.dissipated),
+            lost_in_all: of(|state| state.numbers.work_done) - of(|state| state.numbers.stored),
+        })
+    }
+}

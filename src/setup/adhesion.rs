@@ -1,0 +1,73 @@
+//! Adhesion between surface and solid.
+
+use crate::adhesion::{AdhesiveMethod, Attraction, AttractionForm};
+use crate::error::SetupError;
+use crate::files::read_columns;
+use crate::quantity;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// The attraction between surface and solid, and the method that finds its states.
+///
+/// In a scene it is the section `adhesion`: a work of adhesion and a range, or a table.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Adhesion {
+    /// Work of adhesion, an energy per area.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "quantity::some_energy_per_area")]
+    pub work: Option<f64>,
+    /// Range of the attraction: the work of adhesion over the strength, a length.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "quantity::some_length")]
+    pub range: Option<f64>,
+    /// How the attraction falls with the gap.
+    #[serde(skip_serializing_if = "is_default")]
+    pub form: AttractionForm,
+    /// A file of comma-separated values with the columns `gap` and `traction`, instead of work, range and form.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub table: Option<PathBuf>,
+    /// The method.
+    #[serde(skip_serializing_if = "is_default")]
+    pub method: AdhesiveMethod,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+impl Adhesion {
+    /// The attraction.
+    ///
+    /// # Errors
+    /// [`SetupError::Adhesion`] for a section that is not complete or says too much, the errors of [`Attraction::new`] and
+    /// [`Attraction::from_table`], and those of reading the table.
+    pub fn attraction(&self) -> Result<Attraction, SetupError> {
+        let wrong = |reason: &str| Err(SetupError::Adhesion { reason: reason.into() });
+        match (self.work, self.range, &self.table) {
+            (Some(work), Some(range), None) => Ok(Attraction::new(self.form, work, range)?),
+            (None, None, Some(file)) if self.form == AttractionForm::default() => read_table(file),
+            (_, _, Some(_)) => {
+                wrong("a table is given beside a work, a range or a form of adhesion: give only one of both")
+            }
+            (None, _, None) => wrong("adhesion needs a work of adhesion: give one, or a table"),
+            (_, None, None) => wrong("adhesion needs the range of the attraction: give one, or a table"),
+        }
+    }
+}
+
+/// Reads the table of an attraction. Its gaps and tractions may have units.
+fn read_table(file: &Path) -> Result<Attraction, SetupError> {
+    let wrong = |reason: String| SetupError::Adhesion { reason: format!("{}: {reason}", file.display()) };
+    let columns = read_columns(file)?;
+    let column = |name: &str, read: fn(&str) -> Option<f64>| {
+        let found = columns.iter().find(|(header, _)| header.eq_ignore_ascii_case(name));
+        let (_, words) =
+            found.ok_or_else(|| wrong(format!("the column {name} is missing: name columns gap and traction")))?;
+        let number = |word: &String| {
+            let value = word.trim().parse().ok().or_else(|| read(word));
+            value.ok_or_else(|| wrong(format!("`{word}` in the column {name} is not a number")))
+        };
+        words.iter().map(number).collect::<Result<Vec<f64>, _>>()
+    };
+    let (gaps, tractions) = (column("gap", quantity::length_of)?, column("traction", quantity::pressure_of)?);
+    Ok(Attraction::from_table(gaps, tractions)?)
+}
