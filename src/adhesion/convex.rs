@@ -90,6 +90,8 @@ impl<'a> ConvexSteps<'a> {
         let mut pressed = pressed;
         let mut memory: Vec<[Vec<f64>; 2]> = Vec::new();
         let mut change = 1.0;
+        // where the traction jumps, a node is within its reach or not, and combinations of both mean nothing
+        let is_smooth = self.attraction.steepest().is_finite();
         for _ in 0..steps {
             self.steps += 1;
             let (state, status) = match self.step(&traction, pressed.as_ref(), change, observer)? {
@@ -122,11 +124,13 @@ impl<'a> ConvexSteps<'a> {
                 return Ok((accepted, ConvexEnd::Found));
             }
             let moved: Vec<f64> = next.iter().zip(&traction).map(|(to, from)| to - from).collect();
-            memory.push([traction, moved]);
+            if is_smooth {
+                memory.push([traction, moved]);
+            }
             if memory.len() > DEPTH {
                 memory.remove(0);
             }
-            traction = self.combined(&memory);
+            traction = if is_smooth { self.combined(&memory) } else { next };
         }
         Ok((accepted, ConvexEnd::Failed))
     }
@@ -183,7 +187,9 @@ impl<'a> ConvexSteps<'a> {
             (vec![0.0; n], vec![0.0; n], datum + middle, Status::Converged)
         };
         let displacement: Vec<f64> = displaced.iter().zip(&lifted).map(|(u, lifted)| u - lifted).collect();
-        let gap: Vec<f64> = displacement.iter().zip(height).map(|(u, h)| (u - h + datum).max(0.0)).collect();
+        // nodes that press touch exactly, whatever rounding says
+        let gap_at = |i: usize| if pressure[i] > 0.0 { 0.0 } else { (displacement[i] - height[i] + datum).max(0.0) };
+        let gap: Vec<f64> = (0..n).map(gap_at).collect();
         let (strength, attraction) = (self.attraction.strength(), self.attraction);
         let change = (0..n).map(|i| (attraction.traction(gap[i]) - traction[i]).abs()).fold(0.0, f64::max) / strength;
         let work = |i: usize| 0.5 * (pressure[i] - traction[i]) * displacement[i] + attraction.energy(gap[i]);

@@ -317,7 +317,7 @@ impl Search<'_> {
                         (_, ConvexEnd::Stopped) => return Err(AdhesionError::Stopped),
                         (Some(found), _) => {
                             let mut gap = found.gap;
-                            energy.carry(&mut gap, |_| true);
+                            energy.carry(&mut gap, |i| found.pressure[i] == 0.0);
                             state = energy.state(gap);
                         }
                         (None, _) => break,
@@ -371,7 +371,7 @@ impl Search<'_> {
         if self.problem.surface().grid().is_periodic() {
             let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
             let mut gap = found.gap;
-            energy.carry(&mut gap, |_| true);
+            energy.carry(&mut gap, |i| found.pressure[i] == 0.0);
             let state = energy.state(gap);
             let least = least_curvature(&mut energy, &state);
             return self.state(energy, state, least, ("safe", steps));
