@@ -59,7 +59,7 @@ fn the_fast_and_the_safe_method_agree_or_both_are_stable() {
     let forms = [AttractionForm::Exponential, AttractionForm::Cubic];
     let mut different = 0;
     for case in 0..30u64 {
-        let grid = if case % 3 == 2 { Grid::surface([48, 48], [1.0; 2]) } else { Grid::line(512, 1.0) }.unwrap();
+        let grid = if case % 3 == 2 { Grid::surface([80, 80], [1.0; 2]) } else { Grid::line(512, 1.0) }.unwrap();
         let work = [3e-6, 3e-5, 2e-4][(case % 3) as usize] * if grid.is_line() { 4.0 } else { 1.0 };
         let problem = rough(grid, case, work, forms[(case / 3 % 2) as usize]);
         let highest = problem.problem().highest();
