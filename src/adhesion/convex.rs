@@ -249,3 +249,37 @@ fn least_squares(moved: &[f64], earlier: &[[Vec<f64>; 2]]) -> Vec<f64> {
 fn field(problem: &Problem, values: Vec<f64>) -> Field {
     Field::from_shape_vec(problem.surface().grid().shape(), values).expect("one value per node")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Grid;
+    use crate::adhesion::AttractionForm;
+    use crate::contact::{ContactModulus, Multilevel};
+    use crate::surface::{Spectrum, Surface};
+
+    /// Whatever the attraction: a convex step never raises the energy, accelerated or not.
+    #[test]
+    fn the_energy_falls_in_every_step() {
+        let table = Attraction::from_table(vec![0.0, 4e-4, 2e-3], vec![0.05, 0.04, 0.0]).unwrap();
+        let forms = [AttractionForm::Exponential, AttractionForm::Cubic, AttractionForm::Dugdale];
+        let attractions = forms.into_iter().map(|form| Attraction::new(form, 3e-5, 7e-4).unwrap()).chain([table]);
+        for (seed, attraction) in attractions.enumerate() {
+            for periodic in [true, false] {
+                let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.05, rms_gradient: 0.1 };
+                let grid = Grid::line(512, 1.0).unwrap();
+                let height = Surface::rough(grid, &spectrum, seed as u64).unwrap().height().clone();
+                let surface = Surface::new(grid.with_periodic([periodic, periodic]), height).unwrap();
+                let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(0.01)).unwrap();
+                let control = AdhesiveControl::MeanPressure(0.002);
+                let mut steps = ConvexSteps::new(&problem, &attraction, control, &Multilevel, Stop::default());
+                let start = vec![attraction.strength(); 512];
+                let (found, end) = steps.lower(start, None, (1e-6, 300), &mut ()).unwrap();
+                assert!(matches!(end, ConvexEnd::Found) && found.is_some(), "{attraction:?}");
+                let work = attraction.work();
+                let rises = steps.energies.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::NEG_INFINITY, f64::max);
+                assert!(steps.energies.len() > 2 && rises <= 1e-9 * work, "{attraction:?}: {rises:e}");
+            }
+        }
+    }
+}

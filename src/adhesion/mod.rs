@@ -13,13 +13,16 @@ mod control;
 mod convex;
 mod curvature;
 mod gap_energy;
+mod method;
 mod newton;
 mod problem;
 mod scales;
+mod search;
 mod state;
 
 pub use attraction::{Attraction, AttractionForm};
 pub use control::AdhesiveControl;
-pub use problem::{AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem};
+pub use method::AdhesiveMethod;
+pub use problem::AdhesiveProblem;
 pub use scales::AdhesionScales;
-pub use state::AdhesiveState;
+pub use state::{AdhesiveOutcome, AdhesiveState};

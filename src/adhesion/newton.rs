@@ -94,14 +94,14 @@ fn newton_direction(energy: &mut GapEnergy<'_>, state: &GapState, violation: f64
         energy.precondition(&residual, &mut better);
         open.project(&mut better);
         let square = dot(&residual, &better);
-        if !(square > 0.0) {
+        if square.is_nan() || square <= 0.0 {
             break;
         }
         let factor = if inner == 0 { 0.0 } else { square / before };
         direction.iter_mut().zip(&better).for_each(|(d, z)| *d = z + factor * *d);
         open.curved(energy, state, &direction, &mut image);
         let curvature = dot(&direction, &image);
-        if !(curvature > 0.0) {
+        if curvature.is_nan() || curvature <= 0.0 {
             if inner == 0 {
                 step.copy_from_slice(&direction);
             }

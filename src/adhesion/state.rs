@@ -63,3 +63,16 @@ impl AdhesiveState {
         }
     }
 }
+
+/// What a solve with adhesion ends with.
+#[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "nearly all outcomes are states")]
+pub enum AdhesiveOutcome {
+    /// A state.
+    State(AdhesiveState),
+    /// The attraction does not hold the load: the surfaces part for good.
+    Separated {
+        /// The work until this was known.
+        work: Work,
+    },
+}

@@ -34,7 +34,7 @@ pub struct AdhesiveProcess {
 
 /// What a history with adhesion adds up, per area of the cell.
 #[derive(Debug, Clone, Copy, Default)]
-struct Ledger {
+struct AdhesionLedger {
     /// Energy lost in jumps.
     lost: f64,
     /// Work of the load.
@@ -43,17 +43,17 @@ struct Ledger {
 
 /// A place on the path.
 #[derive(Clone)]
-enum Place {
+enum AdhesivePlace {
     State(Box<AdhesiveState>),
     /// The surfaces have parted.
     Apart,
 }
 
 /// A place that is told.
-struct Visit {
-    place: Place,
+struct AdhesiveVisit {
+    place: AdhesivePlace,
     control: AdhesiveControl,
-    ledger: Ledger,
+    ledger: AdhesionLedger,
     /// The energy lost in the jump that ends here.
     jump: Option<f64>,
     work: Work,
@@ -89,30 +89,30 @@ impl AdhesiveProcess {
     fn solve(
         &self,
         control: AdhesiveControl,
-        from: Option<&Place>,
+        from: Option<&AdhesivePlace>,
         observer: &mut dyn Observer,
-    ) -> Result<(Place, Work), AdhesionError> {
+    ) -> Result<(AdhesivePlace, Work), AdhesionError> {
         let start = match from {
-            Some(Place::State(state)) => Some(&**state),
-            Some(Place::Apart) if control.value() < 0.0 => return Ok((Place::Apart, Work::default())),
-            Some(Place::Apart) | None => None,
+            Some(AdhesivePlace::State(state)) => Some(&**state),
+            Some(AdhesivePlace::Apart) if control.value() < 0.0 => return Ok((AdhesivePlace::Apart, Work::default())),
+            Some(AdhesivePlace::Apart) | None => None,
         };
         Ok(match self.problem.solve(control, start, self.method, &self.stop, observer)? {
             AdhesiveOutcome::State(state) => {
                 let work = state.work;
-                (Place::State(Box::new(state)), work)
+                (AdhesivePlace::State(Box::new(state)), work)
             }
-            AdhesiveOutcome::Separated { work } => (Place::Apart, work),
+            AdhesiveOutcome::Separated { work } => (AdhesivePlace::Apart, work),
         })
     }
 
     /// The places from one to the next point of the path: both sides of each jump, and the end.
     fn visits(
         &self,
-        last: &Visit,
+        last: &AdhesiveVisit,
         target: AdhesiveControl,
         observer: &mut dyn Observer,
-    ) -> Result<Vec<Visit>, AdhesionError> {
+    ) -> Result<Vec<AdhesiveVisit>, AdhesionError> {
         let allowed = JUMP * self.problem.attraction().work();
         let (begin, end) = (last.control.value(), target.value());
         let (mut from, mut at, mut ledger) = (last.place.clone(), begin, last.ledger);
@@ -138,17 +138,17 @@ impl AdhesiveProcess {
             let is_jump = missed > allowed;
             if is_jump && at != begin {
                 let (place, control) = (from.clone(), target.with_value(at));
-                visits.push(Visit { place, control, ledger, jump: None, work: std::mem::take(&mut work) });
+                visits.push(AdhesiveVisit { place, control, ledger, jump: None, work: std::mem::take(&mut work) });
             }
             let jump = is_jump.then(|| match (&from, &after) {
-                (Place::State(from), Place::Apart) => -from.energy,
+                (AdhesivePlace::State(from), AdhesivePlace::Apart) => -from.energy,
                 _ => missed,
             });
             ledger.lost += jump.unwrap_or(0.0);
             ledger.work += work_of_load(&from, &after);
             if to == end || is_jump {
                 let (place, control) = (after.clone(), target.with_value(to));
-                visits.push(Visit { place, control, ledger, jump, work: std::mem::take(&mut work) });
+                visits.push(AdhesiveVisit { place, control, ledger, jump, work: std::mem::take(&mut work) });
             }
             if to == end {
                 return Ok(visits);
@@ -158,8 +158,8 @@ impl AdhesiveProcess {
     }
 
     /// A place as a state of any history.
-    fn told(&self, visit: Visit, point: Option<usize>) -> HistoryState {
-        let Visit { place, control, ledger, jump, work } = visit;
+    fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> HistoryState {
+        let AdhesiveVisit { place, control, ledger, jump, work } = visit;
         let numbers = HistoryNumbers {
             dissipated: Some(ledger.lost),
             work_done: Some(ledger.work),
@@ -167,7 +167,7 @@ impl AdhesiveProcess {
             ..HistoryNumbers::default()
         };
         match place {
-            Place::State(state) => {
+            AdhesivePlace::State(state) => {
                 let counted = state.contact.counted();
                 let numbers = HistoryNumbers {
                     net_pressure: Some(state.mean_pressure),
@@ -182,7 +182,7 @@ impl AdhesiveProcess {
                 let fields = vec![HistoryField::attraction(state.traction)];
                 HistoryState { contact: state.contact, point, claim: state.claim, numbers, fields, work }
             }
-            Place::Apart => {
+            AdhesivePlace::Apart => {
                 let shape = self.problem.problem().surface().grid().shape();
                 let numbers = HistoryNumbers {
                     net_pressure: Some(control.value()),
@@ -219,12 +219,13 @@ impl AdhesiveProcess {
 
 impl Process for AdhesiveProcess {
     fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
-        let mut last: Option<Visit> = None;
+        let mut last: Option<AdhesiveVisit> = None;
         for (number, point) in self.path.iter().enumerate() {
             let target = self.control(point.load);
             let Some(mut from) = last.take() else {
                 let (place, work) = self.solve(target, None, observer)?;
-                let visit = Visit { place, control: target, ledger: Ledger::default(), jump: None, work };
+                let visit =
+                    AdhesiveVisit { place, control: target, ledger: AdhesionLedger::default(), jump: None, work };
                 last = Some(visit.kept());
                 each(self.told(visit, Some(number)))?;
                 continue;
@@ -247,7 +248,7 @@ impl Process for AdhesiveProcess {
     }
 }
 
-impl Visit {
+impl AdhesiveVisit {
     /// What the next step begins with.
     fn kept(&self) -> Self {
         Self { place: self.place.clone(), work: Work::default(), ..*self }
@@ -255,18 +256,20 @@ impl Visit {
 }
 
 /// Energy that a step loses, per area; infinite where the surfaces part, and none where they come together from afar.
-fn lost(from: &Place, to: &Place) -> f64 {
+fn lost(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
     match (from, to) {
-        (Place::State(before), Place::State(after)) => before.energy - after.energy + work_of_load(from, to),
-        (Place::State(_), Place::Apart) => f64::INFINITY,
-        (Place::Apart, _) => 0.0,
+        (AdhesivePlace::State(before), AdhesivePlace::State(after)) => {
+            before.energy - after.energy + work_of_load(from, to)
+        }
+        (AdhesivePlace::State(_), AdhesivePlace::Apart) => f64::INFINITY,
+        (AdhesivePlace::Apart, _) => 0.0,
     }
 }
 
 /// Work of the load in a step, per area.
-fn work_of_load(from: &Place, to: &Place) -> f64 {
+fn work_of_load(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
     match (from, to) {
-        (Place::State(from), Place::State(to)) => {
+        (AdhesivePlace::State(from), AdhesivePlace::State(to)) => {
             -0.5 * (from.mean_pressure + to.mean_pressure) * (to.datum - from.datum)
         }
         _ => 0.0,

@@ -3,7 +3,7 @@
 use super::history::HistoryOutcome;
 use crate::contact::Problem;
 use crate::error::FileError;
-use crate::history::{HistoryQuantity, HistoryUnit};
+use crate::history::{HistoryQuantity, HistoryState, HistoryUnit};
 use crate::plot::Colour;
 use crate::record::{CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Timeline};
 use crate::setup::Setup;
@@ -11,6 +11,9 @@ use std::path::Path;
 
 /// Quantities without a curve: those that other curves or the axis show.
 const WITHOUT_CURVE: [&str; 5] = ["transforms", "certificate", "traction_certificate", "residual", "jump"];
+
+/// The largest distance of surfaces apart that a picture has room for, in heights of the highest peak.
+const MOST_APART: f64 = 3.0;
 
 /// Quantities whose curves stand first, in the rows of their own.
 const FIRST: [&str; 5] = ["friction", "mean_pressure", "relative_area", "dissipated", "kappa_r"];
@@ -26,8 +29,12 @@ impl HistoryOutcome {
         else {
             return Ok(());
         };
-        let scene =
-            Scene { exact: None, further: self.further(problem), ..Scene::from_setup(setup, &highest.contact.problem) };
+        let scene = Scene {
+            exact: None,
+            apart: self.apart(problem),
+            further: self.further(problem),
+            ..Scene::from_setup(setup, &highest.contact.problem)
+        };
         let curves = self.curves();
         let loads = Loads {
             title: format!("{}, {} states", scene.title, self.states.len()),
@@ -48,6 +55,13 @@ impl HistoryOutcome {
             recording.state(0, i, &state.contact, &further)?;
         }
         recording.finish()
+    }
+
+    /// The largest distance between the surfaces where they are closest, as far as a picture has room for it.
+    fn apart(&self, problem: &Problem) -> f64 {
+        let least = |state: &HistoryState| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = self.states.iter().map(least).fold(0.0, f64::max);
+        most.min(MOST_APART * problem.highest())
     }
 
     /// The quantities with curves, the most important ones first.

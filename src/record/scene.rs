@@ -23,6 +23,8 @@ pub struct Scene<'a> {
     /// The state for errors by wavelength, such as the end of an earlier, identical run; without it there are no such
     /// errors.
     pub reference: Option<Arc<Reference>>,
+    /// Room below the highest peak in the profile of a line, a length, for states in which nothing touches.
+    pub apart: f64,
     /// Fields besides pressure and gap that its states have.
     pub further: Vec<FurtherField>,
 }
@@ -65,6 +67,7 @@ impl<'a> Scene<'a> {
             setup: None,
             exact: None,
             reference: None,
+            apart: 0.0,
             further: Vec::new(),
         }
     }

@@ -30,7 +30,7 @@ pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let nodes = plane.window.every(1);
     let [low, high] = range(nodes.values(height));
     let room = ROOM * (high - low);
-    let axis = Ruler::new("z", &subject.options.length_unit, [-high - 2.0 * room, -low + room]);
+    let axis = Ruler::new("z", &subject.options.length_unit, [-high - 2.0 * room - subject.scene.apart, -low + room]);
     Some(Box::new(Bodies {
         plane: plane.clone(),
         title: format!("{}: indenter above the solid", subject.scene.title),
