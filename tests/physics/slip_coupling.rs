@@ -149,7 +149,7 @@ fn random_coupled_histories_obey_contact_and_coulombs_law_by_direct_sums() {
             let pull = (2.0 * random() - 1.0) * 0.99 * mu * p_mean;
             let found = match history.step(Load::MeanPressure(p_mean), pull, &mut ()) {
                 Ok(found) => found,
-                Err(SlipError::Rounds { certificate, .. }) => {
+                Err(SlipError::Rounds { .. }) => {
                     assert!(mu * beta.abs() > 0.5, "case {case}: mu {mu} and beta {beta} must converge");
                     refused += 1;
                     break;
