@@ -56,7 +56,7 @@ impl AdhesiveMethod {
     /// The name of the method in reports.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Fast => "newton steps",
+            Self::Fast => "Newton steps",
             Self::Safe => "convex steps",
         }
     }
@@ -208,13 +208,13 @@ impl AdhesiveProblem {
         let is_with_uniform = matches!(problem.load(), Load::Approach(_));
         match control {
             AdhesiveControl::MeanGap(_) if !grid.is_periodic() => {
-                let reason = "on a free boundary the mean gap has no meaning. Give an approach";
+                let reason = "a mean gap has no meaning on a free boundary: give an approach";
                 Err(AdhesionError::Control { control: name, reason })
             }
             AdhesiveControl::MeanGap(value) if value <= 0.0 => Err(AdhesionError::MeanGap { value }),
             AdhesiveControl::Approach(_) if is_with_uniform => Ok(problem),
             AdhesiveControl::Approach(_) if grid.is_periodic() && problem.solid().uniform_compliance().is_none() => {
-                let reason = "on a periodic half-space an approach has no meaning. Give a mean gap";
+                let reason = "an approach has no meaning on a periodic half-space: give a mean gap";
                 Err(AdhesionError::Control { control: name, reason })
             }
             AdhesiveControl::Approach(_) => {
@@ -316,9 +316,7 @@ impl Search<'_> {
                         (_, ConvexEnd::Separated) => return Ok(self.separated(steps, energy.transforms())),
                         (_, ConvexEnd::Stopped) => return Err(AdhesionError::Stopped),
                         (Some(found), _) => {
-                            let mut gap = found.gap;
-                            energy.carry(&mut gap, |_| true);
-                            state = energy.state(gap);
+                            state = energy.state(closed(&energy, found));
                         }
                         (None, _) => break,
                     }
@@ -370,9 +368,7 @@ impl Search<'_> {
     fn safe_state(self, found: ConvexState, steps: usize) -> AdhesiveState {
         if self.problem.surface().grid().is_periodic() {
             let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
-            let mut gap = found.gap;
-            energy.carry(&mut gap, |_| true);
-            let state = energy.state(gap);
+            let state = energy.state(closed(&energy, found));
             let least = least_curvature(&mut energy, &state);
             return self.state(energy, state, least, ("safe", steps));
         }
@@ -463,6 +459,14 @@ fn goes_on(problem: &Problem, state: &GapState, work: Work, observer: &mut dyn O
     let [pressure, displacement, _] = contact_fields(problem, state, datum);
     let step = Step::new(problem, work, &pressure, &displacement).with_datum(datum);
     matches!(observer.step(&step), Ok(ControlFlow::Continue(())))
+}
+
+/// The gap of a convex state, with zero where the surfaces press each other: there the step leaves the rounding of the displacement.
+fn closed(energy: &GapEnergy<'_>, found: ConvexState) -> Vec<f64> {
+    let ConvexState { mut gap, pressure, .. } = found;
+    gap.iter_mut().zip(&pressure).filter(|(_, p)| **p > 0.0).for_each(|(g, _)| *g = 0.0);
+    energy.carry(&mut gap, |i| pressure[i] <= 0.0);
+    gap
 }
 
 /// Contact pressure, displacement and gap of a state.
