@@ -34,7 +34,7 @@ const COLUMNS: [(ProcessKind, &[&str]); 5] = [
             "mean_gap",
             "approach",
             "relative_area",
-            "attraction",
+            "mean_attraction",
             "jump",
             "dissipated",
             "least_curvature",
@@ -279,7 +279,8 @@ impl HistorySummary {
             let claim: &str = if is_claimed { state.claim.into() } else { "" };
             writeln!(out, "{}{claim}", if is_claimed { "  " } else { "" })?;
         }
-        if let Some(it) = &self.adhesion {
+        let has_path = |it: &&AdhesionOutcome| outcome.states.len() > 1 || it.totals.separated;
+        if let Some(it) = self.adhesion.as_ref().filter(has_path) {
             adhesion::write_totals(it, units, out)?;
         }
         if !self.energy_per_cycle.is_empty() {
@@ -299,7 +300,7 @@ fn heading(quantity: &HistoryQuantity) -> &'static str {
         "effective_pressure" => "eff. pressure",
         "stick_share" => "sticks",
         "dissipated" => "energy lost",
-        "attraction" => "attraction",
+        "mean_attraction" => "attraction",
         "jump" => "lost in jump",
         "max_pressure" => "max. pressure",
         "certificate" => "eta",

@@ -56,14 +56,16 @@ fn a_loop_jumps_in_and_out_and_is_written_to_every_file() {
     assert!(claims(&found).iter().all(|claim| ["stable", "marginal"].contains(claim)), "{:?}", claims(&found));
     assert!(column(&found, "residual").iter().all(|residual| *residual < 1e-7));
     // the mean pressure is that of the contact less the attraction
-    let (contact, attraction) = (column(&found, "contact_pressure"), column(&found, "attraction"));
+    let (contact, attraction) = (column(&found, "contact_pressure"), column(&found, "mean_attraction"));
     assert!((0..pressure.len()).all(|i| (contact[i] - attraction[i] - pressure[i]).abs() < 1e-6 * attraction[i]));
 
     let table = read_to_string(folder.join("loop.csv")).unwrap();
     assert_eq!(table.lines().count(), pressure.len() + 1);
     let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     assert!(
-        ["mean_pressure", "mean_gap", "attraction", "jump", "least_curvature"].iter().all(|name| names.contains(name)),
+        ["mean_pressure", "mean_gap", "mean_attraction", "jump", "least_curvature"]
+            .iter()
+            .all(|name| names.contains(name)),
         "{names:?}"
     );
     let mut archive = NpzReader::new(File::open(folder.join("loop.npz")).unwrap()).unwrap();
@@ -100,7 +102,7 @@ fn both_methods_find_the_same_states() {
     let [fast, safe] =
         ["fast", "safe"].map(|method| json(&folder, &format!("{SINE} {STICKY} {path} --adhesion-method {method}")));
     assert_eq!(claims(&fast), claims(&safe));
-    for name in ["mean_pressure", "relative_area", "attraction"] {
+    for name in ["mean_pressure", "relative_area", "mean_attraction"] {
         let (fast, safe) = (column(&fast, name), column(&safe, name));
         let scale = fast.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         assert!(fast.iter().zip(&safe).all(|(a, b)| (a - b).abs() < 1e-4 * scale), "{name}: {fast:?} {safe:?}");
