@@ -7,6 +7,7 @@
 macro_rules! pages {
     ($($name:ident $path:literal)*) => {
         $(
+            #[doc = "[adhesion]: crate::guide::adhesion"]
             #[doc = "[boundaries-and-solids]: crate::guide::boundaries_and_solids"]
             #[doc = "[explorer]: crate::guide::explorer"]
             #[doc = "[first-contact]: crate::guide::first_contact"]
@@ -36,6 +37,7 @@ pages! {
     hardness "assets/guide/hardness.md"
     history "assets/guide/history.md"
     time_and_friction "assets/guide/time-and-friction.md"
+    adhesion "assets/guide/adhesion.md"
     recordings "assets/guide/recordings.md"
     studies "assets/guide/studies.md"
     explorer "assets/guide/explorer.md"

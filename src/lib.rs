@@ -54,9 +54,10 @@
 //! | 2 | [`elastic`] | solids: half-space, layer, free boundaries; the stress in the solid | |
 //! | 2 | [`theory`] | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood and Williamson | |
 //! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures and patches | |
+//! | 4 | [`adhesion`] | contacts with an attraction between the surfaces: their states, and whether these are stable | |
 //! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
 //! | 4 | [`foreign`] | results and iterations of other programs: certified, compared, common mistakes recognised | |
-//! | 4 | [`history`] | contacts one after the other: creep in time, partial slip, steady sliding and rolling | |
+//! | 4 | [`history`] | contacts one after the other: creep in time, partial slip, steady sliding and rolling, adhesion | |
 //! | 4 | [`setup`] | the description of a contact, and its cost | (`units`) |
 //! | 5 | [`study`] | many contacts in one table that an interrupted run continues | (`parquet`) |
 //! | 5 | `plot` | figures as data, written as SVG and PNG | `figures` |

@@ -1,7 +1,8 @@
-//! Histories: the states of a contact that creeps, slips, slides or rolls.
+//! Histories: the states of a contact that creeps, slips, slides, rolls or sticks.
 
 use crate::arrays::vector;
 use crate::contact::Contact;
+use crate::conversion::to_python;
 use crate::error::{BoxedError, bail, py_error};
 use crate::setup::Setup;
 use asperity::files::{check_named, write_beside};
@@ -17,8 +18,8 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds or rolls, in their order: a sequence of
-/// Contact.
+/// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds, rolls or has adhesion, in their order: a
+/// sequence of Contact.
 ///
 /// history[0] is the contact of the first state. history.numbers["friction"] holds the friction of all states, and
 /// history.fields["traction"] the tractions of all states.
@@ -51,16 +52,33 @@ impl History {
 
 #[pymethods]
 impl History {
-    /// What the contact does: "creep", "slip", "sliding" or "rolling".
+    /// What the contact does: "creep", "slip", "sliding", "rolling" or "adhesion".
     #[getter]
     fn process(&self) -> &'static str {
         self.outcome.kind.into()
     }
 
-    /// What the states claim to be, in words: the solution, a pressure whose error is bounded, or rounds that have converged.
+    /// What the first state claims to be, in words: the solution, a pressure whose error is bounded, rounds that have converged, or a state with
+    /// adhesion. With adhesion, states differ in their claims.
     #[getter]
     fn claim(&self) -> &'static str {
         self.outcome.states.first().map_or("", |state| state.claim.words())
+    }
+
+    /// What each state claims to be, in a word: with adhesion "solution", "stable", "marginal", "saddle", "stationary" or "separated"; otherwise
+    /// "solution", "bounded" or "rounds-converged".
+    #[getter]
+    fn claims(&self) -> Vec<&'static str> {
+        self.outcome.states.iter().map(|state| state.claim.into()).collect()
+    }
+
+    /// With adhesion a dictionary; otherwise None. It has the work and range of the attraction, process_zone (a length) and spacings (the same in
+    /// spacings of the grid), the numbers tabor, maugis and pastewka_robbins, lowest_pressure (of all states: the pull-off pressure if separated
+    /// is True), jumps (a list of dictionaries with state, energy, and mean_gap, mean_pressure and relative_area before and after), and
+    /// lost_in_jumps and lost_in_all, energies per area of the cell.
+    #[getter]
+    fn adhesion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.outcome.adhesion)
     }
 
     /// The numbers of the process by their names, each an array with a number for every state; NaN where a state has none. `explain` says
@@ -76,7 +94,7 @@ impl History {
         Ok(numbers)
     }
 
-    /// Further fields of the states by their names, such as traction, slip or stored_strain, each an array with a first axis of states.
+    /// Further fields of the states by their names, such as traction, slip, stored_strain or attraction, each an array with a first axis of states.
     #[getter]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = PyDict::new(py);

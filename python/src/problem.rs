@@ -17,12 +17,13 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 
 /// A rigid surface pressed on an elastic solid.
 ///
-/// Problem(surface, *, solid=None, law=None, friction=None, viscoelastic=None, path=None, sliding=None, rolling=None, mean_pressure=None,
-/// reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a reduced pressure, which is the mean pressure divided by rms
-/// gradient and contact modulus; a mean gap, a length; a force, which is a force per length of a line; or an approach, a length. A list of
-/// loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
+/// Problem(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None,
+/// mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
+/// reduced pressure, which is the mean pressure divided by rms gradient and contact modulus; a mean gap, a length; a force, which is a force per
+/// length of a line; or an approach, a length. A list of loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
 /// each, or two for two bodies), and for a layer its thickness as layer, and base. `law` is a dictionary with a hardness. `friction` is a
-/// dictionary with a coefficient and a tangential load. `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.
+/// dictionary with a coefficient and a tangential load. `adhesion` is a dictionary with work, range, form and method, or with a table.
+/// `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.
 /// `path` holds time, load and tangential, lists of one length; `sliding` a speed or several; `rolling` a creepage or a tangential load, or
 /// several: with these, but for a single speed, solve() returns a History. `record` holds the keys of the section `record` of a scene.
 #[pyclass(frozen, module = "asperity")]
@@ -71,7 +72,7 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
             "solid" if value.is_number() || value.is_string() => {
                 described.insert(key, json!({ "contact-modulus": value }));
             }
-            "solid" | "law" | "friction" | "viscoelastic" | "path" | "sliding" | "rolling" | "record" => {
+            "solid" | "law" | "friction" | "adhesion" | "viscoelastic" | "path" | "sliding" | "rolling" | "record" => {
                 described.insert(key, value);
             }
             load if LOADS.contains(&load) => {
@@ -89,7 +90,7 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
 #[pymethods]
 impl Problem {
     #[new]
-    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, viscoelastic=None, path=None, sliding=None, rolling=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
+    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
     fn py_new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::new(py, &surface.surface, Setup::from_sections(&described(surface, keys)?)?, surface.rank)
     }
@@ -100,6 +101,11 @@ impl Problem {
         let mut sections = self.setup.sections();
         sections.insert("load".into(), Value::Object(sections_from_keywords(load)?));
         let setup = Setup::from_sections(&sections)?;
+        if setup.setup.adhesion.is_some() {
+            // adhesion has loads that no other contact has, such as pulls, and so its problem does not depend on the load
+            setup.setup.problem_of(self.surface.clone()).map_err(py_error)?;
+            return Ok(Self { problem: self.problem.clone(), surface: self.surface.clone(), setup, rank: self.rank });
+        }
         let under = |load| self.problem.clone().with_load(load).map_err(py_error);
         setup.loads.iter().flatten().try_for_each(|load| under(*load).map(drop))?;
         if let (Some(friction), None) = (setup.setup.friction, setup.setup.process().map_err(py_error)?) {

@@ -68,7 +68,7 @@ impl Setup {
 #[pymethods]
 impl Setup {
     #[new]
-    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, viscoelastic=None, path=None, sliding=None, rolling=None, solver=None, stop=None, record=None)")]
+    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, solver=None, stop=None, record=None)")]
     fn py_new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::from_sections(&sections_from_keywords(keys)?)
     }

@@ -1,4 +1,4 @@
-"""Histories: creep in time, slip cycles, sliding and rolling."""
+"""Histories: creep in time, slip cycles, sliding, rolling and adhesion."""
 
 import json
 import math
@@ -113,3 +113,63 @@ def test_a_callback_ends_a_history() -> None:
 
     history = asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 10.0}, callback=stop)
     assert 0 < len(history) < 10 and len(seen) == 200
+
+
+def sine() -> asp.Surface:
+    return asp.Surface.indenter(shape="sine", points=512, size="20 um", amplitude="1 um")
+
+
+STICKY = dict(solid="1 MPa", adhesion={"work": "10 mJ/m^2", "range": "80 nm"})
+
+
+def test_a_sticky_sine_jumps_in_and_out(tmp_path: Path) -> None:
+    history = asp.solve(sine(), mean_gap="1 um", path={"load": ["1.6 um", "0.4 um", "1.6 um"], "steps": 8}, **STICKY)
+    assert isinstance(history, asp.History) and history.process == "adhesion" and history.converged
+    assert set(history.claims) <= {"stable", "marginal"} and len(history.claims) == len(history)
+    adhesion = history.adhesion
+    assert adhesion is not None and not adhesion["separated"]
+    assert (adhesion["work"], adhesion["range"]) == (0.01, 80e-9)
+    into, out = adhesion["jumps"]
+    assert into["mean_gap"][0] < out["mean_gap"][0] and into["energy"] > 0 and out["energy"] > 0
+    assert adhesion["lost_in_jumps"] == pytest.approx(into["energy"] + out["energy"])
+    assert adhesion["lost_in_all"] == pytest.approx(adhesion["lost_in_jumps"], rel=0.2)
+    pressure = history.numbers["mean_pressure"]
+    assert pressure.min() == adhesion["lowest_pressure"]
+    # the mean pressure is that of the contact less the attraction
+    attraction = history.fields["attraction"]
+    assert attraction.shape == (len(history), 512)
+    touching = np.array([contact.pressure.mean() for contact in history])
+    assert np.allclose(touching - attraction.mean(axis=1), pressure, atol=1e-6 * attraction.max())
+    assert "equilibrium" in asp.History.explain("residual")
+    history.save(tmp_path / "loop.npz")
+    with np.load(tmp_path / "loop.npz") as saved:
+        assert np.array_equal(saved["attraction"], attraction)
+
+
+def test_a_pull_parts_the_surfaces() -> None:
+    history = asp.solve(sine(), mean_pressure=0.0, path={"load": ["0 Pa", "-20 kPa"], "steps": 8}, **STICKY)
+    assert history.claims[0] == "stable" and history.claims[-1] == "separated"
+    assert history.adhesion is not None and history.adhesion["separated"] and history.adhesion["lost_in_all"] is None
+    # Johnson's sine, whose range is zero
+    assert history.adhesion["lowest_pressure"] == pytest.approx(-8.7e3, rel=0.05)
+
+
+def test_adhesion_has_one_load_too_and_a_table(tmp_path: Path) -> None:
+    table = tmp_path / "attraction.csv"
+    table.write_text("gap, traction\n0 nm, 125 kPa\n160 nm, 0 kPa\n")
+    problem = asp.Problem(sine(), solid="1 MPa", adhesion={"table": str(table)}, mean_pressure="-1 kPa")
+    history = problem.solve()
+    assert isinstance(history, asp.History) and len(history) == 1
+    assert history.adhesion is not None and history.adhesion["work"] == pytest.approx(0.01)
+    other = problem.with_load(mean_pressure="-2 kPa").solve()
+    assert isinstance(other, asp.History) and other.numbers["mean_pressure"][0] == -2e3
+    assert asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0, "steps": 1}).adhesion is None
+
+
+def test_adhesion_that_cannot_be_is_refused() -> None:
+    with pytest.raises(asp.AsperityError, match="needs the range"):
+        asp.solve(sine(), solid="1 MPa", mean_gap="1 um", adhesion={"work": 0.01})
+    with pytest.raises(asp.AsperityError, match="adhesion and friction cannot be combined"):
+        asp.solve(sine(), mean_gap="1 um", friction={"coefficient": 0.3, "tangential": 0.0}, **STICKY)
+    with pytest.raises(asp.AsperityError, match="form"):
+        asp.solve(sine(), solid="1 MPa", mean_gap="1 um", adhesion={"work": 0.01, "range": 80e-9, "form": "linear"})

@@ -29,3 +29,5 @@ assert_type(asp.Problem(surface, solid=1.0, mean_pressure="1 MPa", friction={"co
 assert_type(asp.solve(surface, mean_gap="1 um", refine="auto", progress=True), asp.Contact)
 assert_type(asp.solve(surface, mean_pressure=1e6, solid=1e9, viscoelastic={"creep": [9, 1]}, path={"time": 1}).fields["stored_strain"], NDArray[np.float64])
 assert_type(asp.solve(surface, force=1.0, solid=1e9, friction={"coefficient": 0.3}, rolling={"creepage": 1e-4})[0], asp.Contact)
+assert_type(asp.solve(surface, mean_gap="1 um", solid="1 MPa", adhesion={"work": 0.01, "range": "80 nm"}).claims, list[str])
+assert_type(asp.Problem(surface, mean_gap=1e-6, solid=1e6, adhesion={"work": 0.01, "range": 1e-7}, path={"load": [1e-6, 0.0]}).solve(), asp.History)

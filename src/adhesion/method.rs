@@ -19,7 +19,7 @@ impl AdhesiveMethod {
     /// The name of the method in reports.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Fast => "newton steps",
+            Self::Fast => "Newton steps",
             Self::Safe => "convex steps",
         }
     }

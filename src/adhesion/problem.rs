@@ -130,11 +130,11 @@ impl AdhesiveProblem {
         let refused = |reason| Err(AdhesionError::Control { control: name, reason });
         let load = match control {
             AdhesiveControl::MeanGap(_) if !is_periodic => {
-                return refused("on a free boundary the mean gap has no meaning. Give an approach");
+                return refused("a mean gap has no meaning on a free boundary: give an approach");
             }
             AdhesiveControl::MeanGap(value) if value <= 0.0 => return Err(AdhesionError::MeanGap { value }),
             AdhesiveControl::Approach(_) if is_periodic && problem.solid().uniform_compliance().is_none() => {
-                return refused("on a periodic half-space an approach has no meaning. Give a mean gap");
+                return refused("an approach has no meaning on a periodic half-space: give a mean gap");
             }
             AdhesiveControl::Approach(_) => Load::Approach(0.5 * problem.highest()),
             AdhesiveControl::MeanGap(_) | AdhesiveControl::MeanPressure(_) => Load::ReducedPressure(ANY),

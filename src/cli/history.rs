@@ -1,5 +1,6 @@
 //! `asperity solve` with a history: creep, slip, sliding or rolling.
 
+use super::adhesion;
 use super::exit_status::{ExitStatus, usage};
 use super::interrupt::{Interruption, interrupted};
 use super::output::{write_json, write_rows};
@@ -12,14 +13,11 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::adhesion::AdhesionScales;
 use asperity::contact::{Problem, Status};
 use asperity::error::HistoryError;
 use asperity::files::write_beside;
-use asperity::history::{
-    AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history,
-};
-use asperity::job::HistoryOutcome;
+use asperity::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history};
+use asperity::job::{AdhesionOutcome, HistoryOutcome};
 use asperity::quantity::number_in_words;
 use asperity::setup::{Part, ProcessKind, Setup};
 use serde::Serialize;
@@ -36,7 +34,7 @@ const COLUMNS: [(ProcessKind, &[&str]); 5] = [
             "mean_gap",
             "approach",
             "relative_area",
-            "attraction",
+            "mean_attraction",
             "jump",
             "dissipated",
             "least_curvature",
@@ -106,66 +104,13 @@ struct HistorySummary {
     /// The claim of all states, in words: what their certificates prove. With adhesion each state has its own.
     claim: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    adhesion: Option<AdhesionSummary>,
+    adhesion: Option<AdhesionOutcome>,
     states: Vec<Map<String, Value>>,
     /// Energy lost in each closed cycle of the path, per area of the cell.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     energy_per_cycle: Vec<f64>,
     warnings: Vec<String>,
     setup: Setup,
-}
-
-/// What a script may want to know about adhesion.
-#[derive(Serialize)]
-struct AdhesionSummary {
-    work: f64,
-    range: f64,
-    #[serde(flatten)]
-    scales: AdhesionScales,
-    #[serde(flatten)]
-    totals: AdhesionTotals,
-}
-
-impl AdhesionSummary {
-    fn new(setup: &Setup, outcome: &HistoryOutcome) -> Result<Option<Self>> {
-        let (Some(adhesion), Some(scales)) = (&setup.adhesion, outcome.scales) else { return Ok(None) };
-        let Some(totals) = AdhesionTotals::new(&outcome.states) else { return Ok(None) };
-        let attraction = adhesion.attraction()?;
-        Ok(Some(Self { work: attraction.work(), range: attraction.range(), scales, totals }))
-    }
-
-    /// Names and values for reading.
-    fn rows(&self, units: Units) -> Vec<(String, String)> {
-        let scales = &self.scales;
-        let number = |value: Option<f64>| value.map_or("-".into(), number_in_words);
-        let zone = format!("{}, {} spacings", units.length(scales.process_zone), number_in_words(scales.spacings));
-        [
-            ("work of adhesion", units.energy_per_area(self.work)),
-            ("range", units.length(self.range)),
-            ("process zone", zone),
-            ("Tabor's number", number(scales.tabor)),
-            ("Maugis' number", number(scales.maugis)),
-            ("Pastewka-Robbins", format!("{} (below 1: sticky)", number_in_words(scales.pastewka_robbins))),
-        ]
-        .map(|(name, value)| (name.to_owned(), value))
-        .into()
-    }
-
-    /// The end of the summary: pull-off, jumps and energies.
-    fn write_totals(&self, units: Units, out: &mut impl Write) -> io::Result<()> {
-        let totals = &self.totals;
-        match totals.lowest_pressure.map(|pressure| units.pressure(pressure)) {
-            None => writeln!(out, "\nthe attraction does not hold this load")?,
-            Some(lowest) if totals.separated => writeln!(out, "\npull-off at a mean pressure of {lowest}")?,
-            Some(lowest) => writeln!(out, "\nlowest mean pressure {lowest}")?,
-        }
-        let [jumps, all] = [totals.lost_in_jumps, totals.lost_in_all].map(|energy| units.energy_per_area(energy));
-        let count = match totals.jumps.len() {
-            1 => "1 jump".to_owned(),
-            count => format!("{count} jumps"),
-        };
-        writeln!(out, "energy lost per area: {jumps} in {count}, {all} by the closed balance of all steps")
-    }
 }
 
 /// Follows the history of a setup, and writes and prints its states.
@@ -265,7 +210,7 @@ fn write(
     let summary = HistorySummary {
         process: outcome.kind.into(),
         claim: outcome.states.first().map_or("", |state| state.claim.words()),
-        adhesion: AdhesionSummary::new(setup, &outcome)?,
+        adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, &quantities)).collect(),
         energy_per_cycle: outcome.cycles(setup),
         warnings,
@@ -319,8 +264,8 @@ impl HistorySummary {
         let (states, process) = (counted(outcome.states.len()), self.process);
         writeln!(out, "{}: {process}, {states}", self.subject.line())?;
         let claim = self.adhesion.is_none().then(|| ("claim".to_owned(), self.claim.to_owned()));
-        let adhesion = self.adhesion.iter().flat_map(|adhesion| adhesion.rows(units));
-        write_rows(self.subject.rows(units).into_iter().chain(claim).chain(adhesion), out)?;
+        let of_adhesion = self.adhesion.iter().flat_map(|it| adhesion::rows(it, units));
+        write_rows(self.subject.rows(units).into_iter().chain(claim).chain(of_adhesion), out)?;
         let named = COLUMNS.iter().find(|(kind, _)| *kind == outcome.kind).map_or(&[][..], |(_, columns)| columns);
         let has = |it: &&HistoryQuantity| outcome.states.iter().any(|state| (it.value)(state).is_some());
         let find = |name: &&str| HISTORY_QUANTITIES.iter().find(|it| it.name == *name).filter(has);
@@ -334,8 +279,9 @@ impl HistorySummary {
             let claim: &str = if is_claimed { state.claim.into() } else { "" };
             writeln!(out, "{}{claim}", if is_claimed { "  " } else { "" })?;
         }
-        if let Some(adhesion) = &self.adhesion {
-            adhesion.write_totals(units, out)?;
+        let has_path = |it: &&AdhesionOutcome| outcome.states.len() > 1 || it.totals.separated;
+        if let Some(it) = self.adhesion.as_ref().filter(has_path) {
+            adhesion::write_totals(it, units, out)?;
         }
         if !self.energy_per_cycle.is_empty() {
             let energies: Vec<String> = self.energy_per_cycle.iter().map(|it| units.energy_per_area(*it)).collect();
@@ -354,7 +300,7 @@ fn heading(quantity: &HistoryQuantity) -> &'static str {
         "effective_pressure" => "eff. pressure",
         "stick_share" => "sticks",
         "dissipated" => "energy lost",
-        "attraction" => "attraction",
+        "mean_attraction" => "attraction",
         "jump" => "lost in jump",
         "max_pressure" => "max. pressure",
         "certificate" => "eta",

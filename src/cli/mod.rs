@@ -1,6 +1,7 @@
 //! The command line, one file per command.
 
 mod accuracy;
+mod adhesion;
 mod bench;
 mod certify;
 mod choice;

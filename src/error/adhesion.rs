@@ -33,7 +33,7 @@ pub enum AdhesionError {
     #[error("the mean gap is {value:?}: give a positive one")]
     MeanGap { value: f64 },
     /// A control that the boundary leaves without a meaning.
-    #[error("{control} is not defined here: {reason}")]
+    #[error("{reason}")]
     Control { control: &'static str, reason: &'static str },
     /// The state was not found.
     #[error(

@@ -17,8 +17,8 @@ pub struct AdhesionTotals {
     /// Energy lost in all jumps, per area of the cell.
     pub lost_in_jumps: f64,
     /// The work of the load less the increase of the energy, per area of the cell: what all steps lost, those without a jump as well. The
-    /// difference from `lost_in_jumps` is the error of the steps.
-    pub lost_in_all: f64,
+    /// difference from `lost_in_jumps` is the error of the steps. None if the surfaces part under the load, since its work has no limit then.
+    pub lost_in_all: Option<f64>,
 }
 
 /// A jump: from one state to another one, under the same load.
@@ -62,7 +62,7 @@ impl AdhesionTotals {
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
             lost_in_jumps: of(|state| state.numbers.dissipated),
-            lost_in_all: of(|state| state.numbers.work_done) - of(|state| state.numbers.stored),
+            lost_in_all: (!separated).then(|| of(|state| state.numbers.work_done) - of(|state| state.numbers.stored)),
         })
     }
 }

@@ -41,7 +41,7 @@ pub const HISTORY_QUANTITIES: &[HistoryQuantity] = &[
     quantity("creepage", "creepage", HistoryUnit::One, "Creepage of rolling: the relative difference of the speeds of both surfaces.", |it| it.numbers.creepage),
     quantity("mean_pressure", "mean pressure", HistoryUnit::Pressure, "Mean pressure; with adhesion less the attraction, and negative where the surfaces are pulled apart.", |it| it.numbers.net_pressure.or_else(|| Some(it.contact.mean_pressure()))),
     quantity("contact_pressure", "mean contact pressure", HistoryUnit::Pressure, "Mean pressure where the surfaces touch, beside the attraction.", |it| it.numbers.net_pressure.map(|_| it.contact.mean_pressure())),
-    quantity("attraction", "mean attraction", HistoryUnit::Pressure, "Mean attraction between the surfaces.", |it| it.numbers.attraction),
+    quantity("mean_attraction", "mean attraction", HistoryUnit::Pressure, "Mean attraction between the surfaces.", |it| it.numbers.attraction),
     quantity("mean_traction", "mean traction", HistoryUnit::Pressure, "Mean traction along x on the solid.", |it| it.numbers.mean_traction),
     quantity("friction", "friction coefficient", HistoryUnit::One, "Tangential force divided by normal force.", |it| it.numbers.friction),
     quantity("lateral_friction", "lateral coefficient", HistoryUnit::One, "Force on the solid perpendicular to the motion, divided by the normal force.", |it| it.numbers.lateral_friction),

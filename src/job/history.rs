@@ -3,9 +3,10 @@
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Observer, Problem, Status};
 use crate::error::{HistoryError, SetupError};
-use crate::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses};
-use crate::setup::{Adhesion, ProcessKind, Setup};
+use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses};
+use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
+use serde::Serialize;
 
 /// A process zone of fewer spacings gets a warning.
 const FEW_SPACINGS: f64 = 4.0;
@@ -14,12 +15,36 @@ const FEW_SPACINGS: f64 = 4.0;
 pub struct HistoryOutcome {
     /// The process.
     pub kind: ProcessKind,
-    /// How the attraction compares with surface and solid, with adhesion.
-    pub scales: Option<AdhesionScales>,
+    /// The attraction and what came of it, with adhesion.
+    pub adhesion: Option<AdhesionOutcome>,
     /// The states, in their order.
     pub states: Vec<HistoryState>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
     pub ended: Option<HistoryError>,
+}
+
+/// The attraction of a history with adhesion, and what came of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AdhesionOutcome {
+    /// Work of adhesion, an energy per area.
+    pub work: f64,
+    /// Range of the attraction, a length.
+    pub range: f64,
+    /// How the attraction compares with surface and solid.
+    #[serde(flatten)]
+    pub scales: AdhesionScales,
+    /// Pull-off, jumps and energies.
+    #[serde(flatten)]
+    pub totals: AdhesionTotals,
+}
+
+impl AdhesionOutcome {
+    fn new(setup: &Setup, problem: &Problem, states: &[HistoryState]) -> Result<Option<Self>, SetupError> {
+        let (Some(adhesion), Some(totals)) = (&setup.adhesion, AdhesionTotals::new(states)) else { return Ok(None) };
+        let attraction = adhesion.attraction()?;
+        let scales = AdhesionScales::new(problem, &attraction);
+        Ok(Some(Self { work: attraction.work(), range: attraction.range(), scales, totals }))
+    }
 }
 
 impl HistoryOutcome {
@@ -42,9 +67,8 @@ impl HistoryOutcome {
         match ended {
             Err(error) if states.is_empty() => Err(error.into()),
             ended => {
-                let attraction = setup.adhesion.as_ref().map(Adhesion::attraction).transpose()?;
-                let scales = attraction.map(|attraction| AdhesionScales::new(problem, &attraction));
-                Ok(Self { kind, scales, states, ended: ended.err() })
+                let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
+                Ok(Self { kind, adhesion, states, ended: ended.err() })
             }
         }
     }
@@ -77,11 +101,11 @@ impl HistoryOutcome {
             )
             .with_remedy("stop.tolerance", None)
         });
-        let coarse = self.scales.filter(|scales| scales.spacings < FEW_SPACINGS).map(|scales| {
+        let spacings = self.adhesion.as_ref().map(|it| it.scales.spacings);
+        let coarse = spacings.filter(|spacings| *spacings < FEW_SPACINGS).map(|spacings| {
             Warning::new(
                 format!(
-                    "The process zone of the attraction is {:.1} spacings long, and so the nodes hold the edges of the contact",
-                    scales.spacings
+                    "The process zone of the attraction is {spacings:.1} spacings long, and so the nodes hold the edges of the contact"
                 ),
                 "Use more points, or a longer range: the zone should be at least 4 spacings long",
             )

@@ -30,7 +30,7 @@ mod watch;
 
 #[cfg(feature = "record")]
 pub use curve::CurveRecording;
-pub use history::HistoryOutcome;
+pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;

@@ -44,6 +44,7 @@ pages! {
     hardness "assets/guide/hardness.md"
     history "assets/guide/history.md"
     time_and_friction "assets/guide/time-and-friction.md"
+    adhesion "assets/guide/adhesion.md"
     recordings "assets/guide/recordings.md"
     studies "assets/guide/studies.md"
     explorer "assets/guide/explorer.md"

@@ -90,6 +90,10 @@ if TYPE_CHECKING:
     class PressAlong(Load, PressOptions, total=False):
         path: Required[Keys]
 
+    class PressSticky(Load, PressOptions, total=False):
+        adhesion: Required[Keys]
+        path: Keys | None
+
     class PressRolling(Load, PressOptions, total=False):
         rolling: Required[Keys]
 
@@ -145,6 +149,8 @@ if TYPE_CHECKING:
     @overload
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressAlong]) -> History: ...
     @overload
+    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressSticky]) -> History: ...
+    @overload
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressRolling]) -> History: ...
 
 
@@ -162,6 +168,7 @@ def solve(
     solid: Pressure | Keys | None = None,
     law: Keys | None = None,
     friction: Keys | None = None,
+    adhesion: Keys | None = None,
     viscoelastic: Keys | None = None,
     path: Keys | None = None,
     sliding: Keys | None = None,
@@ -194,10 +201,14 @@ def solve(
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
+    adhesion: {"work": w, "range": rho} attracts the surfaces, with "form" "exponential", "cubic" or "dugdale", or {"table": file.csv}. It
+        returns a History. History.fields["attraction"] has the attraction, History.claims what each state claims to be, and History.adhesion
+        pull-off, jumps and energies. Pressures may be negative.
     viscoelastic: {"creep": [f, tau, ...]} or {"relaxation": [g, tau, ...]}: pairs of a ratio and a time of a solid that creeps. The elastic
         constants are those at once after loading. It needs a path with times, or sliding.
     path: {"time": ..., "load": ..., "tangential": ...}: lists of one length, of which some may be missing. Between two points loads change
-        linearly. It returns a History: creep where there are times, partial slip where there are tangential loads and friction.
+        linearly. It returns a History: creep where there are times, partial slip where there are tangential loads and friction. With
+        adhesion it has loads alone.
     sliding: {"speed": v}: slides steadily along x; measures["friction"] is the friction. Several speeds return a History.
     rolling: {"creepage": ...} or {"tangential": ...}: lines roll steadily with friction, which needs friction={"coefficient": mu}. It returns a History.
     solver: "multilevel" (the fastest), "polonsky-keer" or "gfmd", or a dictionary with its method and settings.
@@ -216,6 +227,7 @@ def solve(
         "solid": solid,
         "law": law,
         "friction": friction,
+        "adhesion": adhesion,
         "viscoelastic": viscoelastic,
         "path": path,
         "sliding": sliding,

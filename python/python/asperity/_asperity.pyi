@@ -19,7 +19,7 @@ Keys: TypeAlias = Mapping[str, Any]
 Path: TypeAlias = os.PathLike[str] | str
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 Solved = TypeVar("Solved", bound=Contact | LoadCurve | History, default=Contact)
-"""What a solve returns: a Contact under one load, a LoadCurve under a list of loads, a History along a path or of rolling."""
+"""What a solve returns: a Contact under one load, a LoadCurve under a list of loads, a History along a path, of rolling or with adhesion."""
 
 class SolveOptions(TypedDict, total=False):
     """The keywords of Problem.solve."""
@@ -73,6 +73,12 @@ class AlongPath(Load, Rest, total=False):
     """A history along a path of times and loads."""
 
     path: Required[Keys]
+
+class WithAdhesion(Load, Rest, total=False):
+    """A contact with adhesion, under one load or along a path of loads."""
+
+    adhesion: Required[Keys]
+    path: Keys | None
 
 class WhileRolling(Load, Rest, total=False):
     """Steady rolling at some creepages or under some tangential loads."""
@@ -221,6 +227,8 @@ class Problem(Generic[Solved]):
     @overload
     def __new__(cls, surface: Surface, **keys: Unpack[AlongPath]) -> Problem[History]: ...
     @overload
+    def __new__(cls, surface: Surface, **keys: Unpack[WithAdhesion]) -> Problem[History]: ...
+    @overload
     def __new__(cls, surface: Surface, **keys: Unpack[WhileRolling]) -> Problem[History]: ...
     @overload
     def with_load(self, **load: Unpack[Load]) -> Problem[Contact]: ...
@@ -257,6 +265,7 @@ class Setup:
         solid: Keys | None = None,
         law: Keys | None = None,
         friction: Keys | None = None,
+        adhesion: Keys | None = None,
         viscoelastic: Keys | None = None,
         path: Keys | None = None,
         sliding: Keys | None = None,
@@ -474,6 +483,10 @@ class History:
     def process(self) -> str: ...
     @property
     def claim(self) -> str: ...
+    @property
+    def claims(self) -> list[str]: ...
+    @property
+    def adhesion(self) -> dict[str, Any] | None: ...
     @property
     def numbers(self) -> dict[str, Array]: ...
     @property

@@ -1,5 +1,6 @@
 //! What a user does at the command line, run for real on small contacts.
 
+mod adhesion;
 mod below;
 mod command_style;
 mod interruption;

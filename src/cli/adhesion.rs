@@ -1,0 +1,46 @@
+//! What a summary says about adhesion.
+
+use super::units::Units;
+use asperity::job::AdhesionOutcome;
+use asperity::quantity::number_in_words;
+use std::io::{self, Write};
+
+/// Numbers of the attraction, names and values for reading.
+pub fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> {
+    let scales = &it.scales;
+    let number = |value: Option<f64>| value.map_or("-".into(), number_in_words);
+    let zone = format!("{}, {} spacings", units.length(scales.process_zone), number_in_words(scales.spacings));
+    [
+        ("work of adhesion", units.energy_per_area(it.work)),
+        ("range", units.length(it.range)),
+        ("process zone", zone),
+        ("Tabor's number", number(scales.tabor)),
+        ("Maugis' number", number(scales.maugis)),
+        (
+            "Pastewka-Robbins",
+            format!("{} (rough surfaces are expected to stick below 1)", number_in_words(scales.pastewka_robbins)),
+        ),
+    ]
+    .map(|(name, value)| (name.to_owned(), value))
+    .into()
+}
+
+/// The end of the summary: pull-off, jumps and energies.
+pub fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+    let totals = &it.totals;
+    match totals.lowest_pressure.map(|pressure| units.pressure(pressure)) {
+        None => writeln!(out, "\nthe attraction does not hold this load")?,
+        Some(lowest) if totals.separated => writeln!(out, "\npull-off at a mean pressure of {lowest}")?,
+        Some(lowest) => writeln!(out, "\nlowest mean pressure {lowest}")?,
+    }
+    let jumps = units.energy_per_area(totals.lost_in_jumps);
+    let count = match totals.jumps.len() {
+        1 => "1 jump".to_owned(),
+        count => format!("{count} jumps"),
+    };
+    write!(out, "energy lost per area: {jumps} in {count}")?;
+    match totals.lost_in_all.filter(|_| !totals.jumps.is_empty()) {
+        Some(all) => writeln!(out, "; work of the load less stored energy: {}", units.energy_per_area(all)),
+        None => writeln!(out),
+    }
+}

@@ -1,0 +1,186 @@
+//! Adhesion on the command line: loops with jumps, pull-off, their files, and what is refused.
+
+use crate::command::{Folder, text};
+use ndarray::{Array1, Array2};
+use ndarray_npy::NpzReader;
+use serde_json::Value;
+use std::fs::{File, read_to_string};
+
+const SINE: &str = "solve --indenter sine --amplitude 1um --points 512 --size 20um --modulus 1MPa";
+const STICKY: &str = "--adhesion 10mJ/m^2 --adhesion-range 80nm";
+const LOOP: &str = "--mean-gap 1um --path-load 1.6um,0.4um,1.6um --path-steps 8";
+
+fn json(folder: &Folder, line: &str) -> Value {
+    let output = folder.run(&format!("{line} --json"));
+    assert!(output.status.success(), "{line}: {}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The values of a quantity in all states.
+fn column(found: &Value, name: &str) -> Vec<f64> {
+    found["states"].as_array().unwrap().iter().map(|state| state[name].as_f64().unwrap()).collect()
+}
+
+/// The claims of all states.
+fn claims(found: &Value) -> Vec<&str> {
+    found["states"].as_array().unwrap().iter().map(|state| state["claim"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn a_loop_jumps_in_and_out_and_is_written_to_every_file() {
+    let folder = Folder::new();
+    let line = format!("{SINE} {STICKY} {LOOP}");
+    let found = json(&folder, &format!("{line} --out loop.npz --record loop.rrd"));
+    for file in ["loop.csv", "loop.svg"] {
+        assert!(folder.run(&format!("{line} --out {file}")).status.success(), "{file}");
+    }
+    assert_eq!(found["process"], "adhesion");
+    let (adhesion, pressure) = (&found["adhesion"], column(&found, "mean_pressure"));
+    let number = |name: &str| adhesion[name].as_f64().unwrap_or_else(|| panic!("{name}: {adhesion}"));
+    assert_eq!([number("work"), number("range")], [0.01, 80e-9]);
+    assert!((number("process_zone") / 2.037e-7 - 1.0).abs() < 1e-3 && (number("spacings") / 5.215 - 1.0).abs() < 1e-3);
+    assert!(["tabor", "maugis", "pastewka_robbins"].iter().all(|name| number(name) > 0.0));
+    assert_eq!(number("lowest_pressure"), pressure.iter().copied().fold(f64::INFINITY, f64::min));
+    assert_eq!(adhesion["separated"], false);
+
+    // a jump into contact on the way down, and one out of it on the way up, further away
+    let jumps = adhesion["jumps"].as_array().unwrap();
+    assert_eq!(jumps.len(), 2, "{jumps:?}");
+    let gap = |jump: &Value| jump["mean_gap"][0].as_f64().unwrap();
+    assert!(gap(&jumps[0]) < gap(&jumps[1]), "{jumps:?}");
+    let energies: f64 = jumps.iter().map(|jump| jump["energy"].as_f64().unwrap()).sum();
+    assert!((energies / number("lost_in_jumps") - 1.0).abs() < 1e-12 && energies > 0.0);
+    assert!((number("lost_in_all") / energies - 1.0).abs() < 0.2, "{adhesion}");
+    let last = jumps[1]["state"].as_u64().unwrap() as usize;
+    assert!(found["states"][last - 1]["jump"].as_f64().unwrap() > 0.0);
+    assert!(claims(&found).iter().all(|claim| ["stable", "marginal"].contains(claim)), "{:?}", claims(&found));
+    assert!(column(&found, "residual").iter().all(|residual| *residual < 1e-7));
+    // the mean pressure is that of the contact less the attraction
+    let (contact, attraction) = (column(&found, "contact_pressure"), column(&found, "mean_attraction"));
+    assert!((0..pressure.len()).all(|i| (contact[i] - attraction[i] - pressure[i]).abs() < 1e-6 * attraction[i]));
+
+    let table = read_to_string(folder.join("loop.csv")).unwrap();
+    assert_eq!(table.lines().count(), pressure.len() + 1);
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    assert!(
+        ["mean_pressure", "mean_gap", "mean_attraction", "jump", "least_curvature"]
+            .iter()
+            .all(|name| names.contains(name)),
+        "{names:?}"
+    );
+    let mut archive = NpzReader::new(File::open(folder.join("loop.npz")).unwrap()).unwrap();
+    let field: Array2<f64> = archive.by_name("attraction").unwrap();
+    assert_eq!(field.shape(), [pressure.len(), 512]);
+    let numbers: Array1<f64> = archive.by_name("mean_pressure").unwrap();
+    assert_eq!(numbers.to_vec(), pressure);
+    assert!(read_to_string(folder.join("loop.svg")).unwrap().contains("<svg"));
+    assert!(folder.join("loop.rrd").metadata().unwrap().len() > 10_000);
+}
+
+#[test]
+fn a_pull_parts_the_surfaces_without_an_error() {
+    let folder = Folder::new();
+    let pulled = "--pressure 0 --path-load 0,-20kPa --path-steps 8";
+    let found = json(&folder, &format!("{SINE} {STICKY} {pulled}"));
+    let adhesion = &found["adhesion"];
+    assert_eq!((adhesion["separated"].clone(), adhesion["lost_in_all"].clone()), (true.into(), Value::Null));
+    // Johnson's sine with a range of zero: alpha is 0.2013
+    let lowest = adhesion["lowest_pressure"].as_f64().unwrap();
+    assert!((lowest / -8.7e3 - 1.0).abs() < 0.05, "{lowest}");
+    assert_eq!(claims(&found).last(), Some(&"separated"));
+    let words = folder.run(&format!("{SINE} {STICKY} {pulled}"));
+    assert!(text(&words.stdout).contains("pull-off at a mean pressure of -8."), "{}", text(&words.stdout));
+    // a load that is too large from the first state on
+    let apart = json(&folder, &format!("{SINE} {STICKY} --pressure=-50kPa"));
+    assert_eq!((claims(&apart), &apart["adhesion"]["lowest_pressure"]), (vec!["separated"], &Value::Null));
+}
+
+#[test]
+fn both_methods_find_the_same_states() {
+    let folder = Folder::new();
+    let path = "--mean-gap 1um --path-load 0.9um,0.5um --path-steps 4";
+    let [fast, safe] =
+        ["fast", "safe"].map(|method| json(&folder, &format!("{SINE} {STICKY} {path} --adhesion-method {method}")));
+    assert_eq!(claims(&fast), claims(&safe));
+    for name in ["mean_pressure", "relative_area", "mean_attraction"] {
+        let (fast, safe) = (column(&fast, name), column(&safe, name));
+        let scale = fast.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        assert!(fast.iter().zip(&safe).all(|(a, b)| (a - b).abs() < 1e-4 * scale), "{name}: {fast:?} {safe:?}");
+    }
+}
+
+#[test]
+fn a_weak_attraction_has_one_solution() {
+    let folder = Folder::new();
+    let weak = json(&folder, &format!("{SINE} --adhesion 1mJ/m^2 --adhesion-range 200nm --mean-gap 1um"));
+    assert_eq!(claims(&weak), ["solution"]);
+}
+
+#[test]
+fn a_scene_repeats_the_loop_also_with_a_table() {
+    let folder = Folder::new();
+    // the table is the traction of a constant slope
+    let table = "gap, traction\n0 nm, 125 kPa\n160 nm, 0 kPa\n";
+    std::fs::write(folder.join("attraction.csv"), table).unwrap();
+    let short = "--mean-gap 1um --path-load 1um,0.8um --path-steps 2";
+    for attraction in
+        ["--adhesion-table attraction.csv", &format!("{STICKY} --adhesion-form cubic --adhesion-method safe")]
+    {
+        let found = json(&folder, &format!("{SINE} {attraction} {short} --out all.npz --save-setup scene.toml"));
+        assert_eq!(
+            [&found["adhesion"]["work"], &found["adhesion"]["range"]].map(|it| it.as_f64().unwrap() > 0.0),
+            [true; 2]
+        );
+        for again in ["solve scene.toml", "solve --setup-of all.npz"] {
+            let again = json(&folder, again);
+            assert_eq!(column(&again, "mean_pressure"), column(&found, "mean_pressure"), "{attraction}");
+            assert_eq!(again["setup"], found["setup"]);
+        }
+    }
+    let table = json(&folder, &format!("{SINE} --adhesion-table attraction.csv {short}"));
+    assert!((table["adhesion"]["work"].as_f64().unwrap() / 0.01 - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_cannot_be_is_refused_in_one_sentence() {
+    let folder = Folder::new();
+    let table = |name: &str, rows: &str| std::fs::write(folder.join(name), rows).unwrap();
+    table("rises.csv", "gap,traction\n0,1e5\n1e-7,2e5\n");
+    table("late.csv", "gap,traction\n1e-8,1e5\n1e-7,0\n");
+    table("unnamed.csv", "distance,traction\n0,1e5\n1e-7,0\n");
+    let sticky = |rest: &str| format!("{SINE} {STICKY} {rest}");
+    let sine = |rest: &str| format!("{SINE} {rest}");
+    let cases = [
+        (sticky("--mean-gap 1um --friction 0.3"), "adhesion and friction cannot be combined"),
+        (sticky("--mean-gap 1um --creep 9,1s"), "adhesion and creep cannot be combined"),
+        (sticky("--mean-gap 1um --creep 9,1s --speed 1mm/s"), "adhesion and creep cannot be combined"),
+        (sticky("--mean-gap 1um --hardness 1MPa"), "adhesion and hardness cannot be combined"),
+        (sticky("--mean-gap 1um --solver gfmd"), "gfmd cannot solve histories"),
+        (sticky("--mean-gap 1um --solver polonsky-keer"), "methods of its own"),
+        (sticky("--mean-gap 1um --path-time 1s"), "loads only"),
+        (sticky("--mean-gap 1um --path-load 1um,2um --path-steps 0"), "1 or more"),
+        (sticky("--mean-gap 1um --diagnose"), "--diagnose"),
+        (sticky("--mean-gap 1um --live"), "--live"),
+        (sticky("--mean-gap 1um --adhesion-table rises.csv"), "only one of both"),
+        (sticky("--mean-gap=-1um"), "give a positive one"),
+        (sticky("--mean-gap 1um,2um"), "a path of loads"),
+        (sticky("--mean-gap 1um --boundary free"), "a mean gap has no meaning on a free boundary"),
+        (sticky("--approach 10nm"), "an approach has no meaning on a periodic half-space"),
+        (sine("--mean-gap 1um --adhesion 10mJ/m^2"), "needs the range"),
+        (sine("--mean-gap 1um --adhesion-range 80nm"), "needs a work of adhesion"),
+        (sine("--mean-gap 1um --adhesion 0 --adhesion-range 80nm"), "the work of adhesion is 0.0"),
+        (sine("--mean-gap 1um --adhesion 10mJ/m^2 --adhesion-range 20nm"), "the grid is too coarse"),
+        (sine("--mean-gap 1um --adhesion-table rises.csv"), "tractions must not increase"),
+        (sine("--mean-gap 1um --adhesion-table late.csv"), "its first gap"),
+        (sine("--mean-gap 1um --adhesion-table unnamed.csv"), "the column gap is missing"),
+        (sine("--mean-gap 1um --adhesion-table missing.csv"), "missing.csv"),
+        (sine("--pressure=-1kPa"), "-1000"),
+    ];
+    for (line, sentence) in cases {
+        let output = folder.run(&format!("{line} --out result.npz"));
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{line}: {error}");
+        assert!(error.contains(sentence) && error.trim_end().lines().count() == 1, "{line}: {error}");
+        assert!(!folder.join("result.npz").exists(), "{line}");
+    }
+}
