@@ -76,9 +76,15 @@ impl<'a> GapEnergy<'a> {
         }
     }
 
+    /// The datum of a gap: its mean, which keeps most digits, where the datum does not matter.
+    fn datum_of(&self, gap: &[f64]) -> f64 {
+        if self.uniform > 0.0 { self.datum } else { mean(gap) }
+    }
+
     /// The state of a gap that is not negative; at a mean gap it must have this mean.
     pub fn state(&mut self, gap: Vec<f64>) -> GapState {
-        let displacement: Vec<f64> = gap.iter().zip(self.height).map(|(g, h)| g + h - self.datum).collect();
+        let datum = self.datum_of(&gap);
+        let displacement: Vec<f64> = gap.iter().zip(self.height).map(|(g, h)| g - datum + h).collect();
         let mut force = vec![0.0; gap.len()];
         self.stiffness(&displacement, &mut force);
         self.with_force(gap, force)
@@ -107,9 +113,8 @@ impl<'a> GapEnergy<'a> {
 
     /// The elastic energy and that of the attraction, per area.
     pub fn parts(&self, state: &GapState) -> [f64; 2] {
-        let n = state.gap.len();
-        let elastic =
-            chunks::sum(n, |i| 0.5 * state.force[i] * (state.gap[i] + self.height[i] - self.datum)) / n as f64;
+        let (n, datum) = (state.gap.len(), self.datum_of(&state.gap));
+        let elastic = chunks::sum(n, |i| 0.5 * state.force[i] * (state.gap[i] - datum + self.height[i])) / n as f64;
         [elastic, chunks::sum(n, |i| self.attraction.energy(state.gap[i])) / n as f64]
     }
 

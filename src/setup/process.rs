@@ -2,9 +2,9 @@
 
 use super::{RollingMotion, Setup};
 use crate::adhesion::AdhesiveProblem;
-use crate::contact::{Problem, Solver};
+use crate::contact::{Load, Problem, Solver};
 use crate::elastic::Prony;
-use crate::error::{SetupError, SlipError};
+use crate::error::{AdhesionError, SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
     AdhesiveProcess, CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess,
@@ -208,7 +208,7 @@ impl Setup {
             ProcessKind::Adhesion if self.solver != super::Method::default() => {
                 motion(format!("adhesion has methods of its own, not {}: leave the solver out", self.solver.name()))
             }
-            ProcessKind::Adhesion => Ok(()),
+            ProcessKind::Adhesion => self.check_adhesion(),
             ProcessKind::Sliding if !grid.is_periodic() => {
                 motion("sliding needs a periodic boundary: leave the boundary out".into())
             }
@@ -223,6 +223,15 @@ impl Setup {
             ProcessKind::Rolling if !grid.is_line() => motion("rolling is solved on lines only: give a line".into()),
             ProcessKind::Rolling => Ok(()),
             ProcessKind::Slip => self.check_slip(),
+        }
+    }
+
+    /// Refuses mean gaps that are not positive.
+    fn check_adhesion(&self) -> Result<(), SetupError> {
+        let is_closed = |point: &PathPoint| matches!(point.load, Load::MeanGap(gap) if gap <= 0.0);
+        match self.path_points().iter().find(|point| is_closed(point)) {
+            Some(point) => Err(AdhesionError::MeanGap { value: point.load.value() }.into()),
+            None => Ok(()),
         }
     }
 
