@@ -165,7 +165,7 @@ impl Solve<'_> {
         if let Some(error) = outcome.ended.as_ref().filter(|it| !matches!(it, HistoryError::Stopped)) {
             warn_sentence(py, &format!("The history ended after {} states: {error}.", outcome.states.len()))?;
         }
-        warn(py, &outcome.warnings(setup))?;
+        warn(py, &outcome.warnings())?;
         History::new(py, outcome, &self.problem.surface, self.setup.clone(), self.problem.rank)
     }
 

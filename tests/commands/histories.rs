@@ -23,7 +23,8 @@ fn a_held_load_creeps_towards_the_relaxed_contact() {
     let found = json(&folder, &format!("{ROUGH} --creep 9,1 --path-time 30 --json"));
     assert_eq!(found["process"], "creep");
     let (area, effective) = (column(&found, "relative_area"), column(&found, "effective_pressure"));
-    assert!(area.is_sorted() && area.len() > 8);
+    // at the end it grows by less than the certificate lets it change
+    assert!(area.windows(2).all(|pair| pair[1] > pair[0] * (1.0 - 1e-8)) && area.len() > 8, "{area:?}");
     assert!((effective.last().unwrap() / effective[0] - 10.0).abs() < 1e-6, "{effective:?}");
     // the relaxed contact is the elastic one under ten times the load
     let elastic = json(&folder, &format!("{} 0.5 --json", ROUGH.trim_end_matches(" 0.05")));
