@@ -1,8 +1,8 @@
 // The hand: it presses the rigid surface onto the solid, and drags points of its profile.
 
 /** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear; with
- * adhesion by some ranges of the attraction. */
-const GAPS = { least: 0.02, most: 1.3, ranges: 5 };
+ * adhesion a larger one, as the solid is drawn after the surface, and some ranges of the attraction more. */
+const GAPS = { least: 0.02, most: 1.3, stretched: 3, ranges: 5 };
 /** The mean gap, over the highest peak, of a surface that is not pressed yet. */
 const UNPRESSED = 1.15;
 /** Standard deviation of a bump over the length of the cell, and in spacings at least, and how near to the profile a hand takes it, in
@@ -105,7 +105,7 @@ function moveGrip(up) {
 
 /** Presses to a mean gap. Where nothing touches there is nothing to solve. */
 function press(gap) {
-  const most = GAPS.most * section.highest + (adheres() ? GAPS.ranges * knobs.range * section.length : 0);
+  const most = adheres() ? GAPS.stretched * section.highest + GAPS.ranges * knobs.range * section.length : GAPS.most * section.highest;
   grip.gap = Math.min(most, Math.max(GAPS.least * section.highest, gap));
   if (isClear(grip.gap)) lift(grip.gap); else holdGrip();
 }
