@@ -53,8 +53,9 @@ impl StateNumbers {
             "mean_pressure" => net_pressure,
             "reduced_pressure" => net,
             "relative_area" => relative_area,
-            "kappa" => relative_area.map(|area| area / net.unwrap_or(reduced_pressure)),
-            "kappa_r" => kappa_r.map(|kappa| net_pressure.map_or(kappa, |net| kappa * contact_pressure / net)),
+            // the sum with 0 has no sign where nothing touches
+            "kappa" => relative_area.map(|area| area / net.unwrap_or(reduced_pressure) + 0.0),
+            "kappa_r" => kappa_r.map(|kappa| net_pressure.map_or(kappa, |net| kappa * contact_pressure / net + 0.0)),
             "kappa_r_counted" if net.is_some() => self.value("kappa_r", reduced_pressure),
             _ if net.is_some() && UNKNOWN_WITH_ADHESION.contains(&name) => Some(f64::NAN),
             _ => None,

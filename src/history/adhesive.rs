@@ -76,6 +76,11 @@ impl AdhesiveProcess {
         self.path.iter().map(|point| point.load)
     }
 
+    /// The range of the attraction.
+    pub(super) fn range(&self) -> f64 {
+        self.problem.attraction().range()
+    }
+
     /// The highest peak above the mean of the rigid surface.
     pub(super) fn highest(&self) -> f64 {
         self.problem.problem().highest()

@@ -6,6 +6,9 @@ use crate::adhesion::AdhesiveControl;
 use crate::contact::Load;
 use crate::error::AdhesionError;
 
+/// The most steps of a move.
+const MOST_STEPS: f64 = 32.0;
+
 /// A contact with adhesion that is moved from load to load, whatever these will be. Each move starts from the last state.
 pub struct AdhesiveHand {
     process: AdhesiveProcess,
@@ -22,34 +25,63 @@ impl AdhesiveHand {
         let (first, rest) = loads.split_first().ok_or(AdhesionError::Pathless)?;
         let control = process.control(*first);
         let (place, work) = process.solve(control, None, &mut ())?;
-        let last = Visit { place, control, ledger: Ledger::default(), jump: None, work };
-        let mut hand = Self { process, last };
-        rest.iter().try_for_each(|load| hand.move_to(*load))?;
-        Ok(hand)
+        let mut last = Visit { place, control, ledger: Ledger::default(), jump: None, work };
+        for load in rest {
+            last = end_of(process.visits(&last, process.control(*load), &mut ())?);
+        }
+        Ok(Self { process, last })
     }
 
-    /// Moves the contact to another load, in steps that are short where it jumps.
+    /// Moves the contact to another load, in steps of at most a range of the attraction where a length is given. Jumps take place in
+    /// one of them.
     ///
     /// # Errors
     /// The errors of [`AdhesiveProblem::solve`](crate::adhesion::AdhesiveProblem::solve).
     pub fn move_to(&mut self, load: Load) -> Result<(), AdhesionError> {
         let target = self.process.control(load);
-        let begin = match (&self.last.place, target) {
-            (Place::Apart, _) => target,
-            (Place::State(state), AdhesiveControl::MeanPressure(_)) => target.with_value(state.mean_pressure),
-            (Place::State(state), AdhesiveControl::MeanGap(_)) => target.with_value(state.mean_gap()),
-            (Place::State(state), AdhesiveControl::Approach(_)) => {
-                target.with_value(self.process.highest() - state.datum)
-            }
+        let (begin, range) = (self.begin(target).value(), self.process.range());
+        let way = target.value() - begin;
+        let steps = match target {
+            AdhesiveControl::MeanPressure(_) => 1,
+            _ => (way.abs() / range).ceil().clamp(1.0, MOST_STEPS) as usize,
         };
-        let from = Visit { control: begin, ..self.last.kept() };
-        let reached = self.process.visits(&from, target, &mut ())?.pop();
-        self.last = reached.expect("a step has an end");
+        for step in 1..=steps {
+            let value = if step == steps { target.value() } else { begin + way * step as f64 / steps as f64 };
+            self.step_to(target.with_value(value))?;
+        }
         Ok(())
+    }
+
+    /// Goes on in one step, or in as many as it takes to find each state.
+    fn step_to(&mut self, target: AdhesiveControl) -> Result<(), AdhesionError> {
+        self.last = match self.process.solve(target, Some(&self.last.place), &mut ()) {
+            Ok((place, work)) => Visit { place, control: target, work, ..self.last.kept() },
+            Err(AdhesionError::NotFound { .. }) => {
+                let from = Visit { control: self.begin(target), ..self.last.kept() };
+                end_of(self.process.visits(&from, target, &mut ())?)
+            }
+            Err(error) => return Err(error),
+        };
+        Ok(())
+    }
+
+    /// Where the contact is, in the terms of a control.
+    fn begin(&self, target: AdhesiveControl) -> AdhesiveControl {
+        let Place::State(state) = &self.last.place else { return target };
+        target.with_value(match target {
+            AdhesiveControl::MeanPressure(_) => state.mean_pressure,
+            AdhesiveControl::MeanGap(_) => state.mean_gap(),
+            AdhesiveControl::Approach(_) => self.process.highest() - state.datum,
+        })
     }
 
     /// The state.
     pub fn state(&self) -> HistoryState {
         self.process.told(self.last.kept(), None)
     }
+}
+
+/// The last of the visits of a step.
+fn end_of(mut visits: Vec<Visit>) -> Visit {
+    visits.pop().expect("a step has an end")
 }

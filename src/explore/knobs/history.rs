@@ -35,17 +35,18 @@ impl Knobs {
         self.creeps_in_time().then(|| LoadPath { time: vec![self.time * RETARDATION_TIME], ..LoadPath::default() })
     }
 
-    /// The motion and the time in a few symbols, for titles; empty for an elastic contact without adhesion, as are the words for names of files.
+    /// The motion, the time or the attraction in a few symbols, for titles; empty for an elastic contact without adhesion, as are the words
+    /// for names of files.
     pub(in crate::explore) fn motion_in_words(&self) -> [String; 2] {
         if self.takes_scene() {
             return Default::default();
         }
         let Self { creep, speed, time, adhesion, range, pull, .. } = self;
         if self.adheres() {
-            let pulled =
-                if *pull > 0.0 { [format!(", then −{pull}"), format!("_pull{pull}")] } else { Default::default() };
-            let [words, name] = pulled;
-            return [format!("{words}, w/(E*L) = {adhesion}, ρ/L = {range}"), format!("{name}_w{adhesion}_r{range}")];
+            let pulled = [format!(", p* → −{pull}"), format!("_pull{pull}")];
+            let [words, name] = if *pull > 0.0 { pulled } else { Default::default() };
+            let words = format!("{words}, w/(E*L) = {adhesion:e}, ρ/L = {range:e}");
+            return [words, format!("{name}_w{adhesion:e}_r{range:e}")];
         }
         match (self.slides(), self.creeps_in_time()) {
             (true, _) => [format!(", f = {creep}, Vτ/L = {speed}"), format!("_f{creep}_v{speed}")],

@@ -11,7 +11,8 @@ const MODULUS: f64 = 1e9;
 
 /// A smooth wave that sticks, with changes.
 fn wave(changes: Value) -> Value {
-    let mut knobs = with(json!({"body": "sine", "roughness": 0, "points": 2048, "load": 0.001, "adhesion": 6e-7, "range": 1e-4}));
+    let mut knobs =
+        with(json!({"body": "sine", "roughness": 0, "points": 2048, "load": 0.001, "adhesion": 6e-7, "range": 1e-4}));
     changes.as_object().unwrap().iter().for_each(|(name, value)| knobs[name] = value.clone());
     knobs
 }
@@ -66,7 +67,11 @@ fn what_cannot_stick_is_refused() {
         assert!(answer.status == 400 && answer.text().contains(words), "{changes}: {}", answer.text());
     }
     let swept = page.post("/api/sweep", &wave(json!({})).to_string());
-    assert!(swept.status == 400 && swept.text().contains("cannot be swept: set the work of adhesion to 0"), "{}", swept.text());
+    assert!(
+        swept.status == 400 && swept.text().contains("cannot be swept: set the work of adhesion to 0"),
+        "{}",
+        swept.text()
+    );
     page.order("/api/solve", &wave(json!({"range": 1e-5})));
     let fault = page.wait(|state| state["busy"] == false)["fault"].as_str().unwrap().to_owned();
     assert!(fault.starts_with("the grid is too coarse for this attraction: its process zone"), "{fault}");
@@ -144,7 +149,11 @@ fn a_hand_finds_two_contacts_at_one_gap() {
     assert_eq!(number(&hold(&page, &knobs, 1.4, true), "relative_area"), 0.0, "and stays apart");
     // the hand that takes the contact of the knobs, which touches, and one after another knob was turned
     let taken = hold(&page, &knobs, 1.4, false);
-    assert!((number(&taken, "relative_area") / number(&stuck, "relative_area") - 1.0).abs() < 0.02, "{}", taken["numbers"]);
+    assert!(
+        (number(&taken, "relative_area") / number(&stuck, "relative_area") - 1.0).abs() < 0.02,
+        "{}",
+        taken["numbers"]
+    );
     hold(&page, &knobs, 2.0, true);
     let turned = hold(&page, &wave(json!({"adhesion": 7e-7})), 1.4, true);
     assert!(number(&turned, "relative_area") > 0.05, "another attraction begins with the contact of its knobs");
