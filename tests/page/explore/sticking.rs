@@ -104,7 +104,7 @@ fn a_wave_holds_under_a_pull_as_in_the_library() {
     assert_eq!(facet("patches")["is_hertzian"], false);
     let parted = page.solve(&wave(json!({"pull": 0.1})));
     assert_eq!((number(&parted, "relative_area"), number(&parted, "patches")), (0.0, 0.0));
-    assert!(number(&parted, "mean_gap") > 10.0 * number(&run, "mean_gap"));
+    assert!(number(&parted, "mean_gap") > 3.0 * number(&run, "mean_gap"));
 }
 
 /// The surface beside is pulled with the same mean pressure, whatever its own slopes are.
