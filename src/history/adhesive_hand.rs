@@ -6,8 +6,9 @@ use crate::adhesion::AdhesiveControl;
 use crate::contact::Load;
 use crate::error::AdhesionError;
 
-/// The most steps of a move.
-const MOST_STEPS: f64 = 32.0;
+/// The longest step of a move over the range of the attraction, and the most steps of one: longer ones let go of what holds.
+const LONGEST: f64 = 0.25;
+const MOST_STEPS: f64 = 64.0;
 
 /// A contact with adhesion that is moved from load to load, whatever these will be. Each move starts from the last state.
 pub struct AdhesiveHand {
@@ -32,7 +33,7 @@ impl AdhesiveHand {
         Ok(Self { process, last })
     }
 
-    /// Moves the contact to another load, in steps of at most a range of the attraction where a length is given. Jumps take place in
+    /// Moves the contact to another load, in short steps where a length is given. Jumps take place in
     /// one of them.
     ///
     /// # Errors
@@ -43,7 +44,7 @@ impl AdhesiveHand {
         let way = target.value() - begin;
         let steps = match target {
             AdhesiveControl::MeanPressure(_) => 1,
-            _ => (way.abs() / range).ceil().clamp(1.0, MOST_STEPS) as usize,
+            _ => (way.abs() / (LONGEST * range)).ceil().clamp(1.0, MOST_STEPS) as usize,
         };
         for step in 1..=steps {
             let value = if step == steps { target.value() } else { begin + way * step as f64 / steps as f64 };
