@@ -69,11 +69,12 @@ function legend(svg, top, curves, width) {
 }
 
 /** The knobs that make surface and solid of a sweep. */
-function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time }) {
+function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time, adhesion, range }) {
   if (body === "scene") return scene;
   const memory = creep > 0 && [creep, speed, speed === 0 && time];
-  if (body === "file") return JSON.stringify([heights, hardness, layer, memory]);
-  return JSON.stringify([hardness, layer, memory, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
+  const attraction = adhesion > 0 && [adhesion, range];
+  if (body === "file") return JSON.stringify([heights, hardness, layer, memory, attraction]);
+  return JSON.stringify([hardness, layer, memory, attraction, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
 }
 
 /** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */

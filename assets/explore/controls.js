@@ -9,7 +9,7 @@ const isOwn = (k) => k.body !== "scene";
 
 /** Whether a state has a knob, by the scenes that have it. */
 const HAS = {
-  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "power-law": (k) => k.body === "power-law",
+  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, adhering: (k) => isOwn(k) && k.adhesion > 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "power-law": (k) => k.body === "power-law",
   gfmd: isGfmd, damped: (k) => isGfmd(k) && k.solver.dynamics === "damped",
 };
 
@@ -208,6 +208,12 @@ function mend(id) {
   if (knobs.rolloff >= knobs.cutoff) knobs.rolloff = Math.max(1, Math.floor(knobs.cutoff / 2));
 }
 
+/** The least number that a field has room for without an exponent. */
+const LONG = 1e-4;
+
+/** A number as it stands in a field. */
+const written = (value) => value > 0 && value < LONG ? value.toExponential() : String(value);
+
 /** Shows the knobs in the controls. */
 function show() {
   for (const control of CONTROLS) {
@@ -220,7 +226,7 @@ function show() {
     else input.value = toSlider(control, value);
     const beside = byId(`${id}-value`);
     if (beside) {
-      beside.value = inLocale(String(value));
+      beside.value = inLocale(written(value));
       input.setAttribute("aria-valuetext", control.unit ? `${value} ${unitOf(control)}` : beside.value);
     }
     byId(`row-${control.id}`).hidden = !HAS[control.scenes](knobs);

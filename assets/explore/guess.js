@@ -146,7 +146,7 @@ function dropWish() {
 
 /** Whether the contact that is shown is the one that is to be made: it is of the knobs, and ended or under the hand. */
 function watchWish(run) {
-  const isShown = moment ? moment.numbers.reduced_pressure > 0 : run.ended && words(run.knobs) === words(knobs);
+  const isShown = moment ? moment.isStuck || moment.numbers.reduced_pressure > 0 : run.ended && words(run.knobs) === words(knobs);
   const told = (moment ?? run).numbers;
   const isMade = ([of, [least, most]]) => typeof told[of] === "number" && told[of] >= least && told[of] <= most;
   if (!wish || !isShown || !Object.entries(wish.goal).every(isMade)) return;

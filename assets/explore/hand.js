@@ -1,7 +1,8 @@
 // The hand: it presses the rigid surface onto the solid, and drags points of its profile.
 
-/** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear. */
-const GAPS = { least: 0.02, most: 1.3 };
+/** The least gap that a hand leaves, over the highest peak, as at none everything touches, and the largest, which is well clear; with
+ * adhesion a larger one, as the solid is drawn after the surface, and some ranges of the attraction more. */
+const GAPS = { least: 0.02, most: 1.3, stretched: 3, ranges: 5 };
 /** The mean gap, over the highest peak, of a surface that is not pressed yet. */
 const UNPRESSED = 1.15;
 /** Standard deviation of a bump over the length of the cell, and in spacings at least, and how near to the profile a hand takes it, in
@@ -34,7 +35,7 @@ async function hold(order, done) {
 }
 
 /** Asks for what the hand holds: the gap, or the load of the knobs. */
-const holdGrip = () => hold({ knobs, "mean-gap": grip.gap, "is-deep": isDeep() }, showHeld);
+const holdGrip = () => hold({ knobs, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, showHeld);
 
 /** The section that a hand got, and the one beside, with the stress below each. */
 const deepened = ({ section, shear, beside, shear_beside: shearBeside }) => [{ ...section, shear }, beside && { ...beside, shear: shearBeside }];
@@ -47,12 +48,13 @@ function showHeld(contact) {
   fault("");
   if (!grip || isClear(grip.gap)) return;
   const { numbers: told } = contact;
-  if (grip.gap !== null) {
+  const isStuck = grip.gap !== null && adheres();
+  if (grip.gap !== null && !isStuck) {
     const [least, most] = controlOf("load").range;
     knobs.load = Number(Math.min(most, Math.max(least, told.reduced_pressure)).toPrecision(4));
   }
   show();
-  setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null });
+  setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null, isStuck });
   if (grip.kind === "bend") followRigid(contact.section);
   const [shown, shownBeside] = deepened(contact);
   const own = axesOf([shown, shownBeside].filter(Boolean));
@@ -78,6 +80,9 @@ const canPress = () => section.is_pressed_by_gap && !isAging() && !isAsked();
 /** Whether the contact is one of many in time, on a solid that creeps: then a hand moves nothing, as each of them takes the ones before. */
 const isAging = () => HAS.resting(knobs) && knobs.time > 0;
 
+/** Whether the surfaces attract each other. Then a contact under the hand goes on from the one before, and no load has it alone. */
+const adheres = () => HAS.adhering(knobs) || (knobs.body === "scene" && Boolean(latest()?.adheres));
+
 /** Whether a question is open whose answer the hand would show. */
 const isAsked = () => document.body.dataset.asked === "true" && lesson?.steps[lesson.at].ask.kind !== "act";
 
@@ -100,12 +105,13 @@ function moveGrip(up) {
 
 /** Presses to a mean gap. Where nothing touches there is nothing to solve. */
 function press(gap) {
-  grip.gap = Math.min(GAPS.most * section.highest, Math.max(GAPS.least * section.highest, gap));
+  const most = adheres() ? GAPS.stretched * section.highest + GAPS.ranges * knobs.range * section.length : GAPS.most * section.highest;
+  grip.gap = Math.min(most, Math.max(GAPS.least * section.highest, gap));
   if (isClear(grip.gap)) lift(grip.gap); else holdGrip();
 }
 
-/** Whether nothing touches at a mean gap, if one is held. */
-const isClear = (gap) => gap !== null && gap >= section.highest * (1 - 1e-6);
+/** Whether nothing touches at a mean gap, if one is held; surfaces that attract each other may touch at any. */
+const isClear = (gap) => gap !== null && !adheres() && gap >= section.highest * (1 - 1e-6);
 
 /** The numbers of a surface that touches nothing. */
 const CLEAR = { relative_area: 0, relative_area_counted: 0, patches: 0, reduced_pressure: 0 };
@@ -153,12 +159,12 @@ function letGo() {
 }
 
 /** What the hand found is solved as a run, and recorded; until that has ended the picture stays as the hand left it. What is lifted clear
- * stays where it is, and the load is the one before. */
+ * stays where it is, as does a contact with adhesion, which no load has alone: the load is the one before. */
 function drop() {
   const { load } = grip;
   grip = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
-  if (moment?.isClear) { knobs.load = load; show(); return; }
+  if (moment?.isClear || moment?.isStuck) { knobs.load = load; show(); return; }
   sectionRun = shownOrLatest()?.id;
   setMoment(null);
   changed();

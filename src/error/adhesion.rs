@@ -35,6 +35,9 @@ pub enum AdhesionError {
     /// A control that the boundary leaves without a meaning.
     #[error("{reason}")]
     Control { control: &'static str, reason: &'static str },
+    /// A history without loads.
+    #[error("the path has no loads: give one at least")]
+    Pathless,
     /// The state was not found.
     #[error(
         "the state with adhesion was not found in {steps} steps: its residual is {residual:.1e}. Take smaller steps of the load"

@@ -1,6 +1,6 @@
 //! Facets: data about a run that has ended, in addition to its report.
 
-use super::section::{Section, Shear};
+use super::section::Section;
 use super::session_recording::SolvedRun;
 use super::why::Why;
 use serde_json::{Value, json};
@@ -19,9 +19,9 @@ pub const MOTION: &str = "motion";
 /// The facets of a run.
 pub const FACETS: [Facet; 8] = [
     Facet { name: "section", of: |solved| json!(solved.section()) },
-    Facet { name: "shear", of: |solved| json!(Shear::below(&solved.contact)) },
+    Facet { name: "shear", of: |solved| json!(solved.shear(Some(&solved.contact))) },
     Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::from_contact)) },
-    Facet { name: "shear-beside", of: |solved| json!(solved.beside.as_ref().and_then(Shear::below)) },
+    Facet { name: "shear-beside", of: |solved| json!(solved.shear(solved.beside.as_ref())) },
     Facet { name: "patches", of: |solved| json!(solved.patches()) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
     Facet { name: MOTION, of: |solved| json!(solved.motion) },

@@ -1,12 +1,13 @@
-//! A contact that the user drags: solved at once from the previous contact, and not recorded.
+//! A contact that the user drags: solved at once from the previous contact, and not recorded. With adhesion it depends on that contact.
 
 use super::knobs::Knobs;
 use super::refusal::Refusal;
 use super::report::Numbers;
 use super::section::{Section, Shear};
 use super::source::SurfaceSource;
+use super::sticking_hand::StickingHand;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
-use crate::setup::Setup;
+use crate::setup::{ProcessKind, Setup};
 use crate::surface::Field;
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +25,16 @@ pub struct Hold {
     mean_gap: Option<f64>,
     /// Whether the stress below is requested.
     is_deep: bool,
+    /// Whether a contact with adhesion goes on from the last one under the hand; else from that of the knobs.
+    #[serde(default)]
+    goes_on: bool,
+}
+
+/// What the hand has left: the pressures of the contact and of that beside it, and the last states with adhesion.
+#[derive(Default)]
+pub struct HandMemory {
+    pressures: [Option<Field>; 2],
+    sticking: [Option<StickingHand>; 2],
 }
 
 /// The contact at this position.
@@ -50,20 +61,19 @@ impl Hold {
     ///
     /// # Errors
     /// A refusal for invalid knobs, and for a gap at which nothing or everything touches.
-    pub(super) fn solve(
-        &self,
-        source: Option<&SurfaceSource>,
-        before: &mut [Option<Field>; 2],
-    ) -> Result<Held, Refusal> {
+    pub(super) fn solve(&self, source: Option<&SurfaceSource>, memory: &mut HandMemory) -> Result<Held, Refusal> {
         let setup = self.knobs.setup_with(source)?;
-        if setup.is_history()? {
+        if setup.adhesion.is_some() {
+            return self.stick(&setup, source, memory);
+        }
+        if setup.process()? == Some(ProcessKind::Creep) {
             return Err(Refusal("a contact that creeps cannot be dragged: set the time to 0".into()));
         }
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {
             problem = problem.with_load(Load::MeanGap(mean_gap))?;
         }
-        let [first, second] = before;
+        let [first, second] = &mut memory.pressures;
         let contact = solve(&problem, &setup, first)?;
         let beside = self.knobs.beside_with(source)?.map(|beside| {
             let problem = beside.problem()?.with_load(Load::MeanPressure(contact.mean_pressure()))?;
@@ -78,6 +88,29 @@ impl Hold {
             beside: beside.as_ref().map(Section::from_contact),
             numbers: Numbers::from_contact(&contact),
         })
+    }
+
+    /// Solves a contact with adhesion, from the last state under the hand or that of the knobs. The stress below is not that of the pressure
+    /// between the surfaces alone, and is left out.
+    fn stick(&self, setup: &Setup, source: Option<&SurfaceSource>, memory: &mut HandMemory) -> Result<Held, Refusal> {
+        let [first, second] = &mut memory.sticking;
+        let load = self.mean_gap.map(Load::MeanGap);
+        let [before, before_beside] = [&mut *first, &mut *second].map(|it| it.take().filter(|_| self.goes_on));
+        let hand = StickingHand::moved(setup, before, load)?;
+        let beside = self.knobs.beside_with(source)?.map(|beside| {
+            let load = Load::MeanPressure(hand.mean_pressure());
+            StickingHand::moved(&beside, before_beside, Some(load))
+        });
+        let beside = beside.transpose()?;
+        let held = Held {
+            section: Section::from_contact(hand.contact()),
+            shear: None,
+            shear_beside: None,
+            beside: beside.as_ref().map(|it| Section::from_contact(it.contact())),
+            numbers: hand.numbers(),
+        };
+        (*first, *second) = (Some(hand), beside);
+        Ok(held)
     }
 }
 

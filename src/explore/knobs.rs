@@ -1,15 +1,16 @@
 //! The knobs of the page, and the setup that they describe.
 
+mod history;
+
 use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, plain};
-use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE};
+use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
 use crate::setup::{
-    Cell, LayerModulus, LoadPath, Method, Part, ProcessKind, Recipe, Record, Setup, SlidingMotion, Solid, Theme,
-    Viscoelastic,
+    Cell, LayerModulus, Method, Part, ProcessKind, Recipe, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic,
 };
 use crate::surface::{Bump, Bumps, Indenter, Spectrum};
 use serde::{Deserialize, Serialize};
@@ -61,6 +62,15 @@ pub struct Knobs {
     /// How long the load has acted on a solid that creeps, where the surface is at rest, in retardation times.
     #[serde(default)]
     time: f64,
+    /// Work of adhesion over the contact modulus and the length of the cell; 0 for none.
+    #[serde(default)]
+    adhesion: f64,
+    /// Range of the attraction, over the length of the cell.
+    #[serde(default = "usual_range")]
+    pub(super) range: f64,
+    /// Reduced pressure that pulls surfaces with adhesion apart after the load; 0 for none.
+    #[serde(default)]
+    pub(super) pull: f64,
     solver: Method,
     stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
@@ -81,6 +91,10 @@ pub struct Knobs {
     /// its surface are used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     beside: Option<Box<Knobs>>,
+}
+
+fn usual_range() -> f64 {
+    USUAL_RANGE
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -213,11 +227,19 @@ impl Knobs {
             load: Load::ReducedPressure(self.load),
             solver: self.solver,
             stop: self.stop,
-            record: Record { what: self.parts(grid.is_line()), theme: self.theme, ..Record::default() },
+            record: Record {
+                what: self.parts(&grid, pressed.adhesion.is_some()),
+                theme: self.theme,
+                ..Record::default()
+            },
             ..pressed
         };
         setup.check()?;
-        if setup.is_history()? && setup.process()? != Some(ProcessKind::Creep) {
+        let is_shown = match setup.process()? {
+            Some(ProcessKind::Adhesion) => !self.takes_scene() || setup.path.is_none(),
+            process => process == Some(ProcessKind::Creep) || !setup.is_history()?,
+        };
+        if !is_shown {
             let sentence = "the page shows one contact, or creep in time: give a scene with one speed, or without slip and rolling";
             return Err(Refusal(sentence.into()));
         }
@@ -247,9 +269,8 @@ impl Knobs {
             sliding: self
                 .slides()
                 .then(|| SlidingMotion { speed: vec![self.speed * grid.size()[1] / RETARDATION_TIME] }),
-            path: self
-                .creeps_in_time()
-                .then(|| LoadPath { time: vec![self.time * RETARDATION_TIME], ..LoadPath::default() }),
+            adhesion: self.adheres().then(|| self.attraction(grid.size()[1])),
+            path: self.path(),
             solid: Some(self.solid(grid.longest_wavelength())),
             law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
             ..Setup::new(surface, cell, load)
@@ -268,9 +289,25 @@ impl Knobs {
                 "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"",
             );
         }
-        let Self { load, hardness, layer, creep, speed, time, solver, stop, record, theme, .. } = self.clone();
-        let other =
-            Self { load, hardness, layer, creep, speed, time, solver, stop, record, theme, ..Self::clone(beside) };
+        let Self {
+            load, hardness, layer, creep, speed, time, adhesion, range, pull, solver, stop, record, theme, ..
+        } = self.clone();
+        let other = Self {
+            load,
+            hardness,
+            layer,
+            creep,
+            speed,
+            time,
+            adhesion,
+            range,
+            pull,
+            solver,
+            stop,
+            record,
+            theme,
+            ..Self::clone(beside)
+        };
         let (first, second) = (self.setup_with(source)?, other.setup_with(source)?);
         let is_line = |setup: &Setup| Ok::<_, Refusal>(setup.surface.grid(&setup.grid)?.is_line());
         if is_line(&first)? != is_line(&second)? {
@@ -304,43 +341,6 @@ impl Knobs {
         }
         let modulus = LayerModulus::Contact(MODULUS);
         Solid::Layer { modulus, poisson: LAYER_POISSON, thickness: self.layer * length, base: Base::Bonded }
-    }
-
-    /// Whether the surface slides over a solid that creeps.
-    fn slides(&self) -> bool {
-        self.creep > 0.0 && self.speed > 0.0
-    }
-
-    /// Whether the surface is at rest on a solid that has crept for some time.
-    fn creeps_in_time(&self) -> bool {
-        self.creep > 0.0 && self.speed == 0.0 && self.time > 0.0
-    }
-
-    /// The motion and the time in a few symbols, for titles; empty for an elastic contact, as are the words for names of files.
-    pub(super) fn motion_in_words(&self) -> [String; 2] {
-        if self.takes_scene() {
-            return Default::default();
-        }
-        let Self { creep, speed, time, .. } = self;
-        match (self.slides(), self.creeps_in_time()) {
-            (true, _) => [format!(", f = {creep}, Vτ/L = {speed}"), format!("_f{creep}_v{speed}")],
-            (_, true) => [format!(", f = {creep}, T/τ = {time}"), format!("_f{creep}_t{time}")],
-            _ => Default::default(),
-        }
-    }
-
-    /// Refuses what a contact that slides or creeps in time cannot have.
-    fn check_motion(&self, grid: &Grid) -> Result<(), Refusal> {
-        let (slides, is_gfmd) = (self.slides(), matches!(self.solver, Method::Gfmd(_)));
-        Err(Refusal(String::from(if slides && self.hardness > 0.0 {
-            "a surface cannot slide over a solid that yields here: set the hardness or the speed to 0"
-        } else if slides && !grid.is_periodic() {
-            "a surface with a free boundary cannot slide here: choose the periodic boundary, or set the speed to 0"
-        } else if (slides || self.creeps_in_time()) && is_gfmd {
-            "GFMD solves elastic contacts only: choose another method, or set the creep to 0"
-        } else {
-            return Ok(());
-        })))
     }
 
     /// Checks the limits of the page.
@@ -392,10 +392,11 @@ impl Knobs {
     }
 
     /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the
-    /// usual parts.
-    fn parts(&self, is_line: bool) -> Vec<Part> {
-        let missing = if is_line { Part::Mesh } else { Part::Profile };
-        let parts: Vec<Part> = self.record.iter().copied().filter(|&part| part != missing).collect();
+    /// usual parts. The stress is that of the pressure alone, which with adhesion is not all that the solid feels.
+    fn parts(&self, grid: &Grid, adheres: bool) -> Vec<Part> {
+        let missing = if grid.is_line() { Part::Mesh } else { Part::Profile };
+        let is_there = |part: &Part| *part != missing && !(adheres && matches!(part, Part::Stress | Part::Fringes));
+        let parts: Vec<Part> = self.record.iter().copied().filter(is_there).collect();
         if parts.is_empty() { vec![Part::Traces] } else { parts }
     }
 }

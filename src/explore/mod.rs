@@ -11,12 +11,12 @@
 //! A file of heights that is dropped on the page stays in the memory of the session until the next file replaces it.
 
 mod answer;
-mod creep;
 mod description;
 mod facet;
 mod hand;
 mod height_knobs;
 mod height_name;
+mod history_solver;
 mod knobs;
 mod lesson;
 mod listener;
@@ -32,6 +32,7 @@ mod session_recording;
 mod solve;
 mod source;
 mod step_numbers;
+mod sticking_hand;
 mod sweep;
 #[cfg(feature = "record")]
 mod tape;

@@ -1,6 +1,6 @@
 //! The state of a session, as the page gets it.
 
-use super::creep::StateNumbers;
+use super::history_solver::StateNumbers;
 use super::knobs::{Knobs, MODULUS};
 use super::section::Section;
 use crate::contact::{Contact, Failure, Observables, Step};
@@ -74,6 +74,8 @@ pub struct RunReport {
     pub knobs: Knobs,
     /// Whether its steps are states in time, of a solid that creeps.
     pub creeps: bool,
+    /// Whether its surfaces attract each other.
+    pub adheres: bool,
     /// Whether solver and recording have ended.
     pub ended: bool,
     /// Numbers of its latest state.

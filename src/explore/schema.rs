@@ -21,6 +21,8 @@ pub const MOST_POINTS: [usize; 2] =
 
 /// Points along each side of a surface to start with.
 pub(super) const SURFACE_SIDE: usize = 1 << 8;
+/// The range of an attraction over the length of the cell, to start with.
+pub(super) const USUAL_RANGE: f64 = 1e-4;
 /// The most bumps of a line.
 pub(super) const MOST_BUMPS: usize = 32;
 /// The largest file of heights, in bytes.
@@ -56,6 +58,8 @@ pub enum KnobScenes {
     Creeping,
     /// The same, where the surface does not slide.
     Resting,
+    /// All but that of a setup file, with adhesion.
+    Adhering,
     /// Surfaces that the knobs make: no file is the body.
     Made,
     /// Made surfaces with roughness.
@@ -83,7 +87,14 @@ impl KnobScenes {
     fn is_held_by_others(self) -> bool {
         matches!(
             self,
-            Self::All | Self::Own | Self::Creeping | Self::Resting | Self::Made | Self::Rough | Self::PowerLaw
+            Self::All
+                | Self::Own
+                | Self::Creeping
+                | Self::Resting
+                | Self::Adhering
+                | Self::Made
+                | Self::Rough
+                | Self::PowerLaw
         )
     }
 }
@@ -251,6 +262,9 @@ pub const KNOBS: &[Knob] = &[
     knob(Solid, "creep", Number(NumericKnob::new([0.0, 100.0], 0.0).linear([0.0, 20.0, 0.5]))).only_in(KnobScenes::Own),
     knob(Solid, "speed", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 2.0, 0.1]))).only_in(KnobScenes::Creeping),
     knob(Solid, "time", Number(NumericKnob::new([0.0, 100.0], 0.0).zero_or_log10([-2.1, 2.0, 0.1]))).only_in(KnobScenes::Resting),
+    knob(Solid, "adhesion", Number(NumericKnob::new([0.0, 1.0], 0.0).zero_or_log10([-9.1, -4.0, 0.1]))).only_in(KnobScenes::Own),
+    knob(Solid, "range", Number(NumericKnob::new([1e-7, 1.0], USUAL_RANGE).log10([-6.0, -2.0, 0.1]))).only_in(KnobScenes::Adhering),
+    knob(Solid, "pull", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 1.5, 0.02]))).only_in(KnobScenes::Adhering),
     knob(Surface, "domain", Choice { options: &["line", "surface"], default: "line" }).only_in(KnobScenes::Made),
     knob(Surface, "body", Choice { options: &["flat", "round", "sine", "power-law", "file", "scene"], default: "flat" }),
     knob(Surface, "exponent", Number(NumericKnob::new([1.0, 12.0], 4.0).linear([1.0, 12.0, 0.5]))).only_in(KnobScenes::PowerLaw),

@@ -1,9 +1,9 @@
 //! One session: the orders of the page, and their results.
 
-use super::creep::StateNumbers;
 use super::description::Description;
-use super::hand::{Held, Hold};
+use super::hand::{HandMemory, Held, Hold};
 use super::height_knobs::HeightKnobs;
+use super::history_solver::StateNumbers;
 use super::knobs::Knobs;
 use super::listener::Listener;
 use super::motion::Motion;
@@ -15,7 +15,7 @@ use super::step_numbers::StepNumbers;
 use super::tape::{TapeCurves, TapeView};
 use crate::contact::{Contact, Failure};
 use crate::setup::{Method, Setup};
-use crate::surface::{Field, HeightFile};
+use crate::surface::HeightFile;
 use crate::theory::Exact;
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
@@ -49,8 +49,8 @@ pub struct Stock {
 /// The orders of the page, one at a time, and their results; a new order ends the previous one.
 pub struct Session {
     state: Mutex<SessionState>,
-    /// The pressure of the contact under the hand, of which there is one at a time, and of that beside it.
-    hand: Mutex<[Option<Field>; 2]>,
+    /// What the hand has left, of which there is one at a time.
+    hand: Mutex<HandMemory>,
     changed: Condvar,
     listener: Option<Listener>,
 }
@@ -139,6 +139,10 @@ impl Session {
     pub fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
+        if kind == RunKind::Sweep && setup.adhesion.is_some() {
+            let sentence = "the load of a contact with adhesion cannot be swept: set the work of adhesion to 0";
+            return Err(Refusal(sentence.into()));
+        }
         if kind == RunKind::Sweep && setup.is_history()? {
             return Err(Refusal("the load of a contact that creeps cannot be swept: set the time to 0".into()));
         }

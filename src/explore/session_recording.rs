@@ -3,7 +3,7 @@
 use super::motion::Motion;
 use super::patches::PatchTable;
 use super::report::{RunReport, SweepReport};
-use super::section::Section;
+use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
 use crate::contact::{Contact, archive};
@@ -94,10 +94,15 @@ impl SolvedRun {
         exact.as_ref().map_or_else(|| Section::from_contact(contact), |exact| Section::with_exact(contact, exact))
     }
 
-    /// The patches of the contact. A patch on a solid that creeps is compared with no elastic one.
+    /// The stress below a contact of the run. With adhesion the pressure between the surfaces is not all that the solid feels.
+    pub fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
+        contact.filter(|_| !self.report.adheres).and_then(Shear::below)
+    }
+
+    /// The patches of the contact. A patch on a solid that creeps or adheres is compared with no elastic one.
     pub fn patches(&self) -> PatchTable {
         let table = PatchTable::new(&self.contact);
-        PatchTable { is_hertzian: table.is_hertzian && !self.report.creeps, ..table }
+        PatchTable { is_hertzian: table.is_hertzian && !(self.report.creeps || self.report.adheres), ..table }
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

@@ -1,6 +1,6 @@
 //! One solve, recorded and reported while it runs.
 
-use super::creep::{CreepSolver, StateNumbers};
+use super::history_solver::{HistorySolver, StateNumbers};
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
@@ -13,7 +13,7 @@ use crate::clock::Instant;
 use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
 use crate::error::{SetupError, SolveError};
 use crate::job::{self, Job, JobRun, Pass, Solved};
-use crate::setup::{Setup, command};
+use crate::setup::{LoadPath, ProcessKind, Setup, command};
 use crate::surface::Surface;
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -32,7 +32,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let surface = setup.surface.title(grid);
     let [motion, for_files] = knobs.motion_in_words();
     let title = format!("{surface}, p* = {}{motion}", knobs.load);
-    let creeps = setup.is_history()?;
+    let (process, is_history) = (setup.process()?, setup.is_history()?);
     let report = RunReport {
         id: format!("run-{}", turn.number),
         file_stem: file_stem(&surface, &format!("p{}{for_files}", knobs.load), setup.solver().name()),
@@ -42,7 +42,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         prepared: prepared(&setup, problem.surface())?,
         warnings: Vec::new(),
         knobs,
-        creeps,
+        creeps: is_history && process == Some(ProcessKind::Creep),
+        adheres: process == Some(ProcessKind::Adhesion),
         ended: false,
         numbers: None,
         exact: exact.as_ref().map(ExactNumbers::from),
@@ -57,10 +58,10 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let states = [StateNumbers::default(), StateNumbers::default()];
     let goes_on = || turn.goes_on();
     let [history, history_beside] = [Some(&setup), beside.as_ref().map(|(setup, _)| setup)]
-        .map(|setup| setup.filter(|_| creeps))
+        .map(|setup| setup.filter(|_| is_history))
         .into_iter()
         .zip(&states)
-        .map(|(setup, states)| setup.map(|setup| CreepSolver::new(setup, &goes_on, states.clone())))
+        .map(|(setup, states)| setup.map(|setup| HistorySolver::new(setup, &goes_on, states.clone())))
         .collect::<Vec<_>>()
         .try_into()
         .unwrap_or_default();
@@ -95,7 +96,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
 }
 
 /// The run of a setup, or of its history.
-fn job_run<'a>(setup: &Setup, problem: Problem, history: Option<&'a CreepSolver<'_>>) -> JobRun<'a> {
+fn job_run<'a>(setup: &Setup, problem: Problem, history: Option<&'a HistorySolver<'_>>) -> JobRun<'a> {
     let run = match history {
         Some(history) => JobRun { other: Some(history), ..JobRun::new(history.setup_of_contact()) },
         None => JobRun::new(setup.clone()),
@@ -103,9 +104,12 @@ fn job_run<'a>(setup: &Setup, problem: Problem, history: Option<&'a CreepSolver<
     JobRun { problem: Some(problem), ..run }
 }
 
-/// A setup under the mean pressure of a problem, and its problem.
+/// A setup under the mean pressure of a problem, along the same path of them, and its problem.
 fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
-    let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), ..setup };
+    let unit = other.rms_gradient() * other.contact_modulus();
+    let in_pascals = |path: LoadPath| LoadPath { load: path.load.iter().map(|load| load * unit).collect(), ..path };
+    let path = setup.path.clone().map(in_pascals);
+    let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), path, ..setup };
     let problem = setup.problem()?;
     Ok((setup, problem))
 }

@@ -1,6 +1,6 @@
 //! The numbers of the steps of a run.
 
-use super::creep::StateNumbers;
+use super::history_solver::StateNumbers;
 use crate::contact::{Contact, Failure, OBSERVABLES, Observer, State, Step, Wish, Work};
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -50,10 +50,10 @@ struct Stretch {
 }
 
 impl Why {
-    /// Solves the setup again, and compares each step with the final state. None if this fails, and for a solid that creeps in time,
-    /// whose steps are many solves.
+    /// Solves the setup again, and compares each step with the final state. None if this fails, and for a solid that creeps in time
+    /// or adheres, whose steps are many solves.
     pub fn find(solved: &SolvedRun) -> Option<Self> {
-        if solved.report.creeps {
+        if solved.report.creeps || solved.report.adheres {
             return None;
         }
         let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());

@@ -34,7 +34,7 @@ pub struct AdhesiveProcess {
 
 /// What a history with adhesion adds up, per area of the cell.
 #[derive(Debug, Clone, Copy, Default)]
-struct AdhesionLedger {
+pub(super) struct AdhesionLedger {
     /// Energy lost in jumps.
     lost: f64,
     /// Work of the load.
@@ -43,20 +43,20 @@ struct AdhesionLedger {
 
 /// A place on the path.
 #[derive(Clone)]
-enum AdhesivePlace {
+pub(super) enum AdhesivePlace {
     State(Box<AdhesiveState>),
     /// The surfaces have parted.
     Apart,
 }
 
 /// A place that is told.
-struct AdhesiveVisit {
-    place: AdhesivePlace,
-    control: AdhesiveControl,
-    ledger: AdhesionLedger,
+pub(super) struct AdhesiveVisit {
+    pub(super) place: AdhesivePlace,
+    pub(super) control: AdhesiveControl,
+    pub(super) ledger: AdhesionLedger,
     /// The energy lost in the jump that ends here.
-    jump: Option<f64>,
-    work: Work,
+    pub(super) jump: Option<f64>,
+    pub(super) work: Work,
 }
 
 impl AdhesiveProcess {
@@ -71,8 +71,23 @@ impl AdhesiveProcess {
         Self { problem, path, steps: steps.max(1), method, stop }
     }
 
+    /// The loads of the path.
+    pub(super) fn loads(&self) -> impl Iterator<Item = Load> {
+        self.path.iter().map(|point| point.load)
+    }
+
+    /// The range of the attraction.
+    pub(super) fn range(&self) -> f64 {
+        self.problem.attraction().range()
+    }
+
+    /// The highest peak above the mean of the rigid surface.
+    pub(super) fn highest(&self) -> f64 {
+        self.problem.problem().highest()
+    }
+
     /// What a load of the path prescribes.
-    fn control(&self, load: Load) -> AdhesiveControl {
+    pub(super) fn control(&self, load: Load) -> AdhesiveControl {
         let problem = self.problem.problem();
         match load {
             Load::MeanPressure(pressure) => AdhesiveControl::MeanPressure(pressure),
@@ -86,7 +101,7 @@ impl AdhesiveProcess {
     }
 
     /// The place under a control, from the last one. What has parted under a load that pulls stays apart.
-    fn solve(
+    pub(super) fn solve(
         &self,
         control: AdhesiveControl,
         from: Option<&AdhesivePlace>,
@@ -107,7 +122,7 @@ impl AdhesiveProcess {
     }
 
     /// The places from one to the next point of the path: both sides of each jump, and the end.
-    fn visits(
+    pub(super) fn visits(
         &self,
         last: &AdhesiveVisit,
         target: AdhesiveControl,
@@ -158,7 +173,7 @@ impl AdhesiveProcess {
     }
 
     /// A place as a state of any history.
-    fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> HistoryState {
+    pub(super) fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> HistoryState {
         let AdhesiveVisit { place, control, ledger, jump, work } = visit;
         let numbers = HistoryNumbers {
             dissipated: Some(ledger.lost),
@@ -250,7 +265,7 @@ impl Process for AdhesiveProcess {
 
 impl AdhesiveVisit {
     /// What the next step begins with.
-    fn kept(&self) -> Self {
+    pub(super) fn kept(&self) -> Self {
         Self { place: self.place.clone(), work: Work::default(), ..*self }
     }
 }

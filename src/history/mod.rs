@@ -14,6 +14,7 @@
 //! surface. So new material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
 mod adhesive;
+mod adhesive_hand;
 mod adhesive_totals;
 mod archive;
 mod creep;
@@ -38,6 +39,7 @@ mod slip_traction;
 mod slip_vector;
 
 pub use adhesive::AdhesiveProcess;
+pub use adhesive_hand::AdhesiveHand;
 pub use adhesive_totals::{AdhesionJump, AdhesionTotals};
 pub use archive::archive_of_history;
 pub use creep::Creep;

@@ -283,7 +283,10 @@ impl Setup {
     }
 
     /// What makes the history of a problem with adhesion along the path of this setup.
-    fn adhesive(&self, problem: Problem) -> Result<AdhesiveProcess, SetupError> {
+    ///
+    /// # Errors
+    /// The errors of [`Adhesion::attraction`](super::Adhesion::attraction) and of [`AdhesiveProblem::new`].
+    pub fn adhesive(&self, problem: Problem) -> Result<AdhesiveProcess, SetupError> {
         let adhesion = self.adhesion.clone().unwrap_or_default();
         let problem = AdhesiveProblem::new(problem, adhesion.attraction()?)?;
         let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(STEPS_OF_ADHESION);

@@ -209,7 +209,10 @@ fn a_pin_keeps_its_numbers(page: &mut Page) {
 fn words_are_explained(page: &mut Page) {
     page.click("words");
     let words = page.value("[...document.querySelectorAll('#glossary dt')].map((it) => it.innerText)");
-    assert_eq!(words, json!(["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T"]));
+    assert_eq!(
+        words,
+        json!(["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T", "w, ρ"])
+    );
     assert_eq!(page.value("document.getElementById('glossary').open"), true);
     page.press("Escape");
     assert_eq!(page.value("document.getElementById('glossary').open"), Value::Bool(false));

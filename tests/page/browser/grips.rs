@@ -251,6 +251,37 @@ fn loads_are_picked(page: &mut Page) {
     assert_eq!(page.value("moment"), Value::Null);
 }
 
+/// Drags a surface with adhesion to a gap over its highest peak, and returns the area there, which stays when the hand lets go.
+fn area_at(page: &mut Page, gap: f64) -> f64 {
+    let up = format!("({gap} * section.highest - section.mean_gap) * frame(byId('section')).perHeight");
+    let up = page.value(&up).as_f64().unwrap();
+    let grip = middle(page.place("press"));
+    drag(page, grip, [0.0, -up]);
+    page.until("!grip && !holding");
+    let held = page.value("section.mean_gap / section.highest").as_f64().unwrap();
+    assert!((held / gap - 1.0).abs() < 0.02, "{held}, not {gap}");
+    page.value("moment.numbers.relative_area").as_f64().unwrap()
+}
+
+/// With adhesion the contact under the hand goes on from the last one: at one gap a wave touches or not.
+fn an_attraction_snaps_in_and_lets_go(page: &mut Page) {
+    page.value(
+        "Object.assign(knobs, { body: 'sine', roughness: 0, points: 2048, load: 0.001, adhesion: 6e-7, range: 1e-4 }); \
+        show(); changed()",
+    );
+    pictured(page);
+    assert!(run(page)["numbers"]["relative_area"].as_f64().unwrap() > 0.3, "it sticks");
+    assert!(area_at(page, 1.38) > 0.05, "it holds on while it is pulled up");
+    assert!(page.value("moment.numbers.reduced_pressure").as_f64().unwrap() < -0.05);
+    assert_eq!(area_at(page, 1.6), 0.0, "it lets go");
+    assert_eq!(area_at(page, 1.38), 0.0, "it stays apart");
+    assert!(area_at(page, 1.2) > 0.1, "it snaps in");
+    assert_eq!(load(page), 0.001, "no load has the contact alone");
+    page.value("Object.assign(knobs, { adhesion: 0 }); show(); changed()");
+    pictured(page);
+    assert_eq!(page.value("moment"), Value::Null);
+}
+
 /// Another surface beside, under the same mean pressure.
 fn surfaces_stand_side_by_side(page: &mut Page) {
     pictured(page);
@@ -289,5 +320,6 @@ fn a_person_with_a_hand_on_the_contact() {
     patches_are_picked(&mut page);
     surfaces_stand_side_by_side(&mut page);
     loads_are_picked(&mut page);
+    an_attraction_snaps_in_and_lets_go(&mut page);
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
 }

@@ -95,6 +95,8 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
             // the middle of the goal, by the control that leads there
             let goal = &ask["goal"];
             let [control, value] = match [goal["reduced_pressure"].is_array(), goal["friction"].is_array()] {
+                _ if goal["relative_area"] == json!([0.0, 0.0]) => ["control-pull-value", "0.2"],
+                [true, _] if goal["relative_area"].is_array() => ["control-adhesion-value", "4e-6"],
                 [true, _] => ["control-layer-value", "0.05"],
                 [_, true] => ["control-speed-value", "1.6"],
                 _ => ["control-load-value", "0.28"],

@@ -13,6 +13,7 @@ mod scenes;
 mod schema;
 mod scripts;
 mod sessions;
+mod sticking;
 mod texts;
 
 use asperity::Stop;

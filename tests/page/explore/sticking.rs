@@ -1,0 +1,160 @@
+//! Surfaces with adhesion: knobs, setups, what they refuse, and the hand under which they snap in and let go.
+
+use super::{Page, with};
+use asperity::explore::{Knobs, Start};
+use asperity::job::HistoryOutcome;
+use asperity::setup::{ProcessKind, Setup};
+use serde_json::{Value, json};
+
+const CELL: f64 = 160e-6;
+const MODULUS: f64 = 1e9;
+
+/// A smooth wave that sticks, with changes.
+fn wave(changes: Value) -> Value {
+    let mut knobs =
+        with(json!({"body": "sine", "roughness": 0, "points": 2048, "load": 0.001, "adhesion": 6e-7, "range": 1e-4}));
+    changes.as_object().unwrap().iter().for_each(|(name, value)| knobs[name] = value.clone());
+    knobs
+}
+
+fn setup(knobs: &Value) -> Setup {
+    Knobs::read(knobs.to_string().as_bytes()).unwrap().setup().unwrap()
+}
+
+fn number(of: &Value, name: &str) -> f64 {
+    of["numbers"][name].as_f64().unwrap_or_else(|| panic!("{name} is {}", of["numbers"][name]))
+}
+
+#[test]
+fn work_range_and_pull_make_the_setup() {
+    let pulled = setup(&wave(json!({"pull": 0.03})));
+    let adhesion = pulled.adhesion.as_ref().unwrap();
+    assert_eq!(adhesion.work, Some(6e-7 * MODULUS * CELL));
+    assert_eq!(adhesion.range, Some(1e-4 * CELL));
+    assert_eq!(pulled.path.as_ref().unwrap().load, [0.001, -0.03]);
+    assert_eq!(pulled.process().unwrap(), Some(ProcessKind::Adhesion));
+    let pressed = setup(&wave(json!({})));
+    assert!(pressed.path.is_none() && pressed.is_history().unwrap());
+    let plain = setup(&wave(json!({"adhesion": 0})));
+    assert_eq!(plain, setup(&wave(json!({"adhesion": 0, "range": 1e-2, "pull": 1}))));
+    assert!(plain.adhesion.is_none());
+}
+
+/// States from before these knobs were there, as in links that were saved.
+#[test]
+fn states_without_the_knobs_do_not_stick() {
+    let mut earlier = with(json!({}));
+    for name in ["adhesion", "range", "pull"] {
+        earlier.as_object_mut().unwrap().remove(name);
+    }
+    assert_eq!(Knobs::read(earlier.to_string().as_bytes()).unwrap(), Start::RoughLine.knobs());
+}
+
+#[test]
+fn what_cannot_stick_is_refused() {
+    let page = Page::open();
+    let at_rest = "adhesion is solved for elastic contacts at rest";
+    for (changes, words) in [
+        (json!({"hardness": 5e-4}), at_rest),
+        (json!({"creep": 9, "speed": 1}), at_rest),
+        (json!({"creep": 9, "time": 1}), at_rest),
+        (json!({"solver": {"method": "polonsky-keer"}}), "choose the multilevel method"),
+        (json!({"adhesion": -1}), "`adhesion` cannot be -1: give a number from 0 to 1"),
+        (json!({"range": 0}), "`range` cannot be 0: give a number from "),
+        (json!({"pull": -1}), "`pull` cannot be -1: give a number from 0 to 1000"),
+    ] {
+        let answer = page.post("/api/solve", &wave(changes.clone()).to_string());
+        assert!(answer.status == 400 && answer.text().contains(words), "{changes}: {}", answer.text());
+    }
+    let swept = page.post("/api/sweep", &wave(json!({})).to_string());
+    assert!(
+        swept.status == 400 && swept.text().contains("cannot be swept: set the work of adhesion to 0"),
+        "{}",
+        swept.text()
+    );
+    page.order("/api/solve", &wave(json!({"range": 1e-5})));
+    let fault = page.wait(|state| state["busy"] == false)["fault"].as_str().unwrap().to_owned();
+    assert!(fault.starts_with("the grid is too coarse for this attraction: its process zone"), "{fault}");
+    let hold = json!({"knobs": wave(json!({"range": 1e-5})), "mean-gap": 1e-7, "is-deep": false});
+    let held = page.post("/api/hold", &hold.to_string());
+    assert!(held.status == 400 && held.text() == fault, "{}", held.text());
+}
+
+#[test]
+fn a_wave_holds_under_a_pull_as_in_the_library() {
+    let page = Page::open();
+    let run = page.solve(&wave(json!({"pull": 0.05, "record": ["traces", "profile", "fields", "mask", "stress"]})));
+    assert!(run["adheres"] == true && run["creeps"] == false, "{run}");
+    assert!((number(&run, "reduced_pressure") / -0.05 - 1.0).abs() < 1e-9);
+    assert!(number(&run, "mean_pressure") < 0.0);
+    let setup = Setup::from_toml(run["setup"].as_str().unwrap()).unwrap();
+    let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
+    let last = outcome.states.last().unwrap();
+    assert_eq!(Some(number(&run, "relative_area")), last.numbers.relative_area);
+    assert!(number(&run, "relative_area") > 0.1, "{}", run["numbers"]);
+    let kappa = number(&run, "relative_area") / -0.05;
+    assert!((number(&run, "kappa") / kappa - 1.0).abs() < 1e-9 && number(&run, "kappa_r") < 0.0);
+    assert!(run["numbers"]["elastic_energy"].is_null(), "it is that of the pressure between the surfaces alone");
+    assert!(run["command"].as_str().unwrap().contains(" --adhesion "), "{}", run["command"]);
+    let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
+    let steps = facet("steps");
+    let areas: Vec<f64> = steps["relative_area"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
+    assert!(areas.len() > 10 && areas.is_sorted_by(|a, b| a >= b), "the contact shrinks state by state: {areas:?}");
+    assert!(facet("why").is_null() && facet("shear").is_null());
+    assert_eq!(facet("patches")["is_hertzian"], false);
+    let parted = page.solve(&wave(json!({"pull": 0.1})));
+    assert_eq!((number(&parted, "relative_area"), number(&parted, "patches")), (0.0, 0.0));
+    assert!(number(&parted, "mean_gap") > 3.0 * number(&run, "mean_gap"));
+}
+
+/// The surface beside is pulled with the same mean pressure, whatever its own slopes are.
+#[test]
+fn two_surfaces_are_pulled_together() {
+    let page = Page::open();
+    let beside = wave(json!({"roughness": 0.02, "cutoff": 32}));
+    let run = page.solve(&wave(json!({"pull": 0.02, "beside": beside})));
+    let [first, second] = [&run, &run["beside"]].map(|it| number(it, "mean_pressure"));
+    assert!(first < 0.0 && (second / first - 1.0).abs() < 1e-9, "{first} {second}");
+    let [first, second] = [&run, &run["beside"]].map(|it| number(it, "relative_area"));
+    assert!(first > second && second > 0.0, "{first} {second}");
+}
+
+/// The contact under a hand at a mean gap over the amplitude of the wave.
+fn hold(page: &Page, knobs: &Value, gap: f64, goes_on: bool) -> Value {
+    let order = json!({"knobs": knobs, "mean-gap": gap * 1e-3 * CELL, "is-deep": true, "goes-on": goes_on});
+    let answer = page.post("/api/hold", &order.to_string());
+    assert_eq!(answer.status, 200, "{}", answer.text());
+    answer.json()
+}
+
+/// Between the gaps at which it snaps in and lets go, a wave touches or not, as the hand comes from below or from above.
+#[test]
+fn a_hand_finds_two_contacts_at_one_gap() {
+    let page = Page::open();
+    let knobs = wave(json!({}));
+    let above = hold(&page, &knobs, 2.0, false);
+    assert_eq!(number(&above, "relative_area"), 0.0);
+    let apart = hold(&page, &knobs, 1.4, true);
+    assert_eq!(number(&apart, "relative_area"), 0.0, "it has not snapped in yet");
+    let snapped = hold(&page, &knobs, 1.25, true);
+    assert!(number(&snapped, "relative_area") > 0.1, "{}", snapped["numbers"]);
+    let stuck = hold(&page, &knobs, 1.4, true);
+    assert!(number(&stuck, "relative_area") > 0.05, "it has let go too early: {}", stuck["numbers"]);
+    let [loose, tight] = [&apart, &stuck].map(|it| number(it, "reduced_pressure"));
+    assert!(tight < 10.0 * loose && loose < 0.0, "{tight} and {loose} at the same gap");
+    assert!(stuck["shear"].is_null(), "it would be that of the pressure between the surfaces alone");
+    let [one, other] = [&apart, &stuck].map(|it| it["section"]["mean_gap"].as_f64().unwrap());
+    assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+    assert_eq!(number(&hold(&page, &knobs, 1.5, true), "relative_area"), 0.0, "it lets go");
+    assert_eq!(number(&hold(&page, &knobs, 1.4, true), "relative_area"), 0.0, "and stays apart");
+    // the hand that takes the contact of the knobs, which touches, and one after another knob was turned
+    let taken = hold(&page, &knobs, 1.4, false);
+    assert!(
+        (number(&taken, "relative_area") / number(&stuck, "relative_area") - 1.0).abs() < 0.02,
+        "{}",
+        taken["numbers"]
+    );
+    hold(&page, &knobs, 2.0, true);
+    let turned = hold(&page, &wave(json!({"adhesion": 7e-7})), 1.4, true);
+    assert!(number(&turned, "relative_area") > 0.05, "another attraction begins with the contact of its knobs");
+}
