@@ -99,7 +99,7 @@ impl ProblemSummary {
 }
 
 /// Name and settings of the solver that is used.
-fn solver_of(setup: &Setup) -> (String, String) {
+pub fn solver_of(setup: &Setup) -> (String, String) {
     match &setup.adhesion {
         Some(adhesion) => (adhesion.method.name().into(), adhesion.method.words().into()),
         None => (setup.solver().name().into(), setup.solver().settings()),

@@ -1,5 +1,6 @@
 //! The cost of a solve in words.
 
+use super::problem_summary::solver_of;
 use asperity::quantity::bytes_in_words;
 #[cfg(feature = "record")]
 use asperity::record::{Options, Size};
@@ -23,7 +24,7 @@ pub struct SolvePlan<'a> {
 pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     let SolvePlan { setup, cost, loads, is_passed_twice, .. } = *plan;
     let shape = cost.grid.shape();
-    writeln!(out, "Estimate for {}; nothing was solved.", setup.solver.name())?;
+    writeln!(out, "Estimate for {}; nothing was solved.", solver_of(setup).0)?;
     writeln!(out, "  points      {}", points(shape))?;
     let coarsest = shape.map(|n| (n >> cost.coarse_grids).max(1));
     match cost.coarse_grids {

@@ -30,7 +30,7 @@ pub enum StudyError {
     Friction,
     /// A history, of which a study has one state for each row.
     #[error(
-        "a study has one contact for each row, but this is a history: leave the path out, or give one speed of sliding, \
+        "a study has one contact for each row, but this is a history: leave path and adhesion out, or give one speed of sliding, \
          or solve the setups one by one"
     )]
     History,

@@ -142,6 +142,14 @@ fn a_scene_repeats_the_loop_also_with_a_table() {
 }
 
 #[test]
+fn an_estimate_names_the_method() {
+    let folder = Folder::new();
+    let estimate = folder.run(&format!("{SINE} {STICKY} {LOOP} --dry-run"));
+    let estimate = text(&estimate.stdout);
+    assert!(estimate.contains("Estimate for Newton steps") && estimate.contains("about 24, each"), "{estimate}");
+}
+
+#[test]
 fn what_cannot_be_is_refused_in_one_sentence() {
     let folder = Folder::new();
     let table = |name: &str, rows: &str| std::fs::write(folder.join(name), rows).unwrap();
@@ -183,4 +191,10 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         assert!(error.contains(sentence) && error.trim_end().lines().count() == 1, "{line}: {error}");
         assert!(!folder.join("result.npz").exists(), "{line}");
     }
+    let scene = "surface.indenter = { shape = \"sine\", amplitude = 1 }\ngrid = { points = 64, size = 20 }\n\
+                 load.mean-gap = [1, 2]\nadhesion = { work = 1e-3, range = 1 }\n";
+    std::fs::write(folder.join("study.toml"), scene).unwrap();
+    let study = folder.run("study study.toml --out study.csv");
+    assert_eq!(study.status.code(), Some(2));
+    assert!(text(&study.stderr).contains("leave path and adhesion out"), "{}", text(&study.stderr));
 }
