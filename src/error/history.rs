@@ -57,8 +57,17 @@ pub enum HistoryError {
     #[error(transparent)]
     Motion(#[from] MotionError),
     #[error(transparent)]
-    Adhesion(#[from] AdhesionError),
+    Adhesion(AdhesionError),
     /// An observer stopped the history.
     #[error("the history was stopped")]
     Stopped,
+}
+
+impl From<AdhesionError> for HistoryError {
+    fn from(error: AdhesionError) -> Self {
+        match error {
+            AdhesionError::Stopped => Self::Stopped,
+            error => Self::Adhesion(error),
+        }
+    }
 }

@@ -23,7 +23,8 @@ const APART: f64 = 30.0;
 /// `E_0 - E_1 - (P_0 + P_1)(d_1 - d_0)/2`.
 ///
 /// Without a jump this is an error of third order in the step. Where it is large, the step is halved until it is short: what it loses then is
-/// a jump, with a state before it and one after it. Under a mean pressure the surfaces may part; the energy of the last state is released then.
+/// a jump, with a state before it and one after it. Under a mean pressure the surfaces may part; what is lost then depends
+/// on how far they go, and is not counted.
 pub struct AdhesiveProcess {
     problem: AdhesiveProblem,
     path: Vec<PathPoint>,
@@ -121,17 +122,19 @@ impl AdhesiveProcess {
         })
     }
 
-    /// The places from one to the next point of the path: both sides of each jump, and the end.
+    /// Adds the places from one to the next point of the path: both sides of each jump, and the end. After an error they end with the last
+    /// place that was found.
     pub(super) fn visits(
         &self,
         last: &AdhesiveVisit,
         target: AdhesiveControl,
         observer: &mut dyn Observer,
-    ) -> Result<Vec<AdhesiveVisit>, AdhesionError> {
+        visits: &mut Vec<AdhesiveVisit>,
+    ) -> Result<(), AdhesionError> {
         let allowed = JUMP * self.problem.attraction().work();
         let (begin, end) = (last.control.value(), target.value());
         let (mut from, mut at, mut ledger) = (last.place.clone(), begin, last.ledger);
-        let (mut visits, mut work) = (Vec::new(), Work::default());
+        let mut work = Work::default();
         let mut length = end - begin;
         loop {
             let to = if (end - at).abs() <= length.abs() { end } else { at + length };
@@ -142,7 +145,14 @@ impl AdhesiveProcess {
                     length *= 0.5;
                     continue;
                 }
-                found => found?,
+                Err(error) => {
+                    if at != begin {
+                        let (place, control) = (from, target.with_value(at));
+                        visits.push(AdhesiveVisit { place, control, ledger, jump: None, work });
+                    }
+                    return Err(error);
+                }
+                Ok(found) => found,
             };
             work = sum(work, spent);
             let missed = lost(&from, &after);
@@ -155,10 +165,7 @@ impl AdhesiveProcess {
                 let (place, control) = (from.clone(), target.with_value(at));
                 visits.push(AdhesiveVisit { place, control, ledger, jump: None, work: std::mem::take(&mut work) });
             }
-            let jump = is_jump.then(|| match (&from, &after) {
-                (AdhesivePlace::State(from), AdhesivePlace::Apart) => -from.energy,
-                _ => missed,
-            });
+            let jump = Some(missed).filter(|lost| is_jump && lost.is_finite());
             ledger.lost += jump.unwrap_or(0.0);
             ledger.work += work_of_load(&from, &after);
             if to == end || is_jump {
@@ -166,7 +173,7 @@ impl AdhesiveProcess {
                 visits.push(AdhesiveVisit { place, control, ledger, jump, work: std::mem::take(&mut work) });
             }
             if to == end {
-                return Ok(visits);
+                return Ok(());
             }
             (from, at, length) = (after, to, 2.0 * length);
         }
@@ -249,11 +256,14 @@ impl Process for AdhesiveProcess {
             for step in 1..=self.steps {
                 let share = step as f64 / self.steps as f64;
                 let value = if step == self.steps { target.value() } else { begin + share * (target.value() - begin) };
-                let mut visits = self.visits(&from, target.with_value(value), observer)?;
-                let reached = visits.pop().expect("a step has an end");
+                let mut visits = Vec::new();
+                let ended = self.visits(&from, target.with_value(value), observer, &mut visits);
+                let reached = if ended.is_ok() { visits.pop() } else { None };
                 for visit in visits {
                     each(self.told(visit, None))?;
                 }
+                ended?;
+                let reached = reached.expect("a step has an end");
                 from = reached.kept();
                 each(self.told(reached, (step == self.steps).then_some(number)))?;
             }

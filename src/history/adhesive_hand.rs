@@ -28,13 +28,12 @@ impl AdhesiveHand {
         let (place, work) = process.solve(control, None, &mut ())?;
         let mut last = AdhesiveVisit { place, control, ledger: AdhesionLedger::default(), jump: None, work };
         for load in rest {
-            last = end_of(process.visits(&last, process.control(*load), &mut ())?);
+            last = end_of(&process, &last, process.control(*load))?;
         }
         Ok(Self { process, last })
     }
 
-    /// Moves the contact to another load, in short steps where a length is given. Jumps take place in
-    /// one of them.
+    /// Moves the contact to another load, in short steps where a length is given. A jump takes place in one of them.
     ///
     /// # Errors
     /// The errors of [`AdhesiveProblem::solve`](crate::adhesion::AdhesiveProblem::solve).
@@ -59,7 +58,7 @@ impl AdhesiveHand {
             Ok((place, work)) => AdhesiveVisit { place, control: target, work, ..self.last.kept() },
             Err(AdhesionError::NotFound { .. }) => {
                 let from = AdhesiveVisit { control: self.begin(target), ..self.last.kept() };
-                end_of(self.process.visits(&from, target, &mut ())?)
+                end_of(&self.process, &from, target)?
             }
             Err(error) => return Err(error),
         };
@@ -82,7 +81,13 @@ impl AdhesiveHand {
     }
 }
 
-/// The last of the visits of a step.
-fn end_of(mut visits: Vec<AdhesiveVisit>) -> AdhesiveVisit {
-    visits.pop().expect("a step has an end")
+/// The last of the visits on the way to a control.
+fn end_of(
+    process: &AdhesiveProcess,
+    from: &AdhesiveVisit,
+    target: AdhesiveControl,
+) -> Result<AdhesiveVisit, AdhesionError> {
+    let mut visits = Vec::new();
+    process.visits(from, target, &mut (), &mut visits)?;
+    Ok(visits.pop().expect("a step has an end"))
 }
