@@ -218,7 +218,7 @@ fn a_person_in_a_lesson() {
     let Some(program) = installed() else { return };
     let (explorer, mut page) = opened(&program);
     let names = page.value("[...document.querySelectorAll('#lesson option')].map((it) => it.textContent)");
-    assert_eq!(names.as_array().unwrap().len(), 8);
+    assert_eq!(names.as_array().unwrap().len(), 9);
     let lesson = page.value("lessons[0]");
     play(Some(&explorer), &mut page, &lesson, Means::Mouse);
 }

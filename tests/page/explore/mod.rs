@@ -253,10 +253,10 @@ fn page_and_guide_explain_the_same_symbols() {
     let page = Page::open();
     let html = page.get("/");
     let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
-    let symbols = ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T"];
+    let symbols = ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T", "w, ρ"];
     assert_eq!(words.collect::<Vec<_>>(), symbols);
     let symbols = ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`", "`E*`", "`h_rms`"];
-    for symbol in symbols.into_iter().chain(["`H_c`, `t`, `L`", "`f`, `tau`", "`V`, `T`", "`mu`"]) {
+    for symbol in symbols.into_iter().chain(["`H_c`, `t`, `L`", "`f`, `tau`", "`V`, `T`", "`w`, `rho`", "`mu`"]) {
         assert!(
             include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/guide/words.md"))
                 .contains(&format!("| {symbol} | ")),
