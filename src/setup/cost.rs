@@ -57,6 +57,9 @@ pub struct Extras {
     pub archived: usize,
 }
 
+/// Fields of the outer steps on a line, as measured.
+const OUTER_FIELDS: f64 = 2.0;
+
 impl Setup {
     /// The cost of the solve with the additional work.
     ///
@@ -68,6 +71,7 @@ impl Setup {
         let solid = Compliance::fields(&grid, self.elastic()?.as_ref());
         let (of_dimension, archived) = (usize::from(!grid.is_line()), extras.archived as f64);
         let one = |is_done: bool, fields: f64| if is_done { fields } else { 0.0 };
+        let outer = one(grid.is_line(), OUTER_FIELDS);
         // the heights, the solver or the three fields of the result, and what watches
         let yielding = one(self.law.hardness().is_some(), YIELD_FIELDS);
         let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
@@ -80,8 +84,8 @@ impl Setup {
             one(self.surface.is_random(), SYNTHESIS_FIELDS[of_dimension]),
             solving + recorded + diagnosed + kept,
             one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
-            // the stiffness is found by the correction of the multilevel solver
-            one(extras.has_stiffness, 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area)),
+            // the stiffness is found by the correction of the multilevel solver, on lines without the fields of its outer steps
+            one(extras.has_stiffness, 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - outer),
             archived * (ARCHIVE_FIELDS[of_dimension] + contour),
         ];
         let [least, each, most] = PICTURES[of_dimension];
