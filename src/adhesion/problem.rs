@@ -48,7 +48,8 @@ const ANY: f64 = 0.01;
 /// let found = problem.solve(control, None, AdhesiveMethod::Fast, &Stop::default(), &mut ())?;
 /// let AdhesiveOutcome::State(state) = found else { panic!("it sticks") };
 /// assert_eq!(state.claim, ResultClaim::Stable);
-/// assert!((state.relative_area() / 2.0 - 0.114).abs() < 0.01 && state.residual < 1e-8);
+/// // in the limit of a short range 0.2273 touches (Johnson 1995); at this range somewhat less
+/// assert!((state.relative_area() / 0.2273 - 1.0).abs() < 0.12 && state.residual <= 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
