@@ -49,7 +49,8 @@ const ANY: f64 = 0.01;
 /// let AdhesiveOutcome::State(state) = found else { panic!("it sticks") };
 /// assert_eq!(state.claim, ResultClaim::Stable);
 /// // in the limit of a short range 0.2273 touches (Johnson 1995); at this range somewhat less
-/// assert!((state.relative_area() / 0.2273 - 1.0).abs() < 0.12 && state.residual <= 1e-8);
+/// let part = state.relative_area() / 0.2273;
+/// assert!(part > 0.8 && part < 1.0 && state.residual <= 1e-8, "{part} {}", state.residual);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
