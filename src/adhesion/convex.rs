@@ -47,7 +47,7 @@ pub(super) enum ConvexEnd {
     Stopped,
 }
 
-/// What convex steps need to know.
+/// The convex steps of a contact with adhesion under a control, and the work that they have done.
 pub(super) struct ConvexSteps<'a> {
     pub problem: &'a Problem,
     pub attraction: &'a Attraction,

@@ -97,10 +97,10 @@ impl<'a> StateSearch<'a> {
         let mut steps = 0;
         for _ in 0..SEARCHES {
             let before = self.work.transforms;
-            let problem = self.problem;
+            let (problem, control) = (self.problem, self.control);
             let mut watch = |state: &GapState, step: usize, transforms: u64| {
                 let work = Work { iterations: steps + step, transforms: before + transforms, seconds: 0.0 };
-                goes_on(problem, state, work, observer)
+                goes_on((problem, control), state, work, observer)
             };
             let limits = (self.tolerance(), NEWTON_STEPS.min(self.stop.max_iterations()));
             let (end, taken) = newton::lower(&mut energy, &mut state, limits, &mut watch);
@@ -232,6 +232,7 @@ impl<'a> StateSearch<'a> {
             AdhesiveControl::MeanPressure(pressure) => pressure,
             _ => mean(&fields[0]) - mean(&traction),
         };
+        let claim = self.claim(&fields[2], least_curvature);
         let contact = Contact::from_parts(self.problem.clone(), fields.map(field), parts, method, None);
         AdhesiveState {
             control: self.control,
@@ -242,26 +243,27 @@ impl<'a> StateSearch<'a> {
             energy,
             residual,
             least_curvature,
-            claim: self.claim(least_curvature),
+            claim,
             method,
             steps,
             work,
         }
     }
 
-    /// What may be claimed of a state with a least curvature.
-    fn claim(&self, least: Option<f64>) -> ResultClaim {
+    /// The claim of a state with a gap and a least curvature. A state in which all nodes touch has no curvature and is stable.
+    fn claim(&self, gap: &[f64], least: Option<f64>) -> ResultClaim {
         let uniform = self.problem.solid().uniform_compliance().map_or(0.0, f64::recip);
-        let softest = self.problem.response().softest_stiffness();
+        let [softest, _] = self.problem.compliance().stiffness_range();
+        let is_periodic = self.problem.surface().grid().is_periodic();
         let stiffness = match self.control {
             AdhesiveControl::MeanPressure(_) => 0.0,
             AdhesiveControl::MeanGap(_) => softest,
-            AdhesiveControl::Approach(_) if self.problem.surface().grid().is_periodic() => softest.min(uniform),
+            AdhesiveControl::Approach(_) if is_periodic => softest.min(uniform),
             AdhesiveControl::Approach(_) => 0.0,
         };
         match least {
             _ if self.attraction.steepest() < stiffness => ResultClaim::Solution,
-            None if self.problem.surface().grid().is_periodic() => ResultClaim::Stable,
+            None if is_periodic && gap.iter().all(|gap| *gap == 0.0) => ResultClaim::Stable,
             None => ResultClaim::Stationary,
             Some(least) if least > MARGINAL => ResultClaim::Stable,
             Some(least) if least >= -MARGINAL => ResultClaim::Marginal,
@@ -271,8 +273,13 @@ impl<'a> StateSearch<'a> {
 }
 
 /// Whether the observer lets a search go on after it has seen a state.
-fn goes_on(problem: &Problem, state: &GapState, work: Work, observer: &mut dyn Observer) -> bool {
-    let datum = mean(&state.gap);
+fn goes_on(
+    (problem, control): (&Problem, AdhesiveControl),
+    state: &GapState,
+    work: Work,
+    observer: &mut dyn Observer,
+) -> bool {
+    let datum = datum(problem, control, &state.gap);
     let [pressure, displacement, _] = contact_fields(problem, state, datum);
     let step = Step::new(problem, work, &pressure, &displacement).with_datum(datum);
     matches!(observer.step(&step), Ok(ControlFlow::Continue(())))

@@ -209,7 +209,10 @@ fn write(
     }
     let summary = HistorySummary {
         process: outcome.kind.into(),
-        claim: outcome.states.first().map_or("", |state| state.claim.words()),
+        claim: match outcome.adhesion {
+            Some(_) => "each state has a claim of its own",
+            None => outcome.states.first().map_or("", |state| state.claim.words()),
+        },
         adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, &quantities)).collect(),
         energy_per_cycle: outcome.cycles(setup),

@@ -50,7 +50,7 @@ pub(super) enum AdhesivePlace {
     Apart,
 }
 
-/// A place that is told.
+/// A place on the path, with the energies up to it: what a state of the history is made of.
 pub(super) struct AdhesiveVisit {
     pub(super) place: AdhesivePlace,
     pub(super) control: AdhesiveControl,
