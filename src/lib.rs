@@ -100,6 +100,7 @@
 extern crate self as asperity;
 
 pub mod adhesion;
+mod anderson;
 mod chunks;
 #[cfg(feature = "cli")]
 pub mod cli;

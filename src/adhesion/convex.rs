@@ -3,14 +3,12 @@
 use super::attraction::Attraction;
 use super::control::AdhesiveControl;
 use super::gap_energy::mean;
+use crate::anderson::Anderson;
 use crate::chunks;
 use crate::contact::{Load, Observer, Problem, Solver, Status, Stop};
 use crate::elastic::Response;
 use crate::error::AdhesionError;
 use crate::surface::Field;
-
-/// Earlier tractions that an accelerated step combines.
-const DEPTH: usize = 6;
 
 /// Rounding of the energy, relative to its parts.
 const ROUNDING: f64 = 1e-11;
@@ -88,7 +86,8 @@ impl<'a> ConvexSteps<'a> {
         let mut accepted: Option<ConvexState> = None;
         let mut traction = start;
         let mut pressed = pressed;
-        let mut memory: Vec<[Vec<f64>; 2]> = Vec::new();
+        let mut anderson = Anderson::default();
+        let strength = self.attraction.strength();
         let mut change = 1.0;
         // where the traction jumps, a node is within its reach or not, and combinations of both mean nothing
         let is_smooth = self.attraction.steepest().is_finite();
@@ -97,9 +96,9 @@ impl<'a> ConvexSteps<'a> {
             let (state, status) = match self.step(&traction, pressed.as_ref(), change, observer)? {
                 Some(found) => found,
                 // an accelerated traction may be too weak where the plain one is not
-                None if !memory.is_empty() => {
+                None if anderson.is_combined() => {
                     traction = self.tractions(&accepted);
-                    memory.clear();
+                    anderson.clear();
                     continue;
                 }
                 None => return Ok((accepted, ConvexEnd::Separated)),
@@ -109,9 +108,9 @@ impl<'a> ConvexSteps<'a> {
             }
             let scale = ROUNDING * (state.energy.abs() + self.attraction.work());
             let rises = accepted.as_ref().is_some_and(|last| state.energy > last.energy + scale);
-            if rises && memory.len() > 1 {
+            if rises && anderson.is_combined() {
                 traction = self.tractions(&accepted);
-                memory.clear();
+                anderson.clear();
                 continue;
             }
             self.energies.push(state.energy);
@@ -124,13 +123,13 @@ impl<'a> ConvexSteps<'a> {
                 return Ok((accepted, ConvexEnd::Found));
             }
             let moved: Vec<f64> = next.iter().zip(&traction).map(|(to, from)| to - from).collect();
-            if is_smooth {
-                memory.push([traction, moved]);
-            }
-            if memory.len() > DEPTH {
-                memory.remove(0);
-            }
-            traction = if is_smooth { self.combined(&memory) } else { next };
+            traction = if is_smooth {
+                let mut next = anderson.next(traction, moved, 1.0);
+                next.iter_mut().for_each(|traction| *traction = traction.clamp(0.0, strength));
+                next
+            } else {
+                next
+            };
         }
         Ok((accepted, ConvexEnd::Failed))
     }
@@ -200,50 +199,6 @@ impl<'a> ConvexSteps<'a> {
         let traction = traction.to_vec();
         Ok(Some((ConvexState { pressure, traction, displacement, gap, datum, energy, change }, status)))
     }
-
-    /// The next traction by Anderson's method: the combination of the last ones whose changes are least, and its change added.
-    fn combined(&self, memory: &[[Vec<f64>; 2]]) -> Vec<f64> {
-        let Some(([last, moved], earlier)) = memory.split_last() else { return Vec::new() };
-        let weights = least_squares(moved, earlier);
-        let at = |i: usize| {
-            let corrections =
-                earlier.iter().zip(&weights).map(|([x, r], weight)| weight * ((x[i] + r[i]) - (last[i] + moved[i])));
-            (last[i] + moved[i] + corrections.sum::<f64>()).clamp(0.0, self.attraction.strength())
-        };
-        (0..last.len()).map(at).collect()
-    }
-}
-
-/// The weights `c` with the least `|r + sum c_j (r_j - r)|`, by the normal equations with a little damping.
-fn least_squares(moved: &[f64], earlier: &[[Vec<f64>; 2]]) -> Vec<f64> {
-    let size = earlier.len();
-    let difference = |j: usize, i: usize| earlier[j][1][i] - moved[i];
-    let product = |a: usize, b: usize| chunks::sum(moved.len(), |i| difference(a, i) * difference(b, i));
-    let mut rows: Vec<Vec<f64>> = (0..size)
-        .map(|a| {
-            let right = -chunks::sum(moved.len(), |i| difference(a, i) * moved[i]);
-            (0..size).map(|b| product(a, b)).chain([right]).collect()
-        })
-        .collect();
-    let largest = (0..size).map(|a| rows[a][a]).fold(0.0, f64::max);
-    (0..size).for_each(|a| rows[a][a] += 1e-12 * largest);
-    // elimination without exchange of rows: the matrix is symmetric and positive
-    for a in 0..size {
-        let pivot = rows[a].clone();
-        for row in rows.iter_mut().skip(a + 1) {
-            let factor = row[a] / pivot[a];
-            if factor.is_finite() {
-                row.iter_mut().zip(&pivot).skip(a).for_each(|(value, pivot)| *value -= factor * pivot);
-            }
-        }
-    }
-    let mut weights = vec![0.0; size];
-    for a in (0..size).rev() {
-        let rest: f64 = (a + 1..size).map(|b| rows[a][b] * weights[b]).sum();
-        let weight = (rows[a][size] - rest) / rows[a][a];
-        weights[a] = if weight.is_finite() { weight } else { 0.0 };
-    }
-    weights
 }
 
 fn field(problem: &Problem, values: Vec<f64>) -> Field {

@@ -248,7 +248,7 @@ impl<'s> SlipHistory<'s> {
 
     /// When a solve of a round ends: with coupling before the tolerance of the step, so that the last rounds do not end with the old pressure.
     fn round_stop(&self) -> Stop {
-        if self.coupling.is_some() { finer(self.stop) } else { self.stop }
+        if self.coupling.is_some() { finer(self.stop, ROUND) } else { self.stop }
     }
 
     /// The pressure under the heights of a round, and the traction under this pressure.
@@ -356,7 +356,7 @@ impl<'s> SlipHistory<'s> {
         let problem = Problem::of_compliance(yardstick.into(), self.compliance.clone(), load)?;
         let problem = problem.with_heights(heights)?.with_ceilings(ceilings)?;
         let start = field(&|i| (sign * start[0][i] + mu * p[i]).clamp(0.0, 2.0 * mu * p[i]));
-        let stop = finer(self.round_stop());
+        let stop = finer(self.round_stop(), PULL);
         let found = self.solver.solve_from(Some(&start), &problem, &stop, observer)?;
         let t = values(&found.pressure);
         // nodes that stick lie at minus the datum of the heights as they were given
@@ -404,10 +404,19 @@ impl<'s> SlipHistory<'s> {
 
 /// A traction along `x` is solved to this part of the tolerance: its certificate is over `mu <p>`, and not over the mean of `t`, which may be
 /// twice as large, and is taken with the shift of the nodes that stick, and not with the best one.
-const FINER: f64 = 0.1;
+const PULL: f64 = 0.1;
 
-fn finer(stop: Stop) -> Stop {
-    Stop::new(FINER * stop.tolerance(), stop.max_iterations()).unwrap_or(stop)
+/// With coupling, pressure and traction of a round are solved to this part of the tolerance. Large friction needs it: at `mu beta = 2` and near
+/// sliding, what a solve leaves open becomes so large in the next ones that rounds of a tenth do not always converge.
+const ROUND: f64 = 0.005;
+
+/// No part of a tolerance is below this one, which rounding allows.
+const FINEST: f64 = 2e-15;
+
+/// A part of a tolerance.
+fn finer(stop: Stop, part: f64) -> Stop {
+    let tolerance = stop.tolerance();
+    Stop::new((part * tolerance).max(FINEST).min(tolerance), stop.max_iterations()).unwrap_or(stop)
 }
 
 /// The problem under a load, with heights that are less by what a traction displaces.

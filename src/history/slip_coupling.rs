@@ -1,14 +1,18 @@
 //! Rounds between pressure and traction, where they displace the surface in each other's direction.
 
+use crate::anderson::Anderson;
 use crate::elastic::Coupling;
 
 /// Largest number of rounds between pressure and traction in one step.
 const ROUNDS: usize = 400;
 
 /// A round counts as progress if the change of the heights is less than this part of the least one so far. After some rounds without
-/// progress the pace is halved.
+/// progress the pace is halved, and the earlier rounds are forgotten.
 const PROGRESS: f64 = 0.95;
 const PATIENCE: usize = 3;
+
+/// The pace is never less: with hardly any pace, rounds would repeat themselves.
+const LEAST_PACE: f64 = 0.02;
 
 /// What pressure and traction of a contact displace in each other's direction, `beta S` with Dundurs' constant.
 pub(super) struct SlipCoupling {
@@ -20,8 +24,8 @@ pub(super) struct SlipCoupling {
     counted: u64,
 }
 
-/// The rounds of one step. Each takes the part `pace` of the change of the heights. Rounds with a pace of 1 may run in a circle, where nodes
-/// touch and leave in turn.
+/// The rounds of one step, by Anderson's method with the part `pace` of the change of the heights. Plain rounds may run in a circle, where
+/// nodes touch and leave in turn.
 pub(super) struct SlipRounds {
     number: usize,
     pace: f64,
@@ -29,6 +33,7 @@ pub(super) struct SlipRounds {
     least: f64,
     patience: usize,
     raised: Vec<f64>,
+    anderson: Anderson,
 }
 
 impl SlipCoupling {
@@ -71,7 +76,7 @@ impl SlipRounds {
         let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, it.raised.clone()));
         // where everything slips, a round multiplies each wave of the pressure by i mu beta, and this is the best pace
         let pace = 1.0 / (1.0 + (mu * beta).powi(2));
-        Self { number: 1, pace, least: f64::INFINITY, patience: PATIENCE, raised }
+        Self { number: 1, pace, least: f64::INFINITY, patience: PATIENCE, raised, anderson: Anderson::default() }
     }
 
     /// The number of the round, from 1.
@@ -86,15 +91,17 @@ impl SlipRounds {
 
     /// Goes on to the next round with what the last traction displaces, and whether there is one.
     pub fn advance(&mut self, raised: &[f64]) -> bool {
-        let change = self.raised.iter().zip(raised).map(|(from, to)| (to - from).powi(2)).sum::<f64>().sqrt();
-        if change < PROGRESS * self.least {
-            (self.least, self.patience) = (change, PATIENCE);
+        let change: Vec<f64> = self.raised.iter().zip(raised).map(|(from, to)| to - from).collect();
+        let size = change.iter().map(|change| change.powi(2)).sum::<f64>().sqrt();
+        if size < PROGRESS * self.least {
+            (self.least, self.patience) = (size, PATIENCE);
         } else if self.patience > 1 {
             self.patience -= 1;
         } else {
-            (self.pace, self.patience) = (0.5 * self.pace, PATIENCE);
+            (self.pace, self.patience) = ((0.5 * self.pace).max(LEAST_PACE), PATIENCE);
+            self.anderson.clear();
         }
-        self.raised.iter_mut().zip(raised).for_each(|(from, to)| *from += self.pace * (to - *from));
+        self.raised = self.anderson.next(std::mem::take(&mut self.raised), change, self.pace);
         self.number += 1;
         self.number <= ROUNDS
     }

@@ -11,6 +11,7 @@ use uses::{Uses, circles};
 
 /// Layers by room.
 const LAYERS: &[(&str, u8)] = &[
+    ("anderson", 0),
     ("chunks", 0),
     ("clock", 0),
     ("error", 0),
