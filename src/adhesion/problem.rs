@@ -8,6 +8,7 @@ use super::search::StateSearch;
 use super::state::{AdhesiveOutcome, AdhesiveState};
 use crate::contact::{Law, Load, Observer, Problem, Stop};
 use crate::error::{AdhesionError, ProblemError};
+use crate::grid::Grid;
 use std::sync::OnceLock;
 
 /// Process zones below this many spacings hold the edges of contacts fast: refused.
@@ -75,14 +76,22 @@ impl AdhesiveProblem {
         if problem.is_moving() {
             return Err(AdhesionError::NotElastic { what: "speed" });
         }
+        Self::check_grid(problem.surface().grid(), problem.contact_modulus(), &attraction)?;
         let scales = AdhesionScales::new(&problem, &attraction);
-        if scales.spacings < FEWEST_SPACINGS {
-            let (zone, spacings) = (scales.process_zone, scales.spacings);
-            let points =
-                (problem.surface().grid().shape()[1] as f64 * 2.0 * FEWEST_SPACINGS / spacings).ceil() as usize;
+        Ok(Self { problem, attraction, scales, other: OnceLock::new() })
+    }
+
+    /// Refuses a grid on which the process zone of an attraction is below two spacings, for a solid of a contact modulus.
+    ///
+    /// # Errors
+    /// [`AdhesionError::Coarse`], with the number of points that would do.
+    pub fn check_grid(grid: &Grid, contact_modulus: f64, attraction: &Attraction) -> Result<(), AdhesionError> {
+        let [zone, spacings] = AdhesionScales::zone(grid, contact_modulus, attraction);
+        if spacings < FEWEST_SPACINGS {
+            let points = (grid.shape()[1] as f64 * 2.0 * FEWEST_SPACINGS / spacings).ceil() as usize;
             return Err(AdhesionError::Coarse { zone, spacings, points });
         }
-        Ok(Self { problem, attraction, scales, other: OnceLock::new() })
+        Ok(())
     }
 
     /// The problem without adhesion.

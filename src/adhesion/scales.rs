@@ -2,6 +2,7 @@
 
 use super::attraction::Attraction;
 use crate::contact::Problem;
+use crate::grid::Grid;
 use crate::surface::Roughness;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -36,13 +37,19 @@ pub struct AdhesionScales {
 }
 
 impl AdhesionScales {
+    /// Length of the process zone of an attraction on a solid of a contact modulus, and this length over the larger spacing of a grid.
+    pub(super) fn zone(grid: &Grid, modulus: f64, attraction: &Attraction) -> [f64; 2] {
+        let [dy, dx] = grid.spacing();
+        let spacing = if grid.is_line() { dx } else { dx.max(dy) };
+        let zone = modulus * attraction.range().powi(2) / (PI * attraction.work());
+        [zone, zone / spacing]
+    }
+
     /// The numbers of a problem with an attraction.
     pub fn new(problem: &Problem, attraction: &Attraction) -> Self {
         let (modulus, work, range) = (problem.contact_modulus(), attraction.work(), attraction.range());
         let surface = problem.surface();
-        let [dy, dx] = surface.grid().spacing();
-        let spacing = if surface.grid().is_line() { dx } else { dx.max(dy) };
-        let process_zone = modulus * range * range / (PI * work);
+        let [process_zone, spacings] = Self::zone(surface.grid(), modulus, attraction);
         let heights = surface.heights();
         let highest = (0..heights.len()).max_by(|&i, &j| heights[i].total_cmp(&heights[j])).unwrap_or(0);
         let curvature = surface.curvature()(highest);
@@ -52,7 +59,7 @@ impl AdhesionScales {
         let stiff = 4.0 / 3.0 * modulus;
         Self {
             process_zone,
-            spacings: process_zone / spacing,
+            spacings,
             tabor: radius.map(|radius| (radius * work * work / (modulus * modulus * range.powi(3))).cbrt()),
             maugis: radius.map(|radius| 2.0 * attraction.strength() * (radius / (PI * work * stiff * stiff)).cbrt()),
             pastewka_robbins: slope * modulus * range / (KAPPA * work)

@@ -1,6 +1,6 @@
 //! `asperity study --record-row`: the recording of one row.
 
-use super::exit_status::{ExitStatus, settle};
+use super::exit_status::{ExitStatus, settle, usage};
 use super::progress::{Bars, Progress};
 use super::warnings;
 use super::wrote::wrote;
@@ -17,6 +17,11 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
     let row = plan.row(number)?;
     check_named(path, &["rrd"])?;
     let setup = plan.setup(row)?;
+    if setup.is_history()? {
+        return usage(format!(
+            "row {number} is a history: save its `scene` as a file, and record it with asperity solve"
+        ));
+    }
     setup.cost(&Extras { is_recorded: true, ..Extras::default() })?.check(setup.solver.name())?;
     let (problem, mut loading) = (setup.problem()?, Loading::default());
     let solver = setup.solver();

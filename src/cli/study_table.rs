@@ -25,9 +25,10 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
     writeln!(out, "  rows          {} of {}", share.len() * loads, plan.rows())?;
     writeln!(
         out,
-        "  realisations  {} of {}, each under {loads} loads one after the other",
+        "  realisations  {} of {}, each under {}",
         share.len(),
-        plan.realisations()
+        plan.realisations(),
+        if loads == 1 { "one load".to_owned() } else { format!("{loads} loads one after the other") }
     )?;
     writeln!(out, "  work          about {} of one core", in_words(seconds))?;
     writeln!(
@@ -57,6 +58,9 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 /// Writes the means over the seeds under each load, for each combination of values. Only points that converged and are
 /// resolved count.
 pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
+    if points.iter().any(Point::has_adhesion) {
+        return write_adhesion_means(plan, points, out);
+    }
     let (loads, seeds) = (plan.loads().len(), plan.seeds());
     writeln!(out, "{} rows, mean and standard deviation over {seeds} seeds, resolved", points.len())?;
     writeln!(out, "\n{:>11} {:>9} {:>9} {:>8} {:>8}", "p*", "area", "std", "kappa_r", "std")?;
@@ -72,6 +76,44 @@ pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Resul
         writeln!(out, "{pressure:>11.4e} {area:>9} {area_std:>9} {kappa:>8} {kappa_std:>8}  {choice}")?;
     }
     write_rest(plan.rows() / seeds, "lines", out)
+}
+
+/// Writes the means over the seeds of a study with adhesion, for each combination of values. Only histories that were followed to their ends
+/// count.
+fn write_adhesion_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
+    let seeds = plan.seeds();
+    writeln!(
+        out,
+        "{} rows, mean and standard deviation over {seeds} seeds, pressures and energies in units of the scene",
+        points.len()
+    )?;
+    writeln!(
+        out,
+        "\n{:>10} {:>9} {:>10} {:>9} {:>9} {:>6} {:>6}",
+        "pull-off", "std", "lost", "std", "area", "jumps", "parted"
+    )?;
+    for (group, points) in points.chunks(seeds).enumerate().take(LINES) {
+        let spread = |of: fn(&Point) -> Option<f64>| {
+            Spread::from_values(points.iter().filter(|it| it.is_converged()).filter_map(of))
+        };
+        let [pull_off, pull_off_std] = short_words(spread(|it| it.adhesion.pull_off()));
+        let [lost, lost_std] = short_words(spread(|it| it.adhesion.lost()));
+        let [area, _] = words(spread(|it| it.adhesion.largest_area), 5);
+        let [jumps, _] = words(spread(|it| it.adhesion.jumps.map(|jumps| jumps as f64)), 1);
+        let parted = points.iter().filter(|it| it.adhesion.separated == Some(true)).count();
+        let choice = plan.words_but_seed(group * seeds);
+        writeln!(
+            out,
+            "{pull_off:>10} {pull_off_std:>9} {lost:>10} {lost_std:>9} {area:>9} {jumps:>6} {parted:>6}  {choice}"
+        )?;
+    }
+    write_rest(plan.realisations() / seeds, "lines", out)
+}
+
+/// Mean and standard deviation with four and two digits.
+fn short_words(spread: Spread) -> [String; 2] {
+    let mean = if spread.count > 0 { format!("{:.3e}", spread.mean) } else { NONE.into() };
+    [mean, if spread.count > 1 { format!("{:.1e}", spread.deviation) } else { NONE.into() }]
 }
 
 /// Placeholder for an unknown number.

@@ -87,6 +87,7 @@ macro_rules! observables {
         /// # Ok::<(), Box<dyn std::error::Error>>(())
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+        #[serde(default)]
         pub struct Observables {
             $(#[doc = $sentence] pub $name: $type,)+
         }

@@ -30,10 +30,13 @@ pub enum StudyError {
     Friction,
     /// A history, of which a study has one state for each row.
     #[error(
-        "a study has one contact for each row, but this is a history: leave path and adhesion out, or give one speed of sliding, \
-         or solve the setups one by one"
+        "a study has one contact for each row, but this is a history: leave the path out, or give one speed of sliding, or solve the \
+         setups one by one"
     )]
     History,
+    /// Several loads of a study with adhesion.
+    #[error("a study with adhesion goes along a path: give one load, and further ones as path.load")]
+    AdhesionLoads,
     /// A row number that does not exist.
     #[error("there is no row {number}: give a number from 1 to {rows}")]
     NoRow { number: usize, rows: usize },

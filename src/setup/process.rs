@@ -208,7 +208,7 @@ impl Setup {
             ProcessKind::Adhesion if self.solver != super::Method::default() => {
                 motion(format!("adhesion has methods of its own, not {}: leave the solver out", self.solver.name()))
             }
-            ProcessKind::Adhesion => self.check_adhesion(),
+            ProcessKind::Adhesion => self.check_adhesion(grid),
             ProcessKind::Sliding if !grid.is_periodic() => {
                 motion("sliding needs a periodic boundary: leave the boundary out".into())
             }
@@ -226,8 +226,11 @@ impl Setup {
         }
     }
 
-    /// Refuses mean gaps that are not positive.
-    fn check_adhesion(&self) -> Result<(), SetupError> {
+    /// Refuses mean gaps that are not positive, and a grid that does not resolve the attraction.
+    fn check_adhesion(&self, grid: &Grid) -> Result<(), SetupError> {
+        if let Some(adhesion) = &self.adhesion {
+            AdhesiveProblem::check_grid(grid, self.contact_modulus()?, &adhesion.attraction()?)?;
+        }
         let is_closed = |point: &PathPoint| matches!(point.load, Load::MeanGap(gap) if gap <= 0.0);
         match self.path_points().iter().find(|point| is_closed(point)) {
             Some(point) => Err(AdhesionError::MeanGap { value: point.load.value() }.into()),

@@ -1,8 +1,9 @@
 //! Rows of a study as columns, from which tables are written.
 
+use super::adhesion_row::{ADHESION_COLUMNS, AdhesionColumn};
 use super::plan::{Plan, StudyRow};
 use super::point::Point;
-use crate::contact::{Load, OBSERVABLES};
+use crate::contact::{Load, OBSERVABLES, Observable};
 use crate::error::StudyError;
 use crate::setup::{ParameterAxis, Scalar, Setup, SetupTable};
 
@@ -58,7 +59,7 @@ struct RowSource<'a> {
 impl Plan {
     /// The columns of some rows with their `points`: number of the row, values from the lists, load, all fields of a
     /// [`Point`], and as `scene` the setup of the row, an inline TOML table on one line. Seconds are left out, since
-    /// they differ from run to run.
+    /// they differ from run to run. With adhesion, the numbers of an [`AdhesionRow`](super::AdhesionRow) take the place of the observables.
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].
@@ -102,14 +103,17 @@ impl Plan {
             text("setup", &|it| it.point.setup.clone()),
             text("version", &|it| it.point.version.clone()),
         ]);
-        let numbers: Vec<_> = sources.iter().map(|it| it.point.observables.numbers()).collect();
-        columns.extend(OBSERVABLES.iter().enumerate().map(|(i, it)| {
-            let values = numbers.iter().map(|numbers| numbers[i]);
-            match it.is_whole {
-                true => column(it.name, ColumnValues::Whole(values.map(|value| Some(value as u64)).collect())),
-                false => column(it.name, ColumnValues::Number(values.map(Some).collect())),
-            }
-        }));
+        if self.has_adhesion() {
+            columns.extend(ADHESION_COLUMNS.iter().map(|it| match *it {
+                AdhesionColumn::Number(name, of) => number(name, &|it| of(&it.point.adhesion)),
+                AdhesionColumn::Whole(name, of) => whole(name, &|it| of(&it.point.adhesion)),
+                AdhesionColumn::Text(name, of) => {
+                    text(name, &|it| of(&it.point.adhesion).map_or(String::new(), |value| value.to_string()))
+                }
+            }));
+        } else {
+            columns.extend(observed(&sources));
+        }
         columns.push(text("scene", &|it| it.setup.to_line()));
         Ok(columns)
     }
@@ -118,6 +122,19 @@ impl Plan {
     pub(super) fn load_name(&self) -> String {
         format!("load.{}", self.loads().first().map_or("", Load::name).replace(' ', "-"))
     }
+}
+
+/// The columns of the observables.
+fn observed(sources: &[RowSource<'_>]) -> Vec<Column> {
+    let numbers: Vec<_> = sources.iter().map(|it| it.point.observables.numbers()).collect();
+    let of = |(i, it): (usize, &Observable)| {
+        let values = numbers.iter().map(|numbers| numbers[i]);
+        match it.is_whole {
+            true => column(it.name, ColumnValues::Whole(values.map(|value| Some(value as u64)).collect())),
+            false => column(it.name, ColumnValues::Number(values.map(Some).collect())),
+        }
+    };
+    OBSERVABLES.iter().enumerate().map(of).collect()
 }
 
 fn column(name: &str, values: ColumnValues) -> Column {

@@ -7,10 +7,10 @@ use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use std::collections::BTreeMap;
 
 /// Largest number of curves; more cannot be distinguished.
-const MOST: usize = 12;
-const COLOURS: [Colour; 6] =
+pub(super) const MOST: usize = 12;
+pub(super) const COLOURS: [Colour; 6] =
     [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];
-const SYMBOLS: [Symbol; 2] = [Symbol::Circle, Symbol::Square];
+pub(super) const SYMBOLS: [Symbol; 2] = [Symbol::Circle, Symbol::Square];
 
 /// What a panel shows: its title, and the number that is drawn.
 type PlottedValue = (&'static str, fn(&Point) -> Option<f64>);
@@ -28,7 +28,12 @@ impl Plan {
     /// The figure of all `points` of the study: area and `kappa_r` against the reduced pressure, with one curve for
     /// each combination of values. The mean is over the seeds, and bars show the standard deviation of single
     /// realisations. Points that did not converge or are not resolved are left out. At most twelve curves are drawn.
+    ///
+    /// With adhesion it is the pull-off pressure and the energy lost in jumps, against the last list of numbers.
     pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
+        if self.has_adhesion() {
+            return self.adhesion_figure(title, points);
+        }
         let curves: Vec<(String, Vec<MeanPoint>)> = self.curves(points).into_iter().collect();
         let dots: Vec<&MeanPoint> = curves.iter().flat_map(|(_, means)| means).collect();
         let pressures = ends(dots.iter().map(|it| it.reduced_pressure));

@@ -9,6 +9,9 @@ use crate::setup::{Cost, Extras, Method};
 /// as are the numbers of transforms, on rough lines of 2^10 to 2^20 nodes and surfaces of 2^14 to 2^20.
 const SECONDS: f64 = 0.8e-9;
 
+/// Transforms of a state with adhesion, measured on rough lines of 2^14 nodes and surfaces of 2^16.
+const TRANSFORMS_OF_STATE: f64 = 400.0;
+
 /// The cost of a realisation: seconds of one core and bytes of memory. The seconds are from a model that is the same on
 /// all machines, so that all machines divide a study in the same way. They may be wrong by a factor of four for GFMD,
 /// and of two otherwise.
@@ -38,6 +41,11 @@ impl Expense {
             Method::PolonskyKeer {} => 30.0 * side.powf(0.28),
             Method::Gfmd(_) => 20.0 * side.sqrt() * lightness(load),
         };
+        let states = match setup.adhesion {
+            Some(_) => TRANSFORMS_OF_STATE * setup.expected_states()? as f64,
+            None => 0.0,
+        };
+        let transforms = |load: &Load| if states > 0.0 { states } else { transforms(load) };
         let seconds = SECONDS * nodes * nodes.log2() * loads.iter().map(transforms).sum::<f64>();
         // the pressure of the load before included
         Ok(Self { seconds, bytes: cost.bytes + Cost::from_fields(&cost.grid, 1.0).bytes })

@@ -1,5 +1,6 @@
 //! Points, identified by their setup.
 
+use super::adhesion_row::AdhesionRow;
 use super::point::Point;
 use super::realisation::Realisation;
 use crate::contact::{Contact, Load, Observables, Observer};
@@ -32,7 +33,8 @@ impl<'a> Identity<'a> {
     /// For a height file that cannot be read.
     pub fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
         let setup = realisation.setup.fingerprint()?;
-        let is_reduced = realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
+        let is_reduced = realisation.setup.adhesion.is_none()
+            && realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
         let with_loads =
             || format!("{:016x}", fnv1a([setup.as_bytes(), format!("{:?}", realisation.loads).as_bytes()]));
         Ok(Self { realisation, setup: if is_reduced { setup } else { with_loads() } })
@@ -68,12 +70,34 @@ impl<'a> Identity<'a> {
         watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(Point, &Contact),
     ) -> Result<(), StudyError> {
+        if self.realisation.setup.adhesion.is_some() {
+            return self.follow(watch, each);
+        }
         let mut load = 0;
         self.realisation.press(watch, |contact| {
             load += 1;
             each(self.point(load, contact), contact);
             Ok::<(), StudyError>(())
         })
+    }
+
+    /// Follows the history of a realisation with adhesion, and shows its point with the contact of the last state.
+    fn follow<O: Observer>(
+        &self,
+        mut watch: impl FnMut(usize) -> O,
+        mut each: impl FnMut(Point, &Contact),
+    ) -> Result<(), StudyError> {
+        let Some(&load) = self.realisation.loads.first() else { return Ok(()) };
+        let found = AdhesionRow::follow(&self.realisation.under(load), &mut watch(0))?;
+        let point = Point {
+            status: found.status,
+            observables: Observables::default(),
+            adhesion: found.row,
+            seconds: found.seconds,
+            ..self.point(1, &found.last)
+        };
+        each(point, &found.last);
+        Ok(())
     }
 
     /// The point of a contact under the load of number `load`, from 1.
@@ -97,6 +121,7 @@ impl<'a> Identity<'a> {
             setup: self.setup.clone(),
             version: VERSION.into(),
             observables: Observables::new(contact),
+            adhesion: AdhesionRow::default(),
             seconds: contact.work.seconds,
         }
     }
@@ -105,7 +130,7 @@ impl<'a> Identity<'a> {
 /// Whether a point has a load. If the point does not contain the value, the number of the load (from 0) decides.
 fn is_under(point: &Point, number: usize, load: &Load) -> bool {
     match load {
-        Load::ReducedPressure(value) => point.observables.reduced_pressure == *value,
+        Load::ReducedPressure(value) if !point.has_adhesion() => point.observables.reduced_pressure == *value,
         _ => point.load == number + 1,
     }
 }

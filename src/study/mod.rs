@@ -8,7 +8,12 @@
 //! Plan, a setup with lists --> Realisations, in one Sweep or in Shards on many machines --> Table, columns, Parquet, figure
 //!                              in Batches by workers elsewhere --> Ledger --> the same
 //! ```
+//!
+//! A setup with adhesion is followed along its path instead, and its row has an [`AdhesionRow`].
 
+#[cfg(feature = "figures")]
+mod adhesion_figure;
+mod adhesion_row;
 mod campaign;
 mod check;
 mod column;
@@ -36,6 +41,7 @@ mod table;
 #[cfg(all(feature = "figures", feature = "parquet"))]
 mod views;
 
+pub use adhesion_row::AdhesionRow;
 pub use campaign::Campaign;
 pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;

@@ -44,6 +44,7 @@ pub struct Plan {
     axes: Vec<ParameterAxis>,
     loads: Vec<Load>,
     realisations: usize,
+    has_adhesion: bool,
     /// The text that it was read from, to name lines of.
     text: String,
 }
@@ -97,8 +98,11 @@ impl Plan {
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
         let first = table.clone().setup().map_err(located)?;
-        if first.is_history()? {
+        if first.is_history()? && first.adhesion.is_none() {
             return Err(StudyError::History);
+        }
+        if first.adhesion.is_some() && loads.as_ref().is_some_and(|loads| loads.len() > 1) {
+            return Err(StudyError::AdhesionLoads);
         }
         if first.friction.is_some() {
             return Err(StudyError::Friction);
@@ -109,7 +113,13 @@ impl Plan {
             return Err(StudyError::TooManyRows { rows, most: Self::MOST_ROWS });
         }
         axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
-        Ok(Self { table, axes, realisations: rows as usize / loads.len(), loads, text: text.into() })
+        let has_adhesion = first.adhesion.is_some();
+        Ok(Self { table, axes, realisations: rows as usize / loads.len(), has_adhesion, loads, text: text.into() })
+    }
+
+    /// Whether each row is the history of a setup with adhesion.
+    pub(super) fn has_adhesion(&self) -> bool {
+        self.has_adhesion
     }
 
     /// The lists, without that of the loads; the last list varies fastest.
@@ -192,6 +202,12 @@ impl Plan {
     /// The values from the lists, without the seed, in words. They are the same for all realisations of one mean.
     pub fn words_but_seed(&self, i: usize) -> String {
         self.words_of(i, |axis| axis.path() != ParameterAxis::SEED)
+    }
+
+    /// The values from the lists, without the seed and the list at a path, in words.
+    #[cfg(feature = "figures")]
+    pub(super) fn words_but(&self, i: usize, path: &str) -> String {
+        self.words_of(i, |axis| axis.path() != ParameterAxis::SEED && axis.path() != path)
     }
 
     fn words_of(&self, i: usize, is_named: impl Fn(&ParameterAxis) -> bool) -> String {

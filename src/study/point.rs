@@ -1,5 +1,6 @@
 //! A solved point of a study.
 
+use super::adhesion_row::AdhesionRow;
 use super::check::Checksum;
 use crate::contact::{Observables, Status};
 use csv::StringRecord;
@@ -41,6 +42,9 @@ pub struct Point {
     /// The numbers that were found.
     #[serde(skip)]
     pub observables: Observables,
+    /// What was found with adhesion; the observables are zero then.
+    #[serde(skip)]
+    pub adhesion: AdhesionRow,
     /// Seconds of the solver, which differ from run to run.
     #[serde(skip)]
     pub seconds: f64,
@@ -50,7 +54,7 @@ impl Point {
     /// Points as lines of comma-separated values without a head, all numbers to the last bit, each line with its check sum.
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-        let rows = points.into_iter().map(|it| (it, it.observables, it.seconds));
+        let rows = points.into_iter().map(|it| (it, it.observables, it.adhesion, it.seconds));
         let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Checksum::from_row(row))));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
@@ -63,8 +67,9 @@ impl Point {
     }
 
     fn from_record(record: &StringRecord) -> Option<Self> {
-        let (point, observables, seconds, _): (Self, Observables, f64, String) = record.deserialize(None).ok()?;
-        Some(Self { observables, seconds, ..point })
+        let (point, observables, adhesion, seconds, _): (Self, Observables, AdhesionRow, f64, String) =
+            record.deserialize(None).ok()?;
+        Some(Self { observables, adhesion, seconds, ..point })
     }
 
     /// Whether the certificate met the tolerance. Other points are kept in tables, but left out of means.
@@ -72,9 +77,17 @@ impl Point {
         self.status == Status::Converged
     }
 
+    /// Whether the point has the history of a setup with adhesion.
+    pub fn has_adhesion(&self) -> bool {
+        self.adhesion.states.is_some()
+    }
+
     /// Whether the solver converged and the grid resolves the contact. Other points are kept in tables, but left out of
-    /// means.
+    /// means. With adhesion, grids that do not resolve the attraction are refused from the first.
     pub fn is_resolved(&self) -> bool {
+        if self.has_adhesion() {
+            return self.is_converged();
+        }
         self.relative_area().is_some() && self.kappa_r().is_some()
     }
 

@@ -22,7 +22,7 @@ impl Realisation {
     /// `each` is called with each contact, and an error of it ends the realisation.
     ///
     /// # Errors
-    /// For impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
+    /// [`StudyError::History`] for a setup with a history; for impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
     /// too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,
@@ -30,6 +30,9 @@ impl Realisation {
         mut each: impl FnMut(&Contact) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(&first) = self.loads.first() else { return Ok(()) };
+        if self.setup.is_history().map_err(StudyError::from)? {
+            return Err(StudyError::History.into());
+        }
         let curve = LoadCurve { setup: self.under(first), loads: self.loads.clone() };
         let problem = curve.setup.problem().map_err(StudyError::from)?;
         curve.press(&problem, watch, |_, contact| each(contact))
@@ -41,7 +44,9 @@ impl Realisation {
     /// The errors of [`Setup::check`], and for a load that is not positive.
     pub fn check(&self) -> Result<Grid, SetupError> {
         let is_wrong = |load: &&Load| !(load.value().is_finite() && load.value() > 0.0);
-        match (self.loads.iter().find(is_wrong), self.loads.first()) {
+        // with adhesion, surfaces may be pulled
+        let wrong = self.loads.iter().find(is_wrong).filter(|_| self.setup.adhesion.is_none());
+        match (wrong, self.loads.first()) {
             (Some(load), _) => Err(ProblemError::NotPositive { name: load.name(), value: load.value() }.into()),
             (_, Some(&first)) => self.under(first).check(),
             (_, None) => self.setup.check(),

@@ -65,8 +65,10 @@ impl Table {
         let mut seconds = seconds.into_iter().map(|Seconds { seconds, .. }| seconds);
         let points = finished(&self.path, |record, names| {
             let seconds = seconds.next().unwrap_or(f64::NAN);
-            Ok(Point { observables: record.deserialize(Some(names))?, seconds, ..record.deserialize(Some(names))? })
-                .map(|point| Checksum::holds(record).then_some(point))
+            let observables = record.deserialize(Some(names))?;
+            let adhesion = record.deserialize(Some(names))?;
+            let point = Point { observables, adhesion, seconds, ..record.deserialize(Some(names))? };
+            Ok(Checksum::holds(record).then_some(point))
         })?;
         let mut points: Vec<Point> = points.into_iter().flatten().collect();
         points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
@@ -91,8 +93,13 @@ impl Table {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
-        let rows = points.iter().map(|point| (point, point.observables));
-        write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
+        if points.iter().any(Point::has_adhesion) {
+            let rows = points.iter().map(|point| (point, point.adhesion));
+            write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
+        } else {
+            let rows = points.iter().map(|point| (point, point.observables));
+            write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
+        }
         self.settle(points)
     }
 

@@ -191,10 +191,82 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         assert!(error.contains(sentence) && error.trim_end().lines().count() == 1, "{line}: {error}");
         assert!(!folder.join("result.npz").exists(), "{line}");
     }
-    let scene = "surface.indenter = { shape = \"sine\", amplitude = 1 }\ngrid = { points = 64, size = 20 }\n\
-                 load.mean-gap = [1, 2]\nadhesion = { work = 1e-3, range = 1 }\n";
-    std::fs::write(folder.join("study.toml"), scene).unwrap();
-    let study = folder.run("study study.toml --out study.csv");
-    assert_eq!(study.status.code(), Some(2));
-    assert!(text(&study.stderr).contains("leave path and adhesion out"), "{}", text(&study.stderr));
+}
+
+const STUDY: &str = r#"
+surface = { spectrum = { hurst = 0.8, rolloff-wavelength = "5um", short-cutoff = "1um", rms-gradient = [0.02, 0.05] }, seed = "1-2" }
+grid = { points = 512, size = "20um" }
+solid = { contact-modulus = "1MPa" }
+load = { mean-pressure = "10kPa" }
+adhesion = { work = ["1mJ/m^2", "3mJ/m^2"], range = "60nm" }
+path = { load = ["10kPa", "0Pa", "-60kPa"], steps = 5 }
+"#;
+
+/// The column of a table.
+fn table_column(folder: &Folder, file: &str, name: &str) -> Vec<String> {
+    let text = read_to_string(folder.join(file)).unwrap();
+    let mut csv = csv::Reader::from_reader(text.as_bytes());
+    let place = csv.headers().unwrap().iter().position(|it| it == name).unwrap_or_else(|| panic!("no {name}"));
+    csv.records().map(|row| row.unwrap()[place].to_owned()).collect()
+}
+
+/// A study over works of adhesion and roughnesses has the pull-off of each scene, which the scene alone has as well; its shares give the same
+/// table, and rows that are there are not solved again.
+#[test]
+fn a_study_finds_pull_off_against_roughness() {
+    let folder = Folder::new();
+    std::fs::write(folder.join("study.toml"), STUDY).unwrap();
+    let done = |line: &str| {
+        let output = folder.run(line);
+        assert!(output.status.success(), "{line}: {}", text(&output.stderr));
+        text(&output.stdout).to_owned()
+    };
+    let told = done("study study.toml");
+    assert_eq!(told.lines().filter(|line| line.contains("rms-gradient 0.0")).count(), 4, "{told}");
+    let whole = std::fs::read(folder.join("study.csv")).unwrap();
+    assert!(folder.join("study.png").is_file() && folder.join("study.parquet").is_file());
+
+    let lowest: Vec<f64> =
+        table_column(&folder, "study.csv", "lowest_pressure").iter().map(|word| word.parse().unwrap()).collect();
+    // gradient, work, seed: more work holds more, and so does a smoother surface
+    let mean = |first: usize| -0.5 * (lowest[first] + lowest[first + 1]);
+    assert!(mean(2) > 2.0 * mean(0) && mean(6) > 2.0 * mean(4), "{lowest:?}");
+    assert!(mean(0) > 1.2 * mean(4) && mean(2) > 1.2 * mean(6), "{lowest:?}");
+    for name in ["separated", "stable"] {
+        assert!(table_column(&folder, "study.csv", name).iter().all(|word| word == "true"), "{name}");
+    }
+    assert!(table_column(&folder, "study.csv", "status").iter().all(|word| word == "converged"));
+
+    // the scene of a row, solved alone
+    std::fs::write(folder.join("row.toml"), table_column(&folder, "study.csv", "scene").swap_remove(5)).unwrap();
+    let found = json(&folder, "solve row.toml");
+    assert_eq!(found["adhesion"]["lowest_pressure"].as_f64().unwrap(), lowest[5]);
+
+    let seconds = std::fs::read(folder.join("study.seconds.csv")).unwrap();
+    done("study study.toml");
+    assert!(std::fs::read(folder.join("study.seconds.csv")).unwrap() == seconds, "rows were solved again");
+    for share in ["1/2", "2/2"] {
+        done(&format!("study study.toml --out shares.csv --shard {share}"));
+    }
+    done("merge study.toml shares.1-of-2.csv shares.2-of-2.csv --out shares.csv");
+    assert!(std::fs::read(folder.join("shares.csv")).unwrap() == whole);
+}
+
+#[test]
+fn studies_with_adhesion_that_cannot_be_solved_are_refused_before_they_begin() {
+    let folder = Folder::new();
+    let refused = |study: String, line: &str, expected: &str| {
+        std::fs::write(folder.join("study.toml"), study).unwrap();
+        let output = folder.run(line);
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains(expected), "{said}");
+        assert!(!folder.join("study.unfinished").exists());
+    };
+    let several = STUDY.replace("mean-pressure = \"10kPa\"", "mean-pressure = [\"10kPa\", \"20kPa\"]");
+    refused(several, "study study.toml", "give one load, and further ones as path.load");
+    refused(STUDY.replace("\"3mJ/m^2\"", "\"90mJ/m^2\""), "study study.toml", "row 3 (rms-gradient 0.02");
+    let slips = STUDY.lines().filter(|line| !line.starts_with("adhesion")).collect::<Vec<_>>().join("\n");
+    let slips = slips.replace("load = [", "tangential = [") + "\nfriction = { coefficient = 0.3 }\n";
+    refused(slips, "study study.toml", "leave the path out");
+    refused(STUDY.into(), "study study.toml --record-row 3 --record row.rrd", "record it with asperity solve");
 }
