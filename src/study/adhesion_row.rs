@@ -88,13 +88,13 @@ impl AdhesionRow {
             Ok(()) => Status::Converged,
         };
         let seconds = states.iter().map(|state| state.work.seconds).sum();
-        let row = Self::of(&states);
+        let row = Self::from_states(&states);
         let last = states.pop().ok_or(StudyError::History)?.contact;
         Ok(FollowedHistory { row, status, seconds, last })
     }
 
     /// The totals of some states.
-    fn of(states: &[HistoryState]) -> Self {
+    fn from_states(states: &[HistoryState]) -> Self {
         let Some(totals) = AdhesionTotals::new(states) else { return Self::default() };
         let is_certain = |state: &HistoryState| {
             matches!(state.claim, ResultClaim::Stable | ResultClaim::Solution | ResultClaim::Separated)
