@@ -4,8 +4,8 @@ use super::gap_energy::GapState;
 use super::state::{AdhesiveMotion, AdhesiveState};
 
 /// The part of the range by which some node has moved, and the share of the nodes by which the area has changed, from one frame to the next.
-const MOVED: f64 = 0.5;
-const AREA: f64 = 0.02;
+const MOVED: f64 = 0.1;
+const AREA: f64 = 0.01;
 
 /// The frames of a motion so far, about equally far from one another. Where they become too many, every second one is dropped.
 pub(super) struct MotionFrames {

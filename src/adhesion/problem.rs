@@ -146,7 +146,7 @@ impl AdhesiveProblem {
     /// let motion = problem.motion(AdhesiveControl::MeanGap(0.011), Some(&far), &stop, &mut ())?;
     /// assert!(motion.frames.len() > 5 && motion.frames.iter().all(|frame| frame.claim == ResultClaim::Moving));
     /// let AdhesiveOutcome::State(near) = motion.outcome else { panic!("a mean gap holds the surfaces") };
-    /// assert!(near.claim == ResultClaim::Stable && near.relative_area() > 0.1);
+    /// assert!(near.claim == ResultClaim::Stable && near.relative_area() > 0.08);
     /// // the jump loses energy all the way
     /// let energies: Vec<f64> = motion.frames.iter().chain([&near]).map(|state| state.potential()).collect();
     /// assert!(energies.is_sorted_by(|before, after| before > after), "{energies:?}");

@@ -68,8 +68,8 @@ impl AdhesiveState {
 /// A damped motion of the surface, from a state to the next one.
 #[derive(Debug, Clone)]
 pub struct AdhesiveMotion {
-    /// States on the way, with the claim [`ResultClaim::Moving`]. Some node has moved by half the range of the attraction from one frame to the
-    /// next, or the area has changed by 2 % of the nodes; by a multiple of both in a long motion.
+    /// States on the way, with the claim [`ResultClaim::Moving`]. Some node has moved by a tenth of the range of the attraction from one frame
+    /// to the next, or the area has changed by 1 % of the nodes; by a multiple of both in a long motion.
     pub frames: Vec<AdhesiveState>,
     /// What the motion ends with.
     pub outcome: AdhesiveOutcome,
