@@ -53,6 +53,11 @@ impl<'a> GapEnergy<'a> {
         self.response.softest_stiffness()
     }
 
+    /// The stiffness of each wave, a pressure per length, and that of the mean where it counts.
+    pub fn stiffnesses(&self) -> impl Iterator<Item = f64> + use<> {
+        self.response.stiffnesses().chain([self.uniform])
+    }
+
     /// Whether the mean of the gap is given.
     pub fn keeps_mean(&self) -> bool {
         matches!(self.control, AdhesiveControl::MeanGap(_))

@@ -13,6 +13,8 @@ pub enum AdhesiveMethod {
     Fast,
     /// Each step is a contact without adhesion: the energy falls in every step.
     Safe,
+    /// A damped motion of the surface, in which the attraction acts as a force, on periodic grids: jumps can be watched.
+    Gfmd,
 }
 
 impl AdhesiveMethod {
@@ -21,6 +23,7 @@ impl AdhesiveMethod {
         match self {
             Self::Fast => "Newton steps",
             Self::Safe => "convex steps",
+            Self::Gfmd => "damped motion",
         }
     }
 
@@ -29,6 +32,7 @@ impl AdhesiveMethod {
         match self {
             Self::Fast => "projected Newton steps in the gap, with convex steps where they fail and on free boundaries",
             Self::Safe => "contacts without adhesion one after the other, whose energy falls",
+            Self::Gfmd => "damped motion of the surface, in which the attraction acts as a force",
         }
     }
 }

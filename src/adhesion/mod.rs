@@ -1,7 +1,8 @@
 //! Contacts with adhesion: an attraction between the surfaces above a hard wall.
 //!
 //! ```text
-//! AdhesiveProblem (Problem + Attraction) --solve(control, from the last state)--> AdhesiveState | Separated
+//! AdhesiveProblem (Problem + Attraction) --solve(control, from the last state)---> AdhesiveState | Separated
+//!                                        --motion(control, from the last state)--> frames, AdhesiveState | Separated
 //! ```
 //!
 //! The solid feels `p = p_c - sigma(g)`, with the contact pressure `p_c >= 0` where the gap is zero and the traction `sigma(g)` of an
@@ -12,8 +13,10 @@ mod attraction;
 mod control;
 mod convex;
 mod curvature;
+mod frames;
 mod gap_energy;
 mod method;
+mod motion;
 mod newton;
 mod problem;
 mod scales;
@@ -25,4 +28,4 @@ pub use control::AdhesiveControl;
 pub use method::AdhesiveMethod;
 pub use problem::AdhesiveProblem;
 pub use scales::AdhesionScales;
-pub use state::{AdhesiveOutcome, AdhesiveState};
+pub use state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};

@@ -5,7 +5,7 @@ use super::control::AdhesiveControl;
 use super::method::AdhesiveMethod;
 use super::scales::AdhesionScales;
 use super::search::StateSearch;
-use super::state::{AdhesiveOutcome, AdhesiveState};
+use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::contact::{Law, Load, Observer, Problem, Stop};
 use crate::error::{AdhesionError, ProblemError};
 use crate::grid::Grid;
@@ -27,7 +27,8 @@ const ANY: f64 = 0.01;
 /// # Methods
 /// The **safe** method holds the attraction `sigma_k` fast and solves the contact without adhesion of the heights `h + A sigma_k`. The energy
 /// falls in each step, since `V` is concave. Anderson's method shortens the sequence. The **fast** method takes projected Newton steps in
-/// the gap by conjugate gradients, on periodic grids; where no step lowers the energy, safe steps follow.
+/// the gap by conjugate gradients, on periodic grids; where no step lowers the energy, safe steps follow. The method **gfmd** moves the surface by
+/// damped dynamics on periodic grids, with the attraction as a force: see [`AdhesiveProblem::motion`].
 ///
 /// # What is claimed
 /// Each state has the largest violation of equilibrium, and on periodic grids the least curvature of the energy: a state is *stable*,
@@ -116,8 +117,8 @@ impl AdhesiveProblem {
     ///
     /// # Errors
     /// [`AdhesionError::NotFinite`], [`AdhesionError::MeanGap`] and [`AdhesionError::Control`] for a control that is impossible,
-    /// [`AdhesionError::NotFound`] where no method found a state, [`AdhesionError::Stopped`] if the observer stopped the solve, and those
-    /// of the contacts without adhesion.
+    /// [`AdhesionError::NotFound`] where no method found a state, [`AdhesionError::FreeMotion`] for the method `gfmd` on a free boundary,
+    /// [`AdhesionError::Stopped`] if the observer stopped the solve, and those of the contacts without adhesion.
     pub fn solve(
         &self,
         control: AdhesiveControl,
@@ -128,6 +129,47 @@ impl AdhesiveProblem {
     ) -> Result<AdhesiveOutcome, AdhesionError> {
         let problem = self.under(control)?;
         StateSearch::new(problem, &self.attraction, control, *stop).run(from, method, observer)
+    }
+
+    /// The damped motion of the surface from the last state, or, without one, from the contact without adhesion, until it is at rest: the way
+    /// by which [`AdhesiveMethod::Gfmd`] finds a state. Its frames show a jump as it happens.
+    ///
+    /// Each node is moved by the elastic force, the load and the attraction; nodes that touch and are pressed are held. Masses, time step and
+    /// friction are those of [`Gfmd`](crate::contact::Gfmd).
+    ///
+    /// # Errors
+    /// Those of [`AdhesiveProblem::solve`].
+    ///
+    /// ```
+    /// use asperity::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, Attraction, AttractionForm};
+    /// use asperity::contact::{ContactModulus, Load, ResultClaim};
+    /// use asperity::{Grid, Indenter, Problem, Stop};
+    /// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(256, 1.0)?)?;
+    /// let attraction = Attraction::new(AttractionForm::Exponential, 2e-5, 1e-3)?;
+    /// let problem = AdhesiveProblem::new(Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.01))?, attraction)?;
+    /// let stop = Stop::default();
+    /// // at a mean gap of 1.6 amplitudes nothing touches; at 1.1 amplitudes the surface jumps into contact
+    /// let far = problem.solve(AdhesiveControl::MeanGap(0.016), None, AdhesiveMethod::Fast, &stop, &mut ())?;
+    /// let AdhesiveOutcome::State(far) = far else { panic!("a mean gap holds the surfaces") };
+    /// assert_eq!(far.relative_area(), 0.0);
+    /// let motion = problem.motion(AdhesiveControl::MeanGap(0.011), Some(&far), &stop, &mut ())?;
+    /// assert!(motion.frames.len() > 5 && motion.frames.iter().all(|frame| frame.claim == ResultClaim::Moving));
+    /// let AdhesiveOutcome::State(near) = motion.outcome else { panic!("a mean gap holds the surfaces") };
+    /// assert!(near.claim == ResultClaim::Stable && near.relative_area() > 0.08);
+    /// // the jump loses energy all the way
+    /// let energies: Vec<f64> = motion.frames.iter().chain([&near]).map(|state| state.potential()).collect();
+    /// assert!(energies.is_sorted_by(|before, after| before > after), "{energies:?}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn motion(
+        &self,
+        control: AdhesiveControl,
+        from: Option<&AdhesiveState>,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<AdhesiveMotion, AdhesionError> {
+        let problem = self.under(control)?;
+        StateSearch::new(problem, &self.attraction, control, *stop).motion(from, observer)
     }
 
     /// The problem whose compliance suits a control: the displacement by a uniform pressure is a part of it at an approach only.

@@ -4,10 +4,12 @@ use super::attraction::Attraction;
 use super::control::AdhesiveControl;
 use super::convex::{ConvexEnd, ConvexState, ConvexSteps};
 use super::curvature::{LeastCurvature, least_curvature};
+use super::frames::MotionFrames;
 use super::gap_energy::{GapEnergy, GapState, mean};
 use super::method::AdhesiveMethod;
+use super::motion::DampedMotion;
 use super::newton::{self, GapEnd};
-use super::state::{AdhesiveOutcome, AdhesiveState};
+use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::clock::Instant;
 use crate::contact::{
     Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, Status, Step, Stop, Work,
@@ -57,12 +59,75 @@ impl<'a> StateSearch<'a> {
         method: AdhesiveMethod,
         observer: &mut dyn Observer,
     ) -> Result<AdhesiveOutcome, AdhesionError> {
-        let gap = match from {
-            Some(state) => moved(self.problem, state, self.control),
-            None => self.wall(observer)?,
-        };
-        let is_fast = method == AdhesiveMethod::Fast && self.problem.surface().grid().is_periodic();
-        if is_fast { self.fast(gap, observer) } else { self.safe(gap, from, observer) }
+        let is_periodic = self.problem.surface().grid().is_periodic();
+        match method {
+            AdhesiveMethod::Gfmd => self.motion(from, observer).map(|motion| motion.outcome),
+            AdhesiveMethod::Fast if is_periodic => {
+                let gap = self.first_gap(from, observer)?;
+                self.fast(gap, observer)
+            }
+            AdhesiveMethod::Fast | AdhesiveMethod::Safe => {
+                let gap = self.first_gap(from, observer)?;
+                self.safe(gap, from, observer)
+            }
+        }
+    }
+
+    /// The gap that a search begins with: that of the last state, or, without one, of the contact without adhesion.
+    fn first_gap(
+        &mut self,
+        from: Option<&AdhesiveState>,
+        observer: &mut dyn Observer,
+    ) -> Result<Vec<f64>, AdhesionError> {
+        match from {
+            Some(state) => Ok(moved(self.problem, state, self.control)),
+            None => self.wall(observer),
+        }
+    }
+
+    /// A damped motion until the surface is at rest in a state that is no saddle, with its frames.
+    pub fn motion(
+        mut self,
+        from: Option<&AdhesiveState>,
+        observer: &mut dyn Observer,
+    ) -> Result<AdhesiveMotion, AdhesionError> {
+        if !self.problem.surface().grid().is_periodic() {
+            return Err(AdhesionError::FreeMotion);
+        }
+        let mut gap = self.first_gap(from, observer)?;
+        let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
+        energy.carry(&mut gap, |_| true);
+        let mut state = energy.state(gap);
+        let mut frames = MotionFrames::new(self.attraction.range(), &state);
+        let mut steps = 0;
+        for _ in 0..SEARCHES {
+            let mut watch = |energy: &GapEnergy<'_>, state: &GapState, step: usize| {
+                let transforms = self.work.transforms + energy.transforms();
+                if frames.is_due(state) {
+                    frames.keep(state, self.frame(energy, state, steps + step));
+                }
+                let work = Work { iterations: steps + step, transforms, seconds: 0.0 };
+                goes_on((self.problem, self.control), state, work, observer)
+            };
+            let limits = (self.tolerance(), self.stop.max_iterations().saturating_sub(steps));
+            let (end, taken) = DampedMotion::new(&energy).run(&mut energy, &mut state, limits, &mut watch);
+            steps += taken;
+            let outcome = match end {
+                GapEnd::Stopped => return Err(AdhesionError::Stopped),
+                GapEnd::Failed => break,
+                GapEnd::Separated => Some(self.separated(steps, energy.transforms())),
+                GapEnd::Found => self.settled(&mut energy, &mut state, ("gfmd", steps)),
+            };
+            if let Some(outcome) = outcome {
+                return Ok(AdhesiveMotion { frames: frames.into_vec(), outcome });
+            }
+        }
+        Err(AdhesionError::NotFound { steps, residual: state.violation() / self.attraction.strength() })
+    }
+
+    /// A frame of a motion.
+    fn frame(&self, energy: &GapEnergy<'_>, state: &GapState, steps: usize) -> AdhesiveState {
+        AdhesiveState { claim: ResultClaim::Moving, ..self.state(energy, state, None, ("gfmd", steps)) }
     }
 
     /// The gap of the contact without adhesion; where nothing presses the surfaces, the one at which they first touch, or that of two
@@ -109,13 +174,8 @@ impl<'a> StateSearch<'a> {
                 GapEnd::Stopped => return Err(AdhesionError::Stopped),
                 GapEnd::Separated => return Ok(self.separated(steps, energy.transforms())),
                 GapEnd::Found => {
-                    let least = least_curvature(&mut energy, &state);
-                    let softest = energy.softest();
-                    match &least {
-                        Some(least) if least.value < -MARGINAL * softest => {
-                            leave_saddle(&mut energy, &mut state, least);
-                        }
-                        _ => return Ok(AdhesiveOutcome::State(self.state(energy, state, least, ("newton", steps)))),
+                    if let Some(outcome) = self.settled(&mut energy, &mut state, ("newton", steps)) {
+                        return Ok(outcome);
                     }
                 }
                 GapEnd::Failed => {
@@ -139,6 +199,23 @@ impl<'a> StateSearch<'a> {
             }
         }
         Err(AdhesionError::NotFound { steps, residual: state.violation() / self.attraction.strength() })
+    }
+
+    /// What a state in equilibrium is claimed as; none where it was a saddle, which it has left then.
+    fn settled(
+        &self,
+        energy: &mut GapEnergy<'_>,
+        state: &mut GapState,
+        found: (&'static str, usize),
+    ) -> Option<AdhesiveOutcome> {
+        let least = least_curvature(energy, state);
+        match &least {
+            Some(least) if least.value < -MARGINAL * energy.softest() => {
+                leave_saddle(energy, state, least);
+                None
+            }
+            _ => Some(AdhesiveOutcome::State(self.state(energy, state, least, found))),
+        }
     }
 
     /// Convex steps only.
@@ -187,7 +264,7 @@ impl<'a> StateSearch<'a> {
             energy.carry(&mut gap, |i| found.pressure[i] == 0.0);
             let state = energy.state(gap);
             let least = least_curvature(&mut energy, &state);
-            return self.state(energy, state, least, ("safe", steps));
+            return self.state(&energy, &state, least, ("safe", steps));
         }
         let n = found.gap.len();
         let elastic: f64 = (0..n).map(|i| 0.5 * (found.pressure[i] - found.traction[i]) * found.displacement[i]).sum();
@@ -201,18 +278,18 @@ impl<'a> StateSearch<'a> {
     /// The state of a gap.
     fn state(
         &self,
-        energy: GapEnergy<'_>,
-        state: GapState,
+        energy: &GapEnergy<'_>,
+        state: &GapState,
         least: Option<LeastCurvature>,
         (method, steps): (&'static str, usize),
     ) -> AdhesiveState {
         let least = least.map(|least| least.value / energy.softest());
-        let [elastic, sticking] = energy.parts(&state);
+        let [elastic, sticking] = energy.parts(state);
         let residual = state.violation() / self.attraction.strength();
         let traction: Vec<f64> = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let datum = datum(self.problem, self.control, &state.gap);
         let work = self.worked(steps, energy.transforms());
-        let fields = contact_fields(self.problem, &state, datum);
+        let fields = contact_fields(self.problem, state, datum);
         self.assemble(fields, traction, (datum, elastic + sticking, residual), least, (method, steps), work)
     }
 

@@ -14,7 +14,8 @@ use crate::surface::Field;
 /// | `contact.gap`          | `(ny, nx)` | length   | `g >= 0`                                                  |
 ///
 /// The certificate of `contact` is that of a contact without adhesion and says nothing here; [`AdhesiveState::residual`] and
-/// [`AdhesiveState::claim`] do. Its area counts the nodes that touch: edges are not resolved.
+/// [`AdhesiveState::claim`] do. Nor does its status, which is that of a contact that has converged also in the frames of a motion. Its area counts the
+/// nodes that touch: edges are not resolved.
 #[derive(Debug, Clone)]
 pub struct AdhesiveState {
     /// What was prescribed.
@@ -62,6 +63,21 @@ impl AdhesiveState {
             _ => self.energy,
         }
     }
+}
+
+/// A damped motion of the surface, from a state to the next one.
+#[derive(Debug, Clone)]
+pub struct AdhesiveMotion {
+    /// States on the way, with the claim [`ResultClaim::Moving`]. Some node has moved by a tenth of the range of the attraction from one frame
+    /// to the next, or the area has changed by 1 % of the nodes; by a multiple of both in a long motion.
+    pub frames: Vec<AdhesiveState>,
+    /// What the motion ends with.
+    pub outcome: AdhesiveOutcome,
+}
+
+impl AdhesiveMotion {
+    /// A motion has fewer frames.
+    pub const MOST_FRAMES: usize = 120;
 }
 
 /// What a solve with adhesion ends with.

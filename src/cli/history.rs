@@ -246,15 +246,19 @@ fn word(status: Status) -> Value {
     serde_json::to_value(status).unwrap_or_default()
 }
 
-/// Writes the numbers of all states as comma-separated values.
+/// Writes the numbers of all states as comma-separated values, with adhesion with the claim of each.
 fn write_table(path: &Path, states: &[HistoryState], quantities: &[&HistoryQuantity]) -> Result<()> {
     write_beside(path, |file| {
-        let names: Vec<&str> = ["state", "status"].into_iter().chain(quantities.iter().map(|it| it.name)).collect();
+        let claimed = states.iter().any(|state| state.numbers.residual.is_some()).then_some("claim");
+        let first = ["state", "status"].into_iter().chain(claimed);
+        let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name)).collect();
         writeln!(file, "{}", names.join(","))?;
         states.iter().enumerate().try_for_each(|(i, state)| {
             let values = quantities.iter().map(|it| (it.value)(state).map_or(String::new(), |value| value.to_string()));
             let status = word(state.contact.status).as_str().unwrap_or_default().to_owned();
-            let cells: Vec<String> = [(i + 1).to_string(), status].into_iter().chain(values).collect();
+            let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
+            let first = [(i + 1).to_string(), status].into_iter().chain(claim);
+            let cells: Vec<String> = first.chain(values).collect();
             writeln!(file, "{}", cells.join(","))
         })
     })?;

@@ -31,14 +31,15 @@ fn panels(kind: ProcessKind) -> [HistoryPanel; 2] {
     }
 }
 
-/// The picture of the states of a history.
+/// The picture of the states of a history, without the frames of motions: a jump is an arrow.
 pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
-    let panels = panels(outcome.kind).map(|panel| panel.draw(&outcome.states));
+    let states: Vec<&HistoryState> = outcome.states.iter().filter(|it| it.claim != ResultClaim::Moving).collect();
+    let panels = panels(outcome.kind).map(|panel| panel.draw(&states));
     Figure { title: title.into(), panels: panels.into() }
 }
 
 impl HistoryPanel {
-    fn draw(&self, states: &[HistoryState]) -> Panel {
+    fn draw(&self, states: &[&HistoryState]) -> Panel {
         let [x, y] = [self.x, self.y].map(|name| {
             let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
             let value = |(number, state): (usize, &HistoryState)| match found {
@@ -46,7 +47,7 @@ impl HistoryPanel {
                 Some(it) => (it.value)(state).unwrap_or(f64::NAN),
                 None => (number + 1) as f64,
             };
-            (found.map_or(name, |it| it.title), states.iter().enumerate().map(value).collect::<Vec<f64>>())
+            (found.map_or(name, |it| it.title), states.iter().copied().enumerate().map(value).collect::<Vec<f64>>())
         });
         let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
             let [low, high] = range(values);

@@ -46,6 +46,9 @@ pub enum ResultClaim {
     /// A state with adhesion that is in equilibrium; its stability is not known.
     #[strum(message = "stationary: in equilibrium; its stability is not known")]
     Stationary,
+    /// A frame of a motion with adhesion, which is not in equilibrium.
+    #[strum(message = "moving: not in equilibrium; the surfaces are on their way to the next state")]
+    Moving,
     /// The attraction does not hold the load, and the surfaces have parted.
     #[strum(message = "separated: the attraction does not hold this load, and the surfaces have parted")]
     Separated,

@@ -63,6 +63,7 @@ pub use density::{contact_reach, error_density};
 pub use distribution::Distribution;
 pub use edges::{Edge, Edges, NODE_EXCESS_PER_SWITCH_LINE, Resolved};
 pub use forecast::Forecast;
+pub(crate) use gfmd::Pace;
 pub use gfmd::{Dynamics, Gfmd, Masses, Relaxation};
 pub use law::Law;
 pub use load::Load;

@@ -35,6 +35,9 @@ pub enum AdhesionError {
     /// A control that the boundary leaves without a meaning.
     #[error("{reason}")]
     Control { control: &'static str, reason: &'static str },
+    /// A damped motion on a free boundary.
+    #[error("damped motion needs a periodic boundary: choose the adhesion method fast or safe")]
+    FreeMotion,
     /// A history without loads.
     #[error("the path has no loads: give one at least")]
     Pathless,

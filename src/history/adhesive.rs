@@ -1,7 +1,9 @@
 //! The process of adhesion along a path of loads, with its jumps.
 
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
-use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, AdhesiveState};
+use crate::adhesion::{
+    AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem, AdhesiveState,
+};
 use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, Status, Stop, Work};
 use crate::error::{AdhesionError, HistoryError};
 use crate::surface::Field;
@@ -25,6 +27,9 @@ const APART: f64 = 30.0;
 /// Without a jump this is an error of third order in the step. Where it is large, the step is halved until it is short: what it loses then is
 /// a jump, with a state before it and one after it. Under a mean pressure the surfaces may part; what is lost then depends
 /// on how far they go, and is not counted.
+///
+/// With the method `gfmd` each step is a motion. Where it is a jump, also one in which the surfaces part, its frames are states between the
+/// one before and the one after. They have the claim [`ResultClaim::Moving`] and are no part of the path.
 pub struct AdhesiveProcess {
     problem: AdhesiveProblem,
     path: Vec<PathPoint>,
@@ -48,6 +53,14 @@ pub(super) enum AdhesivePlace {
     State(Box<AdhesiveState>),
     /// The surfaces have parted.
     Apart,
+}
+
+/// Where a step leads.
+pub(super) struct AdhesiveStep {
+    pub(super) place: AdhesivePlace,
+    /// The frames of the motion, with the method `gfmd`.
+    frames: Vec<AdhesiveState>,
+    pub(super) work: Work,
 }
 
 /// A place on the path, with the energies up to it: what a state of the history is made of.
@@ -107,23 +120,33 @@ impl AdhesiveProcess {
         control: AdhesiveControl,
         from: Option<&AdhesivePlace>,
         observer: &mut dyn Observer,
-    ) -> Result<(AdhesivePlace, Work), AdhesionError> {
+    ) -> Result<AdhesiveStep, AdhesionError> {
         let start = match from {
             Some(AdhesivePlace::State(state)) => Some(&**state),
-            Some(AdhesivePlace::Apart) if control.value() < 0.0 => return Ok((AdhesivePlace::Apart, Work::default())),
+            Some(AdhesivePlace::Apart) if control.value() < 0.0 => {
+                return Ok(AdhesiveStep { place: AdhesivePlace::Apart, frames: Vec::new(), work: Work::default() });
+            }
             Some(AdhesivePlace::Apart) | None => None,
         };
-        Ok(match self.problem.solve(control, start, self.method, &self.stop, observer)? {
+        let AdhesiveMotion { frames, outcome } = match self.method {
+            AdhesiveMethod::Gfmd => self.problem.motion(control, start, &self.stop, observer)?,
+            AdhesiveMethod::Fast | AdhesiveMethod::Safe => {
+                let outcome = self.problem.solve(control, start, self.method, &self.stop, observer)?;
+                AdhesiveMotion { frames: Vec::new(), outcome }
+            }
+        };
+        let (place, work) = match outcome {
             AdhesiveOutcome::State(state) => {
                 let work = state.work;
                 (AdhesivePlace::State(Box::new(state)), work)
             }
             AdhesiveOutcome::Separated { work } => (AdhesivePlace::Apart, work),
-        })
+        };
+        Ok(AdhesiveStep { place, frames, work })
     }
 
-    /// Adds the places from one to the next point of the path: both sides of each jump, and the end. After an error they end with the last
-    /// place that was found.
+    /// Adds the places from one to the next point of the path: both sides of each jump with the frames between them, and the end. After an
+    /// error they end with the last place that was found.
     pub(super) fn visits(
         &self,
         last: &AdhesiveVisit,
@@ -139,7 +162,7 @@ impl AdhesiveProcess {
         loop {
             let to = if (end - at).abs() <= length.abs() { end } else { at + length };
             let is_short = (to - at).abs() <= FINEST * (end - begin).abs();
-            let (after, spent) = match self.solve(target.with_value(to), Some(&from), observer) {
+            let step = match self.solve(target.with_value(to), Some(&from), observer) {
                 // close to a jump the safe method may be too slow
                 Err(AdhesionError::NotFound { .. }) if !is_short => {
                     length *= 0.5;
@@ -147,24 +170,31 @@ impl AdhesiveProcess {
                 }
                 Err(error) => {
                     if at != begin {
-                        let (place, control) = (from, target.with_value(at));
-                        visits.push(AdhesiveVisit { place, control, ledger, jump: None, work });
+                        visits.push(AdhesiveVisit::calm(from, target.with_value(at), ledger, work));
                     }
                     return Err(error);
                 }
                 Ok(found) => found,
             };
-            work = sum(work, spent);
+            let AdhesiveStep { place: after, frames, work: spent } = step;
             let missed = lost(&from, &after);
             if missed.abs() > allowed && !is_short {
+                work = sum(work, spent);
                 length *= 0.5;
                 continue;
             }
             let is_jump = missed > allowed;
             if is_jump && at != begin {
-                let (place, control) = (from.clone(), target.with_value(at));
-                visits.push(AdhesiveVisit { place, control, ledger, jump: None, work: std::mem::take(&mut work) });
+                let before = std::mem::take(&mut work);
+                visits.push(AdhesiveVisit::calm(from.clone(), target.with_value(at), ledger, before));
             }
+            let mut shown = Work::default();
+            for frame in frames.into_iter().filter(|_| is_jump) {
+                let since = less(frame.work, std::mem::replace(&mut shown, frame.work));
+                let place = AdhesivePlace::State(Box::new(frame));
+                visits.push(AdhesiveVisit::calm(place, target.with_value(to), ledger, since));
+            }
+            work = sum(work, less(spent, shown));
             let jump = Some(missed).filter(|lost| is_jump && lost.is_finite());
             ledger.lost += jump.unwrap_or(0.0);
             ledger.work += work_of_load(&from, &after);
@@ -245,9 +275,8 @@ impl Process for AdhesiveProcess {
         for (number, point) in self.path.iter().enumerate() {
             let target = self.control(point.load);
             let Some(mut from) = last.take() else {
-                let (place, work) = self.solve(target, None, observer)?;
-                let visit =
-                    AdhesiveVisit { place, control: target, ledger: AdhesionLedger::default(), jump: None, work };
+                let AdhesiveStep { place, work, .. } = self.solve(target, None, observer)?;
+                let visit = AdhesiveVisit::calm(place, target, AdhesionLedger::default(), work);
                 last = Some(visit.kept());
                 each(self.told(visit, Some(number)))?;
                 continue;
@@ -274,6 +303,11 @@ impl Process for AdhesiveProcess {
 }
 
 impl AdhesiveVisit {
+    /// A place at which no jump ends.
+    pub(super) fn calm(place: AdhesivePlace, control: AdhesiveControl, ledger: AdhesionLedger, work: Work) -> Self {
+        Self { place, control, ledger, jump: None, work }
+    }
+
     /// What the next step begins with.
     pub(super) fn kept(&self) -> Self {
         Self { place: self.place.clone(), work: Work::default(), ..*self }
@@ -306,5 +340,14 @@ fn sum(a: Work, b: Work) -> Work {
         iterations: a.iterations + b.iterations,
         transforms: a.transforms + b.transforms,
         seconds: a.seconds + b.seconds,
+    }
+}
+
+/// The work of `all` without that of a part of it.
+fn less(all: Work, part: Work) -> Work {
+    Work {
+        iterations: all.iterations - part.iterations,
+        transforms: all.transforms - part.transforms,
+        seconds: all.seconds - part.seconds,
     }
 }

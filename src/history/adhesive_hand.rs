@@ -1,6 +1,6 @@
 //! A contact with adhesion that is moved by hand.
 
-use super::adhesive::{AdhesionLedger, AdhesivePlace, AdhesiveProcess, AdhesiveVisit};
+use super::adhesive::{AdhesionLedger, AdhesivePlace, AdhesiveProcess, AdhesiveStep, AdhesiveVisit};
 use super::process::HistoryState;
 use crate::adhesion::AdhesiveControl;
 use crate::contact::Load;
@@ -25,8 +25,8 @@ impl AdhesiveHand {
         let loads: Vec<Load> = process.loads().collect();
         let (first, rest) = loads.split_first().ok_or(AdhesionError::Pathless)?;
         let control = process.control(*first);
-        let (place, work) = process.solve(control, None, &mut ())?;
-        let mut last = AdhesiveVisit { place, control, ledger: AdhesionLedger::default(), jump: None, work };
+        let AdhesiveStep { place, work, .. } = process.solve(control, None, &mut ())?;
+        let mut last = AdhesiveVisit::calm(place, control, AdhesionLedger::default(), work);
         for load in rest {
             last = end_of(&process, &last, process.control(*load))?;
         }
@@ -55,7 +55,7 @@ impl AdhesiveHand {
     /// Goes on in one step, or in as many as it takes to find each state.
     fn step_to(&mut self, target: AdhesiveControl) -> Result<(), AdhesionError> {
         self.last = match self.process.solve(target, Some(&self.last.place), &mut ()) {
-            Ok((place, work)) => AdhesiveVisit { place, control: target, work, ..self.last.kept() },
+            Ok(AdhesiveStep { place, work, .. }) => AdhesiveVisit { place, control: target, work, ..self.last.kept() },
             Err(AdhesionError::NotFound { .. }) => {
                 let from = AdhesiveVisit { control: self.begin(target), ..self.last.kept() };
                 end_of(&self.process, &from, target)?

@@ -4,7 +4,7 @@ use super::HistoryState;
 use crate::contact::ResultClaim;
 use serde::Serialize;
 
-/// What a history with adhesion adds up to.
+/// What a history with adhesion adds up to. The frames of a motion do not count.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AdhesionTotals {
     /// The lowest mean pressure of all states, negative if the surfaces stick: the pull-off pressure, if they parted. None if they were
@@ -37,16 +37,19 @@ pub struct AdhesionJump {
 }
 
 impl AdhesionTotals {
-    /// The totals of the states of a history; none for one without adhesion.
+    /// The totals of the states of a history; none for one without adhesion. The state before a jump is the last one that is not a frame of the
+    /// motion.
     pub fn new(states: &[HistoryState]) -> Option<Self> {
         let first = states.first()?;
         first.numbers.residual?;
         let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
         let pressure = |state: &HistoryState| state.numbers.net_pressure.unwrap_or(f64::NAN);
-        let held = states.iter().filter(|state| state.claim != ResultClaim::Separated);
+        let is_frame = |state: &&HistoryState| state.claim == ResultClaim::Moving;
+        let held = states.iter().filter(|state| state.claim != ResultClaim::Separated && !is_frame(state));
         let jump = |i: usize| {
             let energy = states[i].numbers.jump?;
-            let pair = |of: &dyn Fn(&HistoryState) -> f64| [of(&states[i - 1]), of(&states[i])];
+            let before = states[..i].iter().rfind(|state| !is_frame(state))?;
+            let pair = |of: &dyn Fn(&HistoryState) -> f64| [of(before), of(&states[i])];
             Some(AdhesionJump {
                 state: i + 1,
                 mean_gap: pair(&|state| state.contact.mean_gap()),

@@ -107,7 +107,7 @@ pub const FLAGS: &[Flag] = &[
     flag("adhesion-range", "adhesion.range", FlagValue::One, "RHO", "Range of the attraction: the work of adhesion over its largest traction, a length"),
     flag("adhesion-form", "adhesion.form", FlagValue::Choice(choices::<AttractionForm>), "FORM", "How the attraction falls with the gap [default: exponential]"),
     flag("adhesion-table", "adhesion.table", FlagValue::One, "FILE.csv", "Table of the attraction with the columns gap and traction, instead of the three flags above"),
-    flag("adhesion-method", "adhesion.method", FlagValue::Choice(choices::<AdhesiveMethod>), "METHOD", "Method that finds states with adhesion [default: fast]"),
+    flag("adhesion-method", "adhesion.method", FlagValue::Choice(choices::<AdhesiveMethod>), "METHOD", "Method that finds states with adhesion; gfmd is a motion, in which jumps can be watched [default: fast]"),
     flag("creep", "viscoelastic.creep", FlagValue::List, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is the one at once after loading; needs --path-time, --path or --speed"),
     flag("relaxation", "viscoelastic.relaxation", FlagValue::List, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time"),
     flag("time-rule", "viscoelastic.rule", FlagValue::Choice(choices::<CreepRule>), "RULE", "How the pressure varies within a step in time [default: constant-pressure]"),

@@ -1,7 +1,7 @@
 //! The process of a setup: which history it describes, and what makes it.
 
 use super::{RollingMotion, Setup};
-use crate::adhesion::AdhesiveProblem;
+use crate::adhesion::{AdhesiveMethod, AdhesiveMotion, AdhesiveProblem};
 use crate::contact::{Load, Problem, Solver};
 use crate::elastic::Prony;
 use crate::error::{AdhesionError, SetupError, SlipError};
@@ -149,11 +149,18 @@ impl Setup {
         Ok(match self.process()? {
             Some(ProcessKind::Creep) => path(STEPS_OF_TIME),
             Some(ProcessKind::Slip) => path(1),
-            Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1),
+            Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1) + self.expected_frames(),
             Some(ProcessKind::Sliding) => self.sliding.as_ref().map_or(0, |it| it.speed.len()),
             Some(ProcessKind::Rolling) => self.rolling.as_ref().map_or(0, rolling),
             None => 0,
         })
+    }
+
+    /// The frames of motions in a history with adhesion, if there is one long jump from each point of the path to the next.
+    fn expected_frames(&self) -> usize {
+        let moves = self.adhesion.as_ref().is_some_and(|it| it.method == AdhesiveMethod::Gfmd);
+        let ways = self.path_points().len().saturating_sub(1);
+        if moves { ways * AdhesiveMotion::MOST_FRAMES } else { 0 }
     }
 
     /// The speed of sliding, if there is one speed.
@@ -200,6 +207,13 @@ impl Setup {
                 "sliding, rolling and slip need a surface that does not yield: leave the hardness out".into(),
             );
         }
+        if self.solver.name() == "gfmd" && process == ProcessKind::Adhesion {
+            return motion(
+                "adhesion has methods of its own: leave the solver gfmd out, and give gfmd as the method of the adhesion \
+                 (--adhesion-method)"
+                    .into(),
+            );
+        }
         if self.solver.name() == "gfmd" {
             return motion("gfmd cannot solve histories: choose another solver".into());
         }
@@ -226,9 +240,12 @@ impl Setup {
         }
     }
 
-    /// Refuses mean gaps that are not positive, and a grid that does not resolve the attraction.
+    /// Refuses mean gaps that are not positive, a grid that does not resolve the attraction, and a damped motion on a free boundary.
     fn check_adhesion(&self, grid: &Grid) -> Result<(), SetupError> {
         if let Some(adhesion) = &self.adhesion {
+            if !grid.is_periodic() && adhesion.method == AdhesiveMethod::Gfmd {
+                return Err(AdhesionError::FreeMotion.into());
+            }
             AdhesiveProblem::check_grid(grid, self.contact_modulus()?, &adhesion.attraction()?)?;
         }
         let is_closed = |point: &PathPoint| matches!(point.load, Load::MeanGap(gap) if gap <= 0.0);

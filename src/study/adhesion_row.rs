@@ -23,7 +23,7 @@ pub struct AdhesionRow {
     pub lost_in_all: Option<f64>,
     /// Whether each state with contact was stable, or the solution.
     pub stable: Option<bool>,
-    /// The number of states.
+    /// The number of states, without the frames of motions.
     pub states: Option<u64>,
     /// Fourier transforms of the history.
     pub history_transforms: Option<u64>,
@@ -96,18 +96,19 @@ impl AdhesionRow {
     /// The totals of some states.
     fn from_states(states: &[HistoryState]) -> Self {
         let Some(totals) = AdhesionTotals::new(states) else { return Self::default() };
+        let is_state = |it: &&HistoryState| it.claim != ResultClaim::Moving;
         let is_certain = |state: &HistoryState| {
             matches!(state.claim, ResultClaim::Stable | ResultClaim::Solution | ResultClaim::Separated)
         };
         Self {
             lowest_pressure: totals.lowest_pressure,
             separated: Some(totals.separated),
-            largest_area: states.iter().map(HistoryState::relative_area).reduce(f64::max),
+            largest_area: states.iter().filter(is_state).map(HistoryState::relative_area).reduce(f64::max),
             jumps: Some(totals.jumps.len() as u64),
             lost_in_jumps: Some(totals.lost_in_jumps),
             lost_in_all: totals.lost_in_all,
-            stable: Some(states.iter().all(is_certain)),
-            states: Some(states.len() as u64),
+            stable: Some(states.iter().filter(is_state).all(is_certain)),
+            states: Some(states.iter().filter(is_state).count() as u64),
             history_transforms: Some(states.iter().map(|state| state.work.transforms).sum()),
         }
     }

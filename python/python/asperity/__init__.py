@@ -201,8 +201,8 @@ def solve(
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
-    adhesion: {"work": w, "range": rho} attracts the surfaces, with "form" "exponential", "cubic" or "dugdale", or {"table": file.csv}. It
-        returns a History. History.fields["attraction"] has the attraction, History.claims what each state claims to be, and History.adhesion
+    adhesion: {"work": w, "range": rho} attracts the surfaces, with "form" "exponential", "cubic" or "dugdale", or {"table": file.csv}. Its
+        "method" is "fast", "safe", or "gfmd", a motion whose frames show jumps. It returns a History. History.fields["attraction"] has the attraction, History.claims what each state claims to be, and History.adhesion
         pull-off, jumps and energies. Pressures may be negative.
     viscoelastic: {"creep": [f, tau, ...]} or {"relaxation": [g, tau, ...]}: pairs of a ratio and a time of a solid that creeps. The elastic
         constants are those at once after loading. It needs a path with times, or sliding.

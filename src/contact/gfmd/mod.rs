@@ -14,9 +14,9 @@ use crate::contact::{Contact, Observer, Problem, Run, Solver, Stop};
 use crate::error::SolveError;
 use crate::surface::Field;
 use moving::Moving;
-use pace::Pace;
 use probe::Probe;
 
+pub(crate) use pace::Pace;
 pub use relaxation::Relaxation;
 pub use settings::{Dynamics, Gfmd, Masses};
 

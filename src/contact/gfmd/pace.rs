@@ -16,7 +16,7 @@ const TURN_DECAY: f64 = 0.99;
 const SLACK: f64 = 16.0;
 
 /// Chooses each step's share of old velocity and new force.
-pub(super) struct Pace {
+pub(crate) struct Pace {
     /// `dt^2 / m` at the largest stable time step allowed.
     pub step: f64,
     kind: Damping,

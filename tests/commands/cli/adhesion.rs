@@ -109,6 +109,24 @@ fn both_methods_find_the_same_states() {
     }
 }
 
+/// With `gfmd` a jump has frames, which the table names and the totals do not count.
+#[test]
+fn a_motion_shows_its_jump() {
+    let folder = Folder::new();
+    let path = "--mean-gap 1um --path-load 1.6um,0.8um --path-steps 8";
+    let line = |method: &str| format!("{SINE} {STICKY} {path} --adhesion-method {method}");
+    let [fast, motion] = ["fast", "gfmd"].map(|method| json(&folder, &format!("{} --out {method}.csv", line(method))));
+    let number = |found: &Value, name: &str| found["adhesion"][name].as_f64().unwrap();
+    for name in ["lowest_pressure", "lost_in_jumps"] {
+        assert!((number(&motion, name) / number(&fast, name) - 1.0).abs() < 0.02, "{name}");
+    }
+    let frames = claims(&motion).iter().filter(|claim| **claim == "moving").count();
+    assert!(frames > 5 && !claims(&fast).contains(&"moving"));
+    let table = read_to_string(folder.join("gfmd.csv")).unwrap();
+    assert_eq!(table.lines().filter(|row| row.split(',').nth(2) == Some("moving")).count(), frames);
+    assert!(table.starts_with("state,status,claim,"));
+}
+
 #[test]
 fn a_weak_attraction_has_one_solution() {
     let folder = Folder::new();
@@ -163,7 +181,8 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (sticky("--mean-gap 1um --creep 9,1s"), "adhesion and creep cannot be combined"),
         (sticky("--mean-gap 1um --creep 9,1s --speed 1mm/s"), "adhesion and creep cannot be combined"),
         (sticky("--mean-gap 1um --hardness 1MPa"), "adhesion and hardness cannot be combined"),
-        (sticky("--mean-gap 1um --solver gfmd"), "gfmd cannot solve histories"),
+        (sticky("--mean-gap 1um --solver gfmd"), "--adhesion-method"),
+        (sticky("--force 0 --boundary free --adhesion-method gfmd"), "damped motion needs a periodic boundary"),
         (sticky("--mean-gap 1um --solver polonsky-keer"), "methods of its own"),
         (sticky("--mean-gap 1um --path-time 1s"), "loads only"),
         (sticky("--mean-gap 1um --path-load 1um,2um --path-steps 0"), "1 or more"),
