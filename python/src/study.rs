@@ -16,6 +16,8 @@ use std::path::{PathBuf, absolute};
 ///
 /// Study(surface=..., grid=..., load=..., ...) takes the sections of a scene as dictionaries, with `_` for `-` in their keys. Any value may be
 /// a list (a list of lists where a scene has a list), and a seed may be a range such as "1-100". `asperity.study` solves it.
+///
+/// With adhesion each row is a history along its path, and has its pull-off pressure, as minus `lowest_pressure`, instead of the area.
 #[pyclass(frozen, module = "asperity")]
 pub struct Study {
     pub plan: Plan,
@@ -35,7 +37,7 @@ impl Study {
 #[pymethods]
 impl Study {
     #[new]
-    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, solver=None, stop=None)")]
+    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, adhesion=None, path=None, solver=None, stop=None)")]
     fn new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::from_table(table_from_sections(&sections_from_keywords(keys)?)?)
     }

@@ -215,3 +215,20 @@ def test_rows_that_did_not_converge_are_told() -> None:
     with pytest.warns(asp.AsperityWarning, match="2 of 2 rows did not converge. See their status"):
         table = asp.study(hasty | {"solver": {"method": "polonsky-keer"}, "stop": {"max_iterations": 2}})
     assert "converged" not in table["status"]
+
+
+def test_a_study_with_adhesion_has_the_pull_off_of_each_history() -> None:
+    sections: dict[str, Any] = dict(
+        surface={"indenter": {"shape": "sine", "amplitude": "1 um"}},
+        grid={"points": 512, "size": "20 um"},
+        solid={"contact_modulus": "1 MPa"},
+        load={"mean_pressure": "0 Pa"},
+        path={"load": ["0 Pa", "-20 kPa"], "steps": 5},
+    )
+    works = ["5 mJ/m^2", "10 mJ/m^2"]
+    table = asp.study(asp.Study(adhesion={"work": works, "range": "80 nm"}, **sections))
+    assert table["separated"].tolist() == ["true", "true"] and table["stable"].tolist() == ["true", "true"]
+    alone = [asp.Setup(adhesion={"work": work, "range": "80 nm"}, **sections).solve() for work in works]
+    assert table["lowest_pressure"].tolist() == [history.adhesion["lowest_pressure"] for history in alone]
+    assert table["lowest_pressure"][1] < table["lowest_pressure"][0] < 0
+    assert "relative_area" not in table.columns

@@ -292,6 +292,7 @@ mod tests {
                     setup: String::new(),
                     version: String::new(),
                     observables,
+                    adhesion: Default::default(),
                     seconds: 0.0,
                 });
             }
