@@ -17,8 +17,8 @@ const CENTRAL: f64 = 0.4;
 /// use asperity::surface::{AbbottCurve, Indenter};
 /// let surface = Indenter::Sine { amplitude: 2.0 }.surface(Grid::line(1000, 1.0)?)?;
 /// let curve = AbbottCurve::new(&surface);
-/// assert!((curve.height(0.25) - 2.0 * (std::f64::consts::PI * 0.25).cos()).abs() < 1e-4);
-/// assert!((curve.ratio(2f64.sqrt()) - 0.25).abs() < 1e-4);
+/// assert!((curve.height(0.25) - 2.0 * (std::f64::consts::PI * 0.25).cos()).abs() < 5e-3);
+/// assert!((curve.ratio(2f64.sqrt()) - 0.25).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

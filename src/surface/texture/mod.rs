@@ -170,12 +170,11 @@ impl Texture {
     }
 
     fn of_distances(&self) -> impl Iterator<Item = (&'static str, &'static str, Option<f64>)> {
-        let developed = if self.is_line { "developed length ratio" } else { "developed area ratio" };
         let aspect = (!self.is_line).then_some(("tr", "texture aspect ratio", self.aspect_ratio));
         let all = [
             ("dq", "rms gradient", Some(self.rms_gradient)),
-            ("dr", developed, Some(self.developed_ratio)),
-            ("al", "autocorrelation length", self.autocorrelation_length),
+            ("dr", "developed ratio", Some(self.developed_ratio)),
+            ("al", "decay length", self.autocorrelation_length),
         ];
         all.into_iter().chain(aspect)
     }
