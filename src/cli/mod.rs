@@ -46,6 +46,7 @@ mod study_row;
 mod study_table;
 mod surface;
 mod survey;
+mod texture;
 mod units;
 #[cfg(feature = "serve")]
 mod view;

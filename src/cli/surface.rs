@@ -7,6 +7,7 @@ use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::problem_summary::along_axes;
 use super::survey;
+use super::texture::TextureReport;
 use super::warnings::{self, in_flags};
 use super::wrote::wrote;
 use anyhow::Result;
@@ -16,17 +17,15 @@ use asperity::files::{check_apart, check_named};
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-#[cfg(feature = "record")]
-use asperity::surface::Surface;
-use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Survey};
+use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Surface, Survey};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
 use std::path::{Path, PathBuf};
 
 /// Fields that a surface takes while it is made, described and written: heights as they are and as given, with trends and windows on and
-/// off, and their spectrum.
-const FIELDS: f64 = 10.0;
+/// off, and their spectrum; at most, their autocorrelation on half as many nodes again along both axes.
+const FIELDS: f64 = 12.0;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -96,6 +95,8 @@ struct HeightStatistics {
     jump_in_rms_steps: Vec<f64>,
     #[serde(flatten)]
     roughness: Roughness,
+    #[serde(flatten)]
+    texture: TextureReport,
 }
 
 impl Describe {
@@ -182,8 +183,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     }
     let surface = recipe.surface(*grid)?;
     let survey = Survey::new(&Scan::from_surface(&surface, 1))?;
-    let (jump_in_rms_steps, roughness) = (surface.jumps()[outer..].to_vec(), Roughness::new(&surface));
-    statistics.whole = Some(HeightStatistics { jump_in_rms_steps, roughness });
+    statistics.whole = Some(HeightStatistics::new(&surface, outer));
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
     statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));
     statistics.survey = Some(survey);
@@ -276,6 +276,12 @@ impl Statistics {
 }
 
 impl HeightStatistics {
+    /// The statistics of a surface from an axis on.
+    fn new(surface: &Surface, outer: usize) -> Self {
+        let (roughness, texture) = (Roughness::new(surface), TextureReport::new(surface));
+        Self { jump_in_rms_steps: surface.jumps()[outer..].to_vec(), roughness, texture }
+    }
+
     fn rows(&self) -> Vec<(String, String)> {
         let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
         let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));
@@ -289,7 +295,7 @@ impl HeightStatistics {
             ("skewness", number(skewness)),
             ("kurtosis", number(kurtosis)),
         ];
-        rows.map(|(name, value)| (name.to_owned(), value)).into()
+        rows.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(self.texture.rows(number)).collect()
     }
 }
 

@@ -5,9 +5,6 @@ use crate::elastic::stress::USUAL_POISSON;
 use crate::surface::{Detrend, HeightFile, Layout, Scales, Surface, Survey};
 use crate::warning::Warning;
 
-/// Steps across the period above this many rms steps are a jump: periodic random lines have 0.05 to 2, measured traces less their
-/// plane up to 100.
-const JUMP: f64 = 10.0;
 /// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
 const STEEPEST: f64 = 10.0;
 /// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
@@ -102,7 +99,7 @@ impl Recipe {
             };
             warning.with_remedy("grid.boundary", Some("free"))
         };
-        ["y", "x"].into_iter().zip(jumps).filter(|(_, jump)| *jump > JUMP).map(jump).collect()
+        ["y", "x"].into_iter().zip(jumps).filter(|(_, jump)| *jump > Surface::JUMP).map(jump).collect()
     }
 }
 

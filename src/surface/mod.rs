@@ -4,6 +4,7 @@ mod bumps;
 mod formats;
 mod indenter;
 mod level;
+mod moments;
 mod plateau;
 mod preparation;
 mod refine;
@@ -12,6 +13,7 @@ mod seam;
 mod spectrum;
 mod survey;
 mod synthesis;
+mod texture;
 
 pub use bumps::{Bump, Bumps};
 pub(crate) use formats::read_text;
@@ -21,11 +23,13 @@ pub use formats::{
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
+pub use moments::SpectralMoments;
 pub use plateau::Plateaus;
 pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 pub use survey::{Band, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
+pub use texture::{AbbottCurve, Autocorrelation, CoreHeights, Texture, TextureParameter};
 
 use crate::chunks;
 use crate::error::SurfaceError;

@@ -1,0 +1,123 @@
+//! Spectral moments of a surface.
+
+use super::{Detrend, Scan, Surface};
+use crate::fourier::{Complex, Fourier};
+use crate::grid::Grid;
+use std::borrow::Cow;
+use std::f64::consts::PI;
+
+/// Spectral moments: mean squares of the heights, their slopes and their curvatures, as sums over the waves of the
+/// surface.
+///
+/// With the Fourier coefficients `h_q` of [`crate::fourier`] and sums over all wave vectors but `q = 0`,
+///
+/// ```text
+/// m0 = <z^2> = sum |h_q|^2
+/// line     m2 = <h'^2> = sum q^2 |h_q|^2                  m4 = <h''^2> = sum q^4 |h_q|^2
+/// surface  m2 = 1/2 <|grad h|^2> = 1/2 sum q^2 |h_q|^2    m4 = 3/8 <(lap h)^2> = 3/8 sum q^4 |h_q|^2
+/// ```
+///
+/// The factors of surfaces make `m2` and `m4` the moments of a profile, where the surface is isotropic: the means over
+/// all directions of `cos^2` and `cos^4` are 1/2 and 3/8. The sums have no error of differences: they are exact for heights
+/// without waves beyond the shortest one that the grid resolves. For other heights they are larger than mean
+/// squares of differences.
+///
+/// *Free axes.* Heights are periodic along periodic axes, see [`Grid::periodic`]. Along a free axis they are a part of a
+/// larger surface, as measured heights are. Repeated, they would jump at the rim, and `m2` and `m4` would be those of
+/// the jump. So the slope of the least-squares plane along a free axis is subtracted, and the heights are multiplied by a
+/// Hann window of mean square 1, as for the spectrum of a [`Survey`](super::Survey). The moments are then estimates
+/// for heights that are everywhere alike. Waves longer than half of the cell are lost in part. The window adds `(4/3)
+/// (pi/L)^2 m0` to `m2` along that axis, with the length `L` of the cell: little, if the waves are much shorter.
+///
+/// Source: Longuet-Higgins, Phil. Trans. R. Soc. A 249:321, 1957; Nayak, J. Lubr. Technol. 93:398, 1971.
+///
+/// ```
+/// use asperity::Grid;
+/// use asperity::surface::{Indenter, SpectralMoments};
+/// let surface = Indenter::Sine { amplitude: 2.0 }.surface(Grid::line(64, 1.0)?)?;
+/// let moments = SpectralMoments::new(&surface);
+/// let q = std::f64::consts::TAU;
+/// assert!((moments.m0 / 2.0 - 1.0).abs() < 1e-12);
+/// assert!((moments.m2 / (2.0 * q.powi(2)) - 1.0).abs() < 1e-12);
+/// assert!((moments.m4 / (2.0 * q.powi(4)) - 1.0).abs() < 1e-12);
+/// assert!((moments.nayak() - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectralMoments {
+    /// Mean square of the heights about their mean, a length squared.
+    pub m0: f64,
+    /// Mean square of the slope of a profile, without a dimension.
+    pub m2: f64,
+    /// Mean square of the curvature of a profile, 1/length squared.
+    pub m4: f64,
+    /// `<h_y^2>` and `<h_x^2>`: mean squares of the slopes along y (0 for a line) and x.
+    pub m2_along: [f64; 2],
+    /// `<h_yy^2>` and `<h_xx^2>`: mean squares of the curvatures along y (0 for a line) and x, 1/length squared.
+    pub m4_along: [f64; 2],
+}
+
+impl SpectralMoments {
+    /// The moments of `surface`.
+    pub fn new(surface: &Surface) -> Self {
+        let grid = surface.grid();
+        let mut spectrum = vec![Complex::default(); grid.modes()];
+        Fourier::new(grid).forward(&stationary(surface), &mut spectrum);
+        let waves = grid.wave_vectors().zip(grid.multiplicities()).zip(&spectrum).skip(1);
+        let [m0, along_y, along_x, bend_y, bend_x, bends] =
+            waves.fold([0.0; 6], |sums, (([qy, qx], multiplicity), coefficient)| {
+                let (square, [y, x]) = (multiplicity * coefficient.norm_sqr(), [qy * qy, qx * qx]);
+                let terms = [1.0, y, x, y * y, x * x, (y + x) * (y + x)];
+                std::array::from_fn(|i| sums[i] + terms[i] * square)
+            });
+        let [second, fourth] = if grid.is_line() { [1.0; 2] } else { [0.5, 0.375] };
+        Self {
+            m0,
+            m2: second * (along_y + along_x),
+            m4: fourth * bends,
+            m2_along: [along_y, along_x],
+            m4_along: [bend_y, bend_x],
+        }
+    }
+
+    /// Nayak's parameter `alpha = m0 m4 / m2^2`, the breadth of the spectrum; 0 for a flat. It is at least 1 for a line and at least
+    /// 3/2 for a surface, and these for waves of one length.
+    pub fn nayak(&self) -> f64 {
+        if self.m2 > 0.0 { self.m0 / self.m2 * (self.m4 / self.m2) } else { 0.0 }
+    }
+}
+
+/// The heights, less their slope and under a window along free axes.
+fn stationary(surface: &Surface) -> Cow<'_, [f64]> {
+    let grid = surface.grid();
+    if grid.is_periodic() {
+        return surface.heights().into();
+    }
+    let tilt = Detrend::tilt(&Scan::from_surface(surface, 1));
+    let [y, x] = [0, 1].map(|axis| Along::new(grid, axis, tilt[axis]));
+    let nx = grid.shape()[1];
+    let flat = surface.heights().iter().enumerate().map(|(node, h)| {
+        let (row, column) = (node / nx, node % nx);
+        (h - y.trend[row] - x.trend[column]) * y.window[row] * x.window[column]
+    });
+    flat.collect()
+}
+
+/// What is taken off along an axis, and the window there.
+struct Along {
+    trend: Vec<f64>,
+    window: Vec<f64>,
+}
+
+impl Along {
+    fn new(grid: &Grid, axis: usize, slope: f64) -> Self {
+        let n = grid.shape()[axis];
+        if grid.periodic()[axis] {
+            return Self { trend: vec![0.0; n], window: vec![1.0; n] };
+        }
+        let place = |i: usize| (i as f64 + 0.5) / n as f64;
+        let hann = |i: usize| (8.0f64 / 3.0).sqrt() * (PI * place(i)).sin().powi(2);
+        let rise = slope * grid.size()[axis];
+        Self { trend: (0..n).map(|i| rise * (place(i) - 0.5)).collect(), window: (0..n).map(hann).collect() }
+    }
+}
