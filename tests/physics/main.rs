@@ -6,6 +6,7 @@ mod common;
 mod adhesion;
 mod adhesion_rough;
 mod creep;
+mod flow;
 mod hardness;
 mod paper;
 mod preparation;
