@@ -47,7 +47,7 @@ const SMALLEST_TOLERANCE: f64 = 1e-12;
 ///   a tree of the widest channels, and the flow is conserved then. The power of this correction grows with the square of the residual,
 ///   so the bound closes with the error.
 ///
-/// For all contacts the first pressure falls linearly, and steps do not raise its power. So `sigma <= <g^3>` holds for the upper bound as well.
+/// The first pressure falls linearly, and steps do not raise its power. So the upper bound is at most `<g^3>`.
 ///
 /// # Solver
 /// Conjugate gradients, preconditioned by multigrid on groups of cells, until the bounds are close. It uses 300 to 600 bytes a node.

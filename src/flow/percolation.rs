@@ -21,12 +21,12 @@ const SIDES_AND_CORNERS: [[isize; 2]; 4] = [[0, 1], [1, 0], [1, 1], [1, -1]];
 ///
 /// Where the open area does not percolate along `x`, the contact seals against flow along `x`, and percolates along `y`. On a grid that is
 /// free along both axes exactly one of the two percolates. On a periodic one both may: a contact that is shifted from one period to the
-/// next leaves a channel open that winds around it.
+/// next does not close up, and leaves a channel open that winds. So on periodic grids, ask the open area whether a contact seals.
 ///
 /// On a line, a single node in contact seals along `x`.
 ///
-/// The mask is that of nodes with a pressure. It is larger than the contact by about 0.19 spacings along its edges, so the area at which
-/// a rough contact seals is counted too high by about as much.
+/// The mask is that of nodes with a pressure. It is larger than the contact by about 0.19 spacings along its edges. With 256 points a side, a roll-off of an eighth of the cell and a
+/// cut-off of 8 spacings, the counted area of a contact that just seals is 0.015 to 0.02 above the [resolved](Contact::resolved) one.
 ///
 /// ```
 /// use asperity::Grid;

@@ -224,23 +224,20 @@ fn percolation_by_hand() {
         assert_eq!(percolation(&["....", "....", "....", "...."], periodic), [true, true, false, false]);
         assert_eq!(percolation(&["####", "####", "####", "####"], periodic), [false, false, true, true]);
         assert_eq!(percolation(&["....", "####", "....", "...."], periodic), [true, false, true, false]);
-        // a staircase of corners seals
-        assert_eq!(percolation(&["#...", ".#..", "..#.", "...#"], periodic), [false, false, true, true]);
         // corners of the open area are no channel
         assert_eq!(percolation(&[".###", "#.##", "##.#", "###."], periodic), [false, false, true, true]);
     }
-    // a channel over the seam: open only where the cell is periodic across
-    let seam = ["..##", "####", "####", "##.."];
-    assert_eq!(percolation(&["..##", "####", "####", ".###"], true)[0], false);
-    assert_eq!(percolation(&[".#..", "####", "####", "..##"], true)[0], false);
-    assert_eq!(percolation(&seam, false)[0], false);
-    assert_eq!(percolation(&["..##", "####", "####", "#..."], true)[0], true);
-    assert_eq!(percolation(&["..##", "####", "####", "#..."], false)[0], false);
+    // a staircase of corners seals, but where the cell is periodic the channel beside it winds: both reach from side to side
+    let staircase = ["#...", ".#..", "..#.", "...#"];
+    assert_eq!(percolation(&staircase, false), [false, false, true, true]);
+    assert_eq!(percolation(&staircase, true), [true, true, true, true]);
+    // a channel over the seam is open only where the cell is periodic across
+    let seam = ["..##", "####", "####", "#..."];
+    assert_eq!([true, false].map(|periodic| percolation(&seam, periodic)[0]), [true, false]);
+    // it has to share a side there
+    assert!(!percolation(&["..##", "####", "####", "##.."], true)[0]);
     // the two sides are not joined: a wall in the middle seals, however the cell goes on
-    assert_eq!(percolation(&["..#.", "..#.", "..#.", "..#."], true)[0], false);
-    // a contact that winds leaves a channel that winds: both reach from side to side
-    let winding = percolation(&[".#...", ".#...", ".#...", ".###."], true);
-    assert!(winding[0] != winding[3] || winding[0], "{winding:?}");
+    assert!(!percolation(&["..#.", "..#.", "..#.", "..#."], true)[0]);
 }
 
 #[test]
@@ -315,7 +312,7 @@ fn a_rough_contact_leaks_less_the_more_it_is_pressed_until_it_seals() {
 /// The areas at which rough contacts seal along x, by bisection of the load: counted, and with edges between the nodes.
 /// Dapp, Luecke, Persson and Mueser (2012) find 0.42 for large surfaces.
 #[test]
-#[ignore = "half a minute of contacts; the areas spread by the size of the cell"]
+#[ignore = "ten seconds of contacts; the areas spread by the size of the cell"]
 fn rough_contacts_seal_at_a_part_of_the_area() {
     for hurst in [0.8, 0.3] {
         for seed in 1..=4 {
@@ -382,7 +379,7 @@ fn discs_conduct_by_their_radius() {
     }
 }
 
-/// A patch that touches all over on a free boundary is still a constriction: a square of side `s` conducts as 0.3671 `s` times 4/2 ... of a disc.
+/// A patch that touches all over on a free boundary is a constriction too: it conducts by the capacity of a square plate.
 #[test]
 fn a_square_in_full_contact_conducts_as_an_electrode() {
     let grid = Grid::surface([128, 128], [1.0, 1.0]).unwrap().with_periodic([false, false]);
@@ -390,7 +387,7 @@ fn a_square_in_full_contact_conducts_as_an_electrode() {
     let problem = Problem::new(flat, ContactModulus(1.0), Load::Force(1.0)).unwrap();
     let contact = solve(&Multilevel, &problem, 1e-8);
     assert_eq!(contact.counted().relative_area, 1.0);
-    // the capacity of a square plate of side 1 is 0.36679 in Gauss' units; that of a disc is 2 a / pi
+    // the capacity of a square plate of side 1 is 0.36679, and that of a disc 2 a / pi, which conducts as 4 a
     let exact = 4.0 * 0.366_79 * PI / 2.0 / RESISTIVITY;
     let found = conductance(&contact).total;
     assert!((found / exact - 1.0).abs() < 0.01, "{found} for {exact}");
@@ -398,7 +395,7 @@ fn a_square_in_full_contact_conducts_as_an_electrode() {
 
 #[test]
 fn nodes_that_yield_conduct_as_well() {
-    let wall = rough(64, 0.8, 2, 0.05);
+    let wall = rough(128, 0.8, 2, 0.05);
     let elastic = solve(&Multilevel, &wall, 1e-8);
     let hard = solve(&Multilevel, &wall.clone().with_law(Law::Hardness(2.0 * elastic.max_pressure())).unwrap(), 1e-8);
     let [a, b] = [&elastic, &hard].map(|contact| conductance(contact).per_area);
@@ -411,7 +408,7 @@ fn nodes_that_yield_conduct_as_well() {
 
 #[test]
 fn conductances_that_do_not_follow_from_the_stiffness_are_refused() {
-    let problem = rough(64, 0.8, 1, 0.05);
+    let problem = rough(128, 0.8, 1, 0.05);
     let contact = solve(&Multilevel, &problem, 1e-6);
     for resistivities in [[0.0, 0.0], [-1.0, 2.0], [f64::NAN, 1.0], [1.0, f64::INFINITY]] {
         let refused = Conductance::new(&contact, resistivities);
