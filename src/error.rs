@@ -9,6 +9,7 @@
 mod adhesion;
 mod creep;
 mod file;
+mod flow;
 mod history;
 mod input;
 mod motion;
@@ -20,6 +21,7 @@ pub use adhesion::AdhesionError;
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
+pub use flow::FlowError;
 pub use history::{HistoryError, SlipError};
 pub use motion::MotionError;
 pub use preparation::PreparationError;

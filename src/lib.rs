@@ -56,6 +56,7 @@
 //! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures and patches | |
 //! | 4 | [`adhesion`] | contacts with an attraction between the surfaces: their states, and whether these are stable | |
 //! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
+//! | 4 | [`flow`] | what flows through a contact: whether it seals, its leakage, its electrical and thermal conductance | |
 //! | 4 | [`foreign`] | results and iterations of other programs: certified, compared, common mistakes recognised | |
 //! | 4 | [`history`] | contacts one after the other: creep in time, partial slip, steady sliding and rolling, adhesion | |
 //! | 4 | [`setup`] | the description of a contact, and its cost | (`units`) |
@@ -112,7 +113,9 @@ pub mod error;
 #[cfg(feature = "explore")]
 pub mod explore;
 pub mod files;
+pub mod flow;
 pub mod foreign;
+mod forest;
 pub mod fourier;
 pub mod grid;
 pub mod guide;

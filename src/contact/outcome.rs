@@ -166,7 +166,7 @@ impl Contact {
     }
 
     /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: the increase of the mean pressure per decrease of the
-    /// mean gap. It is infinite if all nodes touch, and NaN if the contact moves over its solid ([`Problem::is_moving`]).
+    /// mean gap. It is infinite if all nodes of a periodic cell touch, and NaN if the contact moves over its solid ([`Problem::is_moving`]).
     ///
     /// It is computed on first use, with about a tenth of the work of a solve. From then on it is one of the
     /// [`crate::contact::Observables`] of this contact.
@@ -188,6 +188,16 @@ impl Contact {
         }
         let displacement = || self.displacement.as_slice().expect("results are made in standard layout");
         *self.stiffness.get_or_init(|| multilevel::stiffness(&self.problem, self.pressures(), displacement()))
+    }
+
+    /// The stiffness that the contact would have if all touching nodes were elastic, also those that yield: a pressure per length.
+    /// Without a hardness it is the [`Contact::stiffness`]. It measures the contact set alone, and not what carries the next load.
+    pub fn stiffness_of_all(&self) -> f64 {
+        if !self.problem.ceiling().is_finite() || self.problem.is_moving() {
+            return self.stiffness();
+        }
+        let displacement = self.displacement.as_slice().expect("results are made in standard layout");
+        multilevel::stiffness_of_all(&self.problem, self.pressures(), displacement)
     }
 
     /// The stiffness, if it has been computed.

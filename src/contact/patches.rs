@@ -2,6 +2,7 @@
 
 use crate::chunks;
 use crate::contact::Problem;
+use crate::forest::Forest;
 use crate::grid::Grid;
 use std::ops::Range;
 
@@ -44,7 +45,8 @@ fn members(pressure: &[f64], grid: &Grid) -> Vec<Vec<Range<usize>>> {
         Some(*count - row.len())
     };
     let first: Vec<usize> = rows.iter().scan(0, count_before).collect();
-    let mut forest = Forest::new(rows.iter().map(Vec::len).sum());
+    let runs_in_all = rows.iter().map(Vec::len).sum();
+    let mut forest = Forest::new(runs_in_all);
     for (row, &at) in rows.iter().zip(&first) {
         if let [head, .., tail] = row.as_slice()
             && round_x
@@ -66,7 +68,7 @@ fn members(pressure: &[f64], grid: &Grid) -> Vec<Vec<Range<usize>>> {
             forest.join(first[y] + a, first[next] + b);
         }
     }
-    let mut patches = vec![Vec::new(); forest.parent.len()];
+    let mut patches = vec![Vec::new(); runs_in_all];
     let runs = rows
         .into_iter()
         .enumerate()
@@ -122,32 +124,6 @@ impl Patch {
         let mut patches: Vec<_> = members(pressure, grid).into_iter().map(measure).collect();
         patches.sort_by_key(|(patch, _)| std::cmp::Reverse(patch.nodes));
         patches
-    }
-}
-
-/// Disjoint sets of items; each set is a tree, and its root represents it.
-struct Forest {
-    parent: Vec<usize>,
-}
-
-impl Forest {
-    fn new(items: usize) -> Self {
-        Self { parent: (0..items).collect() }
-    }
-
-    /// The root over an item; the path there is halved on the way, so that later searches are short.
-    fn root(&mut self, mut item: usize) -> usize {
-        while self.parent[item] != item {
-            self.parent[item] = self.parent[self.parent[item]];
-            item = self.parent[item];
-        }
-        item
-    }
-
-    /// Joins the sets of two items under the earlier root.
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parent[a.max(b)] = a.min(b);
     }
 }
 

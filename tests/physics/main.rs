@@ -7,6 +7,7 @@ mod adhesion;
 mod adhesion_motion;
 mod adhesion_rough;
 mod creep;
+mod flow;
 mod hardness;
 mod moments;
 mod paper;

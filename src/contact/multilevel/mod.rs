@@ -106,7 +106,7 @@ use hierarchy::{coarser, halved, interpolated, prolong};
 use level::{Displacement, InnerStep, Level, displace};
 use support::{SparsePressure, Support};
 
-pub(super) use stiffness::stiffness;
+pub(super) use stiffness::{stiffness, stiffness_of_all};
 
 /// A given start with a worse certificate is not worth more than what coarse grids find.
 const GOOD_START: f64 = 0.1;

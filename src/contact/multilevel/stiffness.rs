@@ -20,7 +20,7 @@ const REDUCTION: f64 = 1e-2;
 /// ```
 ///
 /// which starts from the pressure itself. Conjugate gradients approach the minimum from above, and `k` from below, with the square
-/// of the error of `x`. Where all nodes touch, a uniform pressure displaces nothing, and the stiffness is infinite.
+/// of the error of `x`. Where all nodes touch and the cell is periodic, a uniform pressure displaces nothing, and the stiffness is infinite.
 ///
 /// Below a hardness `S` are the free nodes only: those that yield carry what they carry. Their share of the
 /// displacement is then subtracted with one more transform pair. Where no node is free, the stiffness is zero.
@@ -39,9 +39,14 @@ pub(in crate::contact) fn stiffness(problem: &Problem, pressure: &[f64], displac
     if free.values.is_empty() { 0.0 } else { stiffness_on(problem, free, &displacement) }
 }
 
+/// The stiffness of the whole contact set, with the nodes that yield, as if all of them were elastic: `1' A_SS^-1 1 / n`.
+pub(in crate::contact) fn stiffness_of_all(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
+    stiffness_on(problem, SparsePressure::from_field(pressure, problem.response().rows()), displacement)
+}
+
 /// The stiffness of the nodes under a pressure, from its displacement.
 fn stiffness_on(problem: &Problem, SparsePressure { support, values }: SparsePressure, displacement: &[f64]) -> f64 {
-    if values.len() == problem.nodes() {
+    if values.len() == problem.nodes() && problem.surface().grid().is_periodic() {
         return f64::INFINITY;
     }
     let u = support.of_field(displacement);

@@ -1,0 +1,38 @@
+//! Flows through a contact that cannot be computed.
+
+/// A flow through a contact that cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FlowError {
+    /// A field that does not have the shape of the grid.
+    #[error("a field of shape {found:?} does not fit a grid of {} x {} points", expected[0], expected[1])]
+    Shape { found: Vec<usize>, expected: [usize; 2] },
+    /// A gap that is not finite.
+    #[error("the gap at row {}, column {} is {value:?}: all gaps must be finite", index[0], index[1])]
+    Gap { index: [usize; 2], value: f64 },
+    /// More cells than the solver can number.
+    #[error("the flow on {cells} cells is too large for this solver: give fewer than 4e9 points")]
+    TooLarge { cells: usize },
+    /// A tolerance out of its range.
+    #[error("the tolerance of the flow is {value:?}: give a value from 1e-12 to below 1")]
+    Tolerance { value: f64 },
+    /// Bounds that are wider than the tolerance.
+    #[error(
+        "the bounds of the flow, {lower:.6e} and {upper:.6e}, are wider than the relative tolerance {tolerance:.1e} after {steps} \
+         steps: raise the tolerance"
+    )]
+    NotConverged { lower: f64, upper: f64, tolerance: f64, steps: usize },
+    /// Resistivities that do not make sense.
+    #[error(
+        "the resistivities are {first:?} and {second:?}: give two values that are finite, not negative, and not both zero"
+    )]
+    Resistivity { first: f64, second: f64 },
+    /// A solid whose elastic response is not that of conduction.
+    #[error(
+        "the conductance follows from the stiffness on half-spaces only, since current flows through a {solid} by another law than force: \
+         leave the layer out"
+    )]
+    NeedsHalfSpace { solid: String },
+    /// A contact that moves over its solid.
+    #[error("the conductance follows from the stiffness of contacts at rest, but this one moves: leave the speed out")]
+    NeedsRest,
+}
