@@ -1,5 +1,6 @@
 //! The findings of a solve under one load: status, observables, and the exact solution where there is one.
 
+use super::flow::FlowFinding;
 use super::units::{Units, significant};
 use asperity::contact::{Contact, OBSERVABLES, Observables, Plasticity, ResultClaim, Status};
 use asperity::setup::Setup;
@@ -65,7 +66,10 @@ pub struct Finding {
     pub plasticity: Option<Plasticity>,
     /// The exact solution under the same mean pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
-    exact: Option<Exact>,
+    pub exact: Option<Exact>,
+    /// What flows through the contact, if it was requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flow: Option<FlowFinding>,
 }
 
 impl Finding {
@@ -77,6 +81,7 @@ impl Finding {
             seconds: contact.work.seconds,
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),
+            flow: None,
         }
     }
 
@@ -110,7 +115,8 @@ impl Finding {
             .chain(stiffness)
             .chain(exact)
             .map(|(name, value)| (name.to_owned(), value));
-        rows.chain(self.others(units)).collect()
+        let flow = self.flow.iter().flat_map(|it| it.rows(units));
+        rows.chain(flow).chain(self.others(units)).collect()
     }
 
     /// Area, gradient and derived values (resolved edges first), and the error of the grid.

@@ -118,7 +118,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             }
             outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
-            let finding = Finding::new(&curve.setup, contact);
+            let finding = Finding { flow: outputs.flow(contact)?, ..Finding::new(&curve.setup, contact) };
             #[cfg(feature = "record")]
             if let Some(Err(failure)) =
                 recording.as_ref().map(|it| it.add(pressed.findings.len(), contact, &finding.observables))

@@ -19,6 +19,7 @@ mod explore;
 mod fields;
 mod finding;
 mod flags;
+mod flow;
 mod history;
 mod history_picture;
 mod inspect;

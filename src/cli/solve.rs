@@ -147,6 +147,7 @@ impl Solve {
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
         let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
+        let finding = Finding { flow: outputs.flow(&contact)?, ..finding };
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;

@@ -51,11 +51,16 @@ pub struct Extras {
     pub is_diagnosed: bool,
     /// Whether the contact stiffness is found.
     pub has_stiffness: bool,
+    /// Whether the flow through the gap is found.
+    pub has_flow: bool,
     /// Whether the stress below the contact is found.
     pub has_stress: bool,
     /// Contacts that are kept until their fields are written.
     pub archived: usize,
 }
+
+/// Fields of the solver of flows, with its coarse grids.
+const FLOW_FIELDS: f64 = 75.0;
 
 /// Fields of the outer steps on a line, as measured.
 const OUTER_FIELDS: f64 = 2.0;
@@ -86,6 +91,7 @@ impl Setup {
             one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
             // the stiffness is found by the correction of the multilevel solver, on lines without the fields of its outer steps
             one(extras.has_stiffness, 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - outer),
+            one(extras.has_flow, 1.0 + KEPT_FIELDS + FLOW_FIELDS),
             archived * (ARCHIVE_FIELDS[of_dimension] + contour),
         ];
         let [least, each, most] = PICTURES[of_dimension];
