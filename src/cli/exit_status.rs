@@ -3,8 +3,8 @@
 use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
 use asperity::error::{
-    ClaimError, Failure, FileError, GridError, ProblemError, SettingError, SetupError, SlipError, SolidError,
-    SolveError, StepsError, StudyError, SurfaceError,
+    ClaimError, Failure, FileError, FlowError, GridError, ProblemError, SettingError, SetupError, SlipError,
+    SolidError, SolveError, StepsError, StudyError, SurfaceError,
 };
 use std::io::{Write, stderr};
 
@@ -96,6 +96,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
         || error.downcast_ref().is_some_and(SlipError::is_input)
         || error.downcast_ref().is_some_and(SolveError::is_input)
         || error.downcast_ref().is_some_and(FileError::is_input)
+        || error.downcast_ref().is_some_and(FlowError::is_input)
         || error.downcast_ref().is_some_and(StepsError::is_input)
         || error.downcast_ref().is_some_and(StudyError::is_input);
     if is_input { 2 } else { 1 }

@@ -205,6 +205,16 @@ impl LoadCurveSummary {
                 it.patches,
                 it.certificate
             )
+        })?;
+        let flowing = self.loads.iter().filter_map(|it| Some((it.observables.reduced_pressure, it.flow.as_ref()?)));
+        flowing.enumerate().try_for_each(|(i, (reduced_pressure, flow))| {
+            let rows = flow.rows(self.units);
+            let names = rows.iter().map(|(name, _)| format!("  {name}"));
+            if i == 0 {
+                writeln!(out, "\n{:>12}{}", "p*", names.collect::<String>())?;
+            }
+            let values = rows.iter().map(|(_, value)| format!("  {value}"));
+            writeln!(out, "{reduced_pressure:>12.4e}{}", values.collect::<String>())
         })
     }
 }

@@ -1,6 +1,8 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
-use super::{FileError, HistoryError, MotionError, SetupError, SlipError, SolveError, StepsError, StudyError};
+use super::{
+    FileError, FlowError, HistoryError, MotionError, SetupError, SlipError, SolveError, StepsError, StudyError,
+};
 
 impl FileError {
     /// Whether another file or place can help.
@@ -58,6 +60,13 @@ impl MotionError {
             Self::Traction { .. } | Self::Rounds { .. } => false,
             _ => true,
         }
+    }
+}
+
+impl FlowError {
+    /// Whether other values can help.
+    pub fn is_input(&self) -> bool {
+        !matches!(self, Self::NotConverged { .. })
     }
 }
 

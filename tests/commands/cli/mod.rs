@@ -3,6 +3,7 @@
 mod adhesion;
 mod below;
 mod command_style;
+mod flow;
 mod interruption;
 mod load_curves;
 mod measured;
