@@ -172,6 +172,21 @@ fn core_peaks_and_valleys_of_straight_pieces() {
     assert_near(core.valleys, 2.75, 1e-4, "Svk");
 }
 
+/// Heights in steps, as instruments round them, have many regions that fall least. In any unit the first is taken.
+#[test]
+fn the_core_of_rounded_heights_does_not_depend_on_the_unit() {
+    let n = 4000;
+    let wave = |(_, j): (usize, usize)| (30.0 * ((j * j) as f64 * 0.7).sin()).round();
+    let core =
+        |unit: f64| AbbottCurve::new(&surface(Grid::line(n, 1.0).unwrap(), |node| unit * (wave(node) + 7.0))).core();
+    let plain = core(1.0);
+    for unit in [1e-6, 0.3, 7e5] {
+        let other = core(unit);
+        assert_near(other.core, unit * plain.core, 1e-9, "Sk");
+        assert_near(other.peak_ratio, plain.peak_ratio, 1e-9, "Smr1");
+    }
+}
+
 /// Lengths in another unit scale each parameter by its own power, and change no other; exact, as the factor is a power of two.
 #[test]
 fn parameters_scale_with_the_unit_of_length() {
@@ -337,8 +352,10 @@ fn real_maps_have_the_parameters_that_a_peer_finds() {
             // peaks; and the peer interpolates the correlation by cubics
             let within = match symbol {
                 "Sal" | "Str" => 2e-3,
-                // where heights are rounded, several regions of 40 % fall least, but for rounding, and the line differs a little
-                "Sk" | "Spk" | "Svk" | "Smr1" | "Smr2" => 5e-3,
+                // rounded heights have several regions that fall least, 330 in the third map: over these the slope of the line
+                // varies by 0.4 %; here the first is taken
+                "Sk" | "Spk" | "Svk" => 5e-3,
+                "Smr1" | "Smr2" => 1e-2,
                 _ if symbol.starts_with("Smc") => 2e-4,
                 _ => 2e-8,
             };
@@ -346,7 +363,10 @@ fn real_maps_have_the_parameters_that_a_peer_finds() {
             match value {
                 Some(value) => assert_near(value, told, within, &format!("{name}: {symbol}")),
                 // the peer follows the correlation to the end of the cell, where few pairs are left
-                None => assert!(symbol == "Str" && !(longest(told) < reach), "{name}: {symbol} is {told} to the peer"),
+                None => assert!(
+                    symbol == "Str" && (told.is_nan() || longest(told) > reach),
+                    "{name}: {symbol} is {told} to the peer"
+                ),
             }
         }
     }

@@ -4,6 +4,8 @@ use crate::surface::Surface;
 
 /// The share of the heights in the central region.
 const CENTRAL: f64 = 0.4;
+/// Secants that differ by less than this share fall equally, except for rounding. Heights that an instrument has rounded have many such.
+const TIE: f64 = 1e-9;
 
 /// The material ratio curve of a surface (Abbott's curve): the height `c(r)` above which the share `r` of the surface lies.
 ///
@@ -28,7 +30,7 @@ pub struct AbbottCurve {
 
 /// Core, peaks and valleys of a material ratio curve: Sk, Spk, Svk, Smr1 and Smr2.
 ///
-/// The central region is the first 40 % of the curve over which its secant falls least. The line of least squares through it,
+/// The central region is the 40 % of the curve over which its secant falls least; if there are several, the first. The line of least squares through it,
 /// continued to the ratios 0 and 1, spans the core. A triangle of the base `peak_ratio` and the area of the curve above
 /// the core has the height `peaks`; the same holds for the valleys below it.
 ///
@@ -92,9 +94,10 @@ impl AbbottCurve {
     fn equivalent_line(&self) -> [f64; 2] {
         let (z, n) = (&self.descending, self.descending.len() as f64);
         let width = (CENTRAL * n).round() as usize;
-        let fall = |first: &usize| z[*first] - z[first + width];
-        let first = (0..z.len() - width).min_by(|one, other| fall(one).total_cmp(&fall(other)));
-        let first = first.expect("the region is shorter than the curve");
+        let fall = |first: usize| z[first] - z[first + width];
+        let least = (0..z.len() - width).map(fall).fold(f64::INFINITY, f64::min);
+        let first = (0..z.len() - width).find(|first| fall(*first) <= least * (1.0 + TIE));
+        let first = first.expect("the least is one of them");
         let (region, middle) = (&z[first..=first + width], 0.5 * width as f64);
         let mean = region.iter().sum::<f64>() / region.len() as f64;
         let places = || (0..region.len()).map(|i| i as f64 - middle);
