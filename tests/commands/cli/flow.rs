@@ -45,7 +45,7 @@ fn strips_conduct_as_they_must() {
         for (given, sum) in [("2", 4.0), ("2,3", 5.0)] {
             let found = json(&folder, &format!("{sine} {load} --resistivity {given}"));
             let per_area = found["flow"]["conductance_per_area"].as_f64().unwrap();
-            assert!((per_area * sum * 2f64.ln() / PI - 1.0).abs() < 3e-3, "{per_area} for {given}");
+            assert!((per_area * sum * 2f64.ln() / (2.0 * PI) - 1.0).abs() < 3e-3, "{per_area} for {given}");
         }
     }
     let full = json(&folder, &format!("{sine} --modulus 1 --pressure 0.1 --resistivity 1"));
