@@ -39,12 +39,12 @@ use crate::error::FlowError;
 /// use asperity::flow::Conductance;
 /// use asperity::{Grid, Indenter, Problem, Stop};
 /// use std::f64::consts::PI;
-/// // strips on half of the surface: G/A = pi/((rho_1 + rho_2) L ln 2)
+/// // strips on half of the surface: G/A = pi/((rho_1 + rho_2) L ln(1/sin psi)) with sin^2 psi = 1/2
 /// let sine = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(1024, 1.0)?)?;
 /// let problem = Problem::new(sine, ContactModulus(1.0), Load::MeanPressure(0.005 * PI))?;
 /// let contact = Multilevel.solve(&problem, &Stop::default(), &mut ())?.converged()?;
 /// let conductance = Conductance::new(&contact, [2.0, 3.0])?;
-/// assert!((conductance.per_area * 5.0 * 2f64.ln() / PI - 1.0).abs() < 0.01);
+/// assert!((conductance.per_area * 5.0 * 2f64.ln() / (2.0 * PI) - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

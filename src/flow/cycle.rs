@@ -23,12 +23,12 @@ const COARSE_STEPS: usize = 2;
 /// # Source
 /// Notay, Electron. Trans. Numer. Anal. 37, 123 (2010): aggregation by pairwise matching, and the K-cycle. Deviations: the size of the groups, and
 /// that cells without a free partner join a group.
-pub(super) struct Cycle {
+pub(super) struct GroupCycle {
     /// From fine to coarse, each with the groups of its cells on the next level, which are empty on the last.
     levels: Vec<(Laplacian, Vec<u32>)>,
 }
 
-impl Cycle {
+impl GroupCycle {
     /// The levels below a matrix.
     pub fn new(matrix: Laplacian) -> Self {
         let mut levels = vec![(matrix, Vec::new())];

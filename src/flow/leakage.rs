@@ -1,7 +1,7 @@
 //! The flow of a thin film through a gap.
 
 use super::FlowAxis;
-use super::cycle::{Cycle, Gradients};
+use super::cycle::{Gradients, GroupCycle};
 use super::laplacian::Laplacian;
 use super::network::Network;
 use super::tree::ChannelTree;
@@ -156,7 +156,7 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     if network.cells == 0 {
         return leakage;
     }
-    let (cycle, tree) = (Cycle::new(Laplacian::from_network(&network)), ChannelTree::new(&network));
+    let (cycle, tree) = (GroupCycle::new(Laplacian::from_network(&network)), ChannelTree::new(&network));
     let flux = network.flux(&network.linear);
     let mut gradients = Gradients::new(network.linear.clone(), network.surplus(&flux));
     let (mut power, mut goal) = (network.power(&flux), FIRST_GOAL * tolerance);
