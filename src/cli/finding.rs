@@ -67,7 +67,7 @@ pub struct Finding {
     /// The exact solution under the same mean pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<Exact>,
-    /// What flows through the contact, if it was requested.
+    /// Leakage and conductance, where `--flow` or `--resistivity` is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flow: Option<FlowFinding>,
 }
