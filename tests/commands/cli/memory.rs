@@ -30,7 +30,10 @@ fn high_water(folder: &Folder, line: &str) -> f64 {
 #[test]
 fn a_dry_run_knows_the_peak_of_twenty_solves_within_a_fifth() {
     let folder = Folder::new();
-    let base = high_water(&folder, &format!("solve {CYLINDER} --modulus 1 --pressure 0.003"));
+    // a short run can end between two readings, before it has loaded all it needs
+    let small = format!("solve {CYLINDER} --modulus 1 --pressure 0.003");
+    let base = (0..20).map(|_| high_water(&folder, &small)).fold(0.0, f64::max);
+    println!("{:>6.1} MB taken by a small solve", base / 1e6);
     let rough = |rest: String| format!("{ROUGH} {rest}");
     let cases = [
         rough(format!("{PLANE} --reduced-pressure 0.05")),
