@@ -14,6 +14,7 @@ mod history;
 mod input;
 mod motion;
 mod preparation;
+mod roughness;
 mod setup;
 mod study;
 
@@ -25,6 +26,7 @@ pub use flow::FlowError;
 pub use history::{HistoryError, SlipError};
 pub use motion::MotionError;
 pub use preparation::PreparationError;
+pub use roughness::RoughnessError;
 pub use setup::SetupError;
 pub use study::StudyError;
 
@@ -103,6 +105,35 @@ pub enum SurfaceError {
          less than half the period"
     )]
     TooWide { indenter: &'static str, half_width: f64, period: f64 },
+    /// The grid cannot carry the shortest wavelength along an axis, which a lay or a table of a spectrum sets.
+    #[error(
+        "the shortest wavelength along {axis}, {wavelength:?}, is too short for the grid, whose shortest one is {shortest:?}: use more \
+         points, or a longer short cut-off"
+    )]
+    WavesTooFine { axis: &'static str, wavelength: f64, shortest: f64 },
+    /// A table of a spectrum with impossible values.
+    #[error("{reason}")]
+    SpectrumTable { reason: String },
+    /// The direction of a lay is NaN or infinite.
+    #[error("the angle of the lay is {value:?}: give a finite number of degrees")]
+    Angle { value: f64 },
+    /// A line has no lay.
+    #[error("a line has no lay, but the Peklenik number is {peklenik:?}: leave it out, or give a surface")]
+    LayOfLine { peklenik: f64 },
+    /// No distribution has this skewness and kurtosis.
+    #[error(
+        "no heights have skewness {skewness:?} and kurtosis {kurtosis:?}: the kurtosis must be above skewness^2 + 1, which is {least:?}"
+    )]
+    Kurtosis { skewness: f64, kurtosis: f64, least: f64 },
+    /// A distribution that is too close to the bound, or whose tails are too heavy.
+    #[error(
+        "heights of skewness {skewness:?} and kurtosis {kurtosis:?} are too extreme to be made: give a kurtosis farther from \
+         skewness^2 + 1, or a smaller one"
+    )]
+    ExtremeHeights { skewness: f64, kurtosis: f64 },
+    /// All heights of a distribution are the same.
+    #[error("all heights of the distribution are the same, or they are too large: give another one")]
+    OneHeight,
     /// No wavelength of the grid lies in the band of the spectrum.
     #[error("no wavelength of the cell lies between its period {period:?} and the short cut-off {short_cutoff:?}")]
     EmptySpectrum { period: f64, short_cutoff: f64 },

@@ -9,7 +9,6 @@ use super::warnings;
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
-use asperity::surface::HeightFile;
 use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
@@ -96,7 +95,7 @@ impl<E: Extent> SceneArgs<E> {
 
     /// The files that are read for a surface in it, and its own.
     pub fn files<'a>(&'a self, surface: &'a Recipe) -> impl Iterator<Item = &'a Path> {
-        self.file.as_deref().into_iter().chain(surface.files().map(HeightFile::path))
+        self.file.as_deref().into_iter().chain(surface.paths())
     }
 
     /// The setup as it was given, its sections and keys apart.

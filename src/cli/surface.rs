@@ -1,8 +1,7 @@
 //! `asperity surface`: makes a surface, or describes one.
 
-use super::exit_status::ExitStatus;
-#[cfg(feature = "record")]
-use super::exit_status::usage;
+use super::choice::choice;
+use super::exit_status::{ExitStatus, usage};
 use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::problem_summary::along_axes;
@@ -17,7 +16,9 @@ use asperity::files::{check_apart, check_named};
 #[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Field, HeightFile, Measurement, Resample, Roughness, Scan, Surface, Survey};
+use asperity::surface::{
+    Field, HeightFile, Measurement, RankMap, Resample, Roughness, Scan, SpectrumConvention, Surface, Survey,
+};
 use clap::Args;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
@@ -44,6 +45,12 @@ pub struct Describe {
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd", help_heading = "Output")]
     record: Option<PathBuf>,
+    /// Write the power spectrum as two columns, wavenumber and density, in the convention --psd-convention
+    #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
+    psd: Option<PathBuf>,
+    /// Convention of the density in --psd [default: surface or profile, without factors of 2 pi]
+    #[arg(long, value_name = "NAME", value_parser = choice::<SpectrumConvention>(), requires = "psd", help_heading = "Output")]
+    psd_convention: Option<SpectrumConvention>,
     /// Treat warnings as errors
     #[arg(long, help_heading = "Output")]
     strict: bool,
@@ -97,6 +104,9 @@ struct HeightStatistics {
     roughness: Roughness,
     #[serde(flatten)]
     texture: TextureReport,
+    /// How random heights got a distribution that is not Gaussian.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rank_map: Option<RankMap>,
 }
 
 impl Describe {
@@ -108,11 +118,14 @@ impl Describe {
         if let Some(path) = &self.record {
             check_named(path, &["rrd"])?;
         }
+        if let Some(path) = &self.psd {
+            check_named(path, &["csv"])?;
+        }
         let (mut recipe, cell) = self.scene.table()?.surface()?;
         #[cfg(feature = "record")]
-        let written = self.out.iter().chain(&self.record);
+        let written = self.out.iter().chain(&self.psd).chain(&self.record);
         #[cfg(not(feature = "record"))]
-        let written = self.out.iter();
+        let written = self.out.iter().chain(&self.psd);
         check_apart(written.map(PathBuf::as_path), self.scene.files(&recipe))?;
         let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
@@ -129,6 +142,9 @@ impl Describe {
         if let Some(path) = &self.out {
             scan(height, &grid).write(path)?;
         }
+        if let Some(path) = &self.psd {
+            statistics.write_psd(path, self.psd_convention, grid.is_line())?;
+        }
         if self.json {
             write_json(&statistics, &mut stdout())?
         } else {
@@ -137,7 +153,7 @@ impl Describe {
         warnings::print(&statistics.warnings);
         #[cfg(feature = "record")]
         self.record.iter().for_each(|path| wrote(path));
-        self.out.iter().for_each(|path| wrote(path));
+        self.out.iter().chain(&self.psd).for_each(|path| wrote(path));
         Ok(ExitStatus::Done)
     }
 }
@@ -172,7 +188,7 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         steps: prepared.as_ref().map(|it| it.effects.clone()).unwrap_or_default(),
         voids,
         survey: None,
-        seed: recipe.spectrum.map(|_| recipe.seed()),
+        seed: recipe.spectrum.as_ref().map(|_| recipe.seed()),
         whole: None,
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
@@ -232,19 +248,31 @@ impl Statistics {
     /// Records heights, which must not be void.
     #[cfg(feature = "record")]
     fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
-        let Some(survey) = self.survey.as_ref().filter(|_| self.voids == 0) else {
-            return usage(format!(
-                "{} heights are void, so the surface cannot be recorded: fill them with --fill harmonic, or cut them \
-                 off with --crop",
-                self.voids
-            ));
-        };
+        let survey = self.whole_survey("the surface cannot be recorded")?;
         let mut text = Vec::new();
         self.write(&mut text)?;
         let text = format!("```text\n{}```\n", String::from_utf8_lossy(&text));
         let unit = if self.file.as_ref().is_some_and(|it| it.is_in_metres) { "m" } else { "" };
         let surface = Surface::new(grid, height.clone())?;
         Ok(record_survey(path, &recipe.title(&grid), &surface, survey, unit, &text)?)
+    }
+
+    /// The survey of heights of which none is void.
+    fn whole_survey(&self, refused: &str) -> Result<&Survey> {
+        match self.survey.as_ref().filter(|_| self.voids == 0) {
+            Some(survey) => Ok(survey),
+            None => usage(format!(
+                "{} heights are void, so {refused}: fill them with --fill harmonic, or cut them off with --crop",
+                self.voids
+            )),
+        }
+    }
+
+    /// Writes the power spectrum of heights, which must not be void.
+    fn write_psd(&self, path: &Path, convention: Option<SpectrumConvention>, is_line: bool) -> Result<()> {
+        let survey = self.whole_survey("their spectrum cannot be written")?;
+        let plain = if is_line { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
+        Ok(survey.spectrum.table(is_line)?.write(path, convention.unwrap_or(plain))?)
     }
 
     /// Refuses a format in metres for heights in an unknown unit.
@@ -279,7 +307,12 @@ impl HeightStatistics {
     /// The statistics of a surface from an axis on.
     fn new(surface: &Surface, outer: usize) -> Self {
         let (roughness, texture) = (Roughness::new(surface), TextureReport::new(surface));
-        Self { jump_in_rms_steps: surface.jumps()[outer..].to_vec(), roughness, texture }
+        Self {
+            jump_in_rms_steps: surface.jumps()[outer..].to_vec(),
+            roughness,
+            texture,
+            rank_map: surface.rank_map().copied(),
+        }
     }
 
     fn rows(&self) -> Vec<(String, String)> {
@@ -295,7 +328,15 @@ impl HeightStatistics {
             ("skewness", number(skewness)),
             ("kurtosis", number(kurtosis)),
         ];
-        rows.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(self.texture.rows(number)).collect()
+        let heights = self.rank_map.map(|RankMap { rounds, spectrum_error, height_error }| {
+            let told = match spectrum_error > 0.0 {
+                true => format!("heights exact, spectrum within {:.2} %", 100.0 * spectrum_error),
+                false => format!("spectrum exact, heights within {:.2} % of the rms height", 100.0 * height_error),
+            };
+            ("distribution", format!("{told}, after {rounds} rounds"))
+        });
+        let rows = rows.into_iter().chain(heights).map(|(name, value)| (name.to_owned(), value));
+        rows.chain(self.texture.rows(number)).collect()
     }
 }
 

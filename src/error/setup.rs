@@ -79,6 +79,12 @@ pub enum SetupError {
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
     )]
     SeedWithoutSpectrum,
+    /// A second random roughness without a first one.
+    #[error("a second spectrum is given without a first one: give `surface.spectrum` as well")]
+    SecondSpectrum,
+    /// A way to join two random roughnesses of which there is at most one.
+    #[error("`surface.joined` needs two spectra: give `surface.second-spectrum` as well, or leave it out")]
+    JoinedWithoutSecond,
     /// A tangential load on a contact that yields.
     #[error(
         "a tangential load and a hardness are given, but partial slip is solved for elastic contacts only: leave one \

@@ -325,9 +325,10 @@ impl Knobs {
             return self.heights.surface(file);
         }
         let spectrum = self.spectrum();
-        let seed = spectrum.map(|_| self.seed.into());
+        let seed = spectrum.as_ref().map(|_| self.seed.into());
         let bumps = Bumps(self.bumps.iter().map(|it| Bump::from_lengths(it.map(|share| share * CELL))).collect());
-        let recipe = Recipe { indenter: self.indenter(), spectrum, seed, bumps, ..Recipe::default() };
+        let recipe =
+            Recipe { indenter: self.indenter(), spectrum: spectrum.map(Into::into), seed, bumps, ..Recipe::default() };
         Ok(match self.domain {
             Domain::Line => (recipe, Cell::line(self.points, CELL)),
             Domain::Surface => (recipe, Cell::surface([self.points; 2], [CELL; 2])),

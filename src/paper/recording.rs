@@ -6,6 +6,7 @@ use crate::error::StudyError;
 use crate::plot::Figure;
 use crate::record::{CurveKind, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Timeline};
 use crate::study::Realisation;
+use crate::surface::RandomRoughness;
 use std::path::Path;
 
 const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), reproduced. To see the contact under a load, choose the load on the time line, or click a point of a curve.";
@@ -46,7 +47,7 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
 
 /// The scene of a realisation, on axes for all of its loads.
 fn scene<'a>((contact, problem): (&Realisation, &'a Problem)) -> Scene<'a> {
-    let title = match contact.setup.surface.spectrum {
+    let title = match contact.setup.surface.spectrum.as_ref().and_then(RandomRoughness::self_affine) {
         Some(spectrum) => {
             format!("{}, H = {}, seed {}", contact.name, spectrum.hurst, contact.setup.surface.seed())
         }

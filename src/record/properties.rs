@@ -14,7 +14,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
     let Scene { title, problem, setup, .. } = scene;
     let grid = problem.surface().grid();
     let along = |values: [f64; 2]| values.into_iter().skip(usize::from(grid.is_line()));
-    let spectrum = setup.as_ref().and_then(|setup| setup.surface.spectrum);
+    let spectrum = setup.as_ref().and_then(|setup| setup.surface.spectrum.as_ref()?.self_affine());
     let numbers = [
         ("hurst", spectrum.map(|spectrum| spectrum.hurst)),
         ("contact_modulus", Some(problem.contact_modulus())),

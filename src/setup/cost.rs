@@ -8,6 +8,8 @@ use crate::grid::Grid;
 
 /// Fields that are needed to generate random roughness: lines, surfaces.
 const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
+/// Fields that are needed in addition to give random roughness a distribution of heights: sorted heights, ranks and amplitudes.
+const RANK_FIELDS: f64 = 3.0;
 /// Fields that an archive of one contact needs in memory: for lines (with positions and spectra) and for surfaces. The
 /// contour of a surface adds memory for each node in contact.
 const ARCHIVE_FIELDS: [f64; 2] = [16.5, 8.8];
@@ -86,7 +88,8 @@ impl Setup {
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
         let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
         let phases = [
-            one(self.surface.is_random(), SYNTHESIS_FIELDS[of_dimension]),
+            one(self.surface.is_random(), SYNTHESIS_FIELDS[of_dimension])
+                + one(self.surface.has_target_heights(), RANK_FIELDS),
             solving + recorded + diagnosed + kept,
             one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
             // the stiffness is found by the correction of the multilevel solver, on lines without the fields of its outer steps

@@ -4,13 +4,10 @@ use super::Setup;
 use crate::contact::{Forecast, Load};
 use crate::error::SetupError;
 use crate::grid::Grid;
-use crate::surface::Spectrum;
-use std::f64::consts::{SQRT_2, TAU};
+use std::f64::consts::SQRT_2;
 
 /// Nodes along a side of the grid on which a smooth surface is sampled: lines, surfaces.
 const SIDES: [usize; 2] = [4096, 64];
-/// Waves at which a spectrum is integrated.
-const WAVES: usize = 512;
 
 impl Setup {
     /// The approximate relative contact area: of random roughness by its reduced pressure or, at a mean gap, by the
@@ -26,14 +23,15 @@ impl Setup {
         {
             return Ok(Forecast::relative_area_at(pressure));
         }
-        let Some(spectrum) = &self.surface.spectrum else { return self.looked_at(grid) };
-        let under = |pressure: f64| Forecast::relative_area_at(pressure / (spectrum.rms_gradient * modulus));
+        let Some(roughness) = &self.surface.spectrum else { return self.looked_at(grid) };
+        let [rms_height, rms_gradient] = roughness.expected(grid)?;
+        let under = |pressure: f64| Forecast::relative_area_at(pressure / (rms_gradient * modulus));
         Ok(match self.load {
             Load::ReducedPressure(pressure) => Forecast::relative_area_at(pressure),
             Load::MeanPressure(pressure) => under(pressure),
             Load::Force(force) => under(force / grid.area()),
             // half of the nodes above the mean plane of the solid touch
-            Load::MeanGap(gap) => 0.25 * libm::erfc(gap / (SQRT_2 * rms_height(spectrum, grid))),
+            Load::MeanGap(gap) => 0.25 * libm::erfc(gap / (SQRT_2 * rms_height)),
             Load::Approach(_) => 1.0,
         })
     }
@@ -48,16 +46,4 @@ impl Setup {
         small.grid.points.iter_mut().for_each(|points| *points = (*points).min(most));
         Ok(small.problem().map_or(1.0, |problem| Forecast::new(&problem).relative_area))
     }
-}
-
-/// The rms height of random roughness, from its spectrum and its rms gradient.
-fn rms_height(spectrum: &Spectrum, grid: &Grid) -> f64 {
-    let [longest, shortest] = [TAU / grid.longest_wavelength(), TAU / spectrum.short_cutoff];
-    let step = (shortest / longest).ln() / WAVES as f64;
-    let moment = |power: i32| -> f64 {
-        let waves = (0..WAVES).map(|i| longest * (step * (i as f64 + 0.5)).exp());
-        let dimensions = if grid.is_line() { 1 } else { 2 };
-        waves.map(|q| spectrum.density(q, grid.is_line()) * q.powi(dimensions + power)).sum()
-    };
-    spectrum.rms_gradient * (moment(0) / moment(2)).sqrt()
 }

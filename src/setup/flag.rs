@@ -5,7 +5,9 @@ use crate::adhesion::{AdhesiveMethod, AttractionForm};
 use crate::contact::{Dynamics, Masses};
 use crate::elastic::Base;
 use crate::history::CreepRule;
-use crate::surface::{Detrend, Fill, Form, Indenter, Mirror, Preparation, Resample};
+use crate::surface::{
+    Detrend, ExactPart, Fill, Form, Indenter, Mirror, Preparation, Resample, RolloffForm, SpectrumConvention,
+};
 use strum::{EnumMessage, IntoEnumIterator};
 
 /// A flag of the command line, and the keys of the setup that it sets.
@@ -81,9 +83,21 @@ pub const FLAGS: &[Flag] = &[
     flag("half-width", "surface.indenter.half-width", FlagValue::One, "B", "Half-width or radius of the punch"),
     flag("depth", "surface.indenter.depth", FlagValue::One, "D", "Height of the step at the rim of the punch"),
     flag("hurst", "surface.spectrum.hurst", FlagValue::One, "H", "Self-affine roughness with this Hurst exponent, in (0, 1]; it is added to the indenter or heights"),
-    flag("rolloff", "surface.spectrum.rolloff-wavelength", FlagValue::One, "LAMBDA", "Wavelength above which the spectrum is flat"),
+    flag("rolloff", "surface.spectrum.rolloff-wavelength", FlagValue::One, "LAMBDA", "Roll-off wavelength, above which the spectrum is flat (see --rolloff-form)"),
     flag("short-cutoff", "surface.spectrum.short-cutoff", FlagValue::One, "LAMBDA", "Wavelength below which the spectrum is zero"),
     flag("rms-gradient", "surface.spectrum.rms-gradient", FlagValue::One, "G", "Root-mean-square gradient of the roughness; each realisation is scaled to it exactly"),
+    flag("rms-height", "surface.spectrum.rms-height", FlagValue::One, "L", "Root-mean-square height of the roughness, instead of --rms-gradient"),
+    flag("rolloff-form", "surface.spectrum.rolloff-form", FlagValue::Choice(choices::<RolloffForm>), "FORM", "What the spectrum does above the roll-off wavelength [default: plateau]"),
+    flag("spectrum", "surface.spectrum.table", FlagValue::One, "FILE", "Roughness by a table of its spectrum, instead of --hurst and the wavelengths: two columns (wavenumber, density), or a CSV file of contact.engineering"),
+    flag("convention", "surface.spectrum.convention", FlagValue::Choice(choices::<SpectrumConvention>), "NAME", "Convention of the density in two columns [default: surface]"),
+    flag("peklenik", "surface.spectrum.peklenik", FlagValue::One, "GAMMA", "Peklenik number of a surface with a lay: correlation length along the lay over that across it [default: 1]"),
+    flag("lay-angle", "surface.spectrum.lay-angle", FlagValue::One, "DEGREES", "Angle from the x axis to the lay [default: 0]"),
+    flag("skewness", "surface.spectrum.skewness", FlagValue::One, "SSK", "Skewness of heights that are not Gaussian; needs --kurtosis"),
+    flag("kurtosis", "surface.spectrum.kurtosis", FlagValue::One, "SKU", "Kurtosis of heights that are not Gaussian (3 for Gaussian ones), above the square of the skewness + 1; needs --skewness"),
+    flag("weibull", "surface.spectrum.weibull", FlagValue::One, "K", "Heights with Weibull's distribution of this shape"),
+    flag("beta", "surface.spectrum.beta", FlagValue::List, "A,B", "Heights with the beta distribution of these shapes"),
+    flag("heights-like", "surface.spectrum.heights-like", FlagValue::One, "FILE", "Heights with the distribution of those in a file"),
+    flag("exact", "surface.spectrum.exact", FlagValue::Choice(choices::<ExactPart>), "PART", "What is exact if heights are not Gaussian: their distribution, or the spectrum of the realisation [default: heights]"),
     flag("seed", "surface.seed", FlagValue::One, "SEED", "Seed of the random numbers [default: 1]"),
     flag("bumps", "surface.bumps", FlagValue::List, "X,H,W[,...]", "Bumps on a line, three lengths each: position, height (negative for a hollow) and width"),
     flag("points", "grid.points", FlagValue::List, "N[,N]", "Grid points along the array's axes: one number for a line, two (rows, columns) for a surface; for roughness also auto or auto,auto"),

@@ -69,7 +69,7 @@ pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;
 pub use process::ProcessKind;
-pub use recipe::Recipe;
+pub use recipe::{Joined, Recipe};
 pub use solid::{Body, LayerModulus, Solid};
 pub use text::SetupTable;
 pub use theme::Theme;

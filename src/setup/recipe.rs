@@ -5,9 +5,24 @@ use crate::error::{SetupError, SurfaceError};
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::surface::{
-    Bumps, HeightFile, Indenter, Layout, Preparation, PreparationChoice, Prepared, Resample, Scan, Spectrum, Surface,
+    Bumps, HeightFile, Indenter, Layout, Preparation, PreparationChoice, Prepared, RandomRoughness, Resample, Scan,
+    Surface,
 };
 use serde::{Deserialize, Deserializer, Serialize};
+use std::path::Path;
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
+
+/// How a second random roughness is joined with the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum Joined {
+    /// The heights are added.
+    #[default]
+    Sum,
+    /// The lower height counts at each node, such as that of a groove in a plateau.
+    Lower,
+}
 
 /// The recipe of a surface: a height file, an indenter, self-affine roughness, bumps, or the sum of those that are given.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -34,9 +49,15 @@ pub struct Recipe {
     /// A smooth indenter, centred in the cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub indenter: Option<Indenter>,
-    /// Self-affine roughness.
+    /// Random roughness.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub spectrum: Option<Spectrum>,
+    pub spectrum: Option<RandomRoughness>,
+    /// A second random roughness of the same seed, independent of the first, such as the grooves of a honed plateau.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub second_spectrum: Option<RandomRoughness>,
+    /// How the second one is joined with the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joined: Option<Joined>,
     /// The realisation of the roughness; 1 if none is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
@@ -51,9 +72,9 @@ impl Recipe {
         Self { indenter: Some(indenter), ..Self::default() }
     }
 
-    /// The recipe of one realisation of self-affine roughness.
-    pub fn rough(spectrum: Spectrum, seed: u64) -> Self {
-        Self { spectrum: Some(spectrum), seed: Some(seed), ..Self::default() }
+    /// The recipe of one realisation of random roughness.
+    pub fn rough(spectrum: impl Into<RandomRoughness>, seed: u64) -> Self {
+        Self { spectrum: Some(spectrum.into()), seed: Some(seed), ..Self::default() }
     }
 
     /// The indenter, where nothing else is added to it.
@@ -66,6 +87,11 @@ impl Recipe {
         self.spectrum.is_some() && !self.is_measured() && self.indenter.is_none() && self.bumps.is_empty()
     }
 
+    /// Whether its roughness has heights that are not Gaussian.
+    pub fn has_target_heights(&self) -> bool {
+        self.spectra().any(|roughness| roughness.heights.is_some())
+    }
+
     /// Whether heights of a file are part of it.
     pub fn is_measured(&self) -> bool {
         self.height.is_some() || self.against.is_some()
@@ -74,6 +100,11 @@ impl Recipe {
     /// The files of heights.
     pub fn files(&self) -> impl Iterator<Item = &HeightFile> {
         [&self.height, &self.against].into_iter().flatten()
+    }
+
+    /// The paths of all files that it reads.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.files().map(HeightFile::path).chain(self.spectra().flat_map(RandomRoughness::paths))
     }
 
     /// The layout of the first file of heights.
@@ -165,11 +196,17 @@ impl Recipe {
         if self.seed.is_some() && self.spectrum.is_none() {
             return Err(SetupError::SeedWithoutSpectrum);
         }
+        if self.second_spectrum.is_some() && self.spectrum.is_none() {
+            return Err(SetupError::SecondSpectrum);
+        }
+        if self.joined.is_some() && self.second_spectrum.is_none() {
+            return Err(SetupError::JoinedWithoutSecond);
+        }
         if self.seed() > i64::MAX as u64 {
             return Err(SetupError::Seed { seed: self.seed() });
         }
         self.indenter.map_or(Ok(()), |indenter| indenter.check(grid))?;
-        self.spectrum.map_or(Ok(()), |spectrum| spectrum.validate(grid))?;
+        self.spectra().try_for_each(|roughness| roughness.check(grid))?;
         self.some_bumps().map_or(Ok(()), |bumps| bumps.check(grid))?;
         Ok(())
     }
@@ -214,10 +251,25 @@ impl Recipe {
         self.check(&grid)?;
         let measured = self.files().map(|file| self.measured(file, grid)).collect::<Result<Vec<_>, _>>()?;
         let smooth = self.indenter.map(|indenter| indenter.surface(grid)).transpose()?;
-        let rough = self.spectrum.map(|spectrum| Surface::rough(grid, &spectrum, self.seed())).transpose()?;
+        let rough = self.rough_part(grid)?;
         let bumps = self.some_bumps().map(|bumps| bumps.surface(grid)).transpose()?;
         let sum = measured.into_iter().chain(smooth).chain(rough).chain(bumps).reduce(|sum, part| sum.plus(&part));
         sum.ok_or(SetupError::NoSurface)
+    }
+
+    /// Both random roughnesses.
+    fn spectra(&self) -> impl Iterator<Item = &RandomRoughness> {
+        [&self.spectrum, &self.second_spectrum].into_iter().flatten()
+    }
+
+    /// The random roughness: one, or two that are joined.
+    fn rough_part(&self, grid: Grid) -> Result<Option<Surface>, SetupError> {
+        let made = self.spectra().zip(0..).map(|(it, stream)| it.surface_in_stream(grid, self.seed(), stream));
+        let made = made.collect::<Result<Vec<_>, _>>()?;
+        Ok(made.into_iter().reduce(|one, other| match self.joined.unwrap_or_default() {
+            Joined::Sum => one.plus(&other),
+            Joined::Lower => one.lower(&other),
+        }))
     }
 
     /// The prepared heights of a file, refined to a grid.
@@ -264,20 +316,17 @@ impl Recipe {
             let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))
         });
-        let rough = self.spectrum.map(|spectrum| {
-            let Spectrum { hurst, rolloff_wavelength, short_cutoff, rms_gradient } = spectrum;
-            let seed = self.seed();
-            format!(
-                "self-affine roughness, H = {hurst}, roll-off {rolloff_wavelength:e}, short cut-off {short_cutoff:e}, \
-                 rms gradient {rms_gradient:e}, seed {seed}"
-            )
+        let rough = self.spectrum.as_ref().map(|it| format!("{}, seed {}", it.description(), self.seed()));
+        let second = self.second_spectrum.as_ref().map(|it| match self.joined.unwrap_or_default() {
+            Joined::Sum => it.description(),
+            Joined::Lower => format!("the lower of it and {}", it.description()),
         });
         let files = [file, against].into_iter().flatten().reduce(|one, other| format!("{one}, {other}"));
         let bumps = self.some_bumps().map(|bumps| match bumps.0.len() {
             1 => "a bump".into(),
             count => format!("{count} bumps"),
         });
-        [files, smooth, rough, bumps].into_iter().flatten().collect::<Vec<_>>().join(", with ")
+        [files, smooth, rough, second, bumps].into_iter().flatten().collect::<Vec<_>>().join(", with ")
     }
 }
 

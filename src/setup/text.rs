@@ -345,8 +345,11 @@ impl Setup {
         self.clone().with_full_path().to_table().write(path)
     }
 
-    /// The setup whose height files are named by their full paths.
+    /// The setup whose files are named by their full paths.
     pub fn with_full_path(mut self) -> Self {
+        for roughness in [&mut self.surface.spectrum, &mut self.surface.second_spectrum].into_iter().flatten() {
+            *roughness = roughness.clone().with_full_path();
+        }
         self.surface.height = self.surface.height.map(HeightFile::with_full_path);
         self.surface.against = self.surface.against.map(HeightFile::with_full_path);
         self

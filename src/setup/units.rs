@@ -16,6 +16,7 @@ const KINDS: [(&str, &[&str]); 2] = [
             "surface.indenter.depth",
             "surface.spectrum.rolloff-wavelength",
             "surface.spectrum.short-cutoff",
+            "surface.spectrum.rms-height",
             "grid.size",
             "solid.layer",
             "load.mean-gap",

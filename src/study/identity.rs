@@ -6,6 +6,7 @@ use super::realisation::Realisation;
 use crate::contact::{Contact, Load, Observables, Observer};
 use crate::error::StudyError;
 use crate::setup::fnv1a;
+use crate::surface::RandomRoughness;
 
 /// Version of the program.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -105,16 +106,17 @@ impl<'a> Identity<'a> {
         let Realisation { name, setup, .. } = self.realisation;
         let grid = contact.problem.surface().grid();
         let ([ny, nx], [_, length]) = (grid.shape(), grid.size());
-        let spectrum = setup.surface.spectrum;
+        let roughness = &setup.surface.spectrum;
+        let spectrum = roughness.as_ref().and_then(RandomRoughness::self_affine);
         Point {
             name: name.clone(),
             ny,
             nx,
             length,
             hurst: spectrum.map(|spectrum| spectrum.hurst),
-            rolloff_wavelength: spectrum.map(|spectrum| spectrum.rolloff_wavelength),
+            rolloff_wavelength: spectrum.and_then(|spectrum| spectrum.rolloff_wavelength()),
             short_cutoff: spectrum.map(|spectrum| spectrum.short_cutoff),
-            seed: spectrum.map(|_| setup.surface.seed()),
+            seed: roughness.as_ref().map(|_| setup.surface.seed()),
             load,
             tolerance: setup.stop.tolerance(),
             status: contact.status,

@@ -53,9 +53,9 @@ impl Refinement {
     /// The refinement of a setup. It starts with the grid of the setup or, for automatic points, with 4 points per
     /// shortest wavelength of its roughness.
     pub fn new(mut setup: Setup, auto: Auto) -> Self {
-        if let (Some(axes), Some(spectrum)) = (auto.axes, setup.surface.spectrum) {
-            let along =
-                |size: f64| ((PER_WAVE * size / spectrum.short_cutoff).ceil() as usize).next_power_of_two().max(FEWEST);
+        let shortest = |axes: usize| setup.surface.spectrum.as_ref()?.shortest_wavelength(axes == 1);
+        if let Some((axes, shortest)) = auto.axes.and_then(|axes| Some((axes, shortest(axes)?))) {
+            let along = |size: f64| ((PER_WAVE * size / shortest).ceil() as usize).next_power_of_two().max(FEWEST);
             let sizes = setup.grid.size.iter().copied().cycle().take(axes);
             setup.grid.points = sizes.map(along).collect();
         }

@@ -7,12 +7,12 @@ mod level;
 mod moments;
 mod plateau;
 mod preparation;
+mod random;
 mod refine;
 mod roughness;
 mod seam;
 mod spectrum;
 mod survey;
-mod synthesis;
 mod texture;
 
 pub use bumps::{Bump, Bumps};
@@ -26,6 +26,11 @@ pub(crate) use indenter::{about_peak, shortest_period};
 pub use moments::SpectralMoments;
 pub use plateau::Plateaus;
 pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
+pub use random::{
+    ExactPart, HeightDistribution, Lay, MeasuredSpectrum, RandomRoughness, RankMap, Rolloff, RolloffForm,
+    RoughnessScale, SelfAffine, SpectralDensity, SpectrumConvention, SpectrumFile, SpectrumKind, SpectrumTable,
+    TargetHeights,
+};
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 pub use survey::{Band, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
@@ -53,6 +58,7 @@ pub struct Surface {
     mean_height: f64,
     seed: Option<u64>,
     plateaus: Option<Plateaus>,
+    rank_map: Option<RankMap>,
 }
 
 impl Surface {
@@ -63,7 +69,7 @@ impl Surface {
     pub fn new(grid: Grid, height: Field) -> Result<Self, SurfaceError> {
         let mut height = checked(&grid, height)?;
         let mean_height = centre(height.as_slice_mut().expect("standard layout"));
-        Ok(Self { grid, height, mean_height, seed: None, plateaus: None })
+        Ok(Self { grid, height, mean_height, seed: None, plateaus: None, rank_map: None })
     }
 
     /// The surface with the parts of another surface, identical to the last bit: heights about their mean, mean, seed
@@ -86,7 +92,7 @@ impl Surface {
         seed: Option<u64>,
         plateaus: Option<Plateaus>,
     ) -> Result<Self, SurfaceError> {
-        Ok(Self { grid, height: checked(&grid, height)?, mean_height, seed, plateaus })
+        Ok(Self { grid, height: checked(&grid, height)?, mean_height, seed, plateaus, rank_map: None })
     }
 
     /// A line of given heights and period.
@@ -121,7 +127,31 @@ impl Surface {
             mean_height: self.mean_height + other.mean_height,
             seed: self.seed.or(other.seed),
             plateaus: None,
+            rank_map: self.rank_map.or(other.rank_map),
         }
+    }
+
+    /// The lower of two surfaces of one grid at each node, such as a plateau with grooves.
+    ///
+    /// ```
+    /// use asperity::{Grid, Indenter, Surface};
+    /// let grid = Grid::line(64, 1.0)?;
+    /// let wave = Indenter::Sine { amplitude: 1.0 }.surface(grid)?;
+    /// let plateau = Surface::new(grid, ndarray::Array2::from_elem(grid.shape(), 0.5))?;
+    /// let lower = wave.lower(&plateau);
+    /// let highest = lower.heights_as_given().into_iter().fold(f64::MIN, f64::max);
+    /// assert!((highest - 0.5).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If the grids differ.
+    pub fn lower(&self, other: &Self) -> Self {
+        assert_eq!(self.grid, other.grid, "surfaces can be compared on the same grid only");
+        let [one, two] = [self, other].map(Self::heights_as_given);
+        let lower = ndarray::Zip::from(&one).and(&two).map_collect(|one, two| one.min(*two));
+        let lower = Self::new(self.grid, lower).expect("finite heights of the same shape");
+        Self { seed: self.seed.or(other.seed), rank_map: self.rank_map.or(other.rank_map), ..lower }
     }
 
     /// The grid under the heights.
@@ -215,6 +245,12 @@ impl Surface {
         }
     }
 
+    /// Root-mean-square height about the mean, a length.
+    fn rms_height(&self) -> f64 {
+        let h = self.heights();
+        (chunks::sum(h.len(), |i| h[i] * h[i]) / h.len() as f64).sqrt()
+    }
+
     /// Root-mean-square gradient `gbar`: that of all nodes, see [`Surface::square_gradient`].
     pub fn rms_gradient(&self) -> f64 {
         let n = self.height.len();
@@ -224,6 +260,11 @@ impl Surface {
     /// The plateaus that the heights had before they were interpolated on this grid, if they were.
     pub fn plateaus(&self) -> Option<&Plateaus> {
         self.plateaus.as_ref()
+    }
+
+    /// How random heights got a distribution that is not Gaussian, if they have one.
+    pub fn rank_map(&self) -> Option<&RankMap> {
+        self.rank_map.as_ref()
     }
 
     /// The seed of a random surface.

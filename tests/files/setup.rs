@@ -113,7 +113,7 @@ fn heights_indenter_and_roughness_add_up() {
     let grid = setup.check().unwrap();
     let measured = Surface::new(grid, heights).unwrap();
     let smooth = Indenter::Sphere { radius: 3.0 }.surface(grid).unwrap();
-    let rough = Surface::rough(grid, &setup.surface.spectrum.unwrap(), 5).unwrap();
+    let rough = setup.surface.spectrum.as_ref().unwrap().surface(grid, 5).unwrap();
     let parts = [measured.heights(), smooth.heights(), rough.heights()];
     let sum = setup.surface().unwrap();
     for (i, height) in sum.heights().iter().enumerate() {
@@ -372,10 +372,10 @@ mod with_units {
         let near = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-15, "{found}, {expected}");
         let Some(Indenter::Cylinder { radius }) = found.surface.indenter else { panic!("{found:?}") };
         let Load::MeanPressure(pressure) = found.load else { panic!("{found:?}") };
-        let read = found.surface.spectrum.unwrap();
+        let read = found.surface.spectrum.unwrap().self_affine().unwrap();
         for (found, expected) in [
             (radius, 40e-6),
-            (read.rolloff_wavelength, spectrum.rolloff_wavelength),
+            (read.rolloff_wavelength().unwrap(), spectrum.rolloff_wavelength),
             (read.short_cutoff, spectrum.short_cutoff),
             (found.grid.size[0], 160e-6),
             (found.contact_modulus().unwrap(), 1e9),

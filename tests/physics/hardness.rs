@@ -423,7 +423,7 @@ fn recurring_sets_cost_few_transforms() {
 fn a_load_curve_has_one_meaning_up_and_back() {
     let roughness = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 16.0, rms_gradient: 0.1 };
     let loads = [0.02, 0.05, 0.05, 0.02].map(Load::ReducedPressure);
-    let rough = Recipe { spectrum: Some(roughness), seed: Some(3), ..Recipe::default() };
+    let rough = Recipe::rough(roughness, 3);
     let mut setup = Setup { law: Law::Hardness(0.02), ..Setup::new(rough, Cell::line(1024, 1.0), loads[0]) };
     setup.stop = Stop::new(1e-12, 10_000).unwrap();
     let curve = LoadCurve { setup, loads: loads.into() };

@@ -13,6 +13,7 @@ mod moments;
 mod paper;
 mod preparation;
 mod prony;
+mod random;
 mod rolling;
 mod sliding;
 mod sliding_stability;

@@ -4,6 +4,7 @@ use super::scene::AccuracyScene;
 use crate::contact::Problem;
 use crate::error::SetupError;
 use crate::setup::Setup;
+use crate::surface::RoughnessScale;
 
 /// A scene whose surface is the same on all grids.
 ///
@@ -34,9 +35,8 @@ impl Realised {
     /// For a grid that cannot carry the scene.
     pub fn setup(&self, points: usize) -> Result<Setup, SetupError> {
         let mut setup = self.scene.setup(points, self.seed);
-        let scale = self.rms_height.map(|finest| Ok::<_, SetupError>(finest / rms_height(&setup)?)).transpose()?;
-        if let (Some(scale), Some(spectrum)) = (scale, &mut setup.surface.spectrum) {
-            spectrum.rms_gradient *= scale;
+        if let (Some(finest), Some(roughness)) = (self.rms_height, &mut setup.surface.spectrum) {
+            roughness.scale = RoughnessScale::RmsHeight(finest);
         }
         Ok(setup)
     }

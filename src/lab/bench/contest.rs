@@ -3,7 +3,7 @@
 use super::group::Group;
 use crate::contact::Load;
 use crate::setup::{Cell, Recipe, Setup, Solid};
-use crate::surface::{Indenter, Spectrum};
+use crate::surface::{Indenter, SpectralDensity, Spectrum};
 use std::f64::consts::{PI, SQRT_2};
 
 /// Length of the cell; the contact modulus is 1 as well.
@@ -117,7 +117,7 @@ impl Contest {
         let Setup { grid, surface, .. } = &mut self.setup;
         let most = if is_line(grid) { 1 << 14 } else { 256 };
         grid.points.iter_mut().for_each(|points| *points = most.min(*points));
-        if let Some(spectrum) = &mut surface.spectrum {
+        if let Some(SpectralDensity::SelfAffine(spectrum)) = surface.spectrum.as_mut().map(|it| &mut it.spectrum) {
             spectrum.short_cutoff = spectrum.short_cutoff.max(4.0 * CELL / grid.points[0] as f64);
         }
     }

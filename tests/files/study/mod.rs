@@ -176,11 +176,12 @@ fn the_points_of_another_study_are_not_replaced() {
     assert_eq!(fs::read(&path).unwrap(), b"a,b\n1,2\n");
 }
 
+const ROUGHNESS: Spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.25, rms_gradient: 1e-2 };
+
 /// A small surface of an indenter with roughness.
 fn rough_sphere() -> Setup {
-    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.25, rms_gradient: 1e-2 };
     let sphere = Recipe::indenter(Indenter::Sphere { radius: 1.0 });
-    let recipe = Recipe { spectrum: Some(spectrum), seed: Some(1), ..sphere };
+    let recipe = Recipe { spectrum: Some(ROUGHNESS.into()), seed: Some(1), ..sphere };
     Setup::new(recipe, Size::surface([16, 16], [1.0, 1.0]), Load::ReducedPressure(0.1))
 }
 
@@ -206,18 +207,20 @@ fn points_for(other: &Setup, solved: &Setup, folder: &Path) -> usize {
 #[test]
 fn old_points_do_not_come_back_for_another_setup_of_the_same_name() {
     type Change = fn(&mut Setup);
-    fn spectrum(setup: &mut Setup) -> &mut Spectrum {
-        setup.surface.spectrum.as_mut().unwrap()
+    fn vary(setup: &mut Setup, change: fn(&mut Spectrum)) {
+        let mut spectrum = ROUGHNESS;
+        change(&mut spectrum);
+        setup.surface.spectrum = Some(spectrum.into());
     }
     let folder = tempfile::tempdir().unwrap();
     let changes: [Change; 14] = [
         |it| it.surface.indenter = Some(Indenter::Sphere { radius: 1.0 + f64::EPSILON }),
         |it| it.surface.indenter = Some(Indenter::Cone { slope: 1.0 }),
         |it| it.surface.indenter = None,
-        |it| spectrum(it).hurst = 0.7,
-        |it| spectrum(it).rolloff_wavelength = 0.6,
-        |it| spectrum(it).short_cutoff = 0.3,
-        |it| spectrum(it).rms_gradient = 2e-2,
+        |it| vary(it, |spectrum| spectrum.hurst = 0.7),
+        |it| vary(it, |spectrum| spectrum.rolloff_wavelength = 0.6),
+        |it| vary(it, |spectrum| spectrum.short_cutoff = 0.3),
+        |it| vary(it, |spectrum| spectrum.rms_gradient = 2e-2),
         |it| it.surface.seed = Some(2),
         |it| it.grid.size = vec![1.0, 2.0],
         |it| it.grid.size = vec![2.0, 1.0],

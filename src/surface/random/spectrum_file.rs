@@ -1,0 +1,235 @@
+//! Files of spectra.
+
+use super::spectrum_table::{SpectrumKind, SpectrumTable};
+use crate::error::FileError;
+use crate::files::write_beside;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::f64::consts::{PI, TAU};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
+
+/// The convention in which a table has its densities. Wavenumbers are `2 pi` over the wavelength in all of them.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, EnumString, IntoStaticStr,
+)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum SpectrumConvention {
+    /// Of an isotropic surface, `<h^2> = int C d^2q`; C in length^4.
+    #[default]
+    Surface,
+    /// Of an isotropic surface, `<h^2> = (2 pi)^-2 int C d^2q`; C in length^4.
+    SurfaceTwoPi,
+    /// Of a profile, `<h^2> = int C dq` over both signs of q; C in length^3.
+    Profile,
+    /// Of a profile, `<h^2> = (2 pi)^-1 int C dq` over both signs of q; C in length^3.
+    ProfileTwoPi,
+}
+
+impl SpectrumConvention {
+    /// What it is a density of.
+    pub fn kind(self) -> SpectrumKind {
+        match self {
+            Self::Surface | Self::SurfaceTwoPi => SpectrumKind::Surface,
+            Self::Profile | Self::ProfileTwoPi => SpectrumKind::Profile,
+        }
+    }
+
+    /// The factor by which its densities are larger than those without `2 pi`.
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::Surface | Self::Profile => 1.0,
+            Self::SurfaceTwoPi => TAU.powi(2),
+            Self::ProfileTwoPi => TAU,
+        }
+    }
+}
+
+/// A file of a spectrum, on disk or in memory: two columns (wavenumber, density), or a CSV file of contact.engineering. As text it is the
+/// path or the name.
+///
+/// *Two columns* are numbers, separated by spaces, commas or semicolons, in a convention that is given with the file, or that the file names itself in a
+/// line such as `# convention: profile`. Other lines that do not begin with a number are left out.
+///
+/// *Files of contact.engineering* name their convention and units themselves. The densities of surfaces come from the series `q/pi x 2D
+/// PSD`, or else from `1D PSD along x`, which is that of profiles. Lines take the latter first.
+///
+/// ```
+/// use asperity::surface::{SpectrumConvention, SpectrumFile};
+/// let file = SpectrumFile::in_memory("psd.txt", *b"# q, C\n1 4.0\n10 4e-3\n");
+/// let table = file.read(SpectrumConvention::Surface, false)?;
+/// assert_eq!(table.density(10.0), 4e-3);
+/// # Ok::<(), asperity::error::FileError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(from = "PathBuf", into = "PathBuf")]
+pub struct SpectrumFile {
+    path: PathBuf,
+    /// Its bytes, if it is not on disk.
+    bytes: Option<Arc<[u8]>>,
+}
+
+/// The line that names the convention of two columns.
+const CONVENTION: &str = "# convention:";
+
+/// A series of a file of contact.engineering: its name, its convention, and the density of a value at a wavenumber.
+type Series = (&'static str, SpectrumConvention, fn(f64, f64) -> f64);
+
+const OF_SURFACE: Series = ("q/π × 2D PSD", SpectrumConvention::SurfaceTwoPi, |q, value| PI / q * value);
+const OF_PROFILE: Series = ("1D PSD along x", SpectrumConvention::ProfileTwoPi, |_, value| value);
+
+impl SpectrumFile {
+    /// A file of some name that is not on disk.
+    pub fn in_memory(name: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) -> Self {
+        Self { path: name.into(), bytes: Some(bytes.into()) }
+    }
+
+    /// The path, or the name of one in memory.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The same file by its full path; one in memory has none.
+    pub fn with_full_path(self) -> Self {
+        match std::path::absolute(&self.path) {
+            Ok(full) if self.bytes.is_none() && full.to_str().is_some() => full.into(),
+            _ => self,
+        }
+    }
+
+    /// Its spectrum, for a line or else a surface. Two columns have the convention `convention`.
+    ///
+    /// # Errors
+    /// For a file that cannot be read, or that has no spectrum in it.
+    pub fn read(&self, convention: SpectrumConvention, is_line: bool) -> Result<SpectrumTable, FileError> {
+        let bytes = self.bytes()?;
+        let text = String::from_utf8_lossy(&bytes);
+        let wrong = |reason: String| FileError::Format { path: self.path.clone(), what: "spectrum", reason };
+        let header = text.lines().find(|line| line.contains("Data series"));
+        let (pairs, convention) = match header {
+            Some(_) => named(&text, is_line).map_err(wrong)?,
+            None => (columns(&text).map_err(wrong)?, own_convention(&text).map_err(wrong)?.unwrap_or(convention)),
+        };
+        let (wavenumber, density) = pairs.into_iter().map(|(q, c)| (q, c / convention.factor())).unzip();
+        let table = SpectrumTable::new(wavenumber, density, convention.kind()).map_err(|it| wrong(it.to_string()))?;
+        let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
+        Ok(table.converted(kind).map_err(|it| wrong(it.to_string()))?)
+    }
+
+    fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
+        match &self.bytes {
+            Some(bytes) => Ok(Cow::Borrowed(bytes)),
+            None => std::fs::read(&self.path)
+                .map(Cow::Owned)
+                .map_err(|source| FileError::Read { path: self.path.clone(), source }),
+        }
+    }
+}
+
+impl From<PathBuf> for SpectrumFile {
+    fn from(path: PathBuf) -> Self {
+        Self { path, bytes: None }
+    }
+}
+
+impl From<SpectrumFile> for PathBuf {
+    fn from(file: SpectrumFile) -> Self {
+        file.path
+    }
+}
+
+impl SpectrumTable {
+    /// Writes it as two columns that a [`SpectrumFile`] reads, in a convention that the file names.
+    ///
+    /// # Errors
+    /// [`FileError::Format`] for the spectrum of a profile that no isotropic surface has, where that is the convention; the errors of
+    /// [`write_beside`].
+    ///
+    /// ```
+    /// use asperity::surface::{SpectrumConvention, SpectrumFile, SpectrumKind, SpectrumTable};
+    /// let folder = tempfile::tempdir()?;
+    /// let path = folder.path().join("psd.csv");
+    /// let table = SpectrumTable::new(vec![1.0, 10.0], vec![4.0, 4e-3], SpectrumKind::Surface)?;
+    /// table.write(&path, SpectrumConvention::SurfaceTwoPi)?;
+    /// assert_eq!(SpectrumFile::from(path).read(SpectrumConvention::Surface, false)?, table);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn write(&self, path: &Path, convention: SpectrumConvention) -> Result<(), FileError> {
+        let converted = self.converted(convention.kind());
+        let wrong = |reason: String| FileError::Format { path: path.into(), what: "spectrum", reason };
+        let converted = converted.map_err(|error| wrong(error.to_string()))?;
+        let name: &str = convention.into();
+        write_beside(path, |file| {
+            writeln!(file, "{CONVENTION} {name}\nwavenumber,density")?;
+            let rows = self.wavenumbers().iter();
+            rows.map(|q| (q, converted.density(*q) * convention.factor()))
+                .try_for_each(|(q, c)| writeln!(file, "{q:?},{c:?}"))
+        })
+    }
+}
+
+/// The convention that a file of two columns names.
+fn own_convention(text: &str) -> Result<Option<SpectrumConvention>, String> {
+    let name = text.lines().find_map(|line| line.strip_prefix(CONVENTION)).map(str::trim);
+    let unknown = |name: &str| format!("the convention `{name}` is not known");
+    name.map(|name| name.parse().map_err(|_| unknown(name))).transpose()
+}
+
+/// The pairs of numbers in two columns.
+fn columns(text: &str) -> Result<Vec<(f64, f64)>, String> {
+    let mut pairs = Vec::new();
+    for (number, line) in text.lines().enumerate() {
+        let words: Vec<&str> =
+            line.split([',', ';', ' ', '\t']).map(str::trim).filter(|word| !word.is_empty()).collect();
+        let Some(q) = words.first().and_then(|word| word.parse::<f64>().ok()) else { continue };
+        match words.get(1).map(|word| word.parse::<f64>()) {
+            Some(Ok(density)) => pairs.push((q, density)),
+            _ => return Err(format!("line {} has a wavenumber and no density beside it: `{line}`", number + 1)),
+        }
+    }
+    Ok(pairs)
+}
+
+/// The pairs of wavenumber and density of a file of contact.engineering, and their convention.
+fn named(text: &str, is_line: bool) -> Result<(Vec<(f64, f64)>, SpectrumConvention), String> {
+    let mut reader = csv::ReaderBuilder::new().flexible(true).comment(Some(b'#')).from_reader(text.as_bytes());
+    let headers = reader.headers().map_err(|error| error.to_string())?.clone();
+    let column = |name: &str| {
+        let found = headers.iter().position(|header| header.trim().starts_with(name));
+        found.ok_or_else(|| format!("there is no column `{name}`"))
+    };
+    let (series, subject) = (column("Data series")?, column("Subject name")?);
+    let [q, density] = [("Wavevector", "(1/m)"), ("PSD", "(m³)")].map(|(name, unit)| {
+        let found = column(name)?;
+        match headers[found].replace(' ', "").ends_with(unit) {
+            true => Ok(found),
+            false => Err(format!("the column `{}` is not in {unit}", &headers[found])),
+        }
+    });
+    let (q, density) = (q?, density?);
+    let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+    let of = |row: &csv::StringRecord, column: usize| row.get(column).unwrap_or_default().trim().to_owned();
+    let wanted = if is_line { [OF_PROFILE, OF_SURFACE] } else { [OF_SURFACE, OF_PROFILE] };
+    let found = wanted.into_iter().find(|(name, ..)| rows.iter().any(|row| of(row, series) == *name));
+    let (name, convention, density_of) =
+        found.ok_or_else(|| format!("there is no series `{}` or `{}`", OF_SURFACE.0, OF_PROFILE.0))?;
+    let mut subjects: Vec<String> = rows.iter().map(|row| of(row, subject)).collect();
+    subjects.dedup();
+    if subjects.len() > 1 {
+        return Err(format!("it has several spectra, of {}: keep the rows of one", subjects.join(", ")));
+    }
+    let number = |row: &csv::StringRecord, column: usize| {
+        of(row, column).parse::<f64>().map_err(|_| format!("`{}` is not a number", of(row, column)))
+    };
+    let pair = |row: &csv::StringRecord| {
+        let (q, value) = (number(row, q)?, number(row, density)?);
+        Ok((q, density_of(q, value)))
+    };
+    // an average over no values is written as nan
+    let rows = rows.iter().filter(|row| of(row, series) == name);
+    let pairs: Result<Vec<_>, String> = rows.map(pair).collect();
+    Ok((pairs?.into_iter().filter(|(_, value)| !value.is_nan()).collect(), convention))
+}
