@@ -195,19 +195,23 @@ fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Re
     drop(writer);
     file.sync_all()
 }
-/// The columns of a file of comma-separated values whose first row names them, as words: the names, and what is in each column.
-/// Lines that begin with `#` are left out.
+/// The columns of a file of comma-separated values, see [`columns_of`].
 ///
 /// # Errors
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for one that is no such table.
 pub fn read_columns(path: &Path) -> Result<Vec<(String, Vec<String>)>, FileError> {
     let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-    let wrong = |error: csv::Error| FileError::Format {
-        path: path.into(),
-        what: "table",
-        reason: format!("it is not a table of comma-separated values: {error}"),
-    };
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes.as_slice());
+    columns_of(&bytes).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
+}
+
+/// The columns of comma-separated values whose first row names them, as words: the names, and what is in each column. Lines that begin with
+/// `#` are left out.
+///
+/// # Errors
+/// A sentence for what is no such table.
+pub fn columns_of(bytes: &[u8]) -> Result<Vec<(String, Vec<String>)>, String> {
+    let wrong = |error: csv::Error| format!("it is not a table of comma-separated values: {error}");
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes);
     let headers = reader.headers().map_err(wrong)?;
     let mut columns: Vec<(String, Vec<String>)> = headers.iter().map(|name| (name.to_owned(), Vec::new())).collect();
     for row in reader.records() {

@@ -45,7 +45,7 @@ pub struct Describe {
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd", help_heading = "Output")]
     record: Option<PathBuf>,
-    /// Write the power spectrum as two columns, wavenumber and density, in the convention --psd-convention
+    /// Write the power spectrum in bands of a quarter octave, as two columns that --spectrum reads: wavenumber and density
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     psd: Option<PathBuf>,
     /// Convention of the density in --psd [default: surface or profile, without factors of 2 pi]
@@ -272,7 +272,7 @@ impl Statistics {
     fn write_psd(&self, path: &Path, convention: Option<SpectrumConvention>, is_line: bool) -> Result<()> {
         let survey = self.whole_survey("their spectrum cannot be written")?;
         let plain = if is_line { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
-        Ok(survey.spectrum.table(is_line)?.write(path, convention.unwrap_or(plain))?)
+        Ok(survey.table(is_line)?.write(path, convention.unwrap_or(plain))?)
     }
 
     /// Refuses a format in metres for heights in an unknown unit.

@@ -1,8 +1,7 @@
 //! Statistics of a surface, and its power spectrum.
 
-use super::{SpectrumKind, SpectrumTable, Surface};
+use super::Surface;
 use crate::chunks;
-use crate::error::SurfaceError;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
 use std::f64::consts::TAU;
@@ -132,15 +131,6 @@ impl PowerSpectrum {
             density: rings.iter().map(|ring| cell * ring.square / ring.waves).collect(),
             measure: rings.iter().map(|ring| ring.waves / cell).collect(),
         }
-    }
-
-    /// Its values as a table, of a line or else a surface.
-    ///
-    /// # Errors
-    /// [`SurfaceError::SpectrumTable`] for a flat, whose densities are all zero.
-    pub fn table(&self, is_line: bool) -> Result<SpectrumTable, SurfaceError> {
-        let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
-        SpectrumTable::new(self.wavenumber.clone(), self.density.clone(), kind)
     }
 
     /// The integral of `of(q, C(q))` over all wave vectors but that of the mean.

@@ -1,6 +1,6 @@
 //! The power spectrum of self-affine roughness.
 
-use super::{RandomRoughness, Rolloff, SelfAffine, Surface};
+use super::{Lay, RandomRoughness, Rolloff, RoughnessScale, SelfAffine, SpectralDensity, Surface};
 use crate::error::{RoughnessError, SurfaceError};
 use crate::grid::Grid;
 
@@ -57,6 +57,17 @@ impl Spectrum {
     /// Those of [`RandomRoughness::check`] about values.
     pub fn validate(&self, grid: &Grid) -> Result<(), SurfaceError> {
         RandomRoughness::from(*self).check(grid).map_err(of_values)
+    }
+}
+
+impl From<Spectrum> for RandomRoughness {
+    fn from(spectrum: Spectrum) -> Self {
+        Self {
+            spectrum: SpectralDensity::SelfAffine(spectrum.self_affine()),
+            lay: Lay::ISOTROPIC,
+            scale: RoughnessScale::RmsGradient(spectrum.rms_gradient),
+            heights: None,
+        }
     }
 }
 

@@ -213,17 +213,17 @@ fn spectra_are_those_of_surfacetopography() {
             + 0.25 * (11.0 * y + 1.0).cos()
             + 0.1 * (20.0 * x + 0.2).sin()
     };
-    let grid = Grid::surface([48, 64], [1.5, 2.0]).unwrap();
+    let grid = Grid::surface([48, 64], [1.5, 2.1]).unwrap();
     let surface = Surface::new(grid, ndarray::Array2::from_shape_fn((48, 64), wave)).unwrap();
     let near = |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-9, "{found} against {expected}");
     let found = PowerSpectrum::new(&surface);
     let waves = found.wavenumber.iter().zip(&found.density).filter(|(_, density)| **density > 1e-12);
     let factor = SpectrumConvention::SurfaceTwoPi.factor();
     let rings = [
-        (13.085032892599495, 0.075),
-        (29.308687411907652, 0.006696428571428571),
-        (46.32834420995906, 0.0009765625000000002),
-        (62.88740732738509, 0.00012096774193548391),
+        (13.111656921526324, 0.06562499999999999),
+        (29.368553175752375, 0.0065625000000000015),
+        (46.14914968117919, 0.001004464285714286),
+        (58.69456793217279, 0.00012909836065573774),
     ];
     let waves: Vec<_> = waves.collect();
     assert_eq!(waves.len(), rings.len());
@@ -233,9 +233,9 @@ fn spectra_are_those_of_surfacetopography() {
     }
     let profile = |k: usize| {
         let rows = surface.height().rows().into_iter();
-        rows.map(|row| PowerSpectrum::new(&Surface::line(row, 2.0).unwrap()).density[k - 1]).sum::<f64>() / 48.0
+        rows.map(|row| PowerSpectrum::new(&Surface::line(row, 2.1).unwrap()).density[k - 1]).sum::<f64>() / 48.0
     };
-    for (k, density) in [(3, 0.5), (7, 0.0625), (20, 0.005)] {
+    for (k, density) in [(3, 0.525), (7, 0.13125), (20, 0.00525)] {
         near(profile(k) * SpectrumConvention::ProfileTwoPi.factor(), density);
     }
 }

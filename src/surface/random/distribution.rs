@@ -1,11 +1,10 @@
 //! Distributions of heights.
 
 use super::johnson::Johnson;
+use super::rank_map::ExactPart;
 use crate::error::{FileError, RoughnessError, SurfaceError};
 use crate::surface::HeightFile;
-use serde::{Deserialize, Serialize};
 use statrs::distribution::{Beta, ContinuousCDF, Normal};
-use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The distribution of the heights of a surface, up to their mean and their rms value.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,16 +30,13 @@ pub enum HeightDistribution {
     Like(HeightFile),
 }
 
-/// What is exact where heights that are not Gaussian and a spectrum cannot both be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
-#[serde(rename_all = "kebab-case")]
-#[strum(serialize_all = "kebab-case")]
-pub enum ExactPart {
-    /// The heights have the distribution exactly, and the spectrum approximately.
-    #[default]
-    Heights,
-    /// The realisation keeps its spectrum exactly, and the heights have the distribution approximately.
-    Spectrum,
+/// A distribution of heights, and what is exact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TargetHeights {
+    /// The distribution.
+    pub distribution: HeightDistribution,
+    /// What is exact where both cannot be.
+    pub exact: ExactPart,
 }
 
 impl HeightDistribution {

@@ -1,8 +1,8 @@
 //! The keys of random roughness in a scene.
 
 use super::{
-    ExactPart, HeightDistribution, Lay, MeasuredSpectrum, RandomRoughness, Rolloff, RoughnessScale, SelfAffine,
-    SpectralDensity, SpectrumConvention, SpectrumFile, TargetHeights,
+    ExactPart, HeightDistribution, Lay, MeasuredSpectrum, Rolloff, RoughnessScale, SelfAffine, SpectralDensity,
+    SpectrumConvention, SpectrumFile, TargetHeights,
 };
 use crate::quantity::some_length;
 use crate::surface::HeightFile;
@@ -60,17 +60,56 @@ pub(super) struct RoughnessKeys {
     exact: Option<ExactPart>,
 }
 
-impl TryFrom<RoughnessKeys> for RandomRoughness {
-    type Error = String;
-
-    fn try_from(keys: RoughnessKeys) -> Result<Self, String> {
-        let (spectrum, is_table) = (keys.spectrum()?, keys.table.is_some());
-        Ok(Self { spectrum, lay: keys.lay()?, scale: keys.scale(is_table)?, heights: keys.heights()? })
-    }
-}
-
 impl RoughnessKeys {
-    fn spectrum(&self) -> Result<SpectralDensity, String> {
+    /// The keys of a spectrum and what is done with it.
+    pub fn from_parts(
+        spectrum: SpectralDensity,
+        lay: Lay,
+        scale: RoughnessScale,
+        heights: Option<TargetHeights>,
+    ) -> Self {
+        let mut keys = Self::default();
+        match spectrum {
+            SpectralDensity::SelfAffine(law) => {
+                keys.hurst = Some(law.hurst);
+                keys.rolloff_wavelength = law.rolloff_wavelength();
+                keys.rolloff_form = match law.rolloff {
+                    Rolloff::Plateau(_) => None,
+                    Rolloff::Drop(_) => Some(RolloffForm::Drop),
+                    Rolloff::None => Some(RolloffForm::None),
+                };
+                keys.short_cutoff = Some(law.short_cutoff);
+            }
+            SpectralDensity::Measured(MeasuredSpectrum { file, convention, short_cutoff }) => {
+                keys.table = Some(file);
+                keys.convention = (convention != SpectrumConvention::default()).then_some(convention);
+                keys.short_cutoff = short_cutoff;
+            }
+        }
+        match scale {
+            RoughnessScale::RmsGradient(gradient) => keys.rms_gradient = Some(gradient),
+            RoughnessScale::RmsHeight(height) => keys.rms_height = Some(height),
+            RoughnessScale::AsGiven => (),
+        }
+        if !lay.is_isotropic() {
+            keys.peklenik = Some(lay.peklenik);
+            keys.lay_angle = (lay.angle != 0.0).then_some(lay.angle);
+        }
+        if let Some(TargetHeights { distribution, exact }) = heights {
+            keys.exact = (exact != ExactPart::default()).then_some(exact);
+            match distribution {
+                HeightDistribution::Moments { skewness, kurtosis } => {
+                    (keys.skewness, keys.kurtosis) = (Some(skewness), Some(kurtosis));
+                }
+                HeightDistribution::Weibull { shape } => keys.weibull = Some(shape),
+                HeightDistribution::Beta { shapes } => keys.beta = Some(shapes),
+                HeightDistribution::Like(file) => keys.heights_like = Some(file),
+            }
+        }
+        keys
+    }
+
+    pub fn spectrum(&self) -> Result<SpectralDensity, String> {
         let law = self.hurst.is_some() || self.rolloff_wavelength.is_some() || self.rolloff_form.is_some();
         match &self.table {
             Some(_) if law => {
@@ -105,24 +144,24 @@ impl RoughnessKeys {
         }
     }
 
-    fn lay(&self) -> Result<Lay, String> {
+    pub fn lay(&self) -> Result<Lay, String> {
         match (self.peklenik, self.lay_angle) {
             (None, Some(_)) => Err("the angle of a lay is given without a Peklenik number: give it as well".into()),
             (peklenik, angle) => Ok(Lay { peklenik: peklenik.unwrap_or(1.0), angle: angle.unwrap_or(0.0) }),
         }
     }
 
-    fn scale(&self, is_table: bool) -> Result<RoughnessScale, String> {
+    pub fn scale(&self) -> Result<RoughnessScale, String> {
         match (self.rms_gradient, self.rms_height) {
             (Some(_), Some(_)) => Err("both the rms gradient and the rms height are given: give one of them".into()),
             (Some(gradient), None) => Ok(RoughnessScale::RmsGradient(gradient)),
             (None, Some(height)) => Ok(RoughnessScale::RmsHeight(height)),
-            (None, None) if is_table => Ok(RoughnessScale::AsGiven),
+            (None, None) if self.table.is_some() => Ok(RoughnessScale::AsGiven),
             (None, None) => needed(None, "rms-gradient").map(RoughnessScale::RmsGradient),
         }
     }
 
-    fn heights(&self) -> Result<Option<TargetHeights>, String> {
+    pub fn heights(&self) -> Result<Option<TargetHeights>, String> {
         let moments = match (self.skewness, self.kurtosis) {
             (Some(skewness), Some(kurtosis)) => Some(HeightDistribution::Moments { skewness, kurtosis }),
             (None, None) => None,
@@ -147,48 +186,4 @@ impl RoughnessKeys {
 
 fn needed(value: Option<f64>, key: &str) -> Result<f64, String> {
     value.ok_or_else(|| format!("missing field `{key}`"))
-}
-
-impl From<RandomRoughness> for RoughnessKeys {
-    fn from(roughness: RandomRoughness) -> Self {
-        let mut keys = Self::default();
-        match roughness.spectrum {
-            SpectralDensity::SelfAffine(law) => {
-                keys.hurst = Some(law.hurst);
-                keys.rolloff_wavelength = law.rolloff_wavelength();
-                keys.rolloff_form = match law.rolloff {
-                    Rolloff::Plateau(_) => None,
-                    Rolloff::Drop(_) => Some(RolloffForm::Drop),
-                    Rolloff::None => Some(RolloffForm::None),
-                };
-                keys.short_cutoff = Some(law.short_cutoff);
-            }
-            SpectralDensity::Measured(MeasuredSpectrum { file, convention, short_cutoff }) => {
-                keys.table = Some(file);
-                keys.convention = (convention != SpectrumConvention::default()).then_some(convention);
-                keys.short_cutoff = short_cutoff;
-            }
-        }
-        match roughness.scale {
-            RoughnessScale::RmsGradient(gradient) => keys.rms_gradient = Some(gradient),
-            RoughnessScale::RmsHeight(height) => keys.rms_height = Some(height),
-            RoughnessScale::AsGiven => (),
-        }
-        if !roughness.lay.is_isotropic() {
-            keys.peklenik = Some(roughness.lay.peklenik);
-            keys.lay_angle = (roughness.lay.angle != 0.0).then_some(roughness.lay.angle);
-        }
-        if let Some(TargetHeights { distribution, exact }) = roughness.heights {
-            keys.exact = (exact != ExactPart::default()).then_some(exact);
-            match distribution {
-                HeightDistribution::Moments { skewness, kurtosis } => {
-                    (keys.skewness, keys.kurtosis) = (Some(skewness), Some(kurtosis));
-                }
-                HeightDistribution::Weibull { shape } => keys.weibull = Some(shape),
-                HeightDistribution::Beta { shapes } => keys.beta = Some(shapes),
-                HeightDistribution::Like(file) => keys.heights_like = Some(file),
-            }
-        }
-        keys
-    }
 }

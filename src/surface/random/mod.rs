@@ -10,26 +10,28 @@ mod keys;
 mod lay;
 mod rank_map;
 mod self_affine;
+mod spectral_density;
 mod spectrum_file;
 mod spectrum_table;
 mod synthesis;
 
-pub use distribution::{ExactPart, HeightDistribution};
+pub use distribution::{HeightDistribution, TargetHeights};
 pub use keys::RolloffForm;
 pub use lay::Lay;
-pub use rank_map::RankMap;
+pub use rank_map::{ExactPart, RankMap};
 pub use self_affine::{Rolloff, SelfAffine};
-pub use spectrum_file::{SpectrumConvention, SpectrumFile};
+pub use spectral_density::{RoughnessScale, SpectralDensity};
+pub use spectrum_file::{MeasuredSpectrum, SpectrumConvention, SpectrumFile};
 pub use spectrum_table::{SpectrumKind, SpectrumTable};
 
-use super::{Field, Spectrum, Surface};
+use super::{Field, Surface};
 use crate::error::RoughnessError;
 use crate::grid::Grid;
 use keys::RoughnessKeys;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::path::Path;
-use synthesis::Waves;
+use synthesis::WaveSource;
 
 /// Wavenumbers at which a spectrum is integrated.
 const WAVES: usize = 512;
@@ -63,46 +65,6 @@ pub struct RandomRoughness {
     pub scale: RoughnessScale,
     /// Heights that are not Gaussian.
     pub heights: Option<TargetHeights>,
-}
-
-/// Where a spectrum comes from.
-#[derive(Debug, Clone, PartialEq)]
-pub enum SpectralDensity {
-    /// A power law.
-    SelfAffine(SelfAffine),
-    /// The values of a file.
-    Measured(MeasuredSpectrum),
-}
-
-/// A spectrum in a file, and how it is read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MeasuredSpectrum {
-    /// The file.
-    pub file: SpectrumFile,
-    /// The convention of its two columns.
-    pub convention: SpectrumConvention,
-    /// A wavelength at and below which there is no roughness, a length; without it the spectrum ends where the table does.
-    pub short_cutoff: Option<f64>,
-}
-
-/// What the heights of each realisation are scaled to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RoughnessScale {
-    /// This root-mean-square gradient, by the finite differences of Eq. 8 of the paper.
-    RmsGradient(f64),
-    /// This root-mean-square height, a length.
-    RmsHeight(f64),
-    /// Nothing: the spectrum of a file is used as it is, and the realisations vary about it.
-    AsGiven,
-}
-
-/// A distribution of heights, and what is exact.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TargetHeights {
-    /// The distribution.
-    pub distribution: HeightDistribution,
-    /// What is exact where both cannot be.
-    pub exact: ExactPart,
 }
 
 impl RandomRoughness {
@@ -162,14 +124,14 @@ impl RandomRoughness {
     }
 
     /// The checked waves.
-    fn waves(&self, grid: &Grid) -> Result<Waves, RoughnessError> {
+    fn waves(&self, grid: &Grid) -> Result<WaveSource, RoughnessError> {
         self.lay.check(grid)?;
         if let RoughnessScale::RmsGradient(value) | RoughnessScale::RmsHeight(value) = self.scale {
             let name = if matches!(self.scale, RoughnessScale::RmsHeight(_)) { "rms_height" } else { "rms_gradient" };
             super::check_positive(&[(name, value)])?;
         }
         self.heights.as_ref().map_or(Ok(()), |heights| heights.distribution.check())?;
-        let waves = Waves::new(&self.spectrum, grid)?;
+        let waves = WaveSource::new(&self.spectrum, grid)?;
         waves.check(&self.lay, grid)?;
         Ok(waves)
     }
@@ -208,7 +170,7 @@ impl RandomRoughness {
 
     /// The shortest wavelength along any axis, on a line or else a surface, if the spectrum can be read.
     pub(crate) fn shortest_wavelength(&self, is_line: bool) -> Option<f64> {
-        let waves = Waves::of(&self.spectrum, is_line).ok()?;
+        let waves = WaveSource::from_spectrum(&self.spectrum, is_line).ok()?;
         let largest = self.lay.largest(waves.largest_wavenumber());
         Some(TAU / largest[0].max(largest[1]))
     }
@@ -262,13 +224,17 @@ impl RandomRoughness {
     }
 }
 
-impl From<Spectrum> for RandomRoughness {
-    fn from(spectrum: Spectrum) -> Self {
-        Self {
-            spectrum: SpectralDensity::SelfAffine(spectrum.self_affine()),
-            lay: Lay::ISOTROPIC,
-            scale: RoughnessScale::RmsGradient(spectrum.rms_gradient),
-            heights: None,
-        }
+impl TryFrom<RoughnessKeys> for RandomRoughness {
+    type Error = String;
+
+    fn try_from(keys: RoughnessKeys) -> Result<Self, String> {
+        Ok(Self { spectrum: keys.spectrum()?, lay: keys.lay()?, scale: keys.scale()?, heights: keys.heights()? })
+    }
+}
+
+impl From<RandomRoughness> for RoughnessKeys {
+    fn from(roughness: RandomRoughness) -> Self {
+        let RandomRoughness { spectrum, lay, scale, heights } = roughness;
+        Self::from_parts(spectrum, lay, scale, heights)
     }
 }

@@ -1,9 +1,10 @@
 //! Heights of a given distribution with the spectrum of a given realisation.
 
-use super::distribution::ExactPart;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The most rounds.
 const MOST: usize = 100;
@@ -12,13 +13,25 @@ const ENOUGH: f64 = 2e-3;
 /// The rounds end where one lowers the error by less than this part of it.
 const LEAST_GAIN: f64 = 2e-3;
 
+/// What is exact where heights that are not Gaussian and a spectrum cannot both be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum ExactPart {
+    /// The heights have the distribution exactly, and the spectrum approximately.
+    #[default]
+    Heights,
+    /// The realisation keeps its spectrum exactly, and the heights have the distribution approximately.
+    Spectrum,
+}
+
 /// How heights of a given distribution were found for the spectrum of a realisation.
 ///
 /// Each round gives the node of rank `i` the height of rank `i` of the distribution, and then all waves their amplitudes in the
 /// realisation, with their phases unchanged. The two cannot both be met, and either is met exactly at the end.
 ///
 /// Source: Schreiber & Schmitz, Phys. Rev. Lett. 77:635, 1996; Perez-Rafols & Almqvist, Tribol. Int. 131:591, 2019.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RankMap {
     /// The number of rounds.
     pub rounds: usize,

@@ -2,7 +2,7 @@
 
 use super::spectrum_table::{SpectrumKind, SpectrumTable};
 use crate::error::FileError;
-use crate::files::write_beside;
+use crate::files::{columns_of, write_beside};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
@@ -72,14 +72,25 @@ pub struct SpectrumFile {
     bytes: Option<Arc<[u8]>>,
 }
 
+/// A spectrum in a file, and how it is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredSpectrum {
+    /// The file.
+    pub file: SpectrumFile,
+    /// The convention of its two columns.
+    pub convention: SpectrumConvention,
+    /// A wavelength at and below which there is no roughness, a length; without it the spectrum ends where the table does.
+    pub short_cutoff: Option<f64>,
+}
+
 /// The line that names the convention of two columns.
 const CONVENTION: &str = "# convention:";
 
-/// A series of a file of contact.engineering: its name, its convention, and the density of a value at a wavenumber.
-type Series = (&'static str, SpectrumConvention, fn(f64, f64) -> f64);
+/// A data series of a file of contact.engineering: its name, its convention, and the density of a value at a wavenumber.
+type DataSeries = (&'static str, SpectrumConvention, fn(f64, f64) -> f64);
 
-const OF_SURFACE: Series = ("q/π × 2D PSD", SpectrumConvention::SurfaceTwoPi, |q, value| PI / q * value);
-const OF_PROFILE: Series = ("1D PSD along x", SpectrumConvention::ProfileTwoPi, |_, value| value);
+const OF_SURFACE: DataSeries = ("q/π × 2D PSD", SpectrumConvention::SurfaceTwoPi, |q, value| PI / q * value);
+const OF_PROFILE: DataSeries = ("1D PSD along x", SpectrumConvention::ProfileTwoPi, |_, value| value);
 
 impl SpectrumFile {
     /// A file of some name that is not on disk.
@@ -195,41 +206,34 @@ fn columns(text: &str) -> Result<Vec<(f64, f64)>, String> {
 
 /// The pairs of wavenumber and density of a file of contact.engineering, and their convention.
 fn named(text: &str, is_line: bool) -> Result<(Vec<(f64, f64)>, SpectrumConvention), String> {
-    let mut reader = csv::ReaderBuilder::new().flexible(true).comment(Some(b'#')).from_reader(text.as_bytes());
-    let headers = reader.headers().map_err(|error| error.to_string())?.clone();
+    let columns = columns_of(text.as_bytes())?;
     let column = |name: &str| {
-        let found = headers.iter().position(|header| header.trim().starts_with(name));
+        let found = columns.iter().find(|(header, _)| header.starts_with(name));
         found.ok_or_else(|| format!("there is no column `{name}`"))
     };
-    let (series, subject) = (column("Data series")?, column("Subject name")?);
-    let [q, density] = [("Wavevector", "(1/m)"), ("PSD", "(m³)")].map(|(name, unit)| {
-        let found = column(name)?;
-        match headers[found].replace(' ', "").ends_with(unit) {
-            true => Ok(found),
-            false => Err(format!("the column `{}` is not in {unit}", &headers[found])),
+    let in_unit = |name: &str, unit: &str| {
+        let (header, words) = column(name)?;
+        match header.replace(' ', "").ends_with(unit) {
+            true => Ok(words),
+            false => Err(format!("the column `{header}` is not in {unit}")),
         }
-    });
-    let (q, density) = (q?, density?);
-    let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().map_err(|error| error.to_string())?;
-    let of = |row: &csv::StringRecord, column: usize| row.get(column).unwrap_or_default().trim().to_owned();
+    };
+    let (q, density) = (in_unit("Wavevector", "(1/m)")?, in_unit("PSD", "(m³)")?);
+    let (series, subjects) = (&column("Data series")?.1, &column("Subject name")?.1);
+    if let Some(other) = subjects.iter().find(|subject| **subject != subjects[0]) {
+        return Err(format!("it has spectra of `{}` and of `{other}`: keep the rows of one", subjects[0]));
+    }
     let wanted = if is_line { [OF_PROFILE, OF_SURFACE] } else { [OF_SURFACE, OF_PROFILE] };
-    let found = wanted.into_iter().find(|(name, ..)| rows.iter().any(|row| of(row, series) == *name));
+    let found = wanted.into_iter().find(|(name, ..)| series.iter().any(|it| it == name));
     let (name, convention, density_of) =
         found.ok_or_else(|| format!("there is no series `{}` or `{}`", OF_SURFACE.0, OF_PROFILE.0))?;
-    let mut subjects: Vec<String> = rows.iter().map(|row| of(row, subject)).collect();
-    subjects.dedup();
-    if subjects.len() > 1 {
-        return Err(format!("it has several spectra, of {}: keep the rows of one", subjects.join(", ")));
-    }
-    let number = |row: &csv::StringRecord, column: usize| {
-        of(row, column).parse::<f64>().map_err(|_| format!("`{}` is not a number", of(row, column)))
-    };
-    let pair = |row: &csv::StringRecord| {
-        let (q, value) = (number(row, q)?, number(row, density)?);
+    let number = |word: &String| word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"));
+    let pair = |(_, (q, value)): (&String, (&String, &String))| {
+        let (q, value) = (number(q)?, number(value)?);
         Ok((q, density_of(q, value)))
     };
     // an average over no values is written as nan
-    let rows = rows.iter().filter(|row| of(row, series) == name);
+    let rows = series.iter().zip(q.iter().zip(density)).filter(|(series, _)| *series == name);
     let pairs: Result<Vec<_>, String> = rows.map(pair).collect();
     Ok((pairs?.into_iter().filter(|(_, value)| !value.is_nan()).collect(), convention))
 }

@@ -14,7 +14,7 @@ use std::f64::consts::{SQRT_2, TAU};
 const SLACK: f64 = 1e-12;
 
 /// The spectrum that the waves of a surface are drawn from.
-pub(super) struct Waves {
+pub(super) struct WaveSource {
     density: WaveDensity,
     is_line: bool,
 }
@@ -25,17 +25,17 @@ enum WaveDensity {
     Table(SpectrumTable, f64),
 }
 
-impl Waves {
+impl WaveSource {
     /// The waves of a spectrum that `grid` can carry, if it were isotropic.
     pub fn new(spectrum: &SpectralDensity, grid: &Grid) -> Result<Self, RoughnessError> {
         if let SpectralDensity::SelfAffine(law) = spectrum {
             law.check(grid)?;
         }
-        Ok(Self::of(spectrum, grid.is_line())?)
+        Ok(Self::from_spectrum(spectrum, grid.is_line())?)
     }
 
     /// The waves of a spectrum on a line or else a surface.
-    pub fn of(spectrum: &SpectralDensity, is_line: bool) -> Result<Self, FileError> {
+    pub fn from_spectrum(spectrum: &SpectralDensity, is_line: bool) -> Result<Self, FileError> {
         let density = match spectrum {
             SpectralDensity::SelfAffine(law) => WaveDensity::Law(*law),
             SpectralDensity::Measured(MeasuredSpectrum { file, convention, short_cutoff }) => {
@@ -101,7 +101,7 @@ impl Waves {
 ///
 /// The numbers come from ChaCha8 and are drawn wave by wave, in an order set by the periods of the cell and the spectrum alone. So one
 /// seed gives one realisation: a finer grid samples the same waves at more points.
-pub(super) fn heights(grid: &Grid, waves: &Waves, lay: &Lay, [seed, stream]: [u64; 2]) -> Field {
+pub(super) fn heights(grid: &Grid, waves: &WaveSource, lay: &Lay, [seed, stream]: [u64; 2]) -> Field {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(stream);
     let mut coefficients = vec![Complex::default(); grid.modes()];
@@ -126,7 +126,7 @@ fn normal(random: &mut impl Rng) -> Complex {
 /// One of each pair of opposite wave vectors in the band, as integers `(kx, ky)` with their density.
 ///
 /// Order and extent follow from the periods, the spectrum and the lay alone, never from the number of points.
-fn band(grid: &Grid, waves: &Waves, lay: &Lay) -> impl Iterator<Item = (usize, i64, f64)> {
+fn band(grid: &Grid, waves: &WaveSource, lay: &Lay) -> impl Iterator<Item = (usize, i64, f64)> {
     let ([ly, lx], is_line) = (grid.size(), grid.is_line());
     let [largest_y, largest_x] = lay.largest(waves.largest_wavenumber());
     let extent = |largest: f64, period: f64| (largest * period / TAU).ceil() as i64;

@@ -8,7 +8,7 @@ pub use band::{Band, PowerLawFit};
 pub use choice::PreparationChoice;
 pub use scales::{Scale, Scales};
 
-use super::{Detrend, Fill, PowerSpectrum, Scan, Surface};
+use super::{Detrend, Fill, PowerSpectrum, Scan, SpectrumKind, SpectrumTable, Surface};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use std::f64::consts::PI;
@@ -73,6 +73,16 @@ impl Survey {
             axes,
             spectrum,
         })
+    }
+
+    /// The spectrum of the bands as a table, of a line or else a surface, taken as isotropic.
+    ///
+    /// # Errors
+    /// [`SurfaceError::SpectrumTable`] for heights with waves in fewer than two bands, such as a flat.
+    pub fn table(&self, is_line: bool) -> Result<SpectrumTable, SurfaceError> {
+        let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
+        let (wavenumber, density) = self.spectrum.iter().map(|band| (band.wavenumber, band.density)).unzip();
+        SpectrumTable::new(wavenumber, density, kind)
     }
 
     /// The largest share of noise along any axis.
