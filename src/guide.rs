@@ -38,6 +38,7 @@ pages! {
     history "assets/guide/history.md"
     time_and_friction "assets/guide/time-and-friction.md"
     adhesion "assets/guide/adhesion.md"
+    roughness "assets/guide/roughness.md"
     flow "assets/guide/flow.md"
     recordings "assets/guide/recordings.md"
     studies "assets/guide/studies.md"

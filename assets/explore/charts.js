@@ -69,12 +69,12 @@ function legend(svg, top, curves, width) {
 }
 
 /** The knobs that make surface and solid of a sweep. */
-function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time, adhesion, range }) {
+function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, "rolloff-form": form, peklenik, "lay-angle": angle, skewness, kurtosis, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time, adhesion, range }) {
   if (body === "scene") return scene;
   const memory = creep > 0 && [creep, speed, speed === 0 && time];
   const attraction = adhesion > 0 && [adhesion, range];
   if (body === "file") return JSON.stringify([heights, hardness, layer, memory, attraction]);
-  return JSON.stringify([hardness, layer, memory, attraction, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, seed]]);
+  return JSON.stringify([hardness, layer, memory, attraction, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, form, domain === "surface" && [peklenik, angle], skewness, kurtosis, seed]]);
 }
 
 /** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */

@@ -8,7 +8,7 @@ use crate::error::{bail, py_error};
 use crate::fork;
 use asperity::Grid;
 use asperity::setup::Cost;
-use asperity::surface::{Plateaus, PowerSpectrum, Roughness};
+use asperity::surface::{Plateaus, PowerSpectrum, Roughness, SpectralMoments, Texture};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -133,13 +133,16 @@ impl Surface {
         Self::from_keywords(path.py(), keys, &["surface"], fixed)
     }
 
-    /// Self-affine roughness: one realisation of the power spectrum of van Dokkum et al. (2018), Eq. 10.
+    /// Random roughness: one realisation of a power spectrum, as that of van Dokkum et al. (2018), Eq. 10.
     ///
-    /// `points` and `size` are those of the cell: numbers for a line, pairs along y and x for a surface. `hurst` lies above 0 and is at most 1.
-    /// `rolloff_wavelength` and `short_cutoff` are lengths. Each realisation is scaled to `rms_gradient`. The same seed gives the same heights
-    /// on every machine.
+    /// `points` and `size` are those of the cell: numbers for a line, pairs along y and x for a surface. The spectrum is self-affine (`hurst`, above 0
+    /// and at most 1, the lengths `rolloff_wavelength` and `short_cutoff`, and `rolloff_form`: "plateau", "drop" or "none"), or that of a file
+    /// (`table`, `convention`). Each realisation is scaled to `rms_gradient` or `rms_height`; a table need not be scaled. A surface has a lay of
+    /// the `peklenik` number at the `lay_angle` in degrees. Heights that are not Gaussian have a `skewness` and a `kurtosis`, or the
+    /// distribution `weibull`, `beta` or `heights_like` a file; `exact` is "heights" or "spectrum". The same seed gives the same heights on every
+    /// machine.
     #[staticmethod]
-    #[pyo3(signature = (points, size, **keys), text_signature = "(points, size, *, hurst, rolloff_wavelength, short_cutoff, rms_gradient, seed=1, **grid)")]
+    #[pyo3(signature = (points, size, **keys), text_signature = "(points, size, *, seed=1, **spectrum_and_grid)")]
     fn rough(points: Bound<'_, PyAny>, size: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let fixed = cell(&points, &size)?;
         Self::from_keywords(points.py(), keys, &["surface", "spectrum"], fixed)
@@ -213,6 +216,38 @@ impl Surface {
     fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let roughness = py.detach(|| Roughness::new(&self.surface));
         to_python(py, &roughness)
+    }
+
+    /// Parameters of texture by their symbols, as of ISO 25178-2 for maps (Sa, Sq, Sal, Str, ...) and ISO 21920-2 for lines (Pa, Pq, ...), with
+    /// correlation_length_x, correlation_length_y and peklenik. A value is None where it is not defined. Axes along which the heights jump are
+    /// taken as free.
+    fn texture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let texture = py.detach(|| Texture::new(&self.surface.with_jumps_free()));
+        let found = PyDict::new(py);
+        texture.parameters().into_iter().try_for_each(|it| found.set_item(it.symbol, it.value))?;
+        let [y, x] = texture.correlation_length;
+        found.set_item("correlation_length_x", x)?;
+        if self.rank == 2 {
+            found.set_item("correlation_length_y", y)?;
+            found.set_item("peklenik", texture.peklenik())?;
+        }
+        Ok(found)
+    }
+
+    /// Spectral moments m0 (length^2), m2 and m4 (1/length^2), and Nayak's parameter (nayak), by the spectrum. Axes along which the heights
+    /// jump are taken as free.
+    fn moments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let moments = py.detach(|| SpectralMoments::new(&self.surface.with_jumps_free()));
+        let found = PyDict::new(py);
+        let all = [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4), ("nayak", moments.nayak())];
+        all.into_iter().try_for_each(|(name, value)| found.set_item(name, value))?;
+        Ok(found)
+    }
+
+    /// How random heights got a distribution that is not Gaussian: rounds, spectrum_error and height_error. None for other surfaces.
+    #[getter]
+    fn rank_map<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        self.surface.rank_map().map(|map| to_python(py, map)).transpose()
     }
 
     /// Power spectrum of the heights: wavenumbers 2 pi / wavelength (1/length), and densities, length^3 of a line, length^4 of a surface.

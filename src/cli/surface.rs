@@ -143,7 +143,7 @@ impl Describe {
             scan(height, &grid).write(path)?;
         }
         if let Some(path) = &self.psd {
-            statistics.write_psd(path, self.psd_convention, grid.is_line())?;
+            statistics.write_psd(path, self.psd_convention, &grid)?;
         }
         if self.json {
             write_json(&statistics, &mut stdout())?
@@ -269,10 +269,10 @@ impl Statistics {
     }
 
     /// Writes the power spectrum of heights, which must not be void.
-    fn write_psd(&self, path: &Path, convention: Option<SpectrumConvention>, is_line: bool) -> Result<()> {
+    fn write_psd(&self, path: &Path, convention: Option<SpectrumConvention>, grid: &Grid) -> Result<()> {
         let survey = self.whole_survey("their spectrum cannot be written")?;
-        let plain = if is_line { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
-        Ok(survey.table(is_line)?.write(path, convention.unwrap_or(plain))?)
+        let plain = if grid.is_line() { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
+        Ok(survey.table(grid)?.write(path, convention.unwrap_or(plain))?)
     }
 
     /// Refuses a format in metres for heights in an unknown unit.

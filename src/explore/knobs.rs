@@ -12,7 +12,10 @@ use crate::grid::Grid;
 use crate::setup::{
     Cell, LayerModulus, Method, Part, ProcessKind, Recipe, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic,
 };
-use crate::surface::{Bump, Bumps, Indenter, Spectrum};
+use crate::surface::{
+    Bump, Bumps, ExactPart, HeightDistribution, Indenter, Lay, RandomRoughness, Rolloff, RolloffForm, RoughnessScale,
+    SelfAffine, SpectralDensity, TargetHeights,
+};
 use serde::{Deserialize, Serialize};
 
 /// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
@@ -24,6 +27,8 @@ const RADIUS: f64 = 100.0 * CELL;
 const AMPLITUDE: f64 = 1e-3 * CELL;
 /// Retardation time of a solid that creeps: the unit of time.
 const RETARDATION_TIME: f64 = 1.0;
+/// Kurtosis of Gaussian heights.
+const GAUSSIAN_KURTOSIS: f64 = 3.0;
 /// Poisson's ratio of a layer.
 const LAYER_POISSON: f64 = 0.3;
 
@@ -42,6 +47,21 @@ pub struct Knobs {
     rolloff: f64,
     /// Waves per cell at the short cut-off.
     cutoff: f64,
+    /// What the spectrum does at waves longer than those of the roll-off.
+    #[serde(default = "plateau")]
+    rolloff_form: RolloffForm,
+    /// Peklenik's number of a surface.
+    #[serde(default = "one")]
+    peklenik: f64,
+    /// Angle from the x axis to the lay, in degrees.
+    #[serde(default)]
+    lay_angle: f64,
+    /// Skewness of the roughness; with a kurtosis of 3, 0 stands for Gaussian heights.
+    #[serde(default)]
+    skewness: f64,
+    /// Kurtosis of the roughness.
+    #[serde(default = "gaussian_kurtosis")]
+    kurtosis: f64,
     seed: u32,
     /// Points of the line, or along each side of the surface.
     points: usize,
@@ -95,6 +115,18 @@ pub struct Knobs {
 
 fn usual_range() -> f64 {
     USUAL_RANGE
+}
+
+fn plateau() -> RolloffForm {
+    RolloffForm::Plateau
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn gaussian_kurtosis() -> f64 {
+    GAUSSIAN_KURTOSIS
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -324,11 +356,10 @@ impl Knobs {
             };
             return self.heights.surface(file);
         }
-        let spectrum = self.spectrum();
+        let spectrum = self.random_roughness();
         let seed = spectrum.as_ref().map(|_| self.seed.into());
         let bumps = Bumps(self.bumps.iter().map(|it| Bump::from_lengths(it.map(|share| share * CELL))).collect());
-        let recipe =
-            Recipe { indenter: self.indenter(), spectrum: spectrum.map(Into::into), seed, bumps, ..Recipe::default() };
+        let recipe = Recipe { indenter: self.indenter(), spectrum, seed, bumps, ..Recipe::default() };
         Ok(match self.domain {
             Domain::Line => (recipe, Cell::line(self.points, CELL)),
             Domain::Surface => (recipe, Cell::surface([self.points; 2], [CELL; 2])),
@@ -359,7 +390,7 @@ impl Knobs {
             format!("{} bumps are too many: give at most {MOST_BUMPS}", self.bumps.len())
         } else if self.body == SmoothBody::Flat && !is_rough {
             "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
-        } else if is_rough && cutoff <= rolloff {
+        } else if is_rough && cutoff <= rolloff && self.rolloff_form != RolloffForm::None {
             format!("`cutoff` cannot be {cutoff}: give more than `rolloff`, which is {rolloff}")
         } else if is_rough && 2.0 * cutoff > points as f64 {
             format!("`cutoff` cannot be {cutoff}: give at most half of `points`, which is {points}")
@@ -368,12 +399,25 @@ impl Knobs {
         }))
     }
 
-    fn spectrum(&self) -> Option<Spectrum> {
-        (self.roughness != 0.0).then(|| Spectrum {
-            hurst: self.hurst,
-            rolloff_wavelength: CELL / self.rolloff,
-            short_cutoff: CELL / self.cutoff,
-            rms_gradient: self.roughness,
+    fn random_roughness(&self) -> Option<RandomRoughness> {
+        let wavelength = CELL / self.rolloff;
+        let rolloff = match self.rolloff_form {
+            RolloffForm::Plateau => Rolloff::Plateau(wavelength),
+            RolloffForm::Drop => Rolloff::Drop(wavelength),
+            RolloffForm::None => Rolloff::None,
+        };
+        let law = SelfAffine { hurst: self.hurst, rolloff, short_cutoff: CELL / self.cutoff };
+        let lay = match self.domain {
+            Domain::Line => Lay::ISOTROPIC,
+            Domain::Surface => Lay { peklenik: self.peklenik, angle: self.lay_angle },
+        };
+        let is_gaussian = self.skewness == 0.0 && self.kurtosis == GAUSSIAN_KURTOSIS;
+        let distribution = HeightDistribution::Moments { skewness: self.skewness, kurtosis: self.kurtosis };
+        (self.roughness != 0.0).then(|| RandomRoughness {
+            spectrum: SpectralDensity::SelfAffine(law),
+            lay,
+            scale: RoughnessScale::RmsGradient(self.roughness),
+            heights: (!is_gaussian).then_some(TargetHeights { distribution, exact: ExactPart::Heights }),
         })
     }
 

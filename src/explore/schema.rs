@@ -64,6 +64,8 @@ pub enum KnobScenes {
     Made,
     /// Made surfaces with roughness.
     Rough,
+    /// Made surfaces with roughness that are no lines.
+    RoughSurface,
     /// A power law as the body.
     PowerLaw,
     /// GFMD as the solver.
@@ -94,6 +96,7 @@ impl KnobScenes {
                 | Self::Adhering
                 | Self::Made
                 | Self::Rough
+                | Self::RoughSurface
                 | Self::PowerLaw
         )
     }
@@ -153,6 +156,10 @@ impl NumericKnob {
 
     const fn log2(self, slider: [f64; 3]) -> Self {
         Self { scale: SliderScale::Log2, ..self.whole().linear(slider) }
+    }
+
+    const fn degrees(self) -> Self {
+        Self { unit: Some("degrees"), ..self }
     }
 
     const fn waves(self) -> Self {
@@ -272,6 +279,11 @@ pub const KNOBS: &[Knob] = &[
     knob(Surface, "hurst", Number(NumericKnob::new([0.01, 1.0], 0.8).linear([0.1, 1.0, 0.05]))).only_in(KnobScenes::Rough),
     knob(Surface, "rolloff", Number(NumericKnob::new([1.0, MOST_WAVES], 4.0).linear([1.0, 32.0, 1.0]).waves())).only_in(KnobScenes::Rough),
     knob(Surface, "cutoff", Number(NumericKnob::new([2.0, MOST_WAVES], 128.0).log2([3.0, 13.0, 0.5]).waves())).only_in(KnobScenes::Rough),
+    knob(Surface, "rolloff-form", Choice { options: &["plateau", "drop", "none"], default: "plateau" }).only_in(KnobScenes::Rough),
+    knob(Surface, "peklenik", Number(NumericKnob::new([0.05, 20.0], 1.0).linear([1.0, 10.0, 0.5]))).only_in(KnobScenes::RoughSurface),
+    knob(Surface, "lay-angle", Number(NumericKnob::new([-180.0, 180.0], 0.0).linear([-90.0, 90.0, 5.0]).degrees())).only_in(KnobScenes::RoughSurface),
+    knob(Surface, "skewness", Number(NumericKnob::new([-5.0, 5.0], 0.0).linear([-2.0, 2.0, 0.1]))).only_in(KnobScenes::Rough),
+    knob(Surface, "kurtosis", Number(NumericKnob::new([1.0, 50.0], 3.0).linear([1.5, 10.0, 0.1]))).only_in(KnobScenes::Rough),
     knob(Surface, "seed", Number(NumericKnob::new([0.0, u32::MAX as f64], 1.0).whole())).only_in(KnobScenes::Rough),
     knob(Surface, "points", Number(NumericKnob::new([4.0, MOST_POINTS[0] as f64], 4096.0).log2([5.0, 18.0, 1.0]))).only_in(KnobScenes::Made),
     knob(File, "channel", Choice { options: &[], default: "" }).at("heights.channel").only_in(KnobScenes::Channels),

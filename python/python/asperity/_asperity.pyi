@@ -174,10 +174,22 @@ class Surface:
         points: int | Sequence[int],
         size: Length | Sequence[Length],
         *,
-        hurst: float,
-        rolloff_wavelength: Length,
-        short_cutoff: Length,
-        rms_gradient: float,
+        hurst: float = ...,
+        rolloff_wavelength: Length = ...,
+        rolloff_form: str = ...,
+        short_cutoff: Length = ...,
+        table: Path = ...,
+        convention: str = ...,
+        rms_gradient: float = ...,
+        rms_height: Length = ...,
+        peklenik: float = ...,
+        lay_angle: float = ...,
+        skewness: float = ...,
+        kurtosis: float = ...,
+        weibull: float = ...,
+        beta: Sequence[float] = ...,
+        heights_like: Path = ...,
+        exact: str = ...,
         seed: int = 1,
         boundary: str | Sequence[str] | None = ...,
         datum: Length | None = None,
@@ -214,6 +226,10 @@ class Surface:
     def y(self) -> Array: ...
     @property
     def statistics(self) -> dict[str, float]: ...
+    def texture(self) -> dict[str, float | None]: ...
+    def moments(self) -> dict[str, float]: ...
+    @property
+    def rank_map(self) -> dict[str, float] | None: ...
     def spectrum(self) -> tuple[Array, Array]: ...
     def __add__(self, other: Surface) -> Surface: ...
     def to_xarray(self) -> Any: ...

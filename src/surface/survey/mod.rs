@@ -11,7 +11,7 @@ pub use scales::{Scale, Scales};
 use super::{Detrend, Fill, PowerSpectrum, Scan, SpectrumKind, SpectrumTable, Surface};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// A survey of measured heights: tilt, jumps across the period, noise and resolution. They show whether a contact with
 /// these heights is meaningful.
@@ -75,13 +75,16 @@ impl Survey {
         })
     }
 
-    /// The spectrum of the bands as a table, of a line or else a surface, taken as isotropic.
+    /// The spectrum of the bands as a table, of heights on `grid` that are taken as isotropic, down to the shortest wavelength that the grid
+    /// carries along each axis.
     ///
     /// # Errors
     /// [`SurfaceError::SpectrumTable`] for heights with waves in fewer than two bands, such as a flat.
-    pub fn table(&self, is_line: bool) -> Result<SpectrumTable, SurfaceError> {
-        let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
-        let (wavenumber, density) = self.spectrum.iter().map(|band| (band.wavenumber, band.density)).unzip();
+    pub fn table(&self, grid: &Grid) -> Result<SpectrumTable, SurfaceError> {
+        let kind = if grid.is_line() { SpectrumKind::Profile } else { SpectrumKind::Surface };
+        let largest = TAU / grid.shortest_wavelength();
+        let bands = self.spectrum.iter().filter(|band| band.wavenumber < largest);
+        let (wavenumber, density) = bands.map(|band| (band.wavenumber, band.density)).unzip();
         SpectrumTable::new(wavenumber, density, kind)
     }
 

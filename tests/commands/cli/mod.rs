@@ -11,6 +11,7 @@ mod memory;
 mod pictures;
 mod plain_names;
 mod refine;
+mod roughness;
 mod studies;
 mod warnings;
 
