@@ -26,6 +26,20 @@ pub enum FlowError {
         "the resistivities are {first:?} and {second:?}: give two values that are finite, not negative, and not both zero"
     )]
     Resistivity { first: f64, second: f64 },
+    /// Conductivities that do not make sense.
+    #[error("the conductivities are {first:?} and {second:?}: give two values that are finite and positive")]
+    Conductivity { first: f64, second: f64 },
+    /// Values for more than two bodies.
+    #[error(
+        "{values} resistivities or conductivities are given, but a contact has two bodies: give one value for both, or two"
+    )]
+    Bodies { values: usize },
+    /// Two descriptions of the same bodies.
+    #[error("both resistivities and conductivities are given: give one of them")]
+    Twice,
+    /// A history.
+    #[error("leakage and conductance are those of one contact, but a history has many states: leave them out")]
+    History,
     /// A solid whose elastic response is not that of conduction.
     #[error(
         "the conductance follows from the stiffness on half-spaces only, since current flows through a {solid} by another law than force: \

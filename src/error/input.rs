@@ -86,6 +86,7 @@ impl SetupError {
         match self {
             Self::File(error) => error.is_input(),
             Self::Slip(error) => error.is_input(),
+            Self::Flow(error) => error.is_input(),
             Self::History(error) => error.is_input(),
             Self::Creep(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),

@@ -57,6 +57,11 @@ pub trait Drawing: Send + Sync {
         Ok(())
     }
 
+    /// Records what is found for a contact and not for the steps before it, at the current time.
+    fn log_contact(&self, _to: &RecordingStream, _contact: &Contact) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
     /// Records the pressure of an earlier solve along the same line, on any number of nodes.
     fn log_earlier(&self, _to: &RecordingStream, _pressure: &[f64]) -> RecordingStreamResult<()> {
         Ok(())
