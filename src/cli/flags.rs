@@ -76,6 +76,17 @@ impl Extent for OfProblem {
     }
 }
 
+/// A surface and a solid whose load is found, and the solver.
+pub struct OfSealing;
+
+impl Extent for OfSealing {
+    const LOAD: &'static str = LOAD;
+
+    fn takes(flag: &Flag) -> bool {
+        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&flag.section())
+    }
+}
+
 /// Sections that describe how a contact is solved, or what follows it.
 const OF_A_SOLVE: [&str; 9] =
     ["friction", "adhesion", "viscoelastic", "sliding", "rolling", "path", "flow", "solver", "stop"];

@@ -63,7 +63,7 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
         Some(every) => format!("about {frame} per frame, one frame every {every} steps"),
         None => {
             let frames = size.frames(setup.solver.steps(setup.stop.max_iterations()), cost.coarse_grids);
-            let most = bytes_in_words(size.still + frames as f64 * size.frame);
+            let most = bytes_in_words(size.still + frames as f64 * size.frame + size.contact);
             format!("at most about {most}: {frames} frames of {frame}")
         }
     };
@@ -78,8 +78,9 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
 #[cfg(feature = "record")]
 fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
     let size = Size::new(Options::from(setup).what, &cost.grid);
-    let most = bytes_in_words(size.still + loads as f64 * size.frame);
-    writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(size.frame))
+    let frame = size.frame + size.contact;
+    let most = bytes_in_words(size.still + loads as f64 * frame);
+    writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(frame))
 }
 
 /// Writes the grids that a contact may take until it has settled.

@@ -1,7 +1,8 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
 use super::{
-    FileError, FlowError, HistoryError, MotionError, SetupError, SlipError, SolveError, StepsError, StudyError,
+    FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError, StepsError,
+    StudyError,
 };
 
 impl FileError {
@@ -67,6 +68,16 @@ impl FlowError {
     /// Whether other values can help.
     pub fn is_input(&self) -> bool {
         !matches!(self, Self::NotConverged { .. })
+    }
+}
+
+impl SealError {
+    /// Whether another surface or another solver can help.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            _ => true,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The flow of a thin film through a gap.
 
 use super::FlowAxis;
-use super::cycle::{Gradients, GroupCycle};
+use super::cycle::{Gradients, GroupCycle, GroupSize};
 use super::laplacian::Laplacian;
 use super::network::Network;
 use super::tree::ChannelTree;
@@ -12,6 +12,8 @@ use crate::surface::Field;
 
 /// Largest number of steps of conjugate gradients.
 const MOST_STEPS: usize = 500;
+/// Steps with large groups, after which groups are small. Where channels are wide, no more than that are needed.
+const STEPS_OF_LARGE: usize = 16;
 /// The estimated relative error at which bounds are first computed, in parts of the tolerance, and how much lower it has to be for
 /// each later time.
 const FIRST_GOAL: f64 = 0.1;
@@ -190,12 +192,16 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     if network.cells == 0 {
         return leakage;
     }
-    let (cycle, tree) = (GroupCycle::new(Laplacian::from_network(&network)), ChannelTree::new(&network));
+    let mut cycle = GroupCycle::new(Laplacian::from_network(&network), GroupSize::Large);
+    let tree = ChannelTree::new(&network);
     let flux = network.flux(&network.linear);
     let mut gradients = Gradients::new(network.linear.clone(), network.surplus(&flux));
     let (mut power, mut goal) = (network.power(&flux), FIRST_GOAL * tolerance);
     leakage.upper = unit * power;
     while leakage.steps < MOST_STEPS && leakage.width() > tolerance {
+        if leakage.steps == STEPS_OF_LARGE {
+            cycle = cycle.with_groups(GroupSize::Small);
+        }
         let gain = gradients.step(cycle.matrix(), cycle.apply(&gradients.residual));
         leakage.steps += 1;
         power -= gain.unwrap_or(0.0);

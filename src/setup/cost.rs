@@ -57,9 +57,10 @@ pub struct Extras {
     pub archived: usize,
 }
 
-/// Fields of the solver of flows, with its coarse grids; and those of its results, in memory and in an archive.
-const FLOW_FIELDS: f64 = 75.0;
-const ARCHIVED_FLOW_FIELDS: f64 = 8.0;
+/// Fields of the solver of flows, with its coarse grids; those of its results, along both axes; and with their archive.
+const FLOW_FIELDS: f64 = 65.0;
+const KEPT_FLOW_FIELDS: f64 = 4.0;
+const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
 
 /// Fields of the outer steps on a line, as measured.
 const OUTER_FIELDS: f64 = 2.0;
@@ -81,7 +82,8 @@ impl Setup {
         let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
         let recorded = one(extras.is_recorded, self.solver.recorded_fields());
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
-        let kept = (archived - 1.0).max(0.0) * KEPT_FIELDS + self.expected_states()? as f64 * STATE_FIELDS;
+        let flows = one(self.flow.leakage && archived > 0.0, KEPT_FLOW_FIELDS);
+        let kept = (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows) + self.expected_states()? as f64 * STATE_FIELDS;
         let is_flow_recorded = extras.is_recorded && !grid.is_line() && self.recorded_parts().contains(&Part::Flow);
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
         let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
@@ -94,7 +96,7 @@ impl Setup {
                 extras.has_stiffness || self.flow.has_conductance(),
                 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - outer,
             ),
-            one(self.flow.leakage, 1.0 + KEPT_FIELDS + FLOW_FIELDS),
+            one(self.flow.leakage, 1.0 + KEPT_FIELDS + FLOW_FIELDS + KEPT_FLOW_FIELDS + kept),
             // the solver is still there when its last state is recorded
             one(is_flow_recorded, solving + recorded + FLOW_FIELDS),
             archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS)),

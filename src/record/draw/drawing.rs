@@ -148,6 +148,8 @@ pub struct Bytes {
     pub frame: f64,
     /// The numbers of a step.
     pub step: f64,
+    /// The pictures of a contact, which steps do not have.
+    pub contact: f64,
 }
 
 impl Bytes {

@@ -47,7 +47,7 @@ impl AxisPicture {
     fn new(plane: &SurfacePlane, axis: FlowAxis) -> Self {
         let image = |quantity: &str, scale| {
             let root = format!("{}/{quantity}_{}", plane.root, axis.name());
-            Image::new(root, &plane.frame, plane.palette, scale, ColourMap::inferno())
+            Image::new(root, &plane.frame, plane.palette, scale, ColourMap::viridis())
         };
         Self {
             axis,

@@ -53,9 +53,8 @@ fn bytes_of_fields(grid: &Grid) -> Bytes {
     })
 }
 
-/// The four images of a contact, once for all steps or loads.
 fn bytes_of_flow(grid: &Grid) -> Bytes {
-    Bytes { still: 16.0 * pixels(grid) as f64, ..Bytes::default() }
+    Bytes { contact: 16.0 * pixels(grid) as f64, ..Bytes::default() }
 }
 
 fn bytes_of_error(grid: &Grid) -> Bytes {
