@@ -85,7 +85,7 @@ impl PercolationLoad {
         if problem.surface().grid().is_line() {
             return Err(SealError::Line);
         }
-        let mut search = Search { problem, solver, stop, axis, watch, start: None, solves: 0 };
+        let mut search = LoadSearch { problem, solver, stop, axis, watch, start: None, solves: 0 };
         let [mut open, mut sealed] = search.bracket()?;
         while sealed.reduced_pressure - open.reduced_pressure > width * sealed.reduced_pressure {
             let (state, is_open) = search.solve(0.5 * (open.reduced_pressure + sealed.reduced_pressure))?;
@@ -101,7 +101,7 @@ impl PercolationLoad {
 }
 
 /// A search that goes on from contact to contact.
-struct Search<'a, W> {
+struct LoadSearch<'a, W> {
     problem: &'a Problem,
     solver: &'a dyn Solver,
     stop: &'a Stop,
@@ -112,7 +112,7 @@ struct Search<'a, W> {
     solves: usize,
 }
 
-impl<O: Observer, W: FnMut(usize) -> O> Search<'_, W> {
+impl<O: Observer, W: FnMut(usize) -> O> LoadSearch<'_, W> {
     /// The contact under a load, and whether the open area percolates.
     fn solve(&mut self, reduced_pressure: f64) -> Result<(PercolationState, bool), SealError> {
         let problem = self.problem.clone().with_load(Load::ReducedPressure(reduced_pressure))?;

@@ -1,7 +1,7 @@
 //! What is found about the flow through a contact.
 
-use super::{Setup, one_or_more};
-use crate::error::{FlowError, SetupError};
+use super::one_or_more;
+use crate::error::FlowError;
 use serde::{Deserialize, Serialize};
 
 /// What is found about the flow through a contact, after it is solved: section `flow` of a scene.
@@ -80,23 +80,5 @@ impl Flow {
             true => Ok(Some([first, second])),
             false => Err(FlowError::Resistivity { first, second }),
         }
-    }
-}
-
-impl Setup {
-    /// Refuses a flow that cannot be found.
-    pub(super) fn check_flow(&self) -> Result<(), SetupError> {
-        if self.flow.is_none() {
-            return Ok(());
-        }
-        let conducts = self.flow.resistivities()?.is_some();
-        let solid = self.elastic()?;
-        Err(match () {
-            () if self.is_history()? => FlowError::History,
-            () if conducts && self.process()?.is_some() => FlowError::NeedsRest,
-            () if conducts && !solid.is_half_space() => FlowError::NeedsHalfSpace { solid: solid.description() },
-            () => return Ok(()),
-        }
-        .into())
     }
 }

@@ -80,12 +80,13 @@ pub use words::{differences, in_words};
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
-use crate::error::{SetupError, SolidError, SolveError};
+use crate::error::{FlowError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
 use crate::surface::{HeightFile, Surface};
 use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use strum::IntoEnumIterator;
 
 /// A reduced pressure for problems whose load is not used.
 const ANY: f64 = 0.01;
@@ -259,6 +260,30 @@ impl Setup {
     /// [`SolidError::NoStress`].
     pub fn check_stress(&self, grid: &Grid) -> Result<(), SetupError> {
         if is_known(grid, self.elastic()?.as_ref()) { Ok(()) } else { Err(SolidError::NoStress.into()) }
+    }
+
+    /// Refuses a flow that cannot be found.
+    fn check_flow(&self) -> Result<(), SetupError> {
+        if self.flow.is_none() {
+            return Ok(());
+        }
+        let (conducts, solid) = (self.flow.resistivities()?.is_some(), self.elastic()?);
+        Err(match () {
+            () if self.is_history()? => FlowError::History,
+            () if conducts && self.process()?.is_some() => FlowError::NeedsRest,
+            () if conducts && !solid.is_half_space() => FlowError::NeedsHalfSpace { solid: solid.description() },
+            () => return Ok(()),
+        }
+        .into())
+    }
+
+    /// The parts that a recording shows: those that are named, or the usual ones, with the flow if the leakage is asked for.
+    pub fn recorded_parts(&self) -> Vec<Part> {
+        let usual = Part::iter().filter(|part| part.is_usual());
+        match self.record.what.is_empty() {
+            true => usual.chain(self.flow.leakage.then_some(Part::Flow)).collect(),
+            false => self.record.what.clone(),
+        }
     }
 
     /// Refuses a tangential load that friction cannot carry, and a tangential load with yielding, for which the

@@ -1,10 +1,10 @@
 //! The parts of a recording.
 
-use super::{Setup, Theme};
+use super::Theme;
 use crate::error::SetupError;
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
-use strum::{EnumIter, EnumMessage, EnumString, IntoEnumIterator, IntoStaticStr};
+use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
 /// A part of a recording. Lines have no mesh and no flow, surfaces no profile.
 #[derive(
@@ -115,17 +115,6 @@ impl Record {
         match self.what.iter().find(|part| !part.is_on(grid)) {
             Some(part) => Err(SetupError::NoSuchPart { part: part.name(), of }),
             None => Ok(()),
-        }
-    }
-}
-
-impl Setup {
-    /// The parts that a recording shows: those that are named, or the usual ones, with the flow if the leakage is asked for.
-    pub fn recorded_parts(&self) -> Vec<Part> {
-        let (named, usual) = (&self.record.what, Part::iter().filter(|part| part.is_usual()));
-        match named.is_empty() {
-            true => usual.chain(self.flow.leakage.then_some(Part::Flow)).collect(),
-            false => named.clone(),
         }
     }
 }

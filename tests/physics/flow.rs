@@ -321,7 +321,7 @@ fn the_flux_is_the_largest_in_the_constriction() {
     assert!(most.0 == (4, 7) && (most.1 / 12.0 - 1.0).abs() < 1e-4, "{most:?}");
     assert!((0..12).all(|y| y == 4 || found.flux[[y, 7]] == 0.0 && found.pressure[[y, 7]].is_nan()));
     // far from the wall the flow is uniform, and the pressure falls from 1 to 0
-    assert!(found.flux.column(19).iter().all(|flux| (flux - 1.0).abs() < 1e-3), "{}", found.flux.column(19));
+    assert!(found.flux.column(19).iter().all(|flux| (flux - 1.0).abs() < 5e-3), "{}", found.flux.column(19));
     assert!(found.pressure.column(0).iter().all(|&p| p > 0.9) && found.pressure.column(19).iter().all(|&p| p < 0.1));
     // turned by a right angle, it is the same
     let turned = Grid::surface([20, 12], [2.0, 0.6]).unwrap().with_periodic([true, false]);
@@ -353,8 +353,7 @@ fn sealing(problem: &Problem, axis: FlowAxis, width: f64) -> Result<PercolationL
     PercolationLoad::new(problem, &Multilevel, &Stop::default(), axis, width, |_| ())
 }
 
-/// Troughs of a sine stay open along their length until everything touches, at `pi E* D/L`, which is `p* = 1/sqrt(2)`. Across them they
-/// are shut under any load.
+/// Troughs of a sine stay open along their length until everything touches, at `pi E* D/L`. Across them they are shut under any load.
 #[test]
 fn troughs_are_sealed_along_their_length_by_full_contact() {
     let grid = Grid::surface([32, 32], [1.0, 1.0]).unwrap();
@@ -362,17 +361,17 @@ fn troughs_are_sealed_along_their_length_by_full_contact() {
     let surface = Surface::new(grid, waves).unwrap();
     let problem = Problem::new(surface, ContactModulus(3.0), Load::ReducedPressure(0.1)).unwrap();
     let found = sealing(&problem, FlowAxis::Y, 1e-5).unwrap();
-    let exact = 0.5f64.sqrt();
-    let [open, sealed] = [found.open, found.sealed].map(|it| it.reduced_pressure);
+    let exact = PI * 3.0 * 0.01;
+    let [open, sealed] = [found.open, found.sealed].map(|it| it.mean_pressure);
     assert!(open < exact * (1.0 + 1e-9) && exact < sealed * (1.0 + 1e-9) && found.width() <= 1e-5, "{found:?}");
-    assert!((found.sealed.mean_pressure / (PI * 3.0 * 0.01) - 1.0).abs() < 2e-5, "{found:?}");
+    assert_eq!(found.sealed.relative_area_counted, 1.0);
     assert!(matches!(sealing(&problem, FlowAxis::X, 0.1), Err(SealError::Always { axis: "x", .. })));
 }
 
 /// The load found by bisection is that of a scan of contacts that are solved one by one, and no other load of the scan opens the gap again.
 #[test]
 fn the_load_that_seals_is_that_of_a_scan() {
-    for (problem, scan) in [(rough(64, 0.8, 3, 0.1), 0.02..0.4), (crossed_waves(), 0.02..1.0)] {
+    for (problem, scan) in [(rough(128, 0.8, 3, 0.1), 0.02..0.4), (crossed_waves(), 0.02..1.0)] {
         let step = (scan.end - scan.start) / 40.0;
         let loads: Vec<f64> = (0..40).map(|i| scan.start + step * f64::from(i)).collect();
         let opens = |axis: FlowAxis| -> Vec<bool> {
@@ -408,7 +407,7 @@ fn crossed_waves() -> Problem {
 
 #[test]
 fn surfaces_without_a_load_that_seals_are_refused() {
-    let problem = rough(64, 0.8, 1, 0.1);
+    let problem = rough(128, 0.8, 1, 0.1);
     for width in [0.0, 1.0, f64::NAN] {
         assert!(matches!(sealing(&problem, FlowAxis::X, width), Err(SealError::Width { .. })));
     }
@@ -421,7 +420,8 @@ fn surfaces_without_a_load_that_seals_are_refused() {
 #[test]
 fn a_soft_body_seals_at_the_height_of_the_saddles() {
     let hardness = 1e-6;
-    let soft = crossed_waves().with_law(Law::Hardness(hardness)).unwrap();
+    let light = crossed_waves().with_load(Load::ReducedPressure(1e-9)).unwrap();
+    let soft = light.with_law(Law::Hardness(hardness)).unwrap();
     let found = sealing(&soft, FlowAxis::X, 1e-3).unwrap();
     let touching = soft.height().iter().filter(|&&height| height > 0.005 - 1e-9).count() as f64 / 1600.0;
     assert!((found.sealed.relative_area_counted - touching).abs() < 5e-3, "{found:?} {touching}");

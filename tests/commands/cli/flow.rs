@@ -103,7 +103,7 @@ fn resistivities_and_conductivities_have_units() {
         ("--resistivity 1 --conductivity 1", "both resistivities and conductivities are given: give one of them"),
         ("--conductivity 0", "the conductivities are 0.0 and 0.0"),
         ("--resistivity 1,2,3", "3 resistivities or conductivities are given"),
-        ("--conductivity 17nohm*m", "is not a conductivity"),
+        ("--conductivity 17nohm*m", "expected a conductivity"),
         ("--resistivity 3m", "resistivity"),
     ] {
         let output = folder.run(&format!("{sine} {flags}"));
