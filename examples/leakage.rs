@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let [along_x, along_y] =
             FlowAxis::ALL.map(|axis| if percolation.open_percolates(axis) { "open" } else { "shut" });
         let start = Instant::now();
-        let leakage = Leakage::from_contact(&contact, FlowAxis::X, 1e-6)?.converged()?;
+        let leakage = Leakage::from_contact(&contact, FlowAxis::X, Leakage::TOLERANCE)?.converged()?;
         let (plain, seconds) = (contact.mean_gap().powi(3), start.elapsed().as_secs_f64());
         println!(
             "{reduced_pressure:>6} {:>7.4} {along_x:>5} {along_y:>5} {:>12.5e} {:>12.5e} {:>8.1e} {:>5.2} {:>5.2}",

@@ -22,7 +22,7 @@ pub use adhesion::AdhesionError;
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
-pub use flow::FlowError;
+pub use flow::{FlowError, SealError};
 pub use history::{HistoryError, SlipError};
 pub use motion::MotionError;
 pub use preparation::PreparationError;

@@ -11,6 +11,7 @@ macro_rules! pages {
             #[doc = "[boundaries-and-solids]: crate::guide::boundaries_and_solids"]
             #[doc = "[explorer]: crate::guide::explorer"]
             #[doc = "[first-contact]: crate::guide::first_contact"]
+            #[doc = "[flow]: crate::guide::flow"]
             #[doc = "[hardness]: crate::guide::hardness"]
             #[doc = "[history]: crate::guide::history"]
             #[doc = "[how-it-works]: crate::guide::how_it_works"]

@@ -1,7 +1,7 @@
 //! Quantities as users write and read them.
 //!
-//! Lengths, pressures, forces, times and speeds in scenes are numbers in any consistent set of units or, with the feature `units`, texts
-//! such as `"160 um"`, `"1 GPa"`, `"5 N"` and `"9 ms"`, which are turned into metres, pascals, newtons and seconds.
+//! Lengths, pressures, forces, times, speeds, resistivities and conductivities in scenes are numbers in any consistent set of units or, with the
+//! feature `units`, texts such as `"160 um"`, `"1 GPa"`, `"5 N"`, `"9 ms"` and `"58 MS/m"`, which are turned into SI units.
 
 use serde::Deserialize;
 use serde::de::{self, Deserializer, Visitor};
@@ -63,6 +63,29 @@ pub fn some_energy_per_area<'de, D: Deserializer<'de>>(from: D) -> Result<Option
     let visitor =
         QuantityVisitor { kind: "an energy per area", example: "\"50 mJ/m^2\"", parse: units::energy_per_area };
     from.deserialize_any(visitor).map(Some)
+}
+
+/// Reads a resistivity, electrical or thermal.
+///
+/// # Errors
+/// For anything that is neither a number nor a resistivity with a unit.
+pub fn resistivity<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    let example = "\"17 nohm*m\" or \"0.01 m K/W\"";
+    from.deserialize_any(QuantityVisitor { kind: "a resistivity", example, parse: units::resistivity })
+}
+
+/// Reads a conductivity, electrical or thermal.
+///
+/// # Errors
+/// For anything that is neither a number nor a conductivity with a unit.
+pub fn conductivity<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    let example = "\"58 MS/m\" or \"400 W/(m K)\"";
+    from.deserialize_any(QuantityVisitor { kind: "a conductivity", example, parse: units::conductivity })
+}
+
+/// The unit of a conductance per area between bodies whose resistivity or conductivity a text gives with its unit.
+pub fn conductance_unit(text: &str) -> Option<&'static str> {
+    units::conductance(text)
 }
 
 /// The length that a text with a unit means.
@@ -248,6 +271,48 @@ mod units {
         read(text, |unit| unit.parse::<Velocity>().ok().map(|one| one.get::<meter_per_second>()))
     }
 
+    /// Units of conduction without their spaces and dots: resistivities and conductivities, electrical and thermal.
+    const RESISTIVITIES: [(&str, f64); 8] = [
+        ("Ωm", 1.0),
+        ("mΩm", 1e-3),
+        ("µΩm", 1e-6),
+        ("nΩm", 1e-9),
+        ("Ωcm", 1e-2),
+        ("mΩcm", 1e-5),
+        ("µΩcm", 1e-8),
+        ("nΩcm", 1e-11),
+    ];
+    const CONDUCTIVITIES: [(&str, f64); 4] = [("S/m", 1.0), ("kS/m", 1e3), ("MS/m", 1e6), ("S/cm", 1e2)];
+    const THERMAL_RESISTIVITIES: [(&str, f64); 2] = [("mK/W", 1.0), ("cmK/W", 1e-2)];
+    const THERMAL_CONDUCTIVITIES: [(&str, f64); 6] =
+        [("W/(mK)", 1.0), ("W/mK", 1.0), ("W/m/K", 1.0), ("kW/(mK)", 1e3), ("mW/(mK)", 1e-3), ("W/(cmK)", 1e2)];
+
+    pub fn resistivity(text: &str) -> Option<f64> {
+        of_conduction(text, &[&RESISTIVITIES, &THERMAL_RESISTIVITIES])
+    }
+
+    pub fn conductivity(text: &str) -> Option<f64> {
+        of_conduction(text, &[&CONDUCTIVITIES, &THERMAL_CONDUCTIVITIES])
+    }
+
+    pub fn conductance(text: &str) -> Option<&'static str> {
+        let is_of = |tables: &[&[(&str, f64)]]| of_conduction(text, tables).is_some();
+        match () {
+            () if is_of(&[&RESISTIVITIES, &CONDUCTIVITIES]) => Some("S/m²"),
+            () if is_of(&[&THERMAL_RESISTIVITIES, &THERMAL_CONDUCTIVITIES]) => Some("W/(m² K)"),
+            () => None,
+        }
+    }
+
+    /// A number with one of some units. Ohms may be written out, and spaces, dots and stars between units are left out.
+    fn of_conduction(text: &str, tables: &[&[(&str, f64)]]) -> Option<f64> {
+        read(text, |one| {
+            let unit: String = one.strip_prefix("1 ")?.chars().filter(|c| !" ·⋅*".contains(*c)).collect();
+            let unit = ["ohm", "Ohm", "Ω"].iter().fold(unit, |unit, ohm| unit.replace(ohm, "Ω"));
+            tables.iter().copied().flatten().find(|(name, _)| *name == unit).map(|(_, size)| *size)
+        })
+    }
+
     /// The longest number that the text begins with, in the unit that follows. What is a whole part of the SI unit divides, so
     /// that `40 um` is the same number as `40e-6`.
     fn read(text: &str, one: impl Fn(&str) -> Option<f64>) -> Option<f64> {
@@ -267,7 +332,14 @@ mod units {
 
 #[cfg(not(feature = "units"))]
 mod units {
-    pub use {length as energy_per_area, length as force, length as pressure, length as speed, length as time};
+    pub use {
+        length as conductivity, length as energy_per_area, length as force, length as pressure, length as resistivity,
+        length as speed, length as time,
+    };
+
+    pub fn conductance(_: &str) -> Option<&'static str> {
+        None
+    }
 
     pub fn length(_: &str) -> Option<f64> {
         None
@@ -286,6 +358,17 @@ mod tests {
         assert_eq!([1.5e-11, 3.0, 2e-20].map(area_in_words), ["15 µm²", "3 m²", "0.02 nm²"]);
         let words = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
         assert_eq!(words, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
+    }
+
+    #[test]
+    #[cfg(feature = "units")]
+    fn resistivities_and_conductivities_are_electrical_or_thermal() {
+        let same = ["17 nohm*m", "17 nΩ m", "1.7 uohm cm", "1.7µΩ·cm", "1.7e-8 ohm m"].map(units::resistivity);
+        assert!(same.iter().all(|it| it.is_some_and(|it| (it / 1.7e-8 - 1.0).abs() < 1e-12)), "{same:?}");
+        assert_eq!(["58 MS/m", "400 W/(m K)", "400W/mK"].map(units::conductivity), [58e6, 400.0, 400.0].map(Some));
+        assert_eq!(["0.01 m K/W", "3 S/m", "3 m"].map(units::resistivity), [Some(0.01), None, None]);
+        let units = ["17 nohm m", "58 MS/m", "1 m K/W", "400 W/(m K)", "400 um", "3"].map(conductance_unit);
+        assert_eq!(units, [Some("S/m²"), Some("S/m²"), Some("W/(m² K)"), Some("W/(m² K)"), None, None]);
     }
 
     #[test]

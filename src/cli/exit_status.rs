@@ -3,7 +3,7 @@
 use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
 use asperity::error::{
-    ClaimError, Failure, FileError, FlowError, GridError, ProblemError, SettingError, SetupError, SlipError,
+    ClaimError, Failure, FileError, FlowError, GridError, ProblemError, SealError, SettingError, SetupError, SlipError,
     SolidError, SolveError, StepsError, StudyError, SurfaceError,
 };
 use std::io::{Write, stderr};
@@ -97,6 +97,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
         || error.downcast_ref().is_some_and(SolveError::is_input)
         || error.downcast_ref().is_some_and(FileError::is_input)
         || error.downcast_ref().is_some_and(FlowError::is_input)
+        || error.downcast_ref().is_some_and(SealError::is_input)
         || error.downcast_ref().is_some_and(StepsError::is_input)
         || error.downcast_ref().is_some_and(StudyError::is_input);
     if is_input { 2 } else { 1 }

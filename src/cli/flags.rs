@@ -9,7 +9,7 @@ use super::warnings;
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
-use clap::{Arg, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
+use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
@@ -75,8 +75,20 @@ impl Extent for OfProblem {
     }
 }
 
+/// A surface and a solid whose load is found, and the solver.
+pub struct OfSealing;
+
+impl Extent for OfSealing {
+    const LOAD: &'static str = LOAD;
+
+    fn takes(flag: &Flag) -> bool {
+        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&flag.section())
+    }
+}
+
 /// Sections that describe how a contact is solved, or what follows it.
-const OF_A_SOLVE: [&str; 8] = ["friction", "adhesion", "viscoelastic", "sliding", "rolling", "path", "solver", "stop"];
+const OF_A_SOLVE: [&str; 9] =
+    ["friction", "adhesion", "viscoelastic", "sliding", "rolling", "path", "flow", "solver", "stop"];
 
 /// A scene and the flags that are laid over it.
 pub struct SceneArgs<E> {
@@ -157,6 +169,9 @@ fn is_named_scene(path: &Path) -> bool {
 impl<E: Extent> FromArgMatches for SceneArgs<E> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let words = |flag: &'static Flag| {
+            if matches!(flag.value, FlagValue::Switch) {
+                return matches.get_flag(E::name(flag)).then(|| (flag, Vec::new()));
+            }
             let words = matches.get_many::<String>(E::name(flag))?;
             Some((flag, words.cloned().collect()))
         };
@@ -205,6 +220,7 @@ fn arg<E: Extent>(flag: &'static Flag) -> Arg {
     match flag.value {
         FlagValue::One => arg,
         FlagValue::List => arg.value_delimiter(','),
+        FlagValue::Switch => arg.action(ArgAction::SetTrue),
         FlagValue::Choice(names) | FlagValue::Variant(names) => arg.value_parser(one_of(names())),
         FlagValue::Choices(names) => arg.value_delimiter(',').value_parser(one_of(names())),
     }
@@ -221,6 +237,7 @@ fn heading<E: Extent>(flag: &Flag) -> &'static str {
         "friction" => "Friction (a tangential load after the normal one)",
         "adhesion" => "Adhesion (an attraction between the surfaces)",
         "viscoelastic" | "sliding" | "rolling" | "path" => "History (creep, slip, sliding, rolling or adhesion)",
+        "flow" => "Flow through the contact",
         "record" => "Recording",
         _ => "Solver",
     }

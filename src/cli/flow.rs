@@ -1,15 +1,16 @@
 //! The rows of a summary about flow through a contact: leakage and conductance.
 
 use super::units::{Units, significant};
-use anyhow::Result;
 use asperity::contact::Contact;
-use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation};
+use asperity::error::FlowError;
+use asperity::flow::{FlowAxis, Leakage};
+use asperity::quantity::number_in_words;
+use asperity::setup::Flow;
+use asperity::study::FlowRow;
+use asperity::surface::Field;
 use serde::Serialize;
 
-/// The goal for the relative distance of the bounds of a leakage.
-const TOLERANCE: f64 = 1e-6;
-
-/// Leakage and conductance of a contact, each where its flag is given.
+/// Leakage and conductance of a contact, each where it is asked for.
 #[derive(Serialize, Default)]
 pub struct FlowFinding {
     /// The leakage along x and y; of a line along x only.
@@ -18,15 +19,24 @@ pub struct FlowFinding {
     /// The conductance per area, one over resistivity and length; none where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
     conductance_per_area: Option<f64>,
+    /// The same times the sum of both resistivities, one over a length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    conductance_times_resistivity: Option<f64>,
     /// Whether all nodes touch, so that nothing constricts the current.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_unconstricted: bool,
+    /// The same as a row of a table.
+    #[serde(skip)]
+    pub row: FlowRow,
+    /// Flux over its mean, and pressure of the fluid, by their names in archives.
+    #[serde(skip)]
+    pub fields: Vec<(String, Field)>,
 }
 
 /// The leakage through the gap along one axis, by Reynolds' equation.
 #[derive(Serialize)]
 struct AxisFinding {
-    axis: &'static str,
+    axis: FlowAxis,
     /// Whether the open area connects both sides.
     open_percolates: bool,
     /// Whether the contact connects both sides.
@@ -38,19 +48,40 @@ struct AxisFinding {
 }
 
 impl FlowFinding {
-    /// What is asked for: the leakage, and the conductance between bodies of some resistivities.
-    pub fn new(contact: &Contact, leaks: bool, resistivities: Option<[f64; 2]>) -> Result<Self> {
-        let is_line = contact.problem.surface().grid().is_line();
-        let axes: &[FlowAxis] = if is_line { &[FlowAxis::X] } else { &[FlowAxis::X, FlowAxis::Y] };
-        let percolation = leaks.then(|| Percolation::from_contact(contact));
-        let along =
-            percolation.map_or(Ok(Vec::new()), |it| axes.iter().map(|&axis| leak(contact, &it, axis)).collect());
-        let conductance = resistivities.map(|it| Conductance::new(contact, it)).transpose()?.map(|it| it.per_area);
-        Ok(Self {
-            along: along?,
-            conductance_per_area: conductance.filter(|it| it.is_finite()),
-            is_unconstricted: conductance.is_some_and(f64::is_infinite),
-        })
+    /// What is asked for, if anything is. The fields of the flow are kept for an archive only.
+    pub fn new(contact: &Contact, asked: &Flow, is_archived: bool) -> Result<Option<Self>, FlowError> {
+        if asked.is_none() {
+            return Ok(None);
+        }
+        let (row, leakages) = FlowRow::measure(contact, asked)?;
+        let found = |it: &Leakage| {
+            let is_x = it.axis == FlowAxis::X;
+            let [open, joined] = match is_x {
+                true => [row.open_percolates_x, row.contact_percolates_x],
+                false => [row.open_percolates_y, row.contact_percolates_y],
+            };
+            AxisFinding {
+                axis: it.axis,
+                open_percolates: open.unwrap_or_default(),
+                contact_percolates: joined.unwrap_or_default(),
+                leakage: [it.lower, it.upper],
+                hydraulic_gap: it.sigma().cbrt(),
+            }
+        };
+        let along = leakages.iter().map(found).collect();
+        let fields = leakages.into_iter().filter(|_| is_archived).flat_map(|it| {
+            let name = it.axis.name();
+            [(format!("flux_{name}"), it.flux), (format!("fluid_pressure_{name}"), it.pressure)]
+        });
+        let is_finite = |it: &f64| it.is_finite();
+        Ok(Some(Self {
+            along,
+            conductance_per_area: row.conductance_per_area.filter(is_finite),
+            conductance_times_resistivity: row.conductance_times_resistivity.filter(is_finite),
+            is_unconstricted: row.conductance_per_area.is_some_and(f64::is_infinite),
+            row,
+            fields: fields.collect(),
+        }))
     }
 
     /// Names and values for reading.
@@ -62,28 +93,17 @@ impl FlowFinding {
                     "as between plates {} apart (bounds within {:.0e}{})",
                     units.length(it.hydraulic_gap),
                     (upper - lower) / upper,
-                    if upper - lower > TOLERANCE * upper { ", not converged" } else { "" }
+                    if upper - lower > Leakage::TOLERANCE * upper { ", not converged" } else { "" }
                 ),
             };
             let joined = if it.contact_percolates { "; the contact reaches from side to side" } else { "" };
-            (format!("leaks along {}", it.axis), said + joined)
+            (format!("leaks along {}", it.axis.name()), said + joined)
         });
-        let per_area = self.conductance_per_area.map(significant);
+        let per_area = self.conductance_per_area.map(|it| match units.conductance {
+            Some(unit) => format!("{} {unit}", number_in_words(it)),
+            None => significant(it),
+        });
         let per_area = per_area.or(self.is_unconstricted.then(|| "infinite, since all nodes touch".to_owned()));
         along.chain(per_area.map(|it| ("conductance per area".to_owned(), it))).collect()
     }
-}
-
-fn leak(contact: &Contact, percolation: &Percolation, axis: FlowAxis) -> Result<AxisFinding> {
-    let leakage = Leakage::from_contact(contact, axis, TOLERANCE)?;
-    Ok(AxisFinding {
-        axis: match axis {
-            FlowAxis::X => "x",
-            FlowAxis::Y => "y",
-        },
-        open_percolates: percolation.open_percolates(axis),
-        contact_percolates: percolation.contact_percolates(axis),
-        leakage: [leakage.lower, leakage.upper],
-        hydraulic_gap: leakage.sigma().cbrt(),
-    })
 }

@@ -172,9 +172,6 @@ fn check(setup: &Setup, outputs: &Outputs) -> Result<()> {
     if outputs.stiffness {
         return usage("--stiffness is for one contact, but a history has many states: leave it out");
     }
-    if outputs.flow || !outputs.resistivity.is_empty() {
-        return usage("--flow and --resistivity are for one contact, but a history has many states: leave them out");
-    }
     if outputs.stress.is_some() {
         return usage("--stress is for one contact, but a history has many states: leave it out");
     }

@@ -2,6 +2,7 @@
 
 use super::exit_status::{ExitStatus, Interrupted, settle, usage};
 use super::finding::Finding;
+use super::flow::FlowFinding;
 use super::interrupt::{Interruption, interrupted};
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
@@ -13,13 +14,14 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads, warnings_of};
+use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads_with, warnings_of};
 use asperity::error::FileError;
 use asperity::files::{write_beside, write_csv};
 #[cfg(feature = "record")]
 use asperity::job::CurveRecording;
 use asperity::setup::{Part, SetupTable};
-use asperity::study::LoadCurve;
+use asperity::study::{FlowRow, LoadCurve};
+use asperity::surface::Field;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
 use std::path::Path;
@@ -118,7 +120,8 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             }
             outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
-            let finding = Finding { flow: outputs.flow(contact)?, ..Finding::new(&curve.setup, contact) };
+            let flow = FlowFinding::new(contact, &curve.setup.flow, outputs.archive().is_some())?;
+            let finding = Finding { flow, ..Finding::new(&curve.setup, contact) };
             #[cfg(feature = "record")]
             if let Some(Err(failure)) =
                 recording.as_ref().map(|it| it.add(pressed.findings.len(), contact, &finding.observables))
@@ -157,12 +160,16 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {
-        let bytes = archive_of_loads(&contacts, subject.rank, &setup.to_toml());
+        let bytes = archive_of_loads_with(&contacts, &flow_fields(&findings), subject.rank, &setup.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
         let row = |(i, it): (usize, &Finding)| (LoadRow { load_number: i + 1, status: it.status }, it.observables);
-        write_csv(path, findings.iter().enumerate().map(row))?;
+        let flow = |it: &Finding| it.flow.as_ref().map_or(FlowRow::default(), |it| it.row);
+        match curve.setup.flow.is_none() {
+            true => write_csv(path, findings.iter().enumerate().map(row))?,
+            false => write_csv(path, findings.iter().enumerate().map(|(i, it)| (row((i, it)), flow(it))))?,
+        }
     }
     if let Some(path) = outputs.picture() {
         picture::write(path, &picture::of_loads(&subject.title, &observables, units))?;
@@ -217,6 +224,13 @@ impl LoadCurveSummary {
             writeln!(out, "{reduced_pressure:>12.4e}{}", values.collect::<String>())
         })
     }
+}
+
+/// The fields of the flow under all loads, by their names in archives.
+fn flow_fields(findings: &[Finding]) -> Vec<(&str, Vec<&Field>)> {
+    let of_first = findings.first().and_then(|it| it.flow.as_ref()).map_or(&[][..], |it| &it.fields);
+    let under_all = |i: usize| findings.iter().filter_map(|it| Some(&it.flow.as_ref()?.fields.get(i)?.1)).collect();
+    of_first.iter().enumerate().map(|(i, (name, _))| (name.as_str(), under_all(i))).collect()
 }
 
 /// A number with some digits; a dash where it is not resolved.

@@ -36,6 +36,7 @@ mod problem_summary;
 mod progress;
 #[cfg(feature = "record")]
 mod recording_args;
+mod seal;
 mod slip;
 mod solve;
 mod solve_plan;
@@ -129,6 +130,11 @@ enum Command {
     /// and sizes give a study of your own. Lengths are those of the paper: a roll-off wavelength of 20 um; a line has 8
     /// of them, a surface 4 per side.
     Paper(Box<paper::PaperCommand>),
+    /// Find the load at which a surface seals
+    ///
+    /// A contact seals if no open path leads from one side of the cell to the other. The load is found by bisection,
+    /// along both axes or along one; the load of a scene is not used.
+    Seal(Box<seal::Seal>),
     /// Solve a contact under one load, or under several loads one after the other
     Solve(Box<solve::Solve>),
     /// Solve stiff and extreme cases and check the results
@@ -182,6 +188,7 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Man(man) => man.run(Cli::command()),
         Command::Merge(merge) => merge.run(),
         Command::Paper(paper) => paper.run(),
+        Command::Seal(seal) => seal.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),
         Command::Study(study) => study.run(),

@@ -1,7 +1,5 @@
 //! The files that a solve writes.
 
-use super::flow::FlowFinding;
-use anyhow::Result;
 use asperity::contact::Contact;
 use asperity::error::FileError;
 use asperity::files::check_named;
@@ -46,13 +44,6 @@ pub struct Outputs {
     /// more work
     #[arg(long)]
     pub stiffness: bool,
-    /// Also compute what leaks through the gap along each axis, with bounds, and whether the contact seals
-    #[arg(long)]
-    pub flow: bool,
-    /// Also compute the conductance per area between bodies of these resistivities in ohm metres, or of one over the thermal
-    /// conductivities; one number is for both bodies
-    #[arg(long, value_name = "RHO[,RHO]", value_delimiter = ',', num_args = 1..=2)]
-    pub resistivity: Vec<f64>,
     /// Print one JSON object instead of a summary
     #[arg(long)]
     pub json: bool,
@@ -78,8 +69,7 @@ impl Outputs {
         Extras {
             is_recorded: self.recording().is_some(),
             is_diagnosed: false,
-            has_stiffness: self.stiffness || !self.resistivity.is_empty(),
-            has_flow: self.flow,
+            has_stiffness: self.stiffness,
             has_stress: self.stress.is_some(),
             archived: if self.archive().is_some() { loads } else { 0 },
         }
@@ -112,17 +102,6 @@ impl Outputs {
         if self.stiffness {
             contact.stiffness();
         }
-    }
-
-    /// What flows through a contact, if it was requested.
-    pub fn flow(&self, contact: &Contact) -> Result<Option<FlowFinding>> {
-        let resistivities = match *self.resistivity.as_slice() {
-            [] => None,
-            [both] => Some([both, both]),
-            [first, second, ..] => Some([first, second]),
-        };
-        let is_asked = self.flow || resistivities.is_some();
-        is_asked.then(|| FlowFinding::new(contact, self.flow, resistivities)).transpose()
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.

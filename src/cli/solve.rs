@@ -3,6 +3,7 @@
 use super::exit_status::{ExitStatus, settle, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
+use super::flow::FlowFinding;
 use super::history;
 use super::load_curve;
 use super::nodes::write_nodes;
@@ -19,7 +20,7 @@ use super::stress;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{PartialSlip, archive, archive_of_slip};
+use asperity::contact::{PartialSlip, archive_of_slip, archive_with};
 use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
 use asperity::job::{Job, Solved};
@@ -147,7 +148,8 @@ impl Solve {
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
         let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
-        let finding = Finding { flow: outputs.flow(&contact)?, ..finding };
+        let flow = FlowFinding::new(&contact, &setup.flow, outputs.archive().is_some())?;
+        let finding = Finding { flow, ..finding };
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
@@ -155,7 +157,11 @@ impl Solve {
             let text = full.to_toml();
             let bytes = match &slip {
                 Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
-                None => archive(&contact, subject.rank, Some(&text)),
+                None => {
+                    let fields = finding.flow.iter().flat_map(|it| it.fields.iter());
+                    let fields: Vec<_> = fields.map(|(name, field)| (name.as_str(), field)).collect();
+                    archive_with(&contact, &fields, subject.rank, Some(&text))
+                }
             };
             write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
         }

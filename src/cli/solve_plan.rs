@@ -55,7 +55,7 @@ pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
 /// Writes the estimated size of the recording.
 #[cfg(feature = "record")]
 fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Result<()> {
-    let options = Options::from(&setup.record);
+    let options = Options::from(setup);
     let size = Size::new(options.what, &cost.grid);
     let numbers = bytes_in_words(1e3 * size.step);
     let frame = bytes_in_words(size.frame);
@@ -63,7 +63,7 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
         Some(every) => format!("about {frame} per frame, one frame every {every} steps"),
         None => {
             let frames = size.frames(setup.solver.steps(setup.stop.max_iterations()), cost.coarse_grids);
-            let most = bytes_in_words(size.still + frames as f64 * size.frame);
+            let most = bytes_in_words(size.still + frames as f64 * size.frame + size.contact);
             format!("at most about {most}: {frames} frames of {frame}")
         }
     };
@@ -77,9 +77,10 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
 /// Writes the estimated size of a recording over `loads` loads.
 #[cfg(feature = "record")]
 fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
-    let size = Size::new(Options::from(&setup.record).what, &cost.grid);
-    let most = bytes_in_words(size.still + loads as f64 * size.frame);
-    writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(size.frame))
+    let size = Size::new(Options::from(setup).what, &cost.grid);
+    let frame = size.frame + size.contact;
+    let most = bytes_in_words(size.still + loads as f64 * frame);
+    writeln!(out, "  recording   at most about {most}: {loads} frames of {}", bytes_in_words(frame))
 }
 
 /// Writes the grids that a contact may take until it has settled.

@@ -1,7 +1,8 @@
 //! Units of the numbers in a summary.
 
 use asperity::quantity::{
-    area_in_words, has_length_unit, has_pressure_unit, length_in_words, number_in_words, pressure_in_words,
+    area_in_words, conductance_unit, has_length_unit, has_pressure_unit, length_in_words, number_in_words,
+    pressure_in_words,
 };
 use asperity::setup::{Recipe, SetupTable};
 
@@ -12,6 +13,8 @@ pub struct Units {
     pub metres: bool,
     /// Whether pressures are pascals.
     pub pascals: bool,
+    /// The unit of a conductance per area, where lengths are metres and resistivities or conductivities have units.
+    pub conductance: Option<&'static str>,
 }
 
 impl Units {
@@ -20,8 +23,10 @@ impl Units {
         let texts = table.texts();
         let mut files = surface.files().map(|file| file.layout(surface.channel.as_deref()));
         let mut is_file_in_metres = || files.any(|layout| layout.is_ok_and(|it| it.is_in_metres));
+        let metres = texts.iter().any(|text| has_length_unit(text)) || is_file_in_metres();
         Self {
-            metres: texts.iter().any(|text| has_length_unit(text)) || is_file_in_metres(),
+            metres,
+            conductance: texts.iter().find_map(|text| conductance_unit(text)).filter(|_| metres),
             pascals: texts.iter().any(|text| has_pressure_unit(text)),
         }
     }
@@ -44,7 +49,7 @@ impl Units {
     /// An energy per area.
     pub fn energy_per_area(self, value: f64) -> String {
         match self {
-            Self { metres: true, pascals: true } => format!("{} J/m²", number_in_words(value)),
+            Self { metres: true, pascals: true, .. } => format!("{} J/m²", number_in_words(value)),
             _ => plain(value),
         }
     }

@@ -38,7 +38,24 @@ use std::slice::from_ref;
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
-    ArchiveWriter::new(from_ref(contact), false, rank, setup)?.finish()
+    archive_with(contact, &[], rank, setup)
+}
+
+/// A contact as `.npz`: as [`archive`], with further fields of the shape of the pressure under their names. `asperity solve --flow`
+/// adds those of [`Leakage`](crate::flow::Leakage) along both axes: the magnitude of the flux over its mean (`flux_x`, `flux_y`), and the pressure of
+/// the fluid over its drop (`fluid_pressure_x`, `fluid_pressure_y`), which is NaN where nothing flows.
+///
+/// # Errors
+/// The errors of [`archive`].
+pub fn archive_with(
+    contact: &Contact,
+    fields: &[(&str, &Field)],
+    rank: usize,
+    setup: Option<&str>,
+) -> Result<Vec<u8>, WriteNpzError> {
+    let mut archive = ArchiveWriter::new(from_ref(contact), false, rank, setup)?;
+    fields.iter().try_for_each(|(name, field)| archive.add_field(name, field.view()))?;
+    archive.finish()
 }
 
 /// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction` and where it sticks (`stick`), both of
@@ -107,7 +124,23 @@ pub fn archive_of_stress(
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
 pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
-    ArchiveWriter::new(contacts, true, rank, Some(setup))?.finish()
+    archive_of_loads_with(contacts, &[], rank, setup)
+}
+
+/// The contacts of one surface under several loads as `.npz`: as [`archive_of_loads`], with further fields of all contacts under their names,
+/// such as those of [`archive_with`].
+///
+/// # Errors
+/// The errors of [`archive_of_loads`].
+pub fn archive_of_loads_with(
+    contacts: &[Contact],
+    fields: &[(&str, Vec<&Field>)],
+    rank: usize,
+    setup: &str,
+) -> Result<Vec<u8>, WriteNpzError> {
+    let mut archive = ArchiveWriter::new(contacts, true, rank, Some(setup))?;
+    archive.add_lists(fields)?;
+    archive.finish()
 }
 
 /// The contacts of the states of a history as `.npz`: as [`archive_of_loads`], with further `numbers` and `fields` of all states, each
@@ -127,9 +160,7 @@ pub(crate) fn archive_of_states(
     for (name, values) in numbers {
         archive.npz.add_array(*name, &ArrayView1::from(values))?;
     }
-    for (name, values) in fields {
-        archive.add_fields(name, values.iter().map(|values| values.view().into()))?;
-    }
+    archive.add_lists(fields)?;
     archive.finish()
 }
 
@@ -272,6 +303,11 @@ impl<'n> ArchiveWriter<'n> {
         } else {
             self.add_each(name, fields)
         }
+    }
+
+    /// Adds further fields of all contacts under their names.
+    fn add_lists(&mut self, fields: &[(&str, Vec<&Field>)]) -> Result<(), WriteNpzError> {
+        fields.iter().try_for_each(|(name, of)| self.add_fields(name, of.iter().map(|field| field.view().into())))
     }
 
     /// Adds an array of each contact, those of a list along a first axis.

@@ -53,7 +53,7 @@ use sums::CertificateSums;
 
 pub use crate::error::Failure;
 pub(crate) use archive::archive_of_states;
-pub use archive::{archive, archive_of_loads, archive_of_slip, archive_of_stress};
+pub use archive::{archive, archive_of_loads, archive_of_loads_with, archive_of_slip, archive_of_stress, archive_with};
 pub use ceiling::Ceiling;
 pub use certificate::Certificate;
 pub use claim::ResultClaim;

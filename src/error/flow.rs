@@ -1,5 +1,7 @@
 //! Flows through a contact that cannot be computed.
 
+use super::{ProblemError, SolveError};
+
 /// A flow through a contact that cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FlowError {
@@ -26,6 +28,20 @@ pub enum FlowError {
         "the resistivities are {first:?} and {second:?}: give two values that are finite, not negative, and not both zero"
     )]
     Resistivity { first: f64, second: f64 },
+    /// Conductivities that do not make sense.
+    #[error("the conductivities are {first:?} and {second:?}: give two values that are finite and positive")]
+    Conductivity { first: f64, second: f64 },
+    /// Values for more than two bodies.
+    #[error(
+        "{values} resistivities or conductivities are given, but a contact has two bodies: give one value for both, or two"
+    )]
+    Bodies { values: usize },
+    /// Two descriptions of the same bodies.
+    #[error("both resistivities and conductivities are given: give one of them")]
+    Twice,
+    /// A history.
+    #[error("leakage and conductance are those of one contact, but a history has many states: leave them out")]
+    History,
     /// A solid whose elastic response is not that of conduction.
     #[error(
         "the conductance follows from the stiffness on half-spaces only, since current flows through a {solid} by another law than force: \
@@ -35,4 +51,29 @@ pub enum FlowError {
     /// A contact that moves over its solid.
     #[error("the conductance follows from the stiffness of contacts at rest, but this one moves: leave the speed out")]
     NeedsRest,
+}
+
+/// A load at which a surface seals that cannot be found.
+#[derive(Debug, thiserror::Error)]
+pub enum SealError {
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A width out of its range.
+    #[error("the relative width of the load is {value:?}: give a value from 1e-9 to below 1")]
+    Width { value: f64 },
+    /// A line.
+    #[error("a line is sealed by one node that touches, under any load: give a surface")]
+    Line,
+    /// A surface that no load opens.
+    #[error(
+        "the contact seals along {axis} under all loads down to the reduced pressure {reduced_pressure:.1e}: give another axis or surface"
+    )]
+    Always { axis: &'static str, reduced_pressure: f64 },
+    /// A surface that no load seals.
+    #[error(
+        "the gap stays open along {axis} under all loads up to the reduced pressure {reduced_pressure:.1e}: raise the hardness, if there is one"
+    )]
+    Never { axis: &'static str, reduced_pressure: f64 },
 }

@@ -1,7 +1,8 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
 use super::{
-    FileError, FlowError, HistoryError, MotionError, SetupError, SlipError, SolveError, StepsError, StudyError,
+    FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError, StepsError,
+    StudyError,
 };
 
 impl FileError {
@@ -70,6 +71,16 @@ impl FlowError {
     }
 }
 
+impl SealError {
+    /// Whether another surface or another solver can help.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            _ => true,
+        }
+    }
+}
+
 impl StepsError {
     /// Whether other steps can help.
     pub fn is_input(&self) -> bool {
@@ -86,6 +97,7 @@ impl SetupError {
         match self {
             Self::File(error) => error.is_input(),
             Self::Slip(error) => error.is_input(),
+            Self::Flow(error) => error.is_input(),
             Self::History(error) => error.is_input(),
             Self::Creep(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),

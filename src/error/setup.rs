@@ -1,8 +1,8 @@
 //! Setups that cannot be.
 
 use super::{
-    AdhesionError, CreepError, FileError, GridError, HistoryError, PreparationError, ProblemError, SettingError,
-    SlipError, SolidError, SolveError, SurfaceError,
+    AdhesionError, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError, ProblemError,
+    SettingError, SlipError, SolidError, SolveError, SurfaceError,
 };
 use crate::quantity::bytes_in_words;
 use std::path::PathBuf;
@@ -45,6 +45,8 @@ pub enum SetupError {
     Adhesion { reason: String },
     #[error(transparent)]
     Attraction(#[from] AdhesionError),
+    #[error(transparent)]
+    Flow(#[from] FlowError),
     #[error(transparent)]
     Setting(#[from] SettingError),
     #[error(transparent)]

@@ -439,8 +439,7 @@ impl Knobs {
     /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the
     /// usual parts. The stress is that of the pressure alone, which with adhesion is not all that the solid feels.
     fn parts(&self, grid: &Grid, adheres: bool) -> Vec<Part> {
-        let missing = if grid.is_line() { Part::Mesh } else { Part::Profile };
-        let is_there = |part: &Part| *part != missing && !(adheres && matches!(part, Part::Stress | Part::Fringes));
+        let is_there = |part: &Part| part.is_on(grid) && !(adheres && matches!(part, Part::Stress | Part::Fringes));
         let parts: Vec<Part> = self.record.iter().copied().filter(is_there).collect();
         if parts.is_empty() { vec![Part::Traces] } else { parts }
     }

@@ -1,9 +1,13 @@
 //! The direction of a flow.
 
 use crate::grid::Grid;
+use serde::Serialize;
+use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
 /// The axis along which something flows, from one side of the cell to the other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumIter, EnumMessage, EnumString, IntoStaticStr)]
+#[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
 pub enum FlowAxis {
     /// From the first column to the last one.
     X,
@@ -14,6 +18,11 @@ pub enum FlowAxis {
 impl FlowAxis {
     /// Both axes.
     pub const ALL: [Self; 2] = [Self::X, Self::Y];
+
+    /// Its name, `x` or `y`.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
 
     /// The place of the axis in pairs `[y, x]`.
     pub(super) fn index(self) -> usize {

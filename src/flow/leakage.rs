@@ -1,7 +1,7 @@
 //! The flow of a thin film through a gap.
 
 use super::FlowAxis;
-use super::cycle::{Gradients, GroupCycle};
+use super::cycle::{Gradients, GroupCycle, GroupSize};
 use super::laplacian::Laplacian;
 use super::network::Network;
 use super::tree::ChannelTree;
@@ -12,6 +12,8 @@ use crate::surface::Field;
 
 /// Largest number of steps of conjugate gradients.
 const MOST_STEPS: usize = 500;
+/// Steps with large groups, after which groups are small. Where channels are wide, no more than that are needed.
+const STEPS_OF_LARGE: usize = 16;
 /// The estimated relative error at which bounds are first computed, in parts of the tolerance, and how much lower it has to be for
 /// each later time.
 const FIRST_GOAL: f64 = 0.1;
@@ -68,7 +70,7 @@ const SMALLEST_TOLERANCE: f64 = 1e-12;
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Leakage {
     /// The axis of the flow.
     pub axis: FlowAxis,
@@ -80,9 +82,18 @@ pub struct Leakage {
     pub tolerance: f64,
     /// Steps of the solver.
     pub steps: usize,
+    /// The pressure of the fluid over its drop, from 1 at the inlet to 0 at the outlet, shape `(ny, nx)`; NaN in nodes through which
+    /// nothing flows.
+    pub pressure: Field,
+    /// The magnitude of the flux `|J|` over its mean `<J>`, shape `(ny, nx)`. It is large where all of the fluid passes a
+    /// constriction, and zero in nodes through which nothing flows.
+    pub flux: Field,
 }
 
 impl Leakage {
+    /// A tolerance that suits most: with it, four digits of the hydraulic gap `sigma^(1/3)` are certain.
+    pub const TOLERANCE: f64 = 1e-4;
+
     /// The flow through gaps of shape `(ny, nx)`, along an axis, until the bounds are closer than the relative `tolerance`. Gaps of zero and
     /// below carry nothing.
     ///
@@ -126,6 +137,31 @@ impl Leakage {
         if self.is_sealed() { 0.0 } else { (self.upper - self.lower) / self.upper }
     }
 
+    /// Sets the fields, from the pressure of the cells of a network.
+    fn lay_fields(&mut self, grid: &Grid, network: &Network, pressure: &[f64]) {
+        let (nx, along, spacing) = (grid.shape()[1], self.axis.index(), grid.spacing());
+        let flux = network.flux(pressure);
+        // twice the flow through each cell along y and x: the sum over both faces
+        let mut through = vec![[0.0; 2]; network.cells];
+        for (face, flux) in network.faces.iter().zip(&flux) {
+            let nodes = face.ends().map(|end| network.nodes.get(end).map(|&node| node as usize));
+            let axis = match nodes {
+                [Some(a), Some(b)] if a / nx == b / nx => FlowAxis::X.index(),
+                [Some(_), Some(_)] => FlowAxis::Y.index(),
+                _ => along,
+            };
+            face.ends().into_iter().filter(|&end| end < network.cells).for_each(|end| through[end][axis] += flux);
+        }
+        // the mean flux is the total over the width, and that through a face is the flow over its own width
+        let unit = 0.5 * grid.shape()[1 - along] as f64 / network.inflow(&flux);
+        let widths = [0, 1].map(|axis| if axis == along { 1.0 } else { spacing[1 - along] / spacing[along] });
+        for (cell, &node) in network.nodes.iter().enumerate() {
+            let node = [node as usize / nx, node as usize % nx];
+            self.pressure[node] = pressure[cell];
+            self.flux[node] = unit * f64::hypot(through[cell][0] * widths[0], through[cell][1] * widths[1]);
+        }
+    }
+
     /// Whether nothing flows.
     pub fn is_sealed(&self) -> bool {
         self.upper == 0.0
@@ -136,12 +172,11 @@ impl Leakage {
     /// # Errors
     /// [`FlowError::NotConverged`].
     pub fn converged(self) -> Result<Self, FlowError> {
-        let Self { lower, upper, tolerance, steps, .. } = self;
-        if self.width() <= tolerance {
-            Ok(self)
-        } else {
-            Err(FlowError::NotConverged { lower, upper, tolerance, steps })
+        if self.width() <= self.tolerance {
+            return Ok(self);
         }
+        let Self { lower, upper, tolerance, steps, .. } = self;
+        Err(FlowError::NotConverged { lower, upper, tolerance, steps })
     }
 }
 
@@ -152,16 +187,21 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     let network = Network::new(&axis.cut(grid), axis, &conductivity);
     let size = grid.size();
     let unit = widest.powi(3) * size[axis.index()] / size[1 - axis.index()];
-    let mut leakage = Leakage { axis, lower: 0.0, upper: 0.0, tolerance, steps: 0 };
+    let (pressure, flux) = (Field::from_elem(grid.shape(), f64::NAN), Field::zeros(grid.shape()));
+    let mut leakage = Leakage { axis, lower: 0.0, upper: 0.0, tolerance, steps: 0, pressure, flux };
     if network.cells == 0 {
         return leakage;
     }
-    let (cycle, tree) = (GroupCycle::new(Laplacian::from_network(&network)), ChannelTree::new(&network));
+    let mut cycle = GroupCycle::new(Laplacian::from_network(&network), GroupSize::Large);
+    let tree = ChannelTree::new(&network);
     let flux = network.flux(&network.linear);
     let mut gradients = Gradients::new(network.linear.clone(), network.surplus(&flux));
     let (mut power, mut goal) = (network.power(&flux), FIRST_GOAL * tolerance);
     leakage.upper = unit * power;
     while leakage.steps < MOST_STEPS && leakage.width() > tolerance {
+        if leakage.steps == STEPS_OF_LARGE {
+            cycle = cycle.with_groups(GroupSize::Small);
+        }
         let gain = gradients.step(cycle.matrix(), cycle.apply(&gradients.residual));
         leakage.steps += 1;
         power -= gain.unwrap_or(0.0);
@@ -175,6 +215,7 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
             gradients = Gradients::new(gradients.x, residual);
         }
     }
+    leakage.lay_fields(grid, &network, &gradients.x);
     leakage
 }
 

@@ -4,6 +4,7 @@
 //! Contact --(mask)------> Percolation: does anything flow at all?
 //!         --(gap)-------> Leakage: Reynolds' equation, with bounds of the flow
 //!         --(stiffness)-> Conductance: electrical and thermal
+//! Problem, Solver ------> PercolationLoad: the load at which nothing flows any more
 //! ```
 //!
 //! Two things are not the same: [`Percolation`] looks at nodes with a pressure and nothing else, and [`Leakage`] at the gap of the others as well. Both
@@ -31,9 +32,11 @@ mod laplacian;
 mod leakage;
 mod network;
 mod percolation;
+mod percolation_load;
 mod tree;
 
 pub use axis::FlowAxis;
 pub use conductance::Conductance;
 pub use leakage::Leakage;
 pub use percolation::Percolation;
+pub use percolation_load::{PercolationLoad, PercolationState};

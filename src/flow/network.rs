@@ -24,6 +24,8 @@ impl Face {
 pub(super) struct Network {
     /// Number of cells.
     pub cells: usize,
+    /// The node of each cell.
+    pub nodes: Vec<u32>,
     /// Faces with a conductance above zero.
     pub faces: Vec<Face>,
     /// The pressure of each cell if it falls linearly, from 1 at the inlet to 0 at the outlet.
@@ -37,14 +39,15 @@ impl Network {
     /// the cells. A side lies half a spacing from the first or last cells.
     pub fn new(grid: &Grid, axis: FlowAxis, conductivity: &[f64]) -> Self {
         let numbers = numbers(grid, axis, conductivity);
-        let nodes: Vec<usize> = (0..grid.len()).filter(|&node| numbers[node] != u32::MAX).collect();
+        let nodes: Vec<u32> = (0..grid.len() as u32).filter(|&node| numbers[node as usize] != u32::MAX).collect();
         let spacing = grid.spacing();
         let ratio = spacing[1 - axis.index()] / spacing[axis.index()];
         let cells = nodes.len();
         let [inlet, outlet] = [cells as u32, cells as u32 + 1];
         let points = grid.shape()[axis.index()] as f64;
-        let mut network = Self { cells, faces: Vec::with_capacity(2 * cells), linear: Vec::with_capacity(cells) };
-        for node in nodes {
+        let (faces, linear) = (Vec::with_capacity(2 * cells), Vec::with_capacity(cells));
+        let mut network = Self { cells, nodes: Vec::new(), faces, linear };
+        for node in nodes.iter().map(|&node| node as usize) {
             for (other, along) in links(grid, node).filter(|&(other, _)| conductivity[other] > 0.0) {
                 let stretch = if along == axis { ratio } else { 1.0 / ratio };
                 let conductance = stretch * harmonic_mean(conductivity[node], conductivity[other]);
@@ -57,7 +60,7 @@ impl Network {
             let place = if axis == FlowAxis::X { node % grid.shape()[1] } else { node / grid.shape()[1] };
             network.linear.push(1.0 - (place as f64 + 0.5) / points);
         }
-        network
+        Self { nodes, ..network }
     }
 
     /// The pressure at an end of a face.

@@ -51,7 +51,7 @@ impl CurveRecording {
             timeline: Timeline::Loads,
             scenes: &[scene],
         };
-        Ok(Self(LoadRecording::create(path, &loads, Options::from(&curve.setup.record))?))
+        Ok(Self(LoadRecording::create(path, &loads, Options::from(&curve.setup))?))
     }
 
     /// Records the contact under load number `load`, from 0, and its numbers.

@@ -46,7 +46,7 @@ impl HistoryOutcome {
             timeline: Timeline::States(self.states.iter().filter_map(|state| state.numbers.time).collect()),
             scenes: &[scene],
         };
-        let recording = LoadRecording::create(path, &loads, Options::from(&setup.record))?;
+        let recording = LoadRecording::create(path, &loads, Options::from(setup))?;
         for (i, state) in self.states.iter().enumerate() {
             let values: Vec<f64> = curves.iter().map(|it| (it.value)(state).unwrap_or(f64::NAN)).collect();
             recording.values(i, &values)?;

@@ -109,7 +109,7 @@ impl<'a> JobRun<'a> {
     /// unless the setup names the parts.
     #[cfg(feature = "record")]
     pub(super) fn options(&self) -> Options {
-        let options = Options::from(&self.setup.record);
+        let options = Options::from(&self.setup);
         match self.other {
             Some(_) if self.setup.record.what.is_empty() => Options { what: Parts::OF_OTHERS, ..options },
             _ => options,

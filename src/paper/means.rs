@@ -293,6 +293,7 @@ mod tests {
                     version: String::new(),
                     observables,
                     adhesion: Default::default(),
+                    flow: Default::default(),
                     seconds: 0.0,
                 });
             }

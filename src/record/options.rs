@@ -2,7 +2,7 @@
 
 use super::draw::Ghost;
 use super::parts::Parts;
-use crate::setup::{Record, Theme};
+use crate::setup::{Record, Setup, Theme};
 use std::sync::Arc;
 
 /// The window of a viewer on a common screen.
@@ -46,6 +46,13 @@ impl Default for Options {
             window: WINDOW,
             ghost: None,
         }
+    }
+}
+
+impl From<&Setup> for Options {
+    /// The options of the recording of a setup.
+    fn from(setup: &Setup) -> Self {
+        Self { what: setup.recorded_parts().into_iter().collect(), ..Self::from(&setup.record) }
     }
 }
 

@@ -9,7 +9,7 @@ use strum::IntoEnumIterator;
 pub struct Parts(u16);
 
 impl Parts {
-    /// Every part but those that take work of their own: the spectrum, the density of the error, the stress and the instruments.
+    /// Every part but those that take work of their own: the spectrum, the density of the error, the stress, the flow and the instruments.
     pub const USUAL: Self = Self((1 << Part::Spectrum as u16) - 1);
     /// The usual parts and the density of the error, for what other codes have found.
     pub const OF_OTHERS: Self = Self(Self::USUAL.0 | 1 << Part::Error as u16);
@@ -18,8 +18,7 @@ impl Parts {
 
     /// The parts that a scene on `grid` can show.
     pub fn on(grid: &Grid) -> Self {
-        let other = if grid.is_line() { Part::Mesh } else { Part::Profile };
-        Part::iter().filter(|part| *part != other).collect()
+        Part::iter().filter(|part| part.is_on(grid)).collect()
     }
 
     /// The parts in both sets.
@@ -39,12 +38,12 @@ impl Parts {
 
     /// Whether a picture in the plane is in the set.
     pub(super) fn has_planes(self) -> bool {
-        self.has_any([Part::Profile, Part::Fields, Part::Mask])
+        self.has_any([Part::Profile, Part::Fields, Part::Mask, Part::Flow])
     }
 
     /// Whether anything that shows the gap is in the set.
     pub(super) fn has_gap(self) -> bool {
-        let without_gap = Self::from_iter([Part::Traces, Part::Mask, Part::Stress, Part::Fringes]);
+        let without_gap = Self::from_iter([Part::Traces, Part::Mask, Part::Stress, Part::Fringes, Part::Flow]);
         self.has_any(Part::iter().filter(|part| !without_gap.has(*part) && !Part::OF_A_RUN.contains(part)))
     }
 

@@ -19,6 +19,8 @@ pub struct Size {
     pub frame: f64,
     /// The numbers of a step.
     pub step: f64,
+    /// The pictures of a contact, which its steps do not have.
+    pub contact: f64,
     schedule: Schedule,
 }
 
@@ -30,6 +32,7 @@ impl Size {
         Self {
             still: LAYOUT + bytes().map(|bytes| bytes.still).sum::<f64>(),
             frame: bytes().map(|bytes| bytes.frame).sum(),
+            contact: bytes().map(|bytes| bytes.contact).sum(),
             step: bytes().map(|bytes| bytes.step).sum::<f64>() + if parts.has_instruments() { CURSOR } else { 0.0 },
             schedule: Schedule::on(grid),
         }

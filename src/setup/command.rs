@@ -35,7 +35,13 @@ pub(super) fn value(word: &str) -> toml::Value {
 pub fn command(setup: &Setup) -> String {
     let table = setup.to_table();
     let flags = FLAGS.iter().filter(|flag| flag.section() != "record");
-    let written = |flag: &Flag| table.find(flag.path).map(|value| format!(" --{} {}", flag.name, word(value)));
+    let written = |flag: &Flag| {
+        let value = table.find(flag.path)?;
+        Some(match flag.value {
+            FlagValue::Switch => format!(" --{}", flag.name),
+            _ => format!(" --{} {}", flag.name, word(value)),
+        })
+    };
     format!("asperity solve{}", flags.filter_map(written).collect::<String>())
 }
 
@@ -63,6 +69,7 @@ fn quoted(text: &str) -> String {
 fn read(flag: &Flag, words: &[String]) -> toml::Value {
     let is_list = matches!(flag.value, FlagValue::Choices(_));
     match words {
+        _ if matches!(flag.value, FlagValue::Switch) => toml::Value::Boolean(true),
         [one] if !is_list => value(one),
         more => toml::Value::Array(more.iter().map(|word| value(word)).collect()),
     }

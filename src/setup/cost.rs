@@ -1,6 +1,6 @@
 //! The cost of a solve, known before it starts.
 
-use super::Setup;
+use super::{Part, Setup};
 use crate::contact::Multilevel;
 use crate::elastic::Compliance;
 use crate::error::SetupError;
@@ -53,16 +53,16 @@ pub struct Extras {
     pub is_diagnosed: bool,
     /// Whether the contact stiffness is found.
     pub has_stiffness: bool,
-    /// Whether the flow through the gap is found.
-    pub has_flow: bool,
     /// Whether the stress below the contact is found.
     pub has_stress: bool,
     /// Contacts that are kept until their fields are written.
     pub archived: usize,
 }
 
-/// Fields of the solver of flows, with its coarse grids.
-const FLOW_FIELDS: f64 = 75.0;
+/// Fields of the solver of flows, with its coarse grids; those of its results, along both axes; and with their archive.
+const FLOW_FIELDS: f64 = 65.0;
+const KEPT_FLOW_FIELDS: f64 = 4.0;
+const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
 
 /// Fields of the outer steps on a line, as measured.
 const OUTER_FIELDS: f64 = 2.0;
@@ -84,7 +84,9 @@ impl Setup {
         let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
         let recorded = one(extras.is_recorded, self.solver.recorded_fields());
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
-        let kept = (archived - 1.0).max(0.0) * KEPT_FIELDS + self.expected_states()? as f64 * STATE_FIELDS;
+        let flows = one(self.flow.leakage && archived > 0.0, KEPT_FLOW_FIELDS);
+        let kept = (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows) + self.expected_states()? as f64 * STATE_FIELDS;
+        let is_flow_recorded = extras.is_recorded && !grid.is_line() && self.recorded_parts().contains(&Part::Flow);
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
         let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
         let phases = [
@@ -93,9 +95,14 @@ impl Setup {
             solving + recorded + diagnosed + kept,
             one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
             // the stiffness is found by the correction of the multilevel solver, on lines without the fields of its outer steps
-            one(extras.has_stiffness, 1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - outer),
-            one(extras.has_flow, 1.0 + KEPT_FIELDS + FLOW_FIELDS),
-            archived * (ARCHIVE_FIELDS[of_dimension] + contour),
+            one(
+                extras.has_stiffness || self.flow.has_conductance(),
+                1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - outer,
+            ),
+            one(self.flow.leakage, 1.0 + KEPT_FIELDS + FLOW_FIELDS + KEPT_FLOW_FIELDS + kept),
+            // the solver is still there when its last state is recorded
+            one(is_flow_recorded, solving + recorded + FLOW_FIELDS),
+            archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS)),
         ];
         let [least, each, most] = PICTURES[of_dimension];
         let pictures = least + each * most.min(grid.shape()[1] as f64);

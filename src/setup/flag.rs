@@ -37,6 +37,8 @@ pub enum FlagValue {
     Variant(Choices),
     /// Several of some names.
     Choices(Choices),
+    /// Nothing: the flag alone means yes.
+    Switch,
 }
 
 /// Names to choose from, with a short description each.
@@ -137,6 +139,9 @@ pub const FLAGS: &[Flag] = &[
     flag("time-tolerance", "path.time-tolerance", FlagValue::One, "ERROR", "Largest estimated relative error of a step in time [default: 1e-3]"),
     flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),
     flag("approach", "load.approach", FlagValue::List, "D[,D]", "Approach of the bodies after the first contact, for a layer or a free boundary; not with --solver gfmd"),
+    flag("flow", "flow.leakage", FlagValue::Switch, "", "Also compute what leaks through the gap along each axis, with bounds, and whether the contact seals; a recording shows the flux"),
+    flag("resistivity", "flow.resistivity", FlagValue::List, "RHO[,RHO]", "Also compute the conductance per area between bodies of these resistivities, such as 17nohm*m; one value is for both bodies; for heat 'm K/W'"),
+    flag("conductivity", "flow.conductivity", FlagValue::List, "SIGMA[,SIGMA]", "Conductivities in place of the resistivities, such as 58MS/m, or for heat '400W/(m K)'"),
     flag("solver", "solver.method", FlagValue::Variant(choices::<Method>), "METHOD", "The method [default: multilevel]"),
     flag("masses", "solver.masses", FlagValue::Choice(choices::<Masses>), "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
     flag("dynamics", "solver.dynamics", FlagValue::Choice(choices::<Dynamics>), "DYNAMICS", "GFMD: damping of the motion [default: damped]"),

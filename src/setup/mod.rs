@@ -40,6 +40,7 @@ mod command;
 mod cost;
 mod expected_area;
 mod flag;
+mod flow;
 mod line;
 mod loads;
 mod method;
@@ -65,6 +66,7 @@ pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, Extras, available_bytes};
 pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
+pub use flow::Flow;
 pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;
@@ -78,12 +80,13 @@ pub use words::{differences, in_words};
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
-use crate::error::{SetupError, SolidError, SolveError};
+use crate::error::{FlowError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
 use crate::surface::{HeightFile, Surface};
 use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use strum::IntoEnumIterator;
 
 /// A reduced pressure for problems whose load is not used.
 const ANY: f64 = 0.01;
@@ -102,6 +105,7 @@ const ANY: f64 = 0.01;
 /// | `viscoelastic` | the terms of a solid that creeps                       | elastic at all times            |
 /// | `path`    | times, loads and tangential loads of a history               | one contact, no history         |
 /// | `sliding`, `rolling` | speeds; creepages or tangential loads             | a surface at rest               |
+/// | `flow`    | whether the leakage is found; resistivities of the bodies for the conductance | neither |
 /// | `solver`  | the method and its settings                                  | multilevel                      |
 /// | `stop`    | certificate to reach, and largest number of iterations             | 1e-8, 100 000                   |
 /// | `record`  | parts and theme of a recording                               | the usual parts, dark           |
@@ -139,6 +143,9 @@ pub struct Setup {
     /// Steady rolling with friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rolling: Option<RollingMotion>,
+    /// What is found about the flow through the contact.
+    #[serde(default, skip_serializing_if = "Flow::is_none")]
+    pub flow: Flow,
     /// The solver with its settings.
     #[serde(default)]
     pub solver: Method,
@@ -155,7 +162,7 @@ impl Setup {
     /// divided by the modulus. A mean pressure also needs a solid, see [`Setup::on`].
     pub fn new(surface: Recipe, grid: Cell, load: Load) -> Self {
         let (solid, law, friction, solver, stop, record) = Default::default();
-        let (adhesion, viscoelastic, path, sliding, rolling) = Default::default();
+        let (adhesion, viscoelastic, path, sliding, rolling, flow) = Default::default();
         Self {
             surface,
             grid,
@@ -168,6 +175,7 @@ impl Setup {
             path,
             sliding,
             rolling,
+            flow,
             solver,
             stop,
             record,
@@ -233,6 +241,7 @@ impl Setup {
             None => self.check_friction()?,
             Some(process) => self.check_process(process, grid)?,
         }
+        self.check_flow()?;
         if !self.load.is_pressure() && !self.solver.takes_mean_gap() {
             return Err(SolveError::NeedsPressure { solver: self.solver.name().into() }.into());
         }
@@ -251,6 +260,30 @@ impl Setup {
     /// [`SolidError::NoStress`].
     pub fn check_stress(&self, grid: &Grid) -> Result<(), SetupError> {
         if is_known(grid, self.elastic()?.as_ref()) { Ok(()) } else { Err(SolidError::NoStress.into()) }
+    }
+
+    /// Refuses a flow that cannot be found.
+    fn check_flow(&self) -> Result<(), SetupError> {
+        if self.flow.is_none() {
+            return Ok(());
+        }
+        let (conducts, solid) = (self.flow.resistivities()?.is_some(), self.elastic()?);
+        Err(match () {
+            () if self.is_history()? => FlowError::History,
+            () if conducts && self.process()?.is_some() => FlowError::NeedsRest,
+            () if conducts && !solid.is_half_space() => FlowError::NeedsHalfSpace { solid: solid.description() },
+            () => return Ok(()),
+        }
+        .into())
+    }
+
+    /// The parts that a recording shows: those that are named, or the usual ones, with the flow if the leakage is asked for.
+    pub fn recorded_parts(&self) -> Vec<Part> {
+        let usual = Part::iter().filter(|part| part.is_usual());
+        match self.record.what.is_empty() {
+            true => usual.chain(self.flow.leakage.then_some(Part::Flow)).collect(),
+            false => self.record.what.clone(),
+        }
     }
 
     /// Refuses a tangential load that friction cannot carry, and a tangential load with yielding, for which the

@@ -66,6 +66,22 @@ pub fn times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     Ok(deserialize::<_, Time>(from)?.into_iter().map(|Time(time)| time).collect())
 }
 
+/// Reads a list of resistivities, or a single one.
+pub fn resistivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    #[derive(serde::Deserialize)]
+    #[serde(transparent)]
+    struct Resistivity(#[serde(deserialize_with = "quantity::resistivity")] f64);
+    Ok(deserialize::<_, Resistivity>(from)?.into_iter().map(|Resistivity(it)| it).collect())
+}
+
+/// Reads a list of conductivities, or a single one.
+pub fn conductivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    #[derive(serde::Deserialize)]
+    #[serde(transparent)]
+    struct Conductivity(#[serde(deserialize_with = "quantity::conductivity")] f64);
+    Ok(deserialize::<_, Conductivity>(from)?.into_iter().map(|Conductivity(it)| it).collect())
+}
+
 /// Reads a list of speeds, or a single one; a text such as `"1e-3..1e3:13"` means 13 speeds with equal ratios.
 pub fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     #[derive(serde::Deserialize)]

@@ -6,7 +6,7 @@ use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
 
-/// A part of a recording. Lines have no mesh, surfaces no profile.
+/// A part of a recording. Lines have no mesh and no flow, surfaces no profile.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, EnumString, IntoStaticStr,
 )]
@@ -31,6 +31,8 @@ pub enum Part {
     Stress,
     /// The largest shear stress as photoelastic fringes: dark where 2 tau_max is a whole number of fringe orders.
     Fringes,
+    /// Flux and pressure of a fluid that leaks through the gap of a surface along x and along y, for the last state.
+    Flow,
     /// Contact by step and position: for how many steps each node has kept its state; of a surface along a row and a column.
     Raster,
     /// Error by step and wavelength, compared with the final state; solves twice.
@@ -46,6 +48,20 @@ pub enum Part {
 impl Part {
     /// The parts that show all steps of a run in one picture; for a solve under one load only.
     pub const OF_A_RUN: [Self; 5] = [Self::Raster, Self::Waterfall, Self::Energy, Self::Decisions, Self::Ritz];
+
+    /// Whether a line or a surface has it.
+    pub fn is_on(self, grid: &Grid) -> bool {
+        match self {
+            Self::Mesh | Self::Flow => !grid.is_line(),
+            Self::Profile => grid.is_line(),
+            _ => true,
+        }
+    }
+
+    /// Whether it is recorded where no parts are named: it takes no work of its own.
+    pub fn is_usual(self) -> bool {
+        (self as u16) < Self::Spectrum as u16
+    }
 
     /// Its name in scenes.
     pub fn name(self) -> &'static str {
@@ -84,7 +100,7 @@ impl Record {
     /// Checks that a scene on `grid` can be recorded so.
     ///
     /// # Errors
-    /// For a mesh of a line, a profile of a surface, a raster along rows that are not there, and every 0th step.
+    /// For a mesh or a flow of a line, a profile of a surface, a raster along rows that are not there, and every 0th step.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if self.every == Some(0) {
             return Err(SetupError::EveryNone);
@@ -95,8 +111,10 @@ impl Record {
                 return Err(SetupError::NoSuchNode { row, column, shape });
             }
         }
-        let (missing, name, of) =
-            if grid.is_line() { (Part::Mesh, "mesh", "line") } else { (Part::Profile, "profile", "surface") };
-        if self.what.contains(&missing) { Err(SetupError::NoSuchPart { part: name, of }) } else { Ok(()) }
+        let of = if grid.is_line() { "line" } else { "surface" };
+        match self.what.iter().find(|part| !part.is_on(grid)) {
+            Some(part) => Err(SetupError::NoSuchPart { part: part.name(), of }),
+            None => Ok(()),
+        }
     }
 }

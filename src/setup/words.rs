@@ -58,7 +58,11 @@ fn beside(one: &Flag, other: &Flag) -> bool {
 fn words<'a>(table: &SetupTable, flags: impl Iterator<Item = &'a Flag>) -> String {
     let word = |flag: &Flag| {
         let value = plain(table.find(flag.path)?);
-        Some(if is_variant(flag) { value } else { format!("{} {value}", flag.name) })
+        Some(match flag.value {
+            FlagValue::Variant(_) => value,
+            FlagValue::Switch => flag.name.into(),
+            _ => format!("{} {value}", flag.name),
+        })
     };
     flags.filter_map(word).collect::<Vec<_>>().join(", ")
 }

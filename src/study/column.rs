@@ -1,6 +1,7 @@
 //! Rows of a study as columns, from which tables are written.
 
 use super::adhesion_row::{ADHESION_COLUMNS, AdhesionColumn};
+use super::flow_row::{FLOW_COLUMNS, FlowColumn};
 use super::plan::{Plan, StudyRow};
 use super::point::Point;
 use crate::contact::{Load, OBSERVABLES, Observable};
@@ -60,6 +61,7 @@ impl Plan {
     /// The columns of some rows with their `points`: number of the row, values from the lists, load, all fields of a
     /// [`Point`], and as `scene` the setup of the row, an inline TOML table on one line. Seconds are left out, since
     /// they differ from run to run. With adhesion, the numbers of an [`AdhesionRow`](super::AdhesionRow) take the place of the observables.
+    /// Where leakage or conductance is asked for, those of a [`FlowRow`](super::FlowRow) follow them.
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].
@@ -113,6 +115,14 @@ impl Plan {
             }));
         } else {
             columns.extend(observed(&sources));
+        }
+        if self.has_flow() {
+            columns.extend(FLOW_COLUMNS.iter().map(|it| match *it {
+                FlowColumn::Number(name, of) => number(name, &|it| of(&it.point.flow)),
+                FlowColumn::Text(name, of) => {
+                    text(name, &|it| of(&it.point.flow).map_or(String::new(), |value| value.to_string()))
+                }
+            }));
         }
         columns.push(text("scene", &|it| it.setup.to_line()));
         Ok(columns)

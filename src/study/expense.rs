@@ -12,6 +12,9 @@ const SECONDS: f64 = 0.8e-9;
 /// Transforms of a state with adhesion, measured on rough lines of 2^14 nodes and surfaces of 2^16.
 const TRANSFORMS_OF_STATE: f64 = 400.0;
 
+/// Transforms that take as long as the leakage along both axes, measured on rough surfaces of 2^18 and 2^20 nodes.
+const TRANSFORMS_OF_LEAKAGE: f64 = 1000.0;
+
 /// The cost of a realisation: seconds of one core and bytes of memory. The seconds are from a model that is the same on
 /// all machines, so that all machines divide a study in the same way. They may be wrong by a factor of four for GFMD,
 /// and of two otherwise.
@@ -46,6 +49,7 @@ impl Expense {
             None => 0.0,
         };
         let transforms = |load: &Load| if states > 0.0 { states } else { transforms(load) };
+        let transforms = |load: &Load| transforms(load) + if setup.flow.leakage { TRANSFORMS_OF_LEAKAGE } else { 0.0 };
         let seconds = SECONDS * nodes * nodes.log2() * loads.iter().map(transforms).sum::<f64>();
         // the pressure of the load before included
         Ok(Self { seconds, bytes: cost.bytes + Cost::from_fields(&cost.grid, 1.0).bytes })

@@ -1,10 +1,11 @@
 //! Points, identified by their setup.
 
 use super::adhesion_row::AdhesionRow;
+use super::flow_row::FlowRow;
 use super::point::Point;
 use super::realisation::Realisation;
 use crate::contact::{Contact, Load, Observables, Observer};
-use crate::error::StudyError;
+use crate::error::{SetupError, StudyError};
 use crate::setup::fnv1a;
 use crate::surface::RandomRoughness;
 
@@ -77,7 +78,8 @@ impl<'a> Identity<'a> {
         let mut load = 0;
         self.realisation.press(watch, |contact| {
             load += 1;
-            each(self.point(load, contact), contact);
+            let (flow, _) = FlowRow::measure(contact, &self.realisation.setup.flow).map_err(SetupError::from)?;
+            each(Point { flow, ..self.point(load, contact) }, contact);
             Ok::<(), StudyError>(())
         })
     }
@@ -124,6 +126,7 @@ impl<'a> Identity<'a> {
             version: VERSION.into(),
             observables: Observables::new(contact),
             adhesion: AdhesionRow::default(),
+            flow: FlowRow::default(),
             seconds: contact.work.seconds,
         }
     }

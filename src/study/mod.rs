@@ -9,7 +9,8 @@
 //!                              in Batches by workers elsewhere --> Ledger --> the same
 //! ```
 //!
-//! A setup with adhesion is followed along its path instead, and its row has an [`AdhesionRow`].
+//! A setup with adhesion is followed along its path instead, and its row has an [`AdhesionRow`]. One that asks for leakage or
+//! conductance has a [`FlowRow`] in each row.
 
 #[cfg(feature = "figures")]
 mod adhesion_figure;
@@ -22,6 +23,7 @@ mod drawing;
 mod estimate;
 mod expense;
 mod flattened;
+mod flow_row;
 mod identity;
 mod known;
 mod ledger;
@@ -46,6 +48,7 @@ pub use campaign::Campaign;
 pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;
+pub use flow_row::FlowRow;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::{LoadCurve, Loading};

@@ -45,6 +45,7 @@ pub struct Plan {
     loads: Vec<Load>,
     realisations: usize,
     has_adhesion: bool,
+    has_flow: bool,
     /// The text that it was read from, to name lines of.
     text: String,
 }
@@ -113,13 +114,19 @@ impl Plan {
             return Err(StudyError::TooManyRows { rows, most: Self::MOST_ROWS });
         }
         axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
-        let has_adhesion = first.adhesion.is_some();
-        Ok(Self { table, axes, realisations: rows as usize / loads.len(), has_adhesion, loads, text: text.into() })
+        let (has_adhesion, has_flow) = (first.adhesion.is_some(), !first.flow.is_none());
+        let realisations = rows as usize / loads.len();
+        Ok(Self { table, axes, realisations, has_adhesion, has_flow, loads, text: text.into() })
     }
 
     /// Whether each row is the history of a setup with adhesion.
     pub(super) fn has_adhesion(&self) -> bool {
         self.has_adhesion
+    }
+
+    /// Whether each row has what flows through its contact.
+    pub(super) fn has_flow(&self) -> bool {
+        self.has_flow
     }
 
     /// The lists, without that of the loads; the last list varies fastest.

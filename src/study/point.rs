@@ -2,6 +2,7 @@
 
 use super::adhesion_row::AdhesionRow;
 use super::check::Checksum;
+use super::flow_row::FlowRow;
 use crate::contact::{Observables, Status};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
@@ -45,6 +46,9 @@ pub struct Point {
     /// What was found with adhesion; the observables are zero then.
     #[serde(skip)]
     pub adhesion: AdhesionRow,
+    /// What flows through the contact, as far as it was asked for.
+    #[serde(skip)]
+    pub flow: FlowRow,
     /// Seconds of the solver, which differ from run to run.
     #[serde(skip)]
     pub seconds: f64,
@@ -54,7 +58,7 @@ impl Point {
     /// Points as lines of comma-separated values without a head, all numbers to the last bit, each line with its check sum.
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-        let rows = points.into_iter().map(|it| (it, it.observables, it.adhesion, it.seconds));
+        let rows = points.into_iter().map(|it| (it, it.observables, it.adhesion, it.flow, it.seconds));
         let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Checksum::from_row(row))));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
@@ -67,9 +71,9 @@ impl Point {
     }
 
     fn from_record(record: &StringRecord) -> Option<Self> {
-        let (point, observables, adhesion, seconds, _): (Self, Observables, AdhesionRow, f64, String) =
+        let (point, observables, adhesion, flow, seconds, _): (Self, Observables, AdhesionRow, FlowRow, f64, String) =
             record.deserialize(None).ok()?;
-        Some(Self { observables, adhesion, seconds, ..point })
+        Some(Self { observables, adhesion, flow, seconds, ..point })
     }
 
     /// Whether the certificate met the tolerance. Other points are kept in tables, but left out of means.

@@ -67,7 +67,8 @@ impl Table {
             let seconds = seconds.next().unwrap_or(f64::NAN);
             let observables = record.deserialize(Some(names))?;
             let adhesion = record.deserialize(Some(names))?;
-            let point = Point { observables, adhesion, seconds, ..record.deserialize(Some(names))? };
+            let flow = record.deserialize(Some(names))?;
+            let point = Point { observables, adhesion, flow, seconds, ..record.deserialize(Some(names))? };
             Ok(Checksum::holds(record).then_some(point))
         })?;
         let mut points: Vec<Point> = points.into_iter().flatten().collect();
@@ -95,6 +96,9 @@ impl Table {
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
         if points.iter().any(Point::has_adhesion) {
             let rows = points.iter().map(|point| (point, point.adhesion));
+            write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
+        } else if points.iter().any(|point| point.flow.is_some()) {
+            let rows = points.iter().map(|point| (point, point.observables, point.flow));
             write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
         } else {
             let rows = points.iter().map(|point| (point, point.observables));

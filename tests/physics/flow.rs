@@ -1,10 +1,10 @@
 //! What flows through a contact, against closed forms and against networks that are reduced cell by cell.
 
 use crate::common::solve;
-use asperity::contact::{ContactModulus, Law, Load, Multilevel};
+use asperity::contact::{ContactModulus, Law, Load, Multilevel, Stop};
 use asperity::elastic::Layer;
-use asperity::error::FlowError;
-use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation};
+use asperity::error::{FlowError, SealError};
+use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation, PercolationLoad};
 use asperity::surface::{Field, Spectrum};
 use asperity::{Contact, Grid, Indenter, Problem, Surface};
 use ndarray::{Array2, array};
@@ -201,7 +201,8 @@ fn gaps_that_cannot_be_used_are_refused() {
     assert_is(Leakage::new(&grid, &gap, FlowAxis::X, 1e-6).unwrap(), 1.0, 1e-12);
     // gaps whose cubes are beyond doubles
     assert!(Leakage::new(&grid, &(&gap * 1e-120), FlowAxis::X, 1e-6).unwrap().is_sealed());
-    let strict = Leakage { lower: 1.0, upper: 2.0, axis: FlowAxis::X, tolerance: 0.1, steps: 7 };
+    let solved = Leakage::new(&grid, &gap, FlowAxis::X, 1e-6).unwrap();
+    let strict = Leakage { lower: 1.0, upper: 2.0, tolerance: 0.1, steps: 7, ..solved };
     assert!(matches!(strict.converged(), Err(FlowError::NotConverged { steps: 7, .. })));
 }
 
@@ -309,29 +310,122 @@ fn a_rough_contact_leaks_less_the_more_it_is_pressed_until_it_seals() {
     assert_eq!(last, 0.0);
 }
 
-/// The areas at which rough contacts seal along x, by bisection of the load: counted, and with edges between the nodes.
-/// Dapp, Luecke, Persson and Mueser (2012) find 0.42 for large surfaces.
+/// One gap in a wall carries all of the fluid: there the flux is the mean times the width over that of the gap.
 #[test]
-#[ignore = "ten seconds of contacts; the areas spread by the size of the cell"]
-fn rough_contacts_seal_at_a_part_of_the_area() {
-    for hurst in [0.8, 0.3] {
-        for seed in 1..=4 {
-            let [mut open, mut sealed] = [0.05, 0.5f64];
-            let mut areas = [0.0; 2];
-            while sealed / open > 1.01 {
-                let pressure = (open * sealed).sqrt();
-                let contact = solve(&Multilevel, &rough(256, hurst, seed, pressure), 1e-6);
-                areas = [contact.counted().relative_area, contact.resolved().relative_area];
-                let is_open = Percolation::from_contact(&contact).open_percolates(FlowAxis::X);
-                *if is_open { &mut open } else { &mut sealed } = pressure;
-            }
-            println!(
-                "Hurst {hurst}, seed {seed}: p* {open:.3}, area {:.3} counted, {:.3} resolved",
-                areas[0], areas[1]
+fn the_flux_is_the_largest_in_the_constriction() {
+    let shape = [12, 20];
+    let grid = Grid::surface(shape, [0.6, 2.0]).unwrap().with_periodic([false, true]);
+    let gap = Field::from_shape_fn(shape, |(y, x)| if x == 7 && y != 4 { 0.0 } else { 1.0 });
+    let found = leakage(&grid, &gap, FlowAxis::X, 1e-10);
+    let most = found.flux.indexed_iter().max_by(|a, b| a.1.total_cmp(b.1)).unwrap();
+    assert!(most.0 == (4, 7) && (most.1 / 12.0 - 1.0).abs() < 1e-4, "{most:?}");
+    assert!((0..12).all(|y| y == 4 || found.flux[[y, 7]] == 0.0 && found.pressure[[y, 7]].is_nan()));
+    // far from the wall the flow is uniform, and the pressure falls from 1 to 0
+    assert!(found.flux.column(19).iter().all(|flux| (flux - 1.0).abs() < 5e-3), "{}", found.flux.column(19));
+    assert!(found.pressure.column(0).iter().all(|&p| p > 0.9) && found.pressure.column(19).iter().all(|&p| p < 0.1));
+    // turned by a right angle, it is the same
+    let turned = Grid::surface([20, 12], [2.0, 0.6]).unwrap().with_periodic([true, false]);
+    let along_y = leakage(&turned, &gap.t().to_owned(), FlowAxis::Y, 1e-10);
+    let apart = |(a, b): (&f64, &f64)| (a - b).abs();
+    assert!(along_y.flux.t().iter().zip(&found.flux).map(apart).fold(0.0, f64::max) < 1e-4);
+    // and in a plain gap on cells of any form it is 1 everywhere
+    let plain = leakage(&grid, &Field::ones(shape), FlowAxis::Y, 1e-10);
+    assert!(plain.flux.iter().all(|flux| (flux - 1.0).abs() < 1e-9), "{}", plain.flux);
+    let shut = leakage(&grid, &Field::zeros(shape), FlowAxis::X, 1e-6);
+    assert!(shut.flux.iter().all(|&flux| flux == 0.0) && shut.pressure.iter().all(|pressure| pressure.is_nan()));
+}
+
+/// Along each channel of the gap, `J = g^3 grad P` over its mean is `g^3/<g^3>`.
+#[test]
+fn the_flux_along_waves_follows_the_cube_of_the_gap() {
+    let grid = Grid::surface([16, 24], [1.0, 3.0]).unwrap();
+    let gap = Field::from_shape_fn([16, 24], |(_, x)| 1.0 + 0.6 * (TAU * x as f64 / 24.0).cos());
+    let found = leakage(&grid, &gap, FlowAxis::Y, 1e-10);
+    for ((_, x), flux) in found.flux.indexed_iter() {
+        assert!((flux - gap[[0, x]].powi(3) / 1.54).abs() < 1e-6, "{flux} at {x}");
+    }
+    for ((y, _), pressure) in found.pressure.indexed_iter() {
+        assert!((pressure - (1.0 - (y as f64 + 0.5) / 16.0)).abs() < 1e-6, "{pressure} at {y}");
+    }
+}
+
+fn sealing(problem: &Problem, axis: FlowAxis, width: f64) -> Result<PercolationLoad, SealError> {
+    PercolationLoad::new(problem, &Multilevel, &Stop::default(), axis, width, |_| ())
+}
+
+/// Troughs of a sine stay open along their length until everything touches, at `pi E* D/L`. Across them they are shut under any load.
+#[test]
+fn troughs_are_sealed_along_their_length_by_full_contact() {
+    let grid = Grid::surface([32, 32], [1.0, 1.0]).unwrap();
+    let waves = Field::from_shape_fn([32, 32], |(_, x)| 0.01 * (TAU * x as f64 / 32.0).cos());
+    let surface = Surface::new(grid, waves).unwrap();
+    let problem = Problem::new(surface, ContactModulus(3.0), Load::ReducedPressure(0.1)).unwrap();
+    let found = sealing(&problem, FlowAxis::Y, 1e-5).unwrap();
+    let exact = PI * 3.0 * 0.01;
+    let [open, sealed] = [found.open, found.sealed].map(|it| it.mean_pressure);
+    assert!(open < exact * (1.0 + 1e-9) && exact < sealed * (1.0 + 1e-9) && found.width() <= 1e-5, "{found:?}");
+    assert_eq!(found.sealed.relative_area_counted, 1.0);
+    assert!(matches!(sealing(&problem, FlowAxis::X, 0.1), Err(SealError::Always { axis: "x", .. })));
+}
+
+/// The load found by bisection is that of a scan of contacts that are solved one by one, and no other load of the scan opens the gap again.
+#[test]
+fn the_load_that_seals_is_that_of_a_scan() {
+    for (problem, scan) in [(rough(128, 0.8, 3, 0.1), 0.02..0.4), (crossed_waves(), 0.02..1.0)] {
+        let step = (scan.end - scan.start) / 40.0;
+        let loads: Vec<f64> = (0..40).map(|i| scan.start + step * f64::from(i)).collect();
+        let opens = |axis: FlowAxis| -> Vec<bool> {
+            let contact = |&load: &f64| {
+                let problem = problem.clone().with_load(Load::ReducedPressure(load)).unwrap();
+                Percolation::from_contact(&solve(&Multilevel, &problem, 1e-8)).open_percolates(axis)
+            };
+            loads.iter().map(contact).collect()
+        };
+        for axis in AXES {
+            let (found, opens) = (sealing(&problem, axis, 1e-3).unwrap(), opens(axis));
+            let shut = opens.iter().position(|is_open| !is_open).unwrap();
+            assert!(shut > 0 && opens[shut..].iter().all(|is_open| !is_open), "{opens:?}");
+            let [open, sealed] = [found.open, found.sealed].map(|it| it.reduced_pressure);
+            assert!(
+                loads[shut - 1] < sealed && open < loads[shut] && found.width() <= 1e-3,
+                "{found:?} {}",
+                loads[shut]
             );
-            assert!((0.33..0.5).contains(&areas[1]), "{areas:?}");
+            assert!(found.open.relative_area_counted <= found.sealed.relative_area_counted, "{found:?}");
+            assert!(found.open.mean_gap > found.sealed.mean_gap, "{found:?}");
         }
     }
+}
+
+/// Waves along both axes, of which those along `y` are half as high.
+fn crossed_waves() -> Problem {
+    let grid = Grid::surface([40, 40], [1.0, 1.0]).unwrap();
+    let wave = |i: usize| (TAU * i as f64 / 40.0).cos();
+    let height = Field::from_shape_fn([40, 40], |(y, x)| 0.01 * (wave(x) + 0.5 * wave(y)));
+    Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(1.0), Load::ReducedPressure(0.1)).unwrap()
+}
+
+#[test]
+fn surfaces_without_a_load_that_seals_are_refused() {
+    let problem = rough(128, 0.8, 1, 0.1);
+    for width in [0.0, 1.0, f64::NAN] {
+        assert!(matches!(sealing(&problem, FlowAxis::X, width), Err(SealError::Width { .. })));
+    }
+    let line = Indenter::Sine { amplitude: 0.01 }.surface(Grid::line(64, 1.0).unwrap()).unwrap();
+    let line = Problem::new(line, ContactModulus(1.0), Load::ReducedPressure(0.1)).unwrap();
+    assert!(matches!(sealing(&line, FlowAxis::X, 0.1), Err(SealError::Line)));
+}
+
+/// A very soft body fills what is highest first: along x the gap is shut once the saddles touch, which are half of the higher waves high.
+#[test]
+fn a_soft_body_seals_at_the_height_of_the_saddles() {
+    let hardness = 1e-6;
+    let light = crossed_waves().with_load(Load::ReducedPressure(1e-9)).unwrap();
+    let soft = light.with_law(Law::Hardness(hardness)).unwrap();
+    let found = sealing(&soft, FlowAxis::X, 1e-3).unwrap();
+    let touching = soft.height().iter().filter(|&&height| height > 0.005 - 1e-9).count() as f64 / 1600.0;
+    assert!((found.sealed.relative_area_counted - touching).abs() < 5e-3, "{found:?} {touching}");
+    assert!((found.sealed.mean_pressure / hardness - touching).abs() < 5e-3 && found.sealed.mean_pressure < hardness);
 }
 
 fn conductance(contact: &Contact) -> Conductance {

@@ -57,6 +57,11 @@ pub trait Drawing: Send + Sync {
         Ok(())
     }
 
+    /// Records what is found for a contact and not for the steps before it, at the current time.
+    fn log_contact(&self, _to: &RecordingStream, _contact: &Contact) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
     /// Records the pressure of an earlier solve along the same line, on any number of nodes.
     fn log_earlier(&self, _to: &RecordingStream, _pressure: &[f64]) -> RecordingStreamResult<()> {
         Ok(())
@@ -143,6 +148,8 @@ pub struct Bytes {
     pub frame: f64,
     /// The numbers of a step.
     pub step: f64,
+    /// The pictures of a contact, which steps do not have.
+    pub contact: f64,
 }
 
 impl Bytes {

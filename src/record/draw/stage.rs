@@ -199,6 +199,11 @@ impl Stage {
         self.drawings.iter().try_for_each(|drawing| drawing.log_frame(to, fields))
     }
 
+    /// Records what is found for a contact and not for the steps before it, at the current time.
+    pub fn log_contact(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
+        self.drawings.iter().try_for_each(|drawing| drawing.log_contact(to, contact))
+    }
+
     /// The ranges of the axes that are needed to show a state.
     pub fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
         self.drawings.iter().map(|drawing| drawing.extent(fields)).fold(FieldExtent::NONE, FieldExtent::and)

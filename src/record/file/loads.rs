@@ -195,6 +195,7 @@ impl LoadRecording {
             let extents = &mut self.progress().extents;
             extents[scene] = extents[scene].and(extent);
             stage.log_frame(stream, &fields)?;
+            stage.log_contact(stream, contact)?;
             let Some(patches) = &stage.patches else { return Ok(()) };
             patches.log(stream, load, &fields)
         })

@@ -142,6 +142,7 @@ impl Writer {
             layout::send_steps(&self.stages, &self.stream)?;
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
+        self.stage().log_contact(&self.stream, contact)?;
         self.stage().settle(&self.stream, self.stage().extent(fields))?;
         let found = self.steps.end(&self.stream, contact)?.map_or_else(String::new, |found| {
             let words = found.to_string();

@@ -244,6 +244,7 @@ fn lines_have_no_mesh_and_surfaces_no_profile() {
     let surface = Parts::on(&Grid::surface([4, 4], [1.0, 1.0]).unwrap());
     assert!(line.has(Part::Profile) && !line.has(Part::Mesh));
     assert!(surface.has(Part::Mesh) && !surface.has(Part::Profile));
+    assert!(surface.has(Part::Flow) && !line.has(Part::Flow));
     let both = [Part::Traces, Part::Fields, Part::Mask, Part::Spectrum, Part::Error, Part::Stress, Part::Fringes]
         .into_iter()
         .chain(Part::OF_A_RUN);
@@ -274,6 +275,7 @@ fn names(part: Part, is_line: bool) -> &'static [&'static str] {
         Part::Error => &["density"],
         Part::Stress => &["stress"],
         Part::Fringes => &["fringes"],
+        Part::Flow => &["fluid_pressure_x", "fluid_pressure_y", "flux_x", "flux_y"],
         Part::Raster if is_line => &["raster"],
         Part::Raster => &["raster_row", "raster_column", "flips"],
         // without a state to hold errors against there are none
@@ -323,7 +325,7 @@ fn each_part_alone_records_just_its_entities_and_has_just_its_panes() {
                 .iter()
                 .map(|name| name.to_string())
                 .chain(["description".into()]);
-            let captioned = matches!(part, Part::Profile | Part::Fields | Part::Mask);
+            let captioned = matches!(part, Part::Profile | Part::Fields | Part::Mask | Part::Flow);
             let expected: BTreeSet<String> = expected.chain(captioned.then(|| "caption".into())).collect();
             assert_eq!(recorded, expected, "{part:?}");
             assert_eq!(shown(&path), expected, "{part:?}");

@@ -1,8 +1,9 @@
-//! Pictures of fields: pressure, gap, the surface of the solid, its spectrum, the stress below it, and where the error
-//! is.
+//! Pictures of fields: pressure, gap, the surface of the solid, its spectrum, the stress below it, the flow through the gap, and
+//! where the error is.
 
 mod curves;
 mod error_density;
+mod flow;
 mod fringes;
 pub mod further;
 mod images;
@@ -31,6 +32,7 @@ pub const PARTS: &[PartRow] = &[
         draw: stress::draw_fringes,
         bytes: |_| Bytes::per_frame((4 * stress::MOST_PIXELS) as f64),
     },
+    PartRow { part: Part::Flow, draw: flow::draw, bytes: bytes_of_flow },
     PartRow { part: Part::Spectrum, draw: spectrum::draw, bytes: |_| Bytes::per_frame(2e3) },
     PartRow { part: Part::Error, draw: error_density::draw, bytes: bytes_of_error },
 ];
@@ -49,6 +51,10 @@ fn bytes_of_fields(grid: &Grid) -> Bytes {
     } else {
         8.0 * pixels(grid) as f64
     })
+}
+
+fn bytes_of_flow(grid: &Grid) -> Bytes {
+    Bytes { contact: 16.0 * pixels(grid) as f64, ..Bytes::default() }
 }
 
 fn bytes_of_error(grid: &Grid) -> Bytes {

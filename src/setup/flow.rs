@@ -1,0 +1,84 @@
+//! What is found about the flow through a contact.
+
+use super::one_or_more;
+use crate::error::FlowError;
+use serde::{Deserialize, Serialize};
+
+/// What is found about the flow through a contact, after it is solved: section `flow` of a scene.
+///
+/// ```
+/// use asperity::setup::Setup;
+/// let setup = Setup::from_toml(
+///     r#"
+///     surface = { indenter = { shape = "sphere", radius = 1.0 } }
+///     grid = { points = [64, 64], size = 1.0 }
+///     load = { reduced-pressure = 0.1 }
+///     flow = { leakage = true, resistivity = [1.7e-8, 2.8e-8] }
+///     "#,
+/// )?;
+/// assert_eq!(setup.flow.resistivities()?, Some([1.7e-8, 2.8e-8]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Flow {
+    /// Whether the leakage through the gap is found, along `x` and `y`.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub leakage: bool,
+    /// Resistivities of the bodies, or one that both have, for the conductance of the contact. For heat, metre kelvin per watt.
+    #[serde(
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "one_or_more::serialize",
+        deserialize_with = "one_or_more::resistivities"
+    )]
+    pub resistivity: Vec<f64>,
+    /// Conductivities of the bodies, or one that both have, in place of the resistivities.
+    #[serde(
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "one_or_more::serialize",
+        deserialize_with = "one_or_more::conductivities"
+    )]
+    pub conductivity: Vec<f64>,
+}
+
+impl Flow {
+    /// Whether nothing is asked for.
+    pub fn is_none(&self) -> bool {
+        !self.leakage && !self.has_conductance()
+    }
+
+    /// Whether the conductance is found.
+    pub fn has_conductance(&self) -> bool {
+        !(self.resistivity.is_empty() && self.conductivity.is_empty())
+    }
+
+    /// The resistivities of both bodies, if the conductance is asked for.
+    ///
+    /// # Errors
+    /// [`FlowError::Twice`] for resistivities and conductivities, [`FlowError::Bodies`] for more than two of them,
+    /// [`FlowError::Resistivity`] and [`FlowError::Conductivity`] for values that do not make sense.
+    pub fn resistivities(&self) -> Result<Option<[f64; 2]>, FlowError> {
+        if !self.resistivity.is_empty() && !self.conductivity.is_empty() {
+            return Err(FlowError::Twice);
+        }
+        let of_both = |values: &[f64]| match *values {
+            [] => Ok(None),
+            [both] => Ok(Some([both, both])),
+            [first, second] => Ok(Some([first, second])),
+            _ => Err(FlowError::Bodies { values: values.len() }),
+        };
+        if let Some([first, second]) = of_both(&self.conductivity)? {
+            let is_conductivity = |value: f64| value.is_finite() && value > 0.0;
+            return match is_conductivity(first) && is_conductivity(second) {
+                true => Ok(Some([1.0 / first, 1.0 / second])),
+                false => Err(FlowError::Conductivity { first, second }),
+            };
+        }
+        let Some([first, second]) = of_both(&self.resistivity)? else { return Ok(None) };
+        let is_resistivity = |value: f64| value.is_finite() && value >= 0.0;
+        match is_resistivity(first) && is_resistivity(second) && first + second > 0.0 {
+            true => Ok(Some([first, second])),
+            false => Err(FlowError::Resistivity { first, second }),
+        }
+    }
+}
