@@ -21,6 +21,7 @@ mod certification;
 mod contact;
 mod conversion;
 mod error;
+mod flow;
 mod fork;
 mod history;
 mod ledger;

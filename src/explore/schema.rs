@@ -305,7 +305,7 @@ pub const KNOBS: &[Knob] = &[
     knob(Solver, "tolerance", Number(NumericKnob::new([1e-18, 1.0], 1e-8).log10([-12.0, -1.0, 1.0]))).at("stop.tolerance"),
     Knob { group: None, ..knob(Solver, "max-iterations", Number(NumericKnob::new([1.0, 100_000.0], 20_000.0).whole())).at("stop.max-iterations") },
     knob(Recording, "record", Choices {
-        options: &["traces", "profile mesh", "fields", "mask", "spectrum", "stress", "fringes"],
+        options: &["traces", "profile mesh", "fields", "mask", "spectrum", "stress", "fringes", "flow"],
         default: &["traces", "profile mesh", "fields", "mask"],
     }),
 ];

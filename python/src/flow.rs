@@ -1,0 +1,84 @@
+//! What flows through a contact.
+
+use crate::arrays::owned;
+use crate::contact::Contact;
+use crate::conversion::to_python;
+use crate::error::py_error;
+use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation, PercolationLoad};
+use asperity::surface::Field;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+#[pymethods]
+impl Contact {
+    /// Leakage of a thin fluid through the gap along an axis, "x" or "y", by Reynolds' equation.
+    ///
+    /// A dictionary: bounds of the cube of the gap of parallel plates that leak as much under the same pressure drop (lower and upper, length^3), the
+    /// gap of these plates (hydraulic_gap, a length), whether nothing flows (sealed), whether the bounds are within `tolerance` (converged), and
+    /// in the shape of the heights the pressure of the fluid from 1 to 0 (pressure, nan where nothing flows) and the magnitude of the
+    /// flux over its mean (flux).
+    #[pyo3(signature = (axis="x", *, tolerance=1e-4))]
+    fn leakage<'py>(&self, py: Python<'py>, axis: &str, tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
+        let axis = axis_of(axis)?;
+        let leakage = py.detach(|| Leakage::from_contact(&self.contact, axis, tolerance)).map_err(py_error)?;
+        let found = PyDict::new(py);
+        let numbers = [("lower", leakage.lower), ("upper", leakage.upper), ("hydraulic_gap", leakage.sigma().cbrt())];
+        numbers.into_iter().try_for_each(|(name, value)| found.set_item(name, value))?;
+        found.set_item("sealed", leakage.is_sealed())?;
+        found.set_item("converged", leakage.width() <= tolerance)?;
+        let array = |field: Field| {
+            let shape = field.dim().into();
+            owned(py, field.into_iter().collect(), shape, self.rank)
+        };
+        found.set_item("pressure", array(leakage.pressure))?;
+        found.set_item("flux", array(leakage.flux))?;
+        Ok(found)
+    }
+
+    /// Electrical or thermal conductance of the contact per area of the cell, between half-spaces of some resistivities (two numbers, or one that
+    /// both have): `2 k / (E* (rho_1 + rho_2))` with the stiffness k (Barber 2003). For heat give metre kelvin per watt.
+    fn conductance(&self, py: Python<'_>, resistivity: Resistivity) -> PyResult<f64> {
+        let resistivities = match resistivity {
+            Resistivity::Both(both) => [both, both],
+            Resistivity::Each(each) => each,
+        };
+        let found = py.detach(|| Conductance::new(&self.contact, resistivities)).map_err(py_error)?;
+        Ok(found.per_area)
+    }
+
+    /// Whether the open area and the contact connect both sides of the cell: open_x, open_y, contact_x, contact_y.
+    fn percolation<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let percolation = py.detach(|| Percolation::from_contact(&self.contact));
+        let found = PyDict::new(py);
+        for axis in FlowAxis::ALL {
+            found.set_item(format!("open_{}", axis.name()), percolation.open_percolates(axis))?;
+            found.set_item(format!("contact_{}", axis.name()), percolation.contact_percolates(axis))?;
+        }
+        Ok(found)
+    }
+
+    /// The load at which the surface of this contact seals along an axis, found by bisection to the relative `width`.
+    ///
+    /// A dictionary with the number of contacts that were solved (solves) and two others: the highest load at which the gap was seen open (open) and
+    /// the lowest one at which the contact sealed (sealed), each with reduced_pressure, mean_pressure, mean_gap, relative_area,
+    /// relative_area_counted and relative_area_corrected.
+    #[pyo3(signature = (axis="x", *, width=1e-3))]
+    fn sealing_load<'py>(&self, py: Python<'py>, axis: &str, width: f64) -> PyResult<Bound<'py, PyAny>> {
+        let axis = axis_of(axis)?;
+        let (problem, solver) = (&self.contact.problem, self.setup.solver.solver());
+        let stop = &self.setup.stop;
+        let found = py.detach(|| PercolationLoad::new(problem, solver.as_ref(), stop, axis, width, |_| ()));
+        to_python(py, &found.map_err(py_error)?)
+    }
+}
+
+/// Resistivities of the bodies.
+#[derive(FromPyObject)]
+enum Resistivity {
+    Both(f64),
+    Each([f64; 2]),
+}
+
+fn axis_of(name: &str) -> PyResult<FlowAxis> {
+    name.parse().map_err(|_| py_error(format!("the axis is {name:?}: give \"x\" or \"y\"")))
+}
