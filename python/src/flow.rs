@@ -65,9 +65,9 @@ impl Contact {
     #[pyo3(signature = (axis="x", *, width=1e-3))]
     fn sealing_load<'py>(&self, py: Python<'py>, axis: &str, width: f64) -> PyResult<Bound<'py, PyAny>> {
         let axis = axis_of(axis)?;
-        let (problem, solver) = (&self.contact.problem, self.setup.solver.solver());
-        let stop = &self.setup.stop;
-        let found = py.detach(|| PercolationLoad::new(problem, solver.as_ref(), stop, axis, width, |_| ()));
+        let (problem, setup) = (&self.contact.problem, &self.setup);
+        let found =
+            py.detach(|| PercolationLoad::new(problem, setup.solver.solver(), &setup.stop, axis, width, |_| ()));
         to_python(py, &found.map_err(py_error)?)
     }
 }

@@ -19,7 +19,7 @@ const MOST_BYTES: u64 = 1 << 18;
 const MOST_STATES: usize = 64;
 
 /// The lessons that the page has of its own: names and texts.
-const LESSONS: [(&str, &str); 8] = [
+const LESSONS: [(&str, &str); 9] = [
     ("hertz-and-rough.toml", include_str!("../../assets/lessons/hertz-and-rough.toml")),
     ("kappa-r.toml", include_str!("../../assets/lessons/kappa-r.toml")),
     ("counting.toml", include_str!("../../assets/lessons/counting.toml")),
@@ -28,6 +28,7 @@ const LESSONS: [(&str, &str); 8] = [
     ("crawl.toml", include_str!("../../assets/lessons/crawl.toml")),
     ("grip.toml", include_str!("../../assets/lessons/grip.toml")),
     ("gecko.toml", include_str!("../../assets/lessons/gecko.toml")),
+    ("seal.toml", include_str!("../../assets/lessons/seal.toml")),
 ];
 
 /// Knobs as they are written, with where each of them stands in its file.

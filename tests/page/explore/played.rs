@@ -1,7 +1,10 @@
 //! The lessons of the page, played to their ends: what they tell is what the program gives.
 
 use super::Page;
-use asperity::contact::OBSERVABLES;
+use asperity::contact::{Contact, ContactModulus, Load, Multilevel, OBSERVABLES, Solver};
+use asperity::flow::{FlowAxis, Leakage, PercolationLoad};
+use asperity::surface::{Lay, RandomRoughness, Spectrum};
+use asperity::{Grid, Problem, Stop};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -66,7 +69,7 @@ fn texts(step: &Value, language: &str) -> String {
 
 #[test]
 fn every_lesson_is_played_to_its_end() {
-    assert_eq!(LESSONS.len(), 8);
+    assert_eq!(LESSONS.len(), 9);
     let shown: Vec<&str> = OBSERVABLES.iter().filter(|row| row.is_traced).map(|row| row.name).collect();
     for (name, steps) in LESSONS.iter() {
         let asked = steps.iter().filter(|played| played.step["ask"].is_object()).count();
@@ -114,7 +117,7 @@ fn every_text_is_in_both_languages() {
 }
 
 /// Numbers that a text tells, as it tells them: lesson, step, observable.
-const TOLD: [(&str, usize, &str, &str); 42] = [
+const TOLD: [(&str, usize, &str, &str); 44] = [
     ("hertz-and-rough", 2, "kappa_r", "1.46"),
     ("hertz-and-rough", 4, "patches", "31"),
     ("kappa-r", 1, "kappa", "2.56"),
@@ -157,6 +160,8 @@ const TOLD: [(&str, usize, &str, &str); 42] = [
     ("gecko", 2, "relative_area", "0.239"),
     ("gecko", 4, "relative_area", "0.088"),
     ("gecko", 7, "relative_area", "0.043"),
+    ("seal", 1, "relative_area", "0.110"),
+    ("seal", 3, "relative_area", "0.378"),
 ];
 
 #[test]
@@ -369,4 +374,53 @@ fn solvers_work_as_told() {
         near(number("crawl", step, of) / told, 1.0, 0.05, &format!("{of} in step {step}, over what is told,"));
         assert!(said.contains(&told.to_string()), "{told} is not in {said}");
     }
+}
+
+/// The surface of the lesson on seals, under a load, solved without the page.
+fn pressed_seal(peklenik: f64, reduced_pressure: f64) -> Contact {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 20e-6, short_cutoff: 5e-6, rms_gradient: 1e-3 };
+    let roughness = RandomRoughness { lay: Lay { peklenik, angle: 0.0 }, ..spectrum.into() };
+    let surface = roughness.surface(Grid::surface([256; 2], [160e-6; 2]).unwrap(), 1).unwrap();
+    let problem = Problem::new(surface, ContactModulus(1e9), Load::ReducedPressure(reduced_pressure)).unwrap();
+    Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap().converged().unwrap()
+}
+
+#[test]
+fn seals_leak_as_told() {
+    let loads = [0.05, 0.1, 0.2, 0.25];
+    let contacts = loads.map(|load| pressed_seal(1.0, load));
+    for (contact, step) in contacts.iter().zip(1..) {
+        let its = number("seal", step, "relative_area");
+        near(contact.resolved().relative_area, its, 1e-6, "the area without the page");
+    }
+    let [first, second, third, fourth] =
+        contacts.each_ref().map(|it| Leakage::from_contact(it, FlowAxis::X, 1e-4).unwrap().sigma());
+    let gaps = contacts.each_ref().map(|it| it.mean_gap());
+    near(first.cbrt() / gaps[0], 0.75, 0.02, "the gap of smooth plates over the mean gap");
+    near(first / second, 7.0, 0.4, "the leak over that under twice the load");
+    near(first / third, 660.0, 5.0, "the leak over that under four times the load");
+    near(fourth / first, 1e-6, 5e-8, "what is left of the leak");
+    near(gaps[1] / gaps[0], 2.0 / 3.0, 0.02, "the mean gap under twice the load");
+    near(gaps[3] / gaps[0], 0.25, 0.02, "the mean gap in the end");
+    // the pressure falls at one place: few nodes have one that is not nearly that of either side
+    let pressure = Leakage::from_contact(&contacts[3], FlowAxis::X, 1e-4).unwrap().pressure;
+    let between = pressure.iter().filter(|it| (0.1..0.9).contains(*it)).count() as f64;
+    let open = pressure.iter().filter(|it| it.is_finite()).count() as f64;
+    assert!(between / open < 0.1, "{between} of {open} nodes have a pressure between 0.1 and 0.9");
+
+    let seals = |contact: &Contact, axis| {
+        let found =
+            PercolationLoad::new(&contact.problem, &Multilevel, &Stop::default(), axis, 1e-3, |_| ()).unwrap().sealed;
+        [found.reduced_pressure, found.relative_area]
+    };
+    let [load, area] = seals(&contacts[0], FlowAxis::X);
+    near(load, 0.256, 5e-4, "the load that seals");
+    near(area, 0.461, 5e-4, "the area that seals");
+    let grooves = pressed_seal(4.0, 0.2);
+    let its = number("seal", 6, "relative_area");
+    near(grooves.resolved().relative_area, its, 1e-6, "the area of grooves without the page");
+    let [across, along] = [seals(&grooves, FlowAxis::Y), seals(&grooves, FlowAxis::X)];
+    near(across[0], 0.159, 5e-4, "the load that seals across the grooves");
+    near(across[1], 0.331, 5e-4, "the area that seals across the grooves");
+    near(along[0], 0.253, 5e-4, "the load that seals along the grooves");
 }
