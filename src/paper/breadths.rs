@@ -1,8 +1,11 @@
 //! Rough lines or surfaces whose spectra are equally broad in different ways.
 
-use super::rough::{LINE, Rough, SIDE};
+use super::rough::{LINE, RMS_GRADIENT, ROLLOFF, SIDE, check_ascending};
+use crate::contact::Load;
 use crate::error::StudyError;
+use crate::setup::{Cell, Recipe, Setup};
 use crate::study::Realisation;
+use crate::surface::Spectrum;
 
 /// Points along a side are multiples of this, so that grids can be halved.
 const MULTIPLE: usize = 32;
@@ -21,65 +24,84 @@ pub struct Breadths {
     pub nayak: Vec<f64>,
     /// Points per shortest wavelength on each grid, coarsest first, all multiples of the first.
     pub points_per_wave: Vec<usize>,
-    /// Largest number of points along a side; spectra that need more are left out.
+    /// Points along a side of the coarsest grid, at least. The cells of narrow spectra have more waves, so that as many patches are in
+    /// contact.
+    pub least: usize,
+    /// Largest number of points along a side of the finest grid; spectra that need more are left out.
     pub largest: usize,
-    /// Seeds on each grid, as in [`Rough`].
+    /// Seeds on each grid; those of a finer one are among those of the coarser. With fewer lists than grids the last is that of all
+    /// finer grids.
     pub seeds: Vec<Vec<u64>>,
     /// Reduced pressures, lightest first.
     pub loads: Vec<f64>,
 }
 
-/// The lines or surfaces of one spectrum on all grids.
+/// The lines or surfaces of one spectrum.
 pub struct Breadth {
-    /// Hurst exponent.
-    pub hurst: f64,
     /// Nayak's parameter of the spectrum.
     pub nayak: f64,
-    /// The realisations.
-    pub rough: Rough,
+    /// The spectrum.
+    pub spectrum: Spectrum,
+    /// Roll-off wavelengths along a side of the cell.
+    pub waves: f64,
+    /// Points along a side of each grid, coarsest first.
+    pub points: Vec<usize>,
 }
 
 impl Breadths {
-    /// All spectra, exponent by exponent, the narrowest first.
+    /// All spectra that grids can carry, exponent by exponent, the narrowest first.
     pub(super) fn all(&self) -> Vec<Breadth> {
         let pairs = self.hurst.iter().flat_map(|&hurst| self.nayak.iter().map(move |&nayak| (hurst, nayak)));
         pairs.filter_map(|(hurst, nayak)| self.one(hurst, nayak)).collect()
     }
 
-    /// The lines or surfaces of a spectrum, if grids can carry it.
     fn one(&self, hurst: f64, nayak: f64) -> Option<Breadth> {
         let ratio = rolloff_over_cutoff(hurst, nayak, self.is_line)?;
-        let waves = ratio * if self.is_line { LINE } else { SIDE };
         let first = *self.points_per_wave.first()?;
-        let coarsest = (waves * first as f64 / MULTIPLE as f64).ceil() as usize * MULTIPLE;
+        let per_rolloff = ratio * first as f64;
+        let fewest = if self.is_line { LINE } else { SIDE };
+        let waves = (self.least as f64 / per_rolloff).floor().max(fewest);
+        let coarsest = (waves * per_rolloff / MULTIPLE as f64).ceil() as usize * MULTIPLE;
         let points: Vec<usize> = self.points_per_wave.iter().map(|count| coarsest * (count / first)).collect();
-        let rough = Rough {
+        let short_cutoff = ROLLOFF / ratio;
+        let spectrum = Spectrum { hurst, rolloff_wavelength: ROLLOFF, short_cutoff, rms_gradient: RMS_GRADIENT };
+        points.last().is_some_and(|&points| points <= self.largest).then_some(Breadth {
+            nayak,
+            spectrum,
+            waves,
             points,
-            hurst: vec![hurst],
-            seeds: self.seeds.clone(),
-            cutoff: 1.0 / ratio,
-            loads: self.loads.clone(),
-        };
-        rough.points.last().is_some_and(|&points| points <= self.largest).then_some(Breadth { hurst, nayak, rough })
+        })
     }
 
-    /// The realisations of all spectra.
+    /// The realisations of all spectra, grid by grid, seed by seed.
     pub(super) fn realisations(&self) -> Vec<Realisation> {
-        self.all().iter().flat_map(|it| self.realisations_of(&it.rough)).collect()
+        let grids = |it: &Breadth| (0..it.points.len()).flat_map(|grid| self.on(it, grid)).collect::<Vec<_>>();
+        self.all().iter().flat_map(grids).collect()
     }
 
-    /// The realisations of one of the spectra.
-    pub(super) fn realisations_of(&self, rough: &Rough) -> Vec<Realisation> {
-        if self.is_line { rough.lines() } else { rough.surfaces() }
+    /// The realisations of a spectrum on one of its grids.
+    pub(super) fn on(&self, it: &Breadth, grid: usize) -> Vec<Realisation> {
+        let (points, length) = (it.points[grid], it.waves * ROLLOFF);
+        let cell = if self.is_line { Cell::line(points, length) } else { Cell::surface([points; 2], [length; 2]) };
+        let heaviest = Load::ReducedPressure(self.loads.last().copied().unwrap_or(f64::NAN));
+        let realisation = |&seed: &u64| Realisation {
+            name: if self.is_line { "rough line" } else { "rough surface" }.into(),
+            setup: Setup::new(Recipe::rough(it.spectrum, seed), cell.clone(), heaviest),
+            loads: Realisation::reduced_pressures(&self.loads),
+        };
+        self.seeds.get(grid).or(self.seeds.last()).map_or(&[][..], Vec::as_slice).iter().map(realisation).collect()
     }
 
     /// Checks that there is something to solve, in the right order.
     pub(super) fn check(&self) -> Result<(), StudyError> {
-        let all = self.all();
-        if all.is_empty() {
-            return Err(StudyError::List { what: "Nayak's parameters", values: format!("{:?}", self.nayak) });
+        check_ascending("Hurst exponents", &self.hurst)?;
+        check_ascending("Nayak's parameters", &self.nayak)?;
+        check_ascending("points per wave", &self.points_per_wave)?;
+        check_ascending("reduced pressures", &self.loads)?;
+        if self.seeds.is_empty() {
+            return Err(StudyError::List { what: "seeds", values: "[]".into() });
         }
-        all.iter().try_for_each(|it| it.rough.check())
+        self.seeds.iter().try_for_each(|seeds| check_ascending("seeds", seeds))
     }
 }
 
@@ -130,7 +152,8 @@ mod tests {
             hurst: vec![0.3, 0.8],
             nayak: vec![4.0, 12.0, 1000.0],
             points_per_wave: vec![4, 8],
-            largest: 1 << 11,
+            least: 512,
+            largest: 1 << 12,
             seeds: vec![(1..=12).collect()],
             loads: vec![0.1],
         }
@@ -144,10 +167,10 @@ mod tests {
             // the broadest spectrum does not fit
             assert!(all.iter().all(|it| it.nayak < 100.0) && all.len() >= 3, "{is_line}");
             for it in all.iter().filter(|it| it.nayak == 4.0) {
-                let coarsest = &breadths.realisations_of(&it.rough)[..12];
-                let nayak = coarsest.iter().map(|it| SpectralMoments::new(&it.setup.surface().unwrap()).nayak());
+                let nayak =
+                    breadths.on(it, 0).into_iter().map(|it| SpectralMoments::new(&it.setup.surface().unwrap()).nayak());
                 let Spread { mean, .. } = Spread::from_values(nayak);
-                assert!((mean / it.nayak - 1.0).abs() < 0.1, "{is_line} {} {mean}", it.hurst);
+                assert!((mean / it.nayak - 1.0).abs() < 0.1, "{is_line} {} {mean}", it.spectrum.hurst);
             }
         }
     }

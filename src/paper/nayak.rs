@@ -44,6 +44,8 @@ pub struct BreadthRow {
     nayak: f64,
     nayak_deviation: f64,
     short_cutoff_over_rolloff: f64,
+    /// Roll-off wavelengths along a side of the cell.
+    rolloffs: f64,
     /// Points along a side of the finest grid.
     points: usize,
     reduced_pressure: f64,
@@ -66,6 +68,7 @@ pub fn rows(all: &[Spectra<'_>]) -> Vec<BreadthRow> {
             nayak: it.nayak.mean,
             nayak_deviation: it.nayak.deviation,
             short_cutoff_over_rolloff: it.cutoff,
+            rolloffs: it.waves,
             points: it.grids.last().copied().unwrap_or(0),
             reduced_pressure: load,
             kappa: kappa.mean,
@@ -164,16 +167,17 @@ fn shown(group: &Spectra<'_>) -> f64 {
 /// Whether a factor is the same at all breadths, within twice the errors of its slopes.
 fn breadth_matters(group: &Spectra<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
     let load = shown(group);
-    let slopes = group.breadths.hurst.iter().rev().filter_map(|&hurst| Some((hurst, group.per_decade(hurst, load, of)?)));
+    let slopes =
+        group.breadths.hurst.iter().rev().filter_map(|&hurst| Some((hurst, group.per_decade(hurst, load, of)?)));
     let slopes: Vec<(f64, Trend)> = slopes.collect();
     let words = slopes.iter().map(|(hurst, it)| {
         let [low, high] = it.between;
         format!("H = {hurst}: {}, α {low:.1} to {high:.0}", change(it))
     });
     let words = format!("per decade of α at p* = {load}: {}", words.collect::<Vec<_>>().join("; "));
-    let holds = slopes.iter().all(|(_, it)| it.sigma().abs() <= 2.0);
+    let sigma = slopes.iter().map(|(_, it)| it.sigma().abs()).reduce(larger)?;
     let key = format!("nayak.{}.{quantity}.alpha", group.name());
-    (!slopes.is_empty()).then(|| Verdict::statement(&key, words, holds))
+    Some(verdict(&key, words, sigma))
 }
 
 /// Whether a factor is the same at two Hurst exponents of equal breadth, within twice the error of the difference.
@@ -183,7 +187,18 @@ fn hurst_matters(group: &Spectra<'_>, quantity: &str, of: ObservableFn) -> Optio
     let ([lowest, highest], [low, high]) = (ends, it.between);
     let words = format!("at p* = {load} H = {highest} less {lowest}: {}, α {low:.1} to {high:.0}", change(&it));
     let key = format!("nayak.{}.{quantity}.hurst", group.name());
-    Some(Verdict::statement(&key, words, it.sigma().abs() <= 2.0))
+    Some(verdict(&key, words, it.sigma().abs()))
+}
+
+/// Whether a change of that many standard errors is none; nobody knows without errors.
+fn verdict(key: &str, words: String, sigma: f64) -> Verdict {
+    let verdict = Verdict::statement(key, words, sigma <= 2.0);
+    if sigma.is_nan() { Verdict { verdict: "no error".into(), ..verdict } } else { verdict }
+}
+
+/// The larger of two numbers, not a number if one of them is none.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }
 
 /// A change in per cent and standard errors.
@@ -303,5 +318,81 @@ fn ramp(all: &[Spectra<'_>]) -> Ramp {
         cursor: loads.clone(),
         contacts: Vec::new(),
         length_unit: "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Observables, Status};
+    use crate::study::{Point, Realisation};
+
+    fn breadths(seeds: u64) -> Breadths {
+        Breadths {
+            is_line: true,
+            hurst: vec![0.3, 0.8],
+            nayak: vec![3.0, 10.0, 30.0],
+            points_per_wave: vec![4, 8, 16],
+            least: 256,
+            largest: 1 << 20,
+            seeds: vec![(1..=seeds).collect()],
+            loads: vec![0.01],
+        }
+    }
+
+    /// The point of a realisation whose `kappa` is 2, less by `fall` per decade of Nayak's parameter, more by `high` at the higher
+    /// Hurst exponent, and off by its seed and by the square of the spacing.
+    fn point(it: &Realisation, nayak: f64, [fall, high]: [f64; 2]) -> Point {
+        let (spectrum, seed) = (it.setup.surface.spectrum.unwrap(), it.setup.surface.seed());
+        let nx = *it.setup.grid.points.last().unwrap();
+        let scatter = 0.05 * (seed as f64).sin() + 0.005 * (seed as f64 * spectrum.short_cutoff * 1e9).sin();
+        let kappa = 2.0 - fall * nayak.log10() + if spectrum.hurst > 0.5 { high } else { 0.0 };
+        let kappa = kappa + scatter + 1e3 / (nx * nx) as f64;
+        Point {
+            name: it.name.clone(),
+            ny: 1,
+            nx,
+            length: 1.0,
+            hurst: Some(spectrum.hurst),
+            rolloff_wavelength: Some(spectrum.rolloff_wavelength),
+            short_cutoff: Some(spectrum.short_cutoff),
+            seed: Some(seed),
+            load: 1,
+            tolerance: 1e-8,
+            status: Status::Converged,
+            setup: String::new(),
+            version: String::new(),
+            observables: Observables { reduced_pressure: 0.01, kappa, kappa_r: 1.7, ..Observables::default() },
+            adhesion: Default::default(),
+            seconds: 0.0,
+        }
+    }
+
+    /// The verdicts on `kappa` at one gradient and at equal breadth.
+    fn verdicts(breadths: &Breadths, change: [f64; 2]) -> [Verdict; 2] {
+        let mut points = Vec::new();
+        for it in breadths.all() {
+            for grid in 0..3 {
+                points.extend(breadths.on(&it, grid).iter().map(|one| point(one, it.nayak, change)));
+            }
+        }
+        let all = Spectra::new(breadths, &Points(points)).unwrap();
+        [breadth_matters(&all, "kappa", KAPPA).unwrap(), hurst_matters(&all, "kappa", KAPPA).unwrap()]
+    }
+
+    #[test]
+    fn a_fall_with_the_breadth_and_a_step_with_the_exponent_are_told_apart() {
+        let words = |change| verdicts(&breadths(8), change).map(|it| it.verdict);
+        assert_eq!(words([0.0, 0.0]), ["holds", "holds"]);
+        assert_eq!(words([0.1, 0.0]), ["does not hold", "holds"]);
+        assert_eq!(words([0.0, 0.1]), ["holds", "does not hold"]);
+        assert_eq!(words([0.1, 0.1]), ["does not hold", "does not hold"]);
+        let [_, step] = verdicts(&breadths(8), [0.1, 0.1]);
+        assert!(step.here.starts_with("at p* = 0.01 H = 0.8 less 0.3: +5."), "{step:?}");
+    }
+
+    #[test]
+    fn a_single_seed_has_no_error_and_no_verdict() {
+        assert_eq!(verdicts(&breadths(1), [0.1, 0.1]).map(|it| it.verdict), ["no error"; 2]);
     }
 }

@@ -3,9 +3,8 @@
 use super::breadths::{Breadth, Breadths};
 use super::means::Points;
 use super::measure::{Measure, ObservableFn};
-use super::rough::{ROLLOFF, Rough};
 use crate::error::SetupError;
-use crate::study::{Estimate, GridValues, Limit, Spread};
+use crate::study::{Estimate, GridValues, Limit, Point, Realisation, Spread};
 use crate::surface::SpectralMoments;
 use std::collections::BTreeMap;
 
@@ -19,6 +18,8 @@ pub struct Spectral {
     pub nayak: Spread,
     /// Shortest wavelength over the roll-off.
     pub cutoff: f64,
+    /// Roll-off wavelengths along a side of the cell.
+    pub waves: f64,
     /// Points along a side of each grid, coarsest first.
     pub grids: Vec<usize>,
     /// Points per shortest wavelength on each grid.
@@ -28,17 +29,22 @@ pub struct Spectral {
 
 impl Spectral {
     fn new(breadths: &Breadths, it: Breadth, points: &Points) -> Result<Self, SetupError> {
-        let Breadth { hurst, nayak, rough } = it;
-        let short_cutoff = Some(rough.cutoff * ROLLOFF);
-        let is_it = |row: &&crate::study::Point| {
-            (row.ny == 1) == breadths.is_line && row.hurst == Some(hurst) && row.short_cutoff == short_cutoff
+        let Breadth { nayak, spectrum, waves, points: grids } = &it;
+        let is_it = |row: &&Point| {
+            (row.ny == 1) == breadths.is_line
+                && row.hurst == Some(spectrum.hurst)
+                && row.short_cutoff == Some(spectrum.short_cutoff)
         };
+        // the waves of the coarsest grid are those of all grids
+        let of = |it: Realisation| Ok(SpectralMoments::new(&it.setup.surface()?).nayak());
+        let realised = breadths.on(&it, 0).into_iter().map(of).collect::<Result<Vec<f64>, SetupError>>()?;
         Ok(Self {
-            hurst,
-            wanted: nayak,
-            nayak: Spread::from_values(of_realisations(breadths, &rough)?),
-            cutoff: rough.cutoff,
-            grids: rough.points,
+            hurst: spectrum.hurst,
+            wanted: *nayak,
+            nayak: Spread::from_values(realised),
+            cutoff: spectrum.short_cutoff / spectrum.rolloff_wavelength,
+            waves: *waves,
+            grids: grids.clone(),
             points_per_wave: breadths.points_per_wave.clone(),
             points: Points(points.0.iter().filter(is_it).cloned().collect()),
         })
@@ -56,21 +62,15 @@ impl Spectral {
     }
 }
 
-/// Nayak's parameters of the realisations on the coarsest grid, whose waves are those of all grids.
-fn of_realisations(breadths: &Breadths, rough: &Rough) -> Result<Vec<f64>, SetupError> {
-    let (points, seeds) = (rough.points[..1].to_vec(), vec![rough.seeds_on(0).to_vec()]);
-    let coarsest = breadths.realisations_of(&Rough { points, seeds, ..rough.clone() });
-    coarsest.iter().map(|it| Ok(SpectralMoments::new(&it.setup.surface()?).nayak())).collect()
-}
-
 /// A sum over spectra of a quantity under a load, each with its weight, in the continuum.
 ///
-/// Surfaces of one seed share their waves. So sums are taken seed by seed on each grid first, and their errors are those of the sums.
+/// Surfaces of one seed and equally large cells share their waves. So sums are taken seed by seed on each grid first, and their errors are those of the sums.
 fn weighted(terms: &[(f64, &Spectral)], load: f64, quantity: ObservableFn) -> Estimate {
     let Some((_, first)) = terms.first() else { return Estimate::exact(f64::NAN) };
     let on_grid = |(grid, &points): (usize, &usize)| {
         let each: Vec<_> = terms.iter().map(|(weight, it)| (weight, it.values(grid, load, quantity))).collect();
-        let sum = |seed: &u64| each.iter().map(|(weight, values)| Some(*weight * values.get(seed)?)).sum::<Option<f64>>();
+        let sum =
+            |seed: &u64| each.iter().map(|(weight, values)| Some(*weight * values.get(seed)?)).sum::<Option<f64>>();
         let seeds = each[0].1.keys().filter_map(|seed| Some((*seed, sum(seed)?)));
         GridValues { spacing: 1.0 / points as f64, values: seeds.collect() }
     };
@@ -149,13 +149,13 @@ impl<'a> Spectra<'a> {
         (terms.len() > 1).then(|| Trend::new(&terms, load, quantity))
     }
 
-    /// How much larger a quantity is at the highest Hurst exponent than at the lowest, at equal Nayak's parameters of the spectra, by
-    /// pairs of surfaces of the same seed: the mean over all parameters that both have. None without such.
+    /// How much larger a quantity is at the highest Hurst exponent than at the lowest, at equal Nayak's parameters of the spectra: the
+    /// mean over all parameters that both have, seed by seed. None without such.
     pub fn at_equal_nayak(&self, load: f64, quantity: ObservableFn) -> Option<Trend> {
         let [lowest, highest] = self.ends()?;
-        let pairs = self.of(lowest).flat_map(|low| {
-            self.of(highest).filter(|high| high.wanted == low.wanted).map(move |high| [low, high])
-        });
+        let pairs = self
+            .of(lowest)
+            .flat_map(|low| self.of(highest).filter(|high| high.wanted == low.wanted).map(move |high| [low, high]));
         let pairs: Vec<[&Spectral; 2]> = pairs.collect();
         let share = 1.0 / pairs.len() as f64;
         let terms: Vec<_> = pairs.into_iter().flat_map(|[low, high]| [(-share, low), (share, high)]).collect();

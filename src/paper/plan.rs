@@ -202,27 +202,33 @@ impl Paper {
 
 /// Lines of two Hurst exponents, whose spectra span up to four decades at the lower one.
 fn broad_lines(effort: Effort) -> Breadths {
+    let counts: [&[u64]; 3] = [&[6, 6, 6], &[10, 10, 5], &[20, 20, 10]];
+    let loads: [&[f64]; 3] = [&[0.01, 0.1], &[0.001, 0.01, 0.03, 0.1, 0.3], &[0.001, 0.01, 0.03, 0.1, 0.3]];
     Breadths {
         is_line: true,
         hurst: vec![0.3, 0.8],
         nayak: effort.choose([&[3.0, 12.0, 30.0][..], &BREADTHS, &BREADTHS]).to_vec(),
-        points_per_wave: effort.choose([[4, 8, 16], [16, 32, 64], [16, 32, 64]]).to_vec(),
+        points_per_wave: effort.choose([[8, 16, 32], [16, 32, 64], [16, 32, 64]]).to_vec(),
+        least: effort.choose([1 << 12, 1 << 15, 1 << 16]),
         largest: 1 << 22,
-        seeds: effort.choose([&[4, 4, 4][..], &[10, 10, 5], &[20, 20, 10]]).iter().map(|&count| seeds(count)).collect(),
-        loads: effort.choose([&[0.01, 0.1][..], &[0.001, 0.01, 0.03, 0.1, 0.3], &[0.001, 0.01, 0.03, 0.1, 0.3]]).to_vec(),
+        seeds: effort.choose(counts).iter().map(|&count| seeds(count)).collect(),
+        loads: effort.choose(loads).to_vec(),
     }
 }
 
 /// Surfaces of two Hurst exponents; at the lower one only narrow spectra fit on a grid.
 fn broad_surfaces(effort: Effort) -> Breadths {
+    let counts: [&[u64]; 3] = [&[4, 4], &[6, 4, 2], &[10, 6, 3]];
+    let loads: [&[f64]; 3] = [&[0.01, 0.1], &[0.01, 0.03, 0.1, 0.3], &[0.01, 0.03, 0.1, 0.3]];
     Breadths {
         is_line: false,
         hurst: vec![0.3, 0.8],
         nayak: effort.choose([&[3.0, 6.0, 12.0][..], &BREADTHS, &BREADTHS]).to_vec(),
         points_per_wave: effort.choose([&[4, 8][..], &[4, 8, 16], &[4, 8, 16]]).to_vec(),
+        least: effort.choose([256, 512, 1024]),
         largest: effort.choose([1 << 10, 1 << 13, 1 << 14]),
-        seeds: effort.choose([&[3, 3][..], &[6, 4, 2], &[10, 6, 3]]).iter().map(|&count| seeds(count)).collect(),
-        loads: effort.choose([&[0.01, 0.1][..], &[0.01, 0.03, 0.1, 0.3], &[0.01, 0.03, 0.1, 0.3]]).to_vec(),
+        seeds: effort.choose(counts).iter().map(|&count| seeds(count)).collect(),
+        loads: effort.choose(loads).to_vec(),
     }
 }
 

@@ -13,7 +13,7 @@ use std::fmt::Debug;
 
 /// Roll-off wavelength `lambda_r`, in metres.
 pub(super) const ROLLOFF: f64 = 20e-6;
-const RMS_GRADIENT: f64 = 1e-3;
+pub(super) const RMS_GRADIENT: f64 = 1e-3;
 /// Roll-off wavelengths in a line and along a side of a surface, `1/eps_t`.
 pub(super) const LINE: f64 = 8.0;
 pub(super) const SIDE: f64 = 4.0;
@@ -219,7 +219,8 @@ impl Rough {
     }
 }
 
-fn check_ascending<T: PartialOrd + Debug>(what: &'static str, values: &[T]) -> Result<(), StudyError> {
+/// Refuses a list that is empty or does not ascend.
+pub(super) fn check_ascending<T: PartialOrd + Debug>(what: &'static str, values: &[T]) -> Result<(), StudyError> {
     match !values.is_empty() && values.is_sorted_by(|a, b| a < b) {
         true => Ok(()),
         false => Err(StudyError::List { what, values: format!("{values:?}") }),

@@ -8,9 +8,8 @@ use std::f64::consts::PI;
 fn at_vanishing_load_the_slope_is_the_root_of_two_pi() {
     for nayak in [1.6, 2.0, 5.0, 20.0, 200.0] {
         let model = BushGibsonThomas { nayak };
-        let off = |separation: f64| {
-            1.0 - model.relative_area(separation) / (model.reduced_pressure(separation) * KAPPA_BGT)
-        };
+        let off =
+            |separation: f64| 1.0 - model.relative_area(separation) / (model.reduced_pressure(separation) * KAPPA_BGT);
         let [near, far] = [15.0, 30.0].map(off);
         // the summits in contact are the ones above a separation, so that the distance falls with its square
         assert!(far > 0.0 && far < 0.5 * near && far < 0.004 * nayak, "{nayak}: {near} {far}");
