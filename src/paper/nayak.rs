@@ -260,7 +260,8 @@ fn against_load(group: &Spectra<'_>) -> Panel {
         let (nayak, loads) = (it.nayak.mean, &group.breadths.loads);
         if !group.breadths.is_line {
             let model = loads.iter().map(|&load| Dot::at(load, BushGibsonThomas { nayak }.kappa(load)));
-            panel.add(format!("Bush, Gibson, Thomas, α = {nayak:.1}"), shade(i), Mark::Dashed, model);
+            let name = if i == 0 { "Bush, Gibson, Thomas" } else { "" };
+            panel.add(name, shade(i), Mark::Dashed, model);
         }
         let mark = Mark::Joined { symbol: SYMBOLS[i % SYMBOLS.len()], filled: true };
         let dots = loads.iter().map(|&load| dot(load, it.limit(load, KAPPA)));
@@ -272,7 +273,7 @@ fn against_load(group: &Spectra<'_>) -> Panel {
 /// Changes of both factors against the load: per decade, and at equal breadth.
 fn changes(group: &Spectra<'_>) -> Panel {
     let title = format!("changes of κ (filled) and κ_r of {}s", group.name());
-    let range = if group.breadths.is_line { [-16.0, 8.0] } else { [-8.0, 4.0] };
+    let range = if group.breadths.is_line { [-20.0, 6.0] } else { [-12.0, 4.0] };
     let mut panel = Panel::new(title, load_axis(group), Axis::linear("%", range));
     panel.add_curve("", Colour::BLACK, Mark::Dotted, |_| 0.0);
     for (quantity, _, of) in QUANTITIES {

@@ -159,7 +159,7 @@ fn kappa_falls_with_the_breadth_of_the_spectrum_and_kappa_r_does_not() {
         let is_it = |row: &&Row| {
             [&row["name"], &row["quantity"], &row["hurst"]] == [name, quantity, hurst]
                 && row["change"] == "per decade"
-                && row["reduced_pressure"] == "0.01"
+                && row["reduced_pressure"] == "0.1"
         };
         let row = trends.iter().find(is_it).unwrap();
         [number(row, "percent"), number(row, "error").hypot(number(row, "grid_error"))]
@@ -168,7 +168,7 @@ fn kappa_falls_with_the_breadth_of_the_spectrum_and_kappa_r_does_not() {
         let [fall, error] = found(name, "kappa", "0.3");
         assert!(fall < -3.0 && fall < -2.0 * error, "{name}: {fall} {error}");
         let [fall_r, _] = found(name, "kappa_r", "0.3");
-        assert!(fall_r.abs() < fall.abs(), "{name}: {fall_r} {fall}");
+        assert!(fall_r.abs() < 0.5 * fall.abs(), "{name}: {fall_r} {fall}");
     }
     // a second run solves nothing
     let again = folder.run(&bare("paper nayak --quick --out p"));
