@@ -8,7 +8,7 @@
 use super::breadths::Breadths;
 use super::means::Points;
 use super::measure::{Measure, ObservableFn};
-use super::nayak_trend::{Spectra, Spectral, Trend};
+use super::nayak_trend::{BreadthTrend, SolvedBreadth, SolvedBreadths};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::rough::{SYMBOLS, shade};
 use super::verdict::Verdict;
@@ -25,7 +25,7 @@ const AXIS: [f64; 2] = [1.5, 400.0];
 /// The narrowest spectrum of the curve of Bush, Gibson and Thomas, and its points.
 const NARROWEST: f64 = 1.6;
 const CURVE: i32 = 40;
-/// Spectra whose curves against the load are shown.
+/// SolvedBreadths whose curves against the load are shown.
 const CURVES: usize = 3;
 
 const KAPPA: ObservableFn = Measure::Resolved.kappa();
@@ -58,8 +58,8 @@ pub struct BreadthRow {
 }
 
 /// The factors of all spectra under all loads.
-pub fn rows(all: &[Spectra<'_>]) -> Vec<BreadthRow> {
-    let row = |name, it: &Spectral, load: f64| {
+pub fn rows(all: &[SolvedBreadths<'_>]) -> Vec<BreadthRow> {
+    let row = |name, it: &SolvedBreadth, load: f64| {
         let [kappa, kappa_r] = [KAPPA, KAPPA_R].map(|quantity| it.limit(load, quantity));
         BreadthRow {
             name,
@@ -79,7 +79,7 @@ pub fn rows(all: &[Spectra<'_>]) -> Vec<BreadthRow> {
             kappa_r_grid_error: kappa_r.grid,
         }
     };
-    let of = |group: &Spectra<'_>| {
+    let of = |group: &SolvedBreadths<'_>| {
         let pairs = group.all.iter().flat_map(|it| group.breadths.loads.iter().map(move |&load| (it, load)));
         pairs.map(|(it, load)| row(group.name(), it, load)).collect::<Vec<_>>()
     };
@@ -103,12 +103,12 @@ pub struct TrendRow {
 }
 
 /// All changes under all loads.
-pub fn trends(all: &[Spectra<'_>]) -> Vec<TrendRow> {
+pub fn trends(all: &[SolvedBreadths<'_>]) -> Vec<TrendRow> {
     let mut rows = Vec::new();
     for group in all {
         for (quantity, _, of) in QUANTITIES {
             for &load in &group.breadths.loads {
-                let row = |change, hurst, Trend { percent, between }: Trend| TrendRow {
+                let row = |change, hurst, BreadthTrend { percent, between }: BreadthTrend| TrendRow {
                     name: group.name(),
                     quantity,
                     change,
@@ -134,12 +134,12 @@ pub fn trends(all: &[Spectra<'_>]) -> Vec<TrendRow> {
 ///
 /// # Errors
 /// For surfaces that cannot be.
-pub fn spectra<'a>(both: [&'a Breadths; 2], points: &Points) -> Result<Vec<Spectra<'a>>, SetupError> {
-    both.into_iter().map(|breadths| Spectra::new(breadths, points)).collect()
+pub fn spectra<'a>(both: [&'a Breadths; 2], points: &Points) -> Result<Vec<SolvedBreadths<'a>>, SetupError> {
+    both.into_iter().map(|breadths| SolvedBreadths::new(breadths, points)).collect()
 }
 
 /// The figure, and whether Nayak's parameter and the Hurst exponent matter.
-pub fn reproduce(all: &[Spectra<'_>]) -> Reproduction {
+pub fn reproduce(all: &[SolvedBreadths<'_>]) -> Reproduction {
     let panels = all.iter().flat_map(|group| {
         QUANTITIES.map(|(quantity, sign, of)| against_breadth(group, quantity, sign, of)).into_iter()
     });
@@ -159,17 +159,17 @@ pub fn reproduce(all: &[Spectra<'_>]) -> Reproduction {
 }
 
 /// The load that is compared.
-fn shown(group: &Spectra<'_>) -> f64 {
+fn shown(group: &SolvedBreadths<'_>) -> f64 {
     let nearest = |a: &&f64, b: &&f64| (*a / SHOWN).ln().abs().total_cmp(&(*b / SHOWN).ln().abs());
     group.breadths.loads.iter().min_by(nearest).copied().unwrap_or(f64::NAN)
 }
 
 /// Whether a factor is the same at all breadths, within twice the errors of its slopes.
-fn breadth_matters(group: &Spectra<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
+fn breadth_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
     let load = shown(group);
     let slopes =
         group.breadths.hurst.iter().rev().filter_map(|&hurst| Some((hurst, group.per_decade(hurst, load, of)?)));
-    let slopes: Vec<(f64, Trend)> = slopes.collect();
+    let slopes: Vec<(f64, BreadthTrend)> = slopes.collect();
     let words = slopes.iter().map(|(hurst, it)| {
         let [low, high] = it.between;
         format!("H = {hurst}: {}, α {low:.1} to {high:.0}", change(it))
@@ -181,7 +181,7 @@ fn breadth_matters(group: &Spectra<'_>, quantity: &str, of: ObservableFn) -> Opt
 }
 
 /// Whether a factor is the same at two Hurst exponents of equal breadth, within twice the error of the difference.
-fn hurst_matters(group: &Spectra<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
+fn hurst_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
     let load = shown(group);
     let (ends, it) = (group.ends()?, group.at_equal_nayak(load, of)?);
     let ([lowest, highest], [low, high]) = (ends, it.between);
@@ -202,12 +202,12 @@ fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// A change in per cent and standard errors.
-fn change(it: &Trend) -> String {
+fn change(it: &BreadthTrend) -> String {
     format!("{:+.2} ± {:.2} %, {:+.1} σ", it.percent.mean, it.percent.uncertainty(), it.sigma())
 }
 
 /// Symbol and colour of a Hurst exponent.
-fn style(group: &Spectra<'_>, hurst: f64) -> (Symbol, Colour) {
+fn style(group: &SolvedBreadths<'_>, hurst: f64) -> (Symbol, Colour) {
     let number = group.breadths.hurst.iter().position(|it| *it == hurst).unwrap_or(0);
     (SYMBOLS[number % SYMBOLS.len()], shade(number))
 }
@@ -217,7 +217,7 @@ fn dot(x: f64, it: Estimate) -> Dot {
 }
 
 /// A factor against Nayak's parameter under the load that is compared.
-fn against_breadth(group: &Spectra<'_>, quantity: &str, sign: &str, of: ObservableFn) -> Panel {
+fn against_breadth(group: &SolvedBreadths<'_>, quantity: &str, sign: &str, of: ObservableFn) -> Panel {
     let load = shown(group);
     let is_area = quantity == "kappa";
     let range = match (is_area, group.breadths.is_line) {
@@ -239,20 +239,20 @@ fn against_breadth(group: &Spectra<'_>, quantity: &str, sign: &str, of: Observab
     }
     for &hurst in &group.breadths.hurst {
         let (symbol, colour) = style(group, hurst);
-        let dots = group.of(hurst).map(|it| dot(it.nayak.mean, it.limit(load, of)));
+        let dots = group.at_hurst(hurst).map(|it| dot(it.nayak.mean, it.limit(load, of)));
         panel.add(format!("H = {hurst}"), colour, Mark::Joined { symbol, filled: true }, dots);
     }
     panel
 }
 
 /// `kappa` of the highest Hurst exponent against the load, of some breadths.
-fn against_load(group: &Spectra<'_>) -> Panel {
+fn against_load(group: &SolvedBreadths<'_>) -> Panel {
     let hurst = group.breadths.hurst.last().copied().unwrap_or(f64::NAN);
     let range = if group.breadths.is_line { [1.2, 3.5] } else { [1.2, 2.6] };
     let title = format!("κ of {}s against the load, H = {hurst}", group.name());
     let mut panel = Panel::new(title, load_axis(group), Axis::linear("κ", range));
     panel.add_curve("Persson", Colour::BLACK, Mark::Dotted, |load| persson::relative_area(load) / load);
-    let all: Vec<&Spectral> = group.of(hurst).collect();
+    let all: Vec<&SolvedBreadth> = group.at_hurst(hurst).collect();
     let last = all.len().saturating_sub(1);
     let mut chosen: Vec<usize> = (0..CURVES).map(|i| i * last / (CURVES - 1)).collect();
     chosen.dedup();
@@ -271,14 +271,14 @@ fn against_load(group: &Spectra<'_>) -> Panel {
 }
 
 /// Changes of both factors against the load: per decade, and at equal breadth.
-fn changes(group: &Spectra<'_>) -> Panel {
+fn changes(group: &SolvedBreadths<'_>) -> Panel {
     let title = format!("changes of κ (filled) and κ_r of {}s", group.name());
     let range = if group.breadths.is_line { [-20.0, 6.0] } else { [-12.0, 4.0] };
     let mut panel = Panel::new(title, load_axis(group), Axis::linear("%", range));
     panel.add_curve("", Colour::BLACK, Mark::Dotted, |_| 0.0);
     for (quantity, _, of) in QUANTITIES {
         let filled = quantity == "kappa";
-        let mut add = |name: String, symbol, colour, at: &dyn Fn(f64) -> Option<Trend>| {
+        let mut add = |name: String, symbol, colour, at: &dyn Fn(f64) -> Option<BreadthTrend>| {
             let dots = group.breadths.loads.iter().filter_map(|&load| Some(dot(load, at(load)?.percent)));
             let name = if filled { name } else { String::new() };
             panel.add(name, colour, Mark::Joined { symbol, filled }, dots);
@@ -296,14 +296,14 @@ fn changes(group: &Spectra<'_>) -> Panel {
     panel
 }
 
-fn load_axis(group: &Spectra<'_>) -> Axis {
+fn load_axis(group: &SolvedBreadths<'_>) -> Axis {
     let loads = &group.breadths.loads;
     let [low, high] = [loads.first(), loads.last()].map(|load| load.copied().unwrap_or(1.0));
     Axis::log("p*", [low / 1.5, high * 1.5])
 }
 
 /// `kappa` and `kappa_r` of all spectra against the loads of the lines; no contacts.
-fn ramp(all: &[Spectra<'_>]) -> Ramp {
+fn ramp(all: &[SolvedBreadths<'_>]) -> Ramp {
     let loads = all.first().map_or(Vec::new(), |group| group.breadths.loads.clone());
     let curves = all.iter().flat_map(|group| group.all.iter().map(move |it| (group, it))).flat_map(|(group, it)| {
         let loads = &loads;
@@ -377,7 +377,7 @@ mod tests {
                 points.extend(breadths.on(&it, grid).iter().map(|one| point(one, it.nayak, change)));
             }
         }
-        let all = Spectra::new(breadths, &Points(points)).unwrap();
+        let all = SolvedBreadths::new(breadths, &Points(points)).unwrap();
         [breadth_matters(&all, "kappa", KAPPA).unwrap(), hurst_matters(&all, "kappa", KAPPA).unwrap()]
     }
 

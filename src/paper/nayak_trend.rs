@@ -9,7 +9,7 @@ use crate::surface::SpectralMoments;
 use std::collections::BTreeMap;
 
 /// The solved points of one spectrum.
-pub struct Spectral {
+pub struct SolvedBreadth {
     /// Hurst exponent.
     pub hurst: f64,
     /// Nayak's parameter of the spectrum.
@@ -27,7 +27,7 @@ pub struct Spectral {
     points: Points,
 }
 
-impl Spectral {
+impl SolvedBreadth {
     fn new(breadths: &Breadths, it: Breadth, points: &Points) -> Result<Self, SetupError> {
         let Breadth { nayak, spectrum, waves, points: grids } = &it;
         let is_it = |row: &&Point| {
@@ -65,7 +65,7 @@ impl Spectral {
 /// A sum over spectra of a quantity under a load, each with its weight, in the continuum.
 ///
 /// Surfaces of one seed and equally large cells share their waves. So sums are taken seed by seed on each grid first, and their errors are those of the sums.
-fn weighted(terms: &[(f64, &Spectral)], load: f64, quantity: ObservableFn) -> Estimate {
+fn weighted(terms: &[(f64, &SolvedBreadth)], load: f64, quantity: ObservableFn) -> Estimate {
     let Some((_, first)) = terms.first() else { return Estimate::exact(f64::NAN) };
     let on_grid = |(grid, &points): (usize, &usize)| {
         let each: Vec<_> = terms.iter().map(|(weight, it)| (weight, it.values(grid, load, quantity))).collect();
@@ -79,28 +79,28 @@ fn weighted(terms: &[(f64, &Spectral)], load: f64, quantity: ObservableFn) -> Es
 }
 
 /// The lines, or else the surfaces, of all spectra.
-pub struct Spectra<'a> {
+pub struct SolvedBreadths<'a> {
     /// What was asked for.
     pub breadths: &'a Breadths,
     /// The spectra, exponent by exponent, the narrowest first.
-    pub all: Vec<Spectral>,
+    pub all: Vec<SolvedBreadth>,
 }
 
 /// A change of a quantity from spectrum to spectrum under one load, in per cent of its mean.
-pub struct Trend {
+pub struct BreadthTrend {
     /// The change in per cent.
     pub percent: Estimate,
     /// Nayak's parameters from and to, as the realisations have them.
     pub between: [f64; 2],
 }
 
-impl Trend {
+impl BreadthTrend {
     /// The change over its error.
     pub fn sigma(&self) -> f64 {
         self.percent.mean / self.percent.uncertainty()
     }
 
-    fn new(terms: &[(f64, &Spectral)], load: f64, quantity: ObservableFn) -> Self {
+    fn new(terms: &[(f64, &SolvedBreadth)], load: f64, quantity: ObservableFn) -> Self {
         let [sum, mean] = [
             weighted(terms, load, quantity),
             weighted(&terms.iter().map(|(_, it)| (1.0 / terms.len() as f64, *it)).collect::<Vec<_>>(), load, quantity),
@@ -118,13 +118,13 @@ impl Trend {
     }
 }
 
-impl<'a> Spectra<'a> {
+impl<'a> SolvedBreadths<'a> {
     /// The solved `points` of the spectra of `breadths`.
     ///
     /// # Errors
     /// For surfaces that cannot be.
     pub fn new(breadths: &'a Breadths, points: &Points) -> Result<Self, SetupError> {
-        let all = breadths.all().into_iter().map(|it| Spectral::new(breadths, it, points));
+        let all = breadths.all().into_iter().map(|it| SolvedBreadth::new(breadths, it, points));
         Ok(Self { breadths, all: all.collect::<Result<_, _>>()? })
     }
 
@@ -134,32 +134,32 @@ impl<'a> Spectra<'a> {
     }
 
     /// The spectra of a Hurst exponent.
-    pub fn of(&self, hurst: f64) -> impl Iterator<Item = &Spectral> {
+    pub fn at_hurst(&self, hurst: f64) -> impl Iterator<Item = &SolvedBreadth> {
         self.all.iter().filter(move |it| it.hurst == hurst)
     }
 
     /// The change of a quantity per decade of Nayak's parameter at a Hurst exponent: the slope of the straight line of least squares
     /// in its logarithm, seed by seed. None with fewer than two spectra.
-    pub fn per_decade(&self, hurst: f64, load: f64, quantity: ObservableFn) -> Option<Trend> {
-        let all: Vec<&Spectral> = self.of(hurst).collect();
-        let place = |it: &&Spectral| it.nayak.mean.log10();
+    pub fn per_decade(&self, hurst: f64, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
+        let all: Vec<&SolvedBreadth> = self.at_hurst(hurst).collect();
+        let place = |it: &&SolvedBreadth| it.nayak.mean.log10();
         let mean = all.iter().map(place).sum::<f64>() / all.len() as f64;
         let square = all.iter().map(|it| (place(it) - mean).powi(2)).sum::<f64>();
         let terms: Vec<_> = all.iter().map(|it| ((place(it) - mean) / square, *it)).collect();
-        (terms.len() > 1).then(|| Trend::new(&terms, load, quantity))
+        (terms.len() > 1).then(|| BreadthTrend::new(&terms, load, quantity))
     }
 
     /// How much larger a quantity is at the highest Hurst exponent than at the lowest, at equal Nayak's parameters of the spectra: the
     /// mean over all parameters that both have, seed by seed. None without such.
-    pub fn at_equal_nayak(&self, load: f64, quantity: ObservableFn) -> Option<Trend> {
+    pub fn at_equal_nayak(&self, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
         let [lowest, highest] = self.ends()?;
-        let pairs = self
-            .of(lowest)
-            .flat_map(|low| self.of(highest).filter(|high| high.wanted == low.wanted).map(move |high| [low, high]));
-        let pairs: Vec<[&Spectral; 2]> = pairs.collect();
+        let pairs = self.of(lowest).flat_map(|low| {
+            self.at_hurst(highest).filter(|high| high.wanted == low.wanted).map(move |high| [low, high])
+        });
+        let pairs: Vec<[&SolvedBreadth; 2]> = pairs.collect();
         let share = 1.0 / pairs.len() as f64;
         let terms: Vec<_> = pairs.into_iter().flat_map(|[low, high]| [(-share, low), (share, high)]).collect();
-        (!terms.is_empty()).then(|| Trend::new(&terms, load, quantity))
+        (!terms.is_empty()).then(|| BreadthTrend::new(&terms, load, quantity))
     }
 
     /// The lowest and the highest Hurst exponent, if there are two.
