@@ -153,7 +153,7 @@ impl<'a> SolvedBreadths<'a> {
     /// mean over all parameters that both have, seed by seed. None without such.
     pub fn at_equal_nayak(&self, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
         let [lowest, highest] = self.ends()?;
-        let pairs = self.of(lowest).flat_map(|low| {
+        let pairs = self.at_hurst(lowest).flat_map(|low| {
             self.at_hurst(highest).filter(|high| high.wanted == low.wanted).map(move |high| [low, high])
         });
         let pairs: Vec<[&SolvedBreadth; 2]> = pairs.collect();

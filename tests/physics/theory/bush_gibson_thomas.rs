@@ -11,7 +11,7 @@ fn at_vanishing_load_the_slope_is_the_root_of_two_pi() {
         let off =
             |separation: f64| 1.0 - model.relative_area(separation) / (model.reduced_pressure(separation) * KAPPA_BGT);
         let [near, far] = [15.0, 30.0].map(off);
-        // the summits in contact are the ones above a separation, so that the distance falls with its square
+        // the higher the summits in contact are, the nearer is the limit
         assert!(far > 0.0 && far < 0.5 * near && far < 0.004 * nayak, "{nayak}: {near} {far}");
     }
 }
