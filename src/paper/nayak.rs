@@ -222,7 +222,7 @@ fn against_breadth(group: &SolvedBreadths<'_>, quantity: &str, sign: &str, of: O
     let is_area = quantity == "kappa";
     let range = match (is_area, group.breadths.is_line) {
         (true, true) => [1.5, 3.5],
-        (true, false) => [1.5, 2.6],
+        (true, false) => [1.0, 2.6],
         _ => [1.6, 2.0],
     };
     let title = format!("{sign} of {}s, p* = {load}", group.name());
@@ -248,7 +248,7 @@ fn against_breadth(group: &SolvedBreadths<'_>, quantity: &str, sign: &str, of: O
 /// `kappa` of the highest Hurst exponent against the load, of some breadths.
 fn against_load(group: &SolvedBreadths<'_>) -> Panel {
     let hurst = group.breadths.hurst.last().copied().unwrap_or(f64::NAN);
-    let range = if group.breadths.is_line { [1.2, 3.5] } else { [1.2, 2.6] };
+    let range = if group.breadths.is_line { [1.2, 3.5] } else { [0.8, 2.6] };
     let title = format!("κ of {}s against the load, H = {hurst}", group.name());
     let mut panel = Panel::new(title, load_axis(group), Axis::linear("κ", range));
     panel.add_curve("Persson", Colour::BLACK, Mark::Dotted, |load| persson::relative_area(load) / load);
