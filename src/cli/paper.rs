@@ -36,7 +36,7 @@ pub struct PaperCommand {
     #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
     hurst: Vec<f64>,
     /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, for surfaces every third of
-    /// them; for the item hurst 8 from 1e-4 to 0.32, for nayak 1e-2 to 0.3; with --full 1e-3, 1e-2, 1e-1]
+    /// them; for the item hurst 8 from 1e-4 to 0.32, for nayak 5 from 1e-3 to 0.3, for its surfaces 4 from 1e-2; with --full 1e-3, 1e-2, 1e-1]
     #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
     loads: Vec<f64>,
     /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
