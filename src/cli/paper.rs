@@ -32,11 +32,11 @@ pub struct PaperCommand {
     /// Folder for all files
     #[arg(long, value_name = "DIR", default_value = "paper")]
     out: PathBuf,
-    /// Hurst exponents [default: 0.2,0.5,0.8]
+    /// Hurst exponents [default: 0.2,0.5,0.8; for the item nayak 0.3,0.8]
     #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
     hurst: Vec<f64>,
     /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, for surfaces every third of
-    /// them; for the item hurst 8 from 1e-4 to 0.32; with --full 1e-3, 1e-2, 1e-1]
+    /// them; for the item hurst 8 from 1e-4 to 0.32, for nayak 5 from 1e-3 to 0.3, for its surfaces 4 from 1e-2; with --full 1e-3, 1e-2, 1e-1]
     #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
     loads: Vec<f64>,
     /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
@@ -112,17 +112,27 @@ impl PaperCommand {
             _ => Effort::Usual,
         };
         let mut paper = paper::Paper::new(&self.out, effort);
-        let paper::Paper { lines, surfaces, fine_lines, .. } = &mut paper;
+        let paper::Paper { lines, surfaces, fine_lines, broad_lines, broad_surfaces, .. } = &mut paper;
         for rough in [&mut *lines, &mut *surfaces, &mut *fine_lines] {
             replace(&mut rough.hurst, sorted(&self.hurst));
             replace(&mut rough.loads, sorted(&self.loads));
         }
+        for broad in [&mut *broad_lines, &mut *broad_surfaces] {
+            replace(&mut broad.hurst, sorted(&self.hurst));
+            replace(&mut broad.loads, sorted(&self.loads));
+        }
         replace(&mut lines.points, self.line_points.into_iter().collect());
         replace(&mut surfaces.points, self.surface_points.clone());
         let (of_lines, of_surfaces) = (&self.line_seeds, &self.surface_seeds);
-        for (rough, given) in [(&mut *lines, of_lines), (&mut *fine_lines, of_lines), (&mut *surfaces, of_surfaces)] {
+        for (old, given) in [
+            (&mut lines.seeds, of_lines),
+            (&mut fine_lines.seeds, of_lines),
+            (&mut broad_lines.seeds, of_lines),
+            (&mut surfaces.seeds, of_surfaces),
+            (&mut broad_surfaces.seeds, of_surfaces),
+        ] {
             let seeds = each_once(given);
-            replace(&mut rough.seeds, if seeds.is_empty() { Vec::new() } else { vec![seeds] });
+            replace(old, if seeds.is_empty() { Vec::new() } else { vec![seeds] });
         }
         lines.cutoff = self.line_cutoff.unwrap_or(lines.cutoff);
         fine_lines.cutoff = lines.cutoff;

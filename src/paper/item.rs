@@ -29,6 +29,8 @@ pub enum Item {
     Hurst,
     /// Pressures of lines and surfaces beside Persson's theory: distributions, spectra, and the contact stiffness.
     Persson,
+    /// Lines and surfaces of one gradient and several breadths: kappa and kappa_r against Nayak's parameter.
+    Nayak,
 }
 
 impl Item {
@@ -48,6 +50,7 @@ impl Item {
             Self::Gw | Self::Persson => &[],
             Self::Beyond => &[Self::Beyond],
             Self::Hurst => &[Self::Hurst],
+            Self::Nayak => &[Self::Nayak],
         }
     }
 }

@@ -18,6 +18,7 @@
 #![doc = include_str!("../../assets/doc/paper.md")]
 
 mod beyond;
+mod breadths;
 mod comparison;
 mod fig1;
 mod fig2;
@@ -31,6 +32,8 @@ mod item;
 mod limits;
 mod means;
 mod measure;
+mod nayak;
+mod nayak_trend;
 mod persson;
 mod plan;
 #[cfg(feature = "record")]
@@ -43,6 +46,7 @@ mod smooth;
 mod table1;
 mod verdict;
 
+pub use breadths::Breadths;
 pub use comparison::Comparison;
 pub use fit::{Fit, Weights};
 pub use item::Item;

@@ -1,5 +1,6 @@
 //! The surfaces and loads that the paper is made again with.
 
+use super::breadths::Breadths;
 use super::comparison::Comparison;
 use super::item::Item;
 use super::rough::Rough;
@@ -15,6 +16,8 @@ use std::path::PathBuf;
 const LOADS: [f64; 2] = [1e-3, 1e-1];
 /// Smallest and largest reduced pressure at which the continuum values of lines are reported.
 const WIDE_LOADS: [f64; 2] = [1e-4, 0.316_227_766_016_837_94];
+/// Nayak's parameters of spectra.
+const BREADTHS: [f64; 7] = [3.0, 6.0, 12.0, 25.0, 50.0, 100.0, 200.0];
 /// Largest number of iterations; a point takes some tens.
 const MAX_ITERATIONS: usize = 2000;
 /// Certificate of smooth indenters. Their contacts may be so narrow that the rms height, which the certificate is over, is no
@@ -36,6 +39,10 @@ pub struct Paper {
     pub surfaces: Rough,
     /// Rough lines on several grids and under a wider range of loads, to find the continuum values.
     pub fine_lines: Rough,
+    /// Rough lines and surfaces of several Nayak's parameters.
+    pub broad_lines: Breadths,
+    /// See [`Paper::broad_lines`].
+    pub broad_surfaces: Breadths,
     /// Points along a side of spheres: of Fig. 1, and of Table 1.
     pub sphere_sides: [usize; 2],
     /// Certificate `eta` of each point; smooth indenters have one of at most `1e-12`.
@@ -91,6 +98,8 @@ impl Paper {
             lines,
             surfaces,
             fine_lines,
+            broad_lines: broad_lines(effort),
+            broad_surfaces: broad_surfaces(effort),
             sphere_sides: effort.choose([[1 << 10, 1 << 10], [1 << 13, 1 << 11], [1 << 13, 1 << 11]]),
             tolerance: 1e-8,
             workers: None,
@@ -113,6 +122,10 @@ impl Paper {
         self.lines.check()?;
         self.surfaces.check()?;
         self.fine_lines.check()?;
+        if items.contains(&Item::Nayak) {
+            self.broad_lines.check()?;
+            self.broad_surfaces.check()?;
+        }
         for &item in items {
             self.sweep(item)?.check_cost()?;
         }
@@ -146,6 +159,10 @@ impl Paper {
             Item::Beyond => beyond::realisations(),
             Item::Hurst => self.fine_lines.lines(),
             Item::Persson => persson::realisations([&self.lines, &self.surfaces]),
+            Item::Nayak => {
+                let [lines, surfaces] = [&self.broad_lines, &self.broad_surfaces].map(Breadths::realisations);
+                lines.into_iter().chain(surfaces).collect()
+            }
             Item::Fig3 | Item::Fig5 | Item::Gw => Vec::new(),
         };
         let realisations = self.stopping(item, realisations)?;
@@ -180,6 +197,38 @@ impl Paper {
     /// A file in the folder of all.
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
+    }
+}
+
+/// Lines of two Hurst exponents, whose spectra span up to four decades at the lower one.
+fn broad_lines(effort: Effort) -> Breadths {
+    let counts: [&[u64]; 3] = [&[6, 6, 6], &[10, 10, 5], &[20, 20, 10]];
+    let loads: [&[f64]; 3] = [&[0.01, 0.1], &[0.001, 0.01, 0.03, 0.1, 0.3], &[0.001, 0.01, 0.03, 0.1, 0.3]];
+    Breadths {
+        is_line: true,
+        hurst: vec![0.3, 0.8],
+        nayak: effort.choose([&[3.0, 12.0, 30.0][..], &BREADTHS, &BREADTHS]).to_vec(),
+        points_per_wave: effort.choose([[8, 16, 32], [16, 32, 64], [16, 32, 64]]).to_vec(),
+        least: effort.choose([1 << 12, 1 << 15, 1 << 16]),
+        largest: 1 << 22,
+        seeds: effort.choose(counts).iter().map(|&count| seeds(count)).collect(),
+        loads: effort.choose(loads).to_vec(),
+    }
+}
+
+/// Surfaces of two Hurst exponents; at the lower one only narrow spectra fit on a grid.
+fn broad_surfaces(effort: Effort) -> Breadths {
+    let counts: [&[u64]; 3] = [&[4, 4], &[6, 4, 2], &[10, 6, 3]];
+    let loads: [&[f64]; 3] = [&[0.01, 0.1], &[0.01, 0.03, 0.1, 0.3], &[0.01, 0.03, 0.1, 0.3]];
+    Breadths {
+        is_line: false,
+        hurst: vec![0.3, 0.8],
+        nayak: effort.choose([&[3.0, 6.0, 12.0][..], &BREADTHS, &BREADTHS]).to_vec(),
+        points_per_wave: effort.choose([&[4, 8][..], &[4, 8, 16], &[4, 8, 16]]).to_vec(),
+        least: effort.choose([256, 512, 1024]),
+        largest: effort.choose([1 << 10, 1 << 13, 1 << 14]),
+        seeds: effort.choose(counts).iter().map(|&count| seeds(count)).collect(),
+        loads: effort.choose(loads).to_vec(),
     }
 }
 

@@ -12,15 +12,16 @@ use crate::surface::Spectrum;
 use std::fmt::Debug;
 
 /// Roll-off wavelength `lambda_r`, in metres.
-const ROLLOFF: f64 = 20e-6;
-const RMS_GRADIENT: f64 = 1e-3;
+pub(super) const ROLLOFF: f64 = 20e-6;
+pub(super) const RMS_GRADIENT: f64 = 1e-3;
 /// Roll-off wavelengths in a line and along a side of a surface, `1/eps_t`.
-const LINE: f64 = 8.0;
-const SIDE: f64 = 4.0;
+pub(super) const LINE: f64 = 8.0;
+pub(super) const SIDE: f64 = 4.0;
 /// Points per shortest wavelength in the paper, `1/eps_c`.
 const POINTS_PER_WAVE: f64 = 64.0;
 
-const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
+/// Symbols of the Hurst exponents.
+pub const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
 /// Colours of the Hurst exponents in recordings, three shades of a kind.
 pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE, Colour::GREY];
 /// Colours beside [`WARM`].
@@ -218,7 +219,8 @@ impl Rough {
     }
 }
 
-fn check_ascending<T: PartialOrd + Debug>(what: &'static str, values: &[T]) -> Result<(), StudyError> {
+/// Refuses a list that is empty or does not ascend.
+pub(super) fn check_ascending<T: PartialOrd + Debug>(what: &'static str, values: &[T]) -> Result<(), StudyError> {
     match !values.is_empty() && values.is_sorted_by(|a, b| a < b) {
         true => Ok(()),
         false => Err(StudyError::List { what, values: format!("{values:?}") }),

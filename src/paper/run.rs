@@ -10,7 +10,7 @@ use super::plan::Paper;
 #[cfg(feature = "record")]
 use super::recording;
 use super::reproduction::Reproduction;
-use super::{beyond, fig1, fig2, fig3, fig4, gw, hurst, table1};
+use super::{beyond, fig1, fig2, fig3, fig4, gw, hurst, nayak, table1};
 use crate::error::StudyError;
 use crate::files::write_csv;
 use crate::plot::{write_png, write_svg};
@@ -115,6 +115,12 @@ impl Paper {
                 write_csv(&file("persson"), persson::rows(&seen))?;
                 write_csv(&file("persson.curves"), persson::curves(&seen))?;
                 persson::reproduce(&seen)
+            }
+            Item::Nayak => {
+                let spectra = nayak::spectra([&self.broad_lines, &self.broad_surfaces], &points(item)?)?;
+                write_csv(&file("nayak.limits"), nayak::rows(&spectra))?;
+                write_csv(&file("nayak.trends"), nayak::trends(&spectra))?;
+                nayak::reproduce(&spectra)
             }
         })
     }

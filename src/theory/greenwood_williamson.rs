@@ -31,7 +31,7 @@ impl SummitHeights {
     }
 
     /// `F_m` in units of `sigma^m`.
-    fn moment(self, m: f64, separation: f64) -> f64 {
+    pub(super) fn moment(self, m: f64, separation: f64) -> f64 {
         let scale = match self {
             Self::Exponential => (-separation).exp(),
             Self::Gaussian if separation > 0.0 => (-0.5 * separation * separation).exp(),

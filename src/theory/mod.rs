@@ -3,6 +3,7 @@
 //! Conventions: compression is positive, `E*` is the contact modulus, lengths and moduli are in any one set of units. A
 //! line contact has a load per unit length (pressure times length), a surface contact a load (pressure times area).
 
+mod bush_gibson_thomas;
 mod counting;
 mod exact;
 mod greenwood_williamson;
@@ -13,6 +14,7 @@ mod power_law;
 mod quadrature;
 mod westergaard;
 
+pub use bush_gibson_thomas::BushGibsonThomas;
 pub use counting::counting_excess;
 pub use exact::Exact;
 pub use greenwood_williamson::{GreenwoodWilliamson, SummitHeights};

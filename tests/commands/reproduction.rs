@@ -43,12 +43,12 @@ fn every_number_of_the_paper_is_compared() {
     }
     let stdout = text(&output.stdout);
     assert!(compared.iter().all(|row| stdout.contains(&row["quantity"])), "{stdout}");
-    for part in ["fig1", "fig2", "fig3", "fig4", "fig5", "gw", "beyond", "hurst", "persson"] {
+    for part in ["fig1", "fig2", "fig3", "fig4", "fig5", "gw", "beyond", "hurst", "persson", "nayak"] {
         for ending in ["csv", "svg", "png"] {
             assert!(fs::metadata(folder.join(&format!("p/{part}.{ending}"))).unwrap().len() > 500, "{part}.{ending}");
         }
     }
-    for part in ["table1", "fig1", "fig2", "fig4", "beyond", "hurst"] {
+    for part in ["table1", "fig1", "fig2", "fig4", "beyond", "hurst", "nayak"] {
         let points = rows(&folder, &format!("p/{part}.csv"));
         assert!(points.iter().all(|row| row["status"] == "converged" && number(row, "certificate") <= 1e-8), "{part}");
     }
@@ -146,6 +146,36 @@ fn kappa_of_lines_falls_with_load_and_hurst_exponent_and_kappa_r_hardly_moves() 
     for mean in &means {
         assert_eq!(mean["realisations"], "24");
         assert!((number(mean, "kappa_r") / 1.71 - 1.0).abs() < 0.03, "{mean:?}");
+    }
+}
+
+#[test]
+fn kappa_falls_with_the_breadth_of_the_spectrum_and_kappa_r_does_not() {
+    let folder = Folder::new();
+    let output = folder.run(&bare("paper nayak --quick --out p"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let trends = rows(&folder, "p/nayak.trends.csv");
+    let found = |name: &str, quantity: &str, hurst: &str| {
+        let is_it = |row: &&Row| {
+            [&row["name"], &row["quantity"], &row["hurst"]] == [name, quantity, hurst]
+                && row["change"] == "per decade"
+                && row["reduced_pressure"] == "0.1"
+        };
+        let row = trends.iter().find(is_it).unwrap();
+        [number(row, "percent"), number(row, "error").hypot(number(row, "grid_error"))]
+    };
+    for name in ["line", "surface"] {
+        let [fall, error] = found(name, "kappa", "0.3");
+        assert!(fall < -3.0 && fall < -2.0 * error, "{name}: {fall} {error}");
+        let [fall_r, _] = found(name, "kappa_r", "0.3");
+        assert!(fall_r.abs() < 0.5 * fall.abs(), "{name}: {fall_r} {fall}");
+    }
+    // a second run solves nothing
+    let again = folder.run(&bare("paper nayak --quick --out p"));
+    assert!(!text(&again.stdout).contains("points solved"), "{}", text(&again.stdout));
+    let limits = rows(&folder, "p/nayak.limits.csv");
+    for row in &limits {
+        assert!((number(row, "nayak") / number(row, "nayak_of_spectrum") - 1.0).abs() < 0.15, "{row:?}");
     }
 }
 

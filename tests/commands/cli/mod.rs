@@ -632,7 +632,6 @@ fn fewer_recorded_steps_make_a_smaller_file() {
 }
 
 /// The first number of bytes behind `words`.
-#[cfg(feature = "record")]
 fn bytes_after(out: &str, words: &str) -> f64 {
     let mut rest = out.split(words).nth(1).unwrap_or_else(|| panic!("{words} in {out}")).split_whitespace();
     let value: f64 = rest.next().unwrap().parse().unwrap();

@@ -1,5 +1,6 @@
 //! Closed forms held against each other, their definitions and their limits.
 
+mod bush_gibson_thomas;
 mod exact;
 mod greenwood_williamson;
 mod hertz;
