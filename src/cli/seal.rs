@@ -80,7 +80,9 @@ impl SealSummary {
     /// Writes the summary for reading.
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: the loads at which it seals", self.subject.line())?;
-        write_rows(self.subject.rows(self.units), out)?;
+        let rows = self.subject.rows(self.units).into_iter();
+        // the load is what is found
+        write_rows(rows.filter(|(name, _)| name != "prescribed"), out)?;
         writeln!(
             out,
             "\n{:>7} {:>8} {:>12} {:>14} {:>9} {:>9} {:>9}  mean gap",

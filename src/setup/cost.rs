@@ -60,7 +60,7 @@ pub struct Extras {
 }
 
 /// Fields of the solver of flows, with its coarse grids; those of its results, along both axes; and with their archive.
-const FLOW_FIELDS: f64 = 65.0;
+const FLOW_FIELDS: f64 = 42.0;
 const KEPT_FLOW_FIELDS: f64 = 4.0;
 const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
 

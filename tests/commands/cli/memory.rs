@@ -45,6 +45,7 @@ fn a_dry_run_knows_the_peak_of_twenty_solves_within_a_fifth() {
         rough(format!("{PLANE} --reduced-pressure 0.05 --layer 0.1 --poisson 0.3")),
         rough(format!("{PLANE} --reduced-pressure 0.05 --hardness 0.05")),
         rough(format!("{PLANE} --reduced-pressure 0.05 --stiffness")),
+        rough(format!("{PLANE} --reduced-pressure 0.05 --flow")),
         rough(format!("{PLANE} --reduced-pressure 0.05 --diagnose")),
         rough(format!("{PLANE} --reduced-pressure 0.05 --out a.npz")),
         rough(format!("{PLANE} --reduced-pressure 0.01,0.02,0.05 --out a.npz")),

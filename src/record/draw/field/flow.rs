@@ -19,7 +19,7 @@ const TOLERANCE: f64 = 1e-3;
 const BELOW: f64 = 2.0;
 const ABOVE: f64 = 1.0;
 
-/// The flow along both axes. It is found for contacts and not for the steps before, since each flow takes about as long as ten
+/// The flow along both axes. It is found for contacts and not for the steps before, since each flow takes about as long as five
 /// contacts.
 struct FlowPicture {
     plane: SurfacePlane,
