@@ -327,6 +327,7 @@ mod tests {
     use super::*;
     use crate::contact::{Observables, Status};
     use crate::study::{Point, Realisation};
+    use crate::surface::RandomRoughness;
 
     fn breadths(seeds: u64) -> Breadths {
         Breadths {
@@ -344,7 +345,10 @@ mod tests {
     /// The point of a realisation whose `kappa` is 2, less by `fall` per decade of Nayak's parameter, more by `high` at the higher
     /// Hurst exponent, and off by its seed and by the square of the spacing.
     fn point(it: &Realisation, nayak: f64, [fall, high]: [f64; 2]) -> Point {
-        let (spectrum, seed) = (it.setup.surface.spectrum.unwrap(), it.setup.surface.seed());
+        let (spectrum, seed) = (
+            it.setup.surface.spectrum.as_ref().and_then(RandomRoughness::self_affine).unwrap(),
+            it.setup.surface.seed(),
+        );
         let nx = *it.setup.grid.points.last().unwrap();
         let scatter = 0.05 * (seed as f64).sin() + 0.005 * (seed as f64 * spectrum.short_cutoff * 1e9).sin();
         let kappa = 2.0 - fall * nayak.log10() + if spectrum.hurst > 0.5 { high } else { 0.0 };
@@ -355,7 +359,7 @@ mod tests {
             nx,
             length: 1.0,
             hurst: Some(spectrum.hurst),
-            rolloff_wavelength: Some(spectrum.rolloff_wavelength),
+            rolloff_wavelength: spectrum.rolloff_wavelength(),
             short_cutoff: Some(spectrum.short_cutoff),
             seed: Some(seed),
             load: 1,
@@ -365,6 +369,7 @@ mod tests {
             version: String::new(),
             observables: Observables { reduced_pressure: 0.01, kappa, kappa_r: 1.7, ..Observables::default() },
             adhesion: Default::default(),
+            flow: Default::default(),
             seconds: 0.0,
         }
     }

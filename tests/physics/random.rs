@@ -58,7 +58,7 @@ fn a_lay_turns_with_its_angle() {
             let correlation = asperity::surface::Autocorrelation::new(&surface).unwrap();
             [0.0, 90.0].map(|more: f64| correlation.decay((angle + more).to_radians(), 0.5).unwrap())
         };
-        let ratios: Vec<f64> = (1..=4).map(|seed| lengths(seed)).map(|[along, across]| along / across).collect();
+        let ratios: Vec<f64> = (1..=4).map(lengths).map(|[along, across]| along / across).collect();
         let [mean, spread] = mean_and_spread(&ratios);
         assert!((mean / 5.0 - 1.0).abs() < 0.12, "{mean} +- {spread} at {angle} degrees");
     }

@@ -43,7 +43,7 @@ pub struct RankMap {
 
 impl RankMap {
     /// Gives `height` the distribution whose sorted heights are `sorted`, of mean 0 and mean square 1.
-    pub(super) fn apply(grid: &Grid, height: &mut Vec<f64>, sorted: &[f64], exact: ExactPart) -> Self {
+    pub(super) fn apply(grid: &Grid, height: &mut [f64], sorted: &[f64], exact: ExactPart) -> Self {
         let mut fourier = Fourier::new(grid);
         let mut modes = vec![Complex::default(); grid.modes()];
         fourier.forward(height, &mut modes);

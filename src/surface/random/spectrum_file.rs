@@ -119,15 +119,14 @@ impl SpectrumFile {
         let bytes = self.bytes()?;
         let text = String::from_utf8_lossy(&bytes);
         let wrong = |reason: String| FileError::Format { path: self.path.clone(), what: "spectrum", reason };
-        let header = text.lines().find(|line| line.contains("Data series"));
-        let (pairs, convention) = match header {
-            Some(_) => named(&text, is_line).map_err(wrong)?,
-            None => (columns(&text).map_err(wrong)?, own_convention(&text).map_err(wrong)?.unwrap_or(convention)),
+        let (pairs, convention) = match text.lines().any(|line| line.contains("Data series")) {
+            true => named(&text, is_line).map_err(wrong)?,
+            false => (columns(&text).map_err(wrong)?, own_convention(&text).map_err(wrong)?.unwrap_or(convention)),
         };
         let (wavenumber, density) = pairs.into_iter().map(|(q, c)| (q, c / convention.factor())).unzip();
         let table = SpectrumTable::new(wavenumber, density, convention.kind()).map_err(|it| wrong(it.to_string()))?;
         let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
-        Ok(table.converted(kind).map_err(|it| wrong(it.to_string()))?)
+        table.converted(kind).map_err(|it| wrong(it.to_string()))
     }
 
     fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
