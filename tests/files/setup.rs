@@ -4,7 +4,7 @@
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
 use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, SetupTable, Solid, Theme};
-use asperity::surface::{RandomRoughness, Spectrum, read_heights, write_heights};
+use asperity::surface::{Spectrum, read_heights, write_heights};
 use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
 
@@ -352,6 +352,7 @@ fn seeds_that_no_scene_can_hold_are_refused() {
 #[cfg(feature = "units")]
 mod with_units {
     use super::*;
+    use asperity::surface::RandomRoughness;
 
     #[test]
     fn lengths_and_pressures_have_units() {
