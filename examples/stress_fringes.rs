@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let load = Load::MeanPressure(20e6);
     let cylinder = Indenter::Cylinder { radius: 100.0 * CELL };
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 40e-6, short_cutoff: 5e-6, rms_gradient: 1e-3 };
-    let rough = Recipe { spectrum: Some(spectrum), ..Recipe::indenter(cylinder) };
+    let rough = Recipe { spectrum: Some(spectrum.into()), ..Recipe::indenter(cylinder) };
     let setups = [Recipe::indenter(cylinder), rough]
         .map(|surface| Setup::new(surface, Cell::line(4096, CELL), load).on(Solid::Bodies(STEEL, None)));
     let problems = [setups[0].problem()?, setups[1].problem()?];
