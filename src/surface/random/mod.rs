@@ -110,13 +110,13 @@ impl RandomRoughness {
     /// Checks that the roughness makes sense and that `grid` can carry it.
     ///
     /// # Errors
-    /// - [`SurfaceError::NotPositive`] for a wavelength, a scale, a shape or a Peklenik number that is not positive and finite;
-    /// - [`SurfaceError::Hurst`] for an exponent outside `(0, 1]`;
-    /// - [`SurfaceError::CutoffOrder`] unless the short cut-off is shorter than the roll-off;
-    /// - [`SurfaceError::RolloffTooLong`] for a roll-off longer than the longest period;
-    /// - [`SurfaceError::CutoffTooFine`] and [`SurfaceError::WavesTooFine`] for waves below two spacings;
-    /// - [`SurfaceError::EmptySpectrum`] if no wave of the cell lies in the band;
-    /// - [`SurfaceError::LayOfLine`] for a lay on a line, [`SurfaceError::Kurtosis`] for an impossible kurtosis;
+    /// - [`SurfaceError::NotPositive`](crate::error::SurfaceError::NotPositive) for a wavelength, a scale, a shape or a Peklenik number that is not positive and finite;
+    /// - [`SurfaceError::Hurst`](crate::error::SurfaceError::Hurst) for an exponent outside `(0, 1]`;
+    /// - [`SurfaceError::CutoffOrder`](crate::error::SurfaceError::CutoffOrder) unless the short cut-off is shorter than the roll-off;
+    /// - [`SurfaceError::RolloffTooLong`](crate::error::SurfaceError::RolloffTooLong) for a roll-off longer than the longest period;
+    /// - [`SurfaceError::CutoffTooFine`](crate::error::SurfaceError::CutoffTooFine) and [`SurfaceError::WavesTooFine`](crate::error::SurfaceError::WavesTooFine) for waves below two spacings;
+    /// - [`SurfaceError::EmptySpectrum`](crate::error::SurfaceError::EmptySpectrum) if no wave of the cell lies in the band;
+    /// - [`SurfaceError::LayOfLine`](crate::error::SurfaceError::LayOfLine) for a lay on a line, [`SurfaceError::Kurtosis`](crate::error::SurfaceError::Kurtosis) for an impossible kurtosis;
     /// - the errors of a file that cannot be read.
     pub fn check(&self, grid: &Grid) -> Result<(), RoughnessError> {
         self.waves(grid)?;
