@@ -110,14 +110,13 @@ impl RandomRoughness {
     /// Checks that the roughness makes sense and that `grid` can carry it.
     ///
     /// # Errors
-    /// - [`SurfaceError::NotPositive`](crate::error::SurfaceError::NotPositive) for a wavelength, a scale, a shape or a Peklenik number that is not positive and finite;
-    /// - [`SurfaceError::Hurst`](crate::error::SurfaceError::Hurst) for an exponent outside `(0, 1]`;
-    /// - [`SurfaceError::CutoffOrder`](crate::error::SurfaceError::CutoffOrder) unless the short cut-off is shorter than the roll-off;
-    /// - [`SurfaceError::RolloffTooLong`](crate::error::SurfaceError::RolloffTooLong) for a roll-off longer than the longest period;
-    /// - [`SurfaceError::CutoffTooFine`](crate::error::SurfaceError::CutoffTooFine) and [`SurfaceError::WavesTooFine`](crate::error::SurfaceError::WavesTooFine) for waves below two spacings;
-    /// - [`SurfaceError::EmptySpectrum`](crate::error::SurfaceError::EmptySpectrum) if no wave of the cell lies in the band;
-    /// - [`SurfaceError::LayOfLine`](crate::error::SurfaceError::LayOfLine) for a lay on a line, [`SurfaceError::Kurtosis`](crate::error::SurfaceError::Kurtosis) for an impossible kurtosis;
-    /// - the errors of a file that cannot be read.
+    /// [`RoughnessError`] for
+    /// - a wavelength, a scale, a shape or a Peklenik number that is not positive and finite;
+    /// - a Hurst exponent outside `(0, 1]`;
+    /// - a short cut-off that is not shorter than the roll-off, and a roll-off that is longer than the longest period;
+    /// - waves that are shorter than two spacings, and no wave of the cell in the band of the spectrum;
+    /// - the lay of a line, and a kurtosis that is not above the square of the skewness + 1;
+    /// - the file of a spectrum that cannot be read.
     pub fn check(&self, grid: &Grid) -> Result<(), RoughnessError> {
         self.waves(grid)?;
         Ok(())
