@@ -96,7 +96,7 @@ impl FlowFinding {
                     if upper - lower > Leakage::TOLERANCE * upper { ", not converged" } else { "" }
                 ),
             };
-            let joined = if it.contact_percolates { "; the contact reaches from side to side" } else { "" };
+            let joined = if it.contact_percolates { "; the contact connects these sides" } else { "" };
             (format!("leaks along {}", it.axis.name()), said + joined)
         });
         let per_area = self.conductance_per_area.map(|it| match units.conductance {

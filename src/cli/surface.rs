@@ -17,7 +17,8 @@ use asperity::files::{check_apart, check_named};
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
 use asperity::surface::{
-    Field, HeightFile, Measurement, RankMap, Resample, Roughness, Scan, SpectrumConvention, Surface, Survey,
+    Field, HeightFile, Measurement, RankMap, Resample, Roughness, Scan, SpectrumConvention, SpectrumTable, Surface,
+    Survey,
 };
 use clap::Args;
 use serde::Serialize;
@@ -45,7 +46,7 @@ pub struct Describe {
     #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd", help_heading = "Output")]
     record: Option<PathBuf>,
-    /// Write the power spectrum in bands of a quarter octave, as two columns that --spectrum reads: wavenumber and density
+    /// Write the power spectrum, averaged over directions, as two columns that --spectrum reads: wavenumber and density
     #[arg(long, value_name = "FILE.csv", help_heading = "Output")]
     psd: Option<PathBuf>,
     /// Convention of the density in --psd [default: surface or profile, without factors of 2 pi]
@@ -139,11 +140,12 @@ impl Describe {
         if let Some(path) = &self.record {
             statistics.record(path, &recipe, &height, grid)?;
         }
+        if let Some(path) = &self.psd {
+            statistics.whole_survey("their spectrum cannot be written")?;
+            write_psd(path, self.psd_convention, &Surface::new(grid, height.clone())?)?;
+        }
         if let Some(path) = &self.out {
             scan(height, &grid).write(path)?;
-        }
-        if let Some(path) = &self.psd {
-            statistics.write_psd(path, self.psd_convention, &grid)?;
         }
         if self.json {
             write_json(&statistics, &mut stdout())?
@@ -206,6 +208,12 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     Ok((statistics, surface.heights_as_given()))
 }
 
+/// Writes the power spectrum of a surface in a convention, or in the one without factors of 2 pi.
+fn write_psd(path: &Path, convention: Option<SpectrumConvention>, surface: &Surface) -> Result<()> {
+    let plain = if surface.grid().is_line() { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
+    Ok(SpectrumTable::from_surface(surface)?.write(path, convention.unwrap_or(plain))?)
+}
+
 /// Heights as a scan on the cell of a grid; they may have fewer points than the grid.
 fn scan(height: Field, grid: &Grid) -> Scan {
     let (points, size) = ([height.nrows(), height.ncols()], grid.size());
@@ -266,13 +274,6 @@ impl Statistics {
                 self.voids
             )),
         }
-    }
-
-    /// Writes the power spectrum of heights, which must not be void.
-    fn write_psd(&self, path: &Path, convention: Option<SpectrumConvention>, grid: &Grid) -> Result<()> {
-        let survey = self.whole_survey("their spectrum cannot be written")?;
-        let plain = if grid.is_line() { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
-        Ok(survey.table(grid)?.write(path, convention.unwrap_or(plain))?)
     }
 
     /// Refuses a format in metres for heights in an unknown unit.

@@ -49,8 +49,10 @@ fn of_standards(texture: &Texture) -> impl Iterator<Item = Entry> {
 
 fn of_lengths(texture: &Texture, is_line: bool) -> impl Iterator<Item = Entry> {
     let [y, x] = texture.correlation_length;
-    let along_y =
-        [("correlation_length_y", "correlation along y", y), ("peklenik", "Peklenik's number", texture.peklenik())];
+    let along_y = [
+        ("correlation_length_y", "correlation along y", y),
+        ("peklenik", "Peklenik number, x by y", texture.peklenik()),
+    ];
     let of_surface = along_y.into_iter().filter(move |_| !is_line);
     [("correlation_length_x", "correlation along x", x)].into_iter().chain(of_surface).map(owned)
 }

@@ -2,7 +2,7 @@
 
 use super::{Recipe, Setup};
 use crate::elastic::stress::USUAL_POISSON;
-use crate::surface::{Detrend, HeightFile, Layout, Scales, Surface, Survey};
+use crate::surface::{Detrend, HeightDistribution, HeightFile, Layout, Roughness, Scales, Surface, Survey};
 use crate::warning::Warning;
 
 /// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
@@ -15,6 +15,8 @@ const NOISIEST: f64 = 0.25;
 const LARGEST_GROWTH: f64 = 1.1;
 /// Spacings that differ by less than this share count as equal.
 const UNEQUAL: f64 = 0.01;
+/// Spectra and distributions of heights that are farther than this from what was asked for give a warning.
+const LARGEST_MISFIT: f64 = 0.1;
 /// Dundurs' constants above this one give a warning under friction.
 const LARGEST_BETA: f64 = 0.01;
 
@@ -59,7 +61,38 @@ impl Recipe {
                 .chain(found.into_iter().flatten())
                 .chain(warning_of_noise(&Scales::from_surface(surface, refined)))
         });
-        self.warnings_of_jumps(surface.jumps()).into_iter().chain(measured.into_iter().flatten()).collect()
+        let jumps = self.warnings_of_jumps(surface.jumps()).into_iter();
+        jumps.chain(self.warnings_of_distribution(surface)).chain(measured.into_iter().flatten()).collect()
+    }
+
+    /// Warnings about random heights whose distribution and spectrum are far from what was asked for.
+    fn warnings_of_distribution(&self, surface: &Surface) -> Vec<Warning> {
+        let Some(map) = surface.rank_map() else { return Vec::new() };
+        let error = map.spectrum_error.max(map.height_error);
+        let part = if map.spectrum_error > 0.0 { "spectrum" } else { "distribution of the heights" };
+        let apart = (error > LARGEST_MISFIT).then(|| {
+            Warning::new(
+                format!(
+                    "The {part} is {:.0} % off, since no heights with this distribution have this spectrum",
+                    100.0 * error
+                ),
+                "Ask for a distribution closer to the Gaussian one",
+            )
+        });
+        let asked = self.spectrum.as_ref().and_then(|roughness| roughness.heights.as_ref());
+        let tails = match asked.map(|asked| &asked.distribution) {
+            Some(&HeightDistribution::Moments { kurtosis, .. }) if map.height_error == 0.0 && self.is_random() => {
+                let found = Roughness::new(surface).kurtosis;
+                ((found / kurtosis - 1.0).abs() > LARGEST_MISFIT).then(|| {
+                    Warning::new(
+                        format!("The kurtosis is {found:.2} instead of {kurtosis}: the tails need more points"),
+                        "Use more points, or a lower kurtosis",
+                    )
+                })
+            }
+            _ => None,
+        };
+        apart.into_iter().chain(tails).collect()
     }
 
     /// Warnings about heights with voids, of which there are some among `points` heights.

@@ -6,6 +6,11 @@ use crate::error::{FileError, RoughnessError, SurfaceError};
 use crate::surface::HeightFile;
 use statrs::distribution::{Beta, ContinuousCDF, Normal};
 
+/// The most corrections of a distribution for the steps of probability that there are, and the sum of the error of the skewness and the relative
+/// one of the kurtosis at which they end.
+const CORRECTIONS: usize = 12;
+const CLOSE: f64 = 1e-4;
+
 /// The distribution of the heights of a surface, up to their mean and their rms value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HeightDistribution {
@@ -73,12 +78,7 @@ impl HeightDistribution {
         self.check()?;
         let at = |of: &dyn Fn(f64) -> f64| (0..count).map(|i| of((i as f64 + 0.5) / count as f64)).collect();
         let values: Vec<f64> = match self {
-            &Self::Moments { skewness, kurtosis } => {
-                let fitted = Johnson::from_moments(skewness, kurtosis);
-                let fitted = fitted.ok_or(SurfaceError::ExtremeHeights { skewness, kurtosis })?;
-                let normal = Normal::standard();
-                at(&|probability| fitted.value(normal.inverse_cdf(probability)))
-            }
+            &Self::Moments { skewness, kurtosis } => return johnson_quantiles([skewness, kurtosis], count),
             &Self::Weibull { shape } => at(&|probability| (-(-probability).ln_1p()).powf(shape.recip())),
             &Self::Beta { shapes: [a, b] } => {
                 let beta = Beta::new(a, b);
@@ -103,6 +103,29 @@ impl HeightDistribution {
             Self::Like(file) => format!("heights distributed as in {}", file.display()),
         }
     }
+}
+
+/// Quantiles of a distribution of Johnson's system whose own skewness and kurtosis, not those of the whole distribution, are as asked for: few steps of
+/// probability do not reach far into the tails.
+fn johnson_quantiles(asked: [f64; 2], count: usize) -> Result<Vec<f64>, RoughnessError> {
+    let normal = Normal::standard();
+    let scores: Vec<f64> = (0..count).map(|i| normal.inverse_cdf((i as f64 + 0.5) / count as f64)).collect();
+    let [skewness, kurtosis] = asked;
+    let (mut tried, mut best) = (asked, None::<(f64, Vec<f64>)>);
+    for _ in 0..CORRECTIONS {
+        let Some(fitted) = Johnson::from_moments(tried[0], tried[1]) else { break };
+        let values = standardised(scores.iter().map(|&score| fitted.value(score)).collect())?;
+        let found = [3, 4].map(|power| values.iter().map(|value| value.powi(power)).sum::<f64>() / count as f64);
+        let off = (found[0] - skewness).abs() + (found[1] / kurtosis - 1.0).abs();
+        if best.as_ref().is_none_or(|(least, _)| off < *least) {
+            best = Some((off, values));
+        }
+        if off < CLOSE {
+            break;
+        }
+        tried = [tried[0] + skewness - found[0], tried[1] + kurtosis - found[1]];
+    }
+    Ok(best.ok_or(SurfaceError::ExtremeHeights { skewness, kurtosis })?.1)
 }
 
 fn sorted_heights(file: &HeightFile) -> Result<Vec<f64>, FileError> {

@@ -82,7 +82,7 @@ impl RoughnessKeys {
             }
             SpectralDensity::Measured(MeasuredSpectrum { file, convention, short_cutoff }) => {
                 keys.table = Some(file);
-                keys.convention = (convention != SpectrumConvention::default()).then_some(convention);
+                keys.convention = convention;
                 keys.short_cutoff = short_cutoff;
             }
         }
@@ -117,7 +117,7 @@ impl RoughnessKeys {
             }
             Some(table) => Ok(SpectralDensity::Measured(MeasuredSpectrum {
                 file: table.clone(),
-                convention: self.convention.unwrap_or_default(),
+                convention: self.convention,
                 short_cutoff: self.short_cutoff,
             })),
             None if self.convention.is_some() => Err("a convention is given without a table: leave it out".into()),
@@ -157,7 +157,7 @@ impl RoughnessKeys {
             (Some(gradient), None) => Ok(RoughnessScale::RmsGradient(gradient)),
             (None, Some(height)) => Ok(RoughnessScale::RmsHeight(height)),
             (None, None) if self.table.is_some() => Ok(RoughnessScale::AsGiven),
-            (None, None) => needed(None, "rms-gradient").map(RoughnessScale::RmsGradient),
+            (None, None) => Err("neither an rms gradient nor an rms height is given: give one of them".into()),
         }
     }
 

@@ -51,8 +51,9 @@ impl SpectrumConvention {
 /// A file of a spectrum, on disk or in memory: two columns (wavenumber, density), or a CSV file of contact.engineering. As text it is the
 /// path or the name.
 ///
-/// *Two columns* are numbers, separated by spaces, commas or semicolons, in a convention that is given with the file, or that the file names itself in a
-/// line such as `# convention: profile`. Other lines that do not begin with a number are left out.
+/// *Two columns* are numbers, separated by spaces, semicolons or commas, with decimal points or, where commas do not separate, decimal commas. Lines
+/// before the first number and those that begin with `#` are left out. The convention is given with the file, or the file names
+/// it itself in a line such as `# convention: profile`.
 ///
 /// *Files of contact.engineering* name their convention and units themselves. The densities of surfaces come from the series `q/pi x 2D
 /// PSD`, or else from `1D PSD along x`, which is that of profiles. Lines take the latter first.
@@ -60,7 +61,7 @@ impl SpectrumConvention {
 /// ```
 /// use asperity::surface::{SpectrumConvention, SpectrumFile};
 /// let file = SpectrumFile::in_memory("psd.txt", *b"# q, C\n1 4.0\n10 4e-3\n");
-/// let table = file.read(SpectrumConvention::Surface, false)?;
+/// let table = file.read(None, false)?;
 /// assert_eq!(table.density(10.0), 4e-3);
 /// # Ok::<(), asperity::error::FileError>(())
 /// ```
@@ -77,8 +78,8 @@ pub struct SpectrumFile {
 pub struct MeasuredSpectrum {
     /// The file.
     pub file: SpectrumFile,
-    /// The convention of its two columns.
-    pub convention: SpectrumConvention,
+    /// The convention of its two columns, where the file does not name it.
+    pub convention: Option<SpectrumConvention>,
     /// A wavelength at and below which there is no roughness, a length; without it the spectrum ends where the table does.
     pub short_cutoff: Option<f64>,
 }
@@ -111,17 +112,21 @@ impl SpectrumFile {
         }
     }
 
-    /// Its spectrum, for a line or else a surface. Two columns have the convention `convention`.
+    /// Its spectrum, for a line or else a surface. Two columns have the convention `convention`, or else that which the file names, or else
+    /// that of surfaces.
     ///
     /// # Errors
     /// For a file that cannot be read, or that has no spectrum in it.
-    pub fn read(&self, convention: SpectrumConvention, is_line: bool) -> Result<SpectrumTable, FileError> {
+    pub fn read(&self, convention: Option<SpectrumConvention>, is_line: bool) -> Result<SpectrumTable, FileError> {
         let bytes = self.bytes()?;
-        let text = String::from_utf8_lossy(&bytes);
         let wrong = |reason: String| FileError::Format { path: self.path.clone(), what: "spectrum", reason };
+        let text = std::str::from_utf8(&bytes).map_err(|_| wrong("it is not a text".into()))?;
         let (pairs, convention) = match text.lines().any(|line| line.contains("Data series")) {
-            true => named(&text, is_line).map_err(wrong)?,
-            false => (columns(&text).map_err(wrong)?, own_convention(&text).map_err(wrong)?.unwrap_or(convention)),
+            true => named(text, is_line).map_err(wrong)?,
+            false => (
+                columns(text).map_err(wrong)?,
+                chosen(convention, own_convention(text).map_err(wrong)?).map_err(wrong)?,
+            ),
         };
         let (wavenumber, density) = pairs.into_iter().map(|(q, c)| (q, c / convention.factor())).unzip();
         let table = SpectrumTable::new(wavenumber, density, convention.kind()).map_err(|it| wrong(it.to_string()))?;
@@ -164,7 +169,7 @@ impl SpectrumTable {
     /// let path = folder.path().join("psd.csv");
     /// let table = SpectrumTable::new(vec![1.0, 10.0], vec![4.0, 4e-3], SpectrumKind::Surface)?;
     /// table.write(&path, SpectrumConvention::SurfaceTwoPi)?;
-    /// assert_eq!(SpectrumFile::from(path).read(SpectrumConvention::Surface, false)?, table);
+    /// assert_eq!(SpectrumFile::from(path).read(None, false)?, table);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn write(&self, path: &Path, convention: SpectrumConvention) -> Result<(), FileError> {
@@ -181,6 +186,17 @@ impl SpectrumTable {
     }
 }
 
+/// The convention that is given or named by the file, which must not contradict each other; without any that of surfaces.
+fn chosen(given: Option<SpectrumConvention>, own: Option<SpectrumConvention>) -> Result<SpectrumConvention, String> {
+    match (given, own) {
+        (Some(given), Some(own)) if given != own => {
+            let [given, own]: [&str; 2] = [given.into(), own.into()];
+            Err(format!("its convention is {own}, but {given} is given: leave it out"))
+        }
+        (given, own) => Ok(given.or(own).unwrap_or_default()),
+    }
+}
+
 /// The convention that a file of two columns names.
 fn own_convention(text: &str) -> Result<Option<SpectrumConvention>, String> {
     let name = text.lines().find_map(|line| line.strip_prefix(CONVENTION)).map(str::trim);
@@ -192,15 +208,26 @@ fn own_convention(text: &str) -> Result<Option<SpectrumConvention>, String> {
 fn columns(text: &str) -> Result<Vec<(f64, f64)>, String> {
     let mut pairs = Vec::new();
     for (number, line) in text.lines().enumerate() {
-        let words: Vec<&str> =
-            line.split([',', ';', ' ', '\t']).map(str::trim).filter(|word| !word.is_empty()).collect();
-        let Some(q) = words.first().and_then(|word| word.parse::<f64>().ok()) else { continue };
-        match words.get(1).map(|word| word.parse::<f64>()) {
-            Some(Ok(density)) => pairs.push((q, density)),
-            _ => return Err(format!("line {} has a wavenumber and no density beside it: `{line}`", number + 1)),
+        let words = words(line);
+        let word = |i: usize| words.get(i).and_then(|word| word.parse::<f64>().ok());
+        match (word(0), word(1)) {
+            (Some(q), Some(density)) => pairs.push((q, density)),
+            (Some(_), None) => return Err(format!("line {} has a wavenumber and no density beside it", number + 1)),
+            (None, _) if words.is_empty() || line.starts_with('#') || pairs.is_empty() => (),
+            (None, _) => return Err(format!("line {} does not begin with a number", number + 1)),
         }
     }
     Ok(pairs)
+}
+
+/// The words of a line. Commas separate words where nothing else does; otherwise those inside of a word are decimal commas.
+fn words(line: &str) -> Vec<String> {
+    let split = |separators: &[char]| -> Vec<String> {
+        let words = line.split(separators).map(|word| word.trim_matches(','));
+        words.filter(|word| !word.is_empty()).map(|word| word.replace(',', ".")).collect()
+    };
+    let words = split(&[';', ' ', '\t', '\r']);
+    if words.len() < 2 { split(&[',', '\r']) } else { words }
 }
 
 /// The pairs of wavenumber and density of a file of contact.engineering, and their convention.

@@ -6,6 +6,8 @@ use crate::error::SurfaceError;
 const STEPS: usize = 4000;
 /// Values per decade of a converted spectrum.
 const PER_DECADE: f64 = 60.0;
+/// The largest share of a converted spectrum that may come out below zero, by the scatter of the values.
+const MOST_BELOW: f64 = 0.3;
 /// How far below its first wavenumber the spectrum of the profiles of a surface is followed.
 const BELOW: f64 = 1e-3;
 /// How far beyond its last wavenumber the spectrum of a profile is continued for the integral over its tail.
@@ -29,7 +31,8 @@ pub enum SpectrumKind {
 /// C_surface(q) = -1/pi int C'_profile(k) / sqrt(k^2 - q^2) dk       both from q to infinity
 /// ```
 ///
-/// For the second integral the spectrum of the profile is continued beyond its end with its last slope.
+/// For the second integral the spectrum of the profile is continued beyond its end with its last slope. Where the scatter of the values makes
+/// the result negative it is zero, and the rest is lowered so that `<h^2>` stays as it is.
 ///
 /// Source: Nayak, J. Lubr. Technol. 93:398, 1971; Jacobs, Junge & Pastewka, Surf. Topogr. 5:013001, 2017.
 ///
@@ -107,7 +110,7 @@ impl SpectrumTable {
     /// The same spectrum as one of `kind`, as it is or by an integral.
     ///
     /// # Errors
-    /// [`SurfaceError::SpectrumTable`] for the spectrum of a profile that no isotropic surface has: one that rises too steeply with `q`.
+    /// [`SurfaceError::SpectrumTable`] for the spectrum of a profile that no isotropic surface has, even without its scatter.
     pub fn converted(&self, kind: SpectrumKind) -> Result<Self, SurfaceError> {
         let of = match (self.kind, kind) {
             (SpectrumKind::Surface, SpectrumKind::Profile) => Self::of_profile,
@@ -120,15 +123,27 @@ impl SpectrumTable {
         let at = |i: usize| first * 10f64.powf(decades * i as f64 / count as f64);
         let wavenumber: Vec<f64> = (0..count).map(at).chain([self.last()]).collect();
         let density: Vec<f64> = wavenumber.iter().map(|&q| of(self, q)).collect();
-        let largest = density.iter().fold(0.0f64, |largest, value| largest.max(*value));
-        match wavenumber.iter().zip(&density).find(|(_, value)| **value < -1e-6 * largest) {
-            Some((q, _)) => Err(SurfaceError::SpectrumTable {
-                reason: format!(
-                    "no isotropic surface has profiles of this spectrum, which rises too steeply at q = {q:.3e}"
-                ),
-            }),
-            None => Self::new(wavenumber, density.into_iter().map(|value| value.max(0.0)).collect(), kind),
+        Self::new(wavenumber, density.iter().map(|value| value.max(0.0)).collect(), kind)?.with_square(&density)
+    }
+
+    /// The same spectrum times the factor that makes up for what `found` had below zero, where that is little.
+    fn with_square(mut self, found: &[f64]) -> Result<Self, SurfaceError> {
+        // each value stands for an interval between logarithms, so that an integral is a sum over q^n C with n axes
+        let axes = if self.kind == SpectrumKind::Profile { 1 } else { 2 };
+        let sum = |of: &dyn Fn(f64) -> f64| -> f64 {
+            self.wavenumber.iter().zip(found).map(|(q, &value)| q.powi(axes) * of(value)).sum()
+        };
+        let (above, below) = (sum(&|value| value.max(0.0)), sum(&|value| (-value).max(0.0)));
+        if below > MOST_BELOW * above {
+            return Err(SurfaceError::SpectrumTable {
+                reason: "no isotropic surface has profiles of this spectrum, which rises too steeply: give the spectrum of a surface, or \
+                         average that of the profile in bands"
+                    .into(),
+            });
         }
+        let factor = 1.0 - below / above;
+        self.density.iter_mut().for_each(|value| *value *= factor);
+        Ok(self)
     }
 
     /// The density of the profiles of an isotropic surface.

@@ -3,15 +3,16 @@
 mod band;
 mod choice;
 mod scales;
+mod table;
 
 pub use band::{Band, PowerLawFit};
 pub use choice::PreparationChoice;
 pub use scales::{Scale, Scales};
 
-use super::{Detrend, Fill, PowerSpectrum, Scan, SpectrumKind, SpectrumTable, Surface};
+use super::{Detrend, Fill, PowerSpectrum, Scan, Surface};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// A survey of measured heights: tilt, jumps across the period, noise and resolution. They show whether a contact with
 /// these heights is meaningful.
@@ -73,19 +74,6 @@ impl Survey {
             axes,
             spectrum,
         })
-    }
-
-    /// The spectrum of the bands as a table, of heights on `grid` that are taken as isotropic, down to the shortest wavelength that the grid
-    /// carries along each axis.
-    ///
-    /// # Errors
-    /// [`SurfaceError::SpectrumTable`] for heights with waves in fewer than two bands, such as a flat.
-    pub fn table(&self, grid: &Grid) -> Result<SpectrumTable, SurfaceError> {
-        let kind = if grid.is_line() { SpectrumKind::Profile } else { SpectrumKind::Surface };
-        let largest = TAU / grid.shortest_wavelength();
-        let bands = self.spectrum.iter().filter(|band| band.wavenumber < largest);
-        let (wavenumber, density) = bands.map(|band| (band.wavenumber, band.density)).unzip();
-        SpectrumTable::new(wavenumber, density, kind)
     }
 
     /// The largest share of noise along any axis.
