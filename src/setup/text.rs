@@ -1,6 +1,6 @@
 //! Setups as text.
 
-use super::{Cell, FLAGS, Method, Recipe, Setup};
+use super::{Cell, FLAGS, Flag, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
 use crate::surface::{HeightFile, read_fields, read_text};
@@ -292,10 +292,14 @@ fn explained(message: &str, keys: &str) -> String {
             Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
             None => format!("{message}: leave it out, or choose an option that has it"),
         },
-        Some((missing, _)) if message.starts_with("missing") => {
-            let flag = FLAGS.iter().find(|flag| flag.path.strip_prefix(keys) == Some(&format!(".{missing}")));
-            let flag = flag.map_or(String::new(), |flag| format!(" (--{})", flag.name));
-            format!("{message}: give it{flag}")
+        Some(_) if message.starts_with("missing") => {
+            let is_of = |flag: &Flag, name: &str| flag.path.strip_prefix(keys) == Some(&format!(".{name}"));
+            let flags = names.iter().filter_map(|name| FLAGS.iter().find(|flag| is_of(flag, name)));
+            let flags: Vec<String> = flags.map(|flag| format!("--{}", flag.name)).collect();
+            match flags.is_empty() {
+                true => format!("{message}: give it"),
+                false => format!("{message}: give it ({})", flags.join(" or ")),
+            }
         }
         _ => message,
     }

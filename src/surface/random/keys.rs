@@ -157,7 +157,7 @@ impl RoughnessKeys {
             (Some(gradient), None) => Ok(RoughnessScale::RmsGradient(gradient)),
             (None, Some(height)) => Ok(RoughnessScale::RmsHeight(height)),
             (None, None) if self.table.is_some() => Ok(RoughnessScale::AsGiven),
-            (None, None) => Err("neither an rms gradient nor an rms height is given: give one of them".into()),
+            (None, None) => Err("missing field `rms-gradient` or `rms-height`".into()),
         }
     }
 
