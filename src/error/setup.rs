@@ -81,6 +81,9 @@ pub enum SetupError {
         "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
     )]
     SeedWithoutSpectrum,
+    /// Bodies of which one conducts electricity and the other one heat.
+    #[error("{electrical} is electrical and {thermal} is thermal: give both bodies of one kind")]
+    ElectricalAndThermal { electrical: String, thermal: String },
     /// A second random roughness without a first one.
     #[error("a second spectrum is given without a first one: give `surface.spectrum` as well")]
     SecondSpectrum,

@@ -26,12 +26,16 @@ const KINDS: [(&str, &[&str]); 2] = [
     ),
 ];
 
+/// The keys of values that are electrical or thermal, and the letter of the unit that only thermal ones have.
+const CONDUCTION: [&str; 2] = ["flow.resistivity", "flow.conductivity"];
+const KELVIN: char = 'K';
+
 impl SetupTable {
     /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
     /// metres there, which is seldom what is meant.
     ///
     /// # Errors
-    /// [`SetupError::MixedUnits`].
+    /// [`SetupError::MixedUnits`], and [`SetupError::ElectricalAndThermal`].
     pub fn check_units(&self) -> Result<(), SetupError> {
         for (kind, keys) in KINDS {
             let given = keys.iter().flat_map(|key| words(self.find(key)).into_iter().map(move |word| (*key, word)));
@@ -41,6 +45,20 @@ impl SetupTable {
                     format!("{} {word}", key.rsplit('.').next().unwrap_or(key).replace('-', " "))
                 };
                 return Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) });
+            }
+        }
+        self.check_conduction()
+    }
+
+    /// Refuses bodies of which one conducts electricity and the other one heat.
+    fn check_conduction(&self) -> Result<(), SetupError> {
+        for key in CONDUCTION {
+            let words = words(self.find(key));
+            let (thermal, electrical): (Vec<_>, Vec<_>) =
+                words.into_iter().filter(|word| has_unit(word)).partition(|word| word.contains(KELVIN));
+            if let (Some(electrical), Some(thermal)) = (electrical.first(), thermal.first()) {
+                let [electrical, thermal] = [electrical, thermal].map(String::clone);
+                return Err(SetupError::ElectricalAndThermal { electrical, thermal });
             }
         }
         Ok(())

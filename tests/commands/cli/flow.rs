@@ -100,6 +100,7 @@ fn resistivities_and_conductivities_have_units() {
         assert!(row.lines().next().is_some_and(|row| row.ends_with(unit.trim())), "{flags}: {row}");
     }
     for (flags, sentence) in [
+        ("--conductivity 58MS/m,400W/(m*K)", "58MS/m is electrical and 400W/(m*K) is thermal"),
         ("--resistivity 1 --conductivity 1", "both resistivities and conductivities are given: give one of them"),
         ("--conductivity 0", "the conductivities are 0.0 and 0.0"),
         ("--resistivity 1,2,3", "3 resistivities or conductivities are given"),
