@@ -112,7 +112,7 @@ pub enum SurfaceError {
     )]
     WavesTooFine { axis: &'static str, wavelength: f64, shortest: f64 },
     /// A table of a spectrum with impossible values.
-    #[error("{reason}")]
+    #[error("the table of a spectrum cannot be used: {reason}")]
     SpectrumTable { reason: String },
     /// The direction of a lay is NaN or infinite.
     #[error("the angle of the lay is {value:?}: give a finite number of degrees")]

@@ -1,7 +1,7 @@
 //! Files of spectra.
 
 use super::spectrum_table::{SpectrumKind, SpectrumTable};
-use crate::error::FileError;
+use crate::error::{FileError, SurfaceError};
 use crate::files::{columns_of, write_beside};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -129,9 +129,9 @@ impl SpectrumFile {
             ),
         };
         let (wavenumber, density) = pairs.into_iter().map(|(q, c)| (q, c / convention.factor())).unzip();
-        let table = SpectrumTable::new(wavenumber, density, convention.kind()).map_err(|it| wrong(it.to_string()))?;
+        let table = SpectrumTable::new(wavenumber, density, convention.kind()).map_err(|it| wrong(fault(it)))?;
         let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
-        table.converted(kind).map_err(|it| wrong(it.to_string()))
+        table.converted(kind).map_err(|it| wrong(fault(it)))
     }
 
     fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
@@ -175,7 +175,7 @@ impl SpectrumTable {
     pub fn write(&self, path: &Path, convention: SpectrumConvention) -> Result<(), FileError> {
         let converted = self.converted(convention.kind());
         let wrong = |reason: String| FileError::Format { path: path.into(), what: "spectrum", reason };
-        let converted = converted.map_err(|error| wrong(error.to_string()))?;
+        let converted = converted.map_err(|error| wrong(fault(error)))?;
         let name: &str = convention.into();
         write_beside(path, |file| {
             writeln!(file, "{CONVENTION} {name}\nwavenumber,density")?;
@@ -202,6 +202,14 @@ fn own_convention(text: &str) -> Result<Option<SpectrumConvention>, String> {
     let name = text.lines().find_map(|line| line.strip_prefix(CONVENTION)).map(str::trim);
     let unknown = |name: &str| format!("the convention `{name}` is not known");
     name.map(|name| name.parse().map_err(|_| unknown(name))).transpose()
+}
+
+/// What is wrong with the values of a table.
+fn fault(error: SurfaceError) -> String {
+    match error {
+        SurfaceError::SpectrumTable { reason } => reason,
+        other => other.to_string(),
+    }
 }
 
 /// The pairs of numbers in two columns.
