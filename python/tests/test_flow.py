@@ -11,7 +11,7 @@ ROUGH = {"hurst": 0.8, "rolloff_wavelength": 0.25, "short_cutoff": 1 / 16, "rms_
 @pytest.fixture(scope="module")
 def contact() -> asp.Contact:
     surface = asp.Surface.rough([64, 64], 1.0, **ROUGH)
-    return asp.Problem(surface, contact_modulus=1.0, reduced_pressure=0.05).solve()
+    return asp.solve(surface, solid=1.0, reduced_pressure=0.05)
 
 
 def test_the_flux_is_conserved_and_its_power_lies_between_the_bounds(contact: asp.Contact) -> None:
@@ -40,7 +40,7 @@ def test_a_contact_seals_above_its_sealing_load(contact: asp.Contact) -> None:
     surface = asp.Surface.rough([64, 64], 1.0, **ROUGH)
     for side, is_open in (("open", True), ("sealed", False)):
         pressure = load[side]["reduced_pressure"]
-        solved = asp.Problem(surface, contact_modulus=1.0, reduced_pressure=pressure).solve()
+        solved = asp.solve(surface, solid=1.0, reduced_pressure=pressure)
         assert solved.percolation()["open_x"] == is_open
         assert solved.leakage("x")["sealed"] != is_open
 
