@@ -48,7 +48,7 @@ const WAVES: usize = 512;
 ///     scale: RoughnessScale::RmsHeight(1e-3),
 ///     heights: None,
 /// };
-/// let surface = ground.surface(Grid::surface([128, 128], [1.0, 1.0])?, 1)?;
+/// let surface = ground.surface(Grid::surface([256, 256], [1.0, 1.0])?, 1)?;
 /// let texture = Texture::new(&surface);
 /// assert!((texture.rms_height / 1e-3 - 1.0).abs() < 1e-12);
 /// assert!(texture.peklenik().unwrap() > 4.0);

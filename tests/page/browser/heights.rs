@@ -69,8 +69,7 @@ fn steps_are_taken_by_hand(page: &mut Page) {
     }
     assert_eq!(page.text("document.getElementById('heights-auto').value"), "false");
     assert_eq!(page.value("Object.keys(latest().knobs.heights.prepare)"), json!(["fill"]));
-    let warning = page.text("document.getElementById('warnings').innerText");
-    assert!(warning.contains("across the period along x"), "{warning}");
+    page.until("document.getElementById('warnings').innerText.includes('across the period along x')");
     page.type_into("heights-low-pass", "1 nm");
     page.until("!document.getElementById('fault').hidden");
     page.type_into("heights-low-pass", "wide");
