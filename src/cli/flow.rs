@@ -19,13 +19,13 @@ pub struct FlowFinding {
     /// The conductance per area, one over resistivity and length; none where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
     conductance_per_area: Option<f64>,
-    /// The same times the sum of both resistivities, one over a length.
+    /// The conductance per area times the sum of both resistivities, one over a length.
     #[serde(skip_serializing_if = "Option::is_none")]
     conductance_times_resistivity: Option<f64>,
     /// Whether all nodes touch, so that nothing constricts the current.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_unconstricted: bool,
-    /// The same as a row of a table.
+    /// All values as a row of a table.
     #[serde(skip)]
     pub row: FlowRow,
     /// Flux over its mean, and pressure of the fluid, by their names in archives.

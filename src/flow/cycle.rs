@@ -59,7 +59,7 @@ impl GroupCycle {
         Self { levels }
     }
 
-    /// The same with groups of another size.
+    /// The cycle of the same equations with groups of another size.
     pub fn with_groups(mut self, size: GroupSize) -> Self {
         Self::new(self.levels.swap_remove(0).0, size)
     }

@@ -59,7 +59,7 @@ pub struct PercolationState {
     pub relative_area: f64,
     /// The share of nodes in contact. These decide whether the open area percolates.
     pub relative_area_counted: f64,
-    /// The same corrected for the length of the edges.
+    /// The share of nodes in contact, corrected for the length of the edges.
     pub relative_area_corrected: f64,
 }
 

@@ -25,7 +25,7 @@ const AXIS: [f64; 2] = [1.5, 400.0];
 /// The narrowest spectrum of the curve of Bush, Gibson and Thomas, and its points.
 const NARROWEST: f64 = 1.6;
 const CURVE: i32 = 40;
-/// SolvedBreadths whose curves against the load are shown.
+/// The number of spectra whose curves against the load are shown.
 const CURVES: usize = 3;
 
 const KAPPA: ObservableFn = Measure::Resolved.kappa();
