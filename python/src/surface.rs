@@ -8,7 +8,7 @@ use crate::error::{bail, py_error};
 use crate::fork;
 use asperity::Grid;
 use asperity::setup::Cost;
-use asperity::surface::{Plateaus, PowerSpectrum, Roughness, SpectralMoments, Texture};
+use asperity::surface::{Plateaus, PowerSpectrum, Roughness, SurfaceParameter, SurfaceParameters};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -222,26 +222,22 @@ impl Surface {
     /// correlation_length_x, correlation_length_y and peklenik. A value is None where it is not defined. Axes along which the heights jump are
     /// taken as free.
     fn texture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let texture = py.detach(|| Texture::new(&self.surface.with_jumps_free()));
-        let found = PyDict::new(py);
-        texture.parameters().into_iter().try_for_each(|it| found.set_item(it.symbol, it.value))?;
-        let [y, x] = texture.correlation_length;
-        found.set_item("correlation_length_x", x)?;
-        if self.rank == 2 {
-            found.set_item("correlation_length_y", y)?;
-            found.set_item("peklenik", texture.peklenik())?;
-        }
-        Ok(found)
+        let parameters = py.detach(|| SurfaceParameters::new(&self.surface));
+        by_key(py, &parameters.texture, |it| it.value)
     }
 
-    /// Spectral moments m0 (length^2), m2 and m4 (1/length^2), and Nayak's parameter (nayak), by the spectrum. Axes along which the heights
-    /// jump are taken as free.
+    /// Spectral moments m0 (length^2), m2 and m4 (1/length^2), also along each axis, and Nayak's parameter (nayak), by the spectrum. Axes
+    /// along which the heights jump are taken as free.
     fn moments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let moments = py.detach(|| SpectralMoments::new(&self.surface.with_jumps_free()));
-        let found = PyDict::new(py);
-        let all = [("m0", moments.m0), ("m2", moments.m2), ("m4", moments.m4), ("nayak", moments.nayak())];
-        all.into_iter().try_for_each(|(name, value)| found.set_item(name, value))?;
-        Ok(found)
+        let parameters = py.detach(|| SurfaceParameters::new(&self.surface));
+        by_key(py, &parameters.moments, |it| it.value)
+    }
+
+    /// Standard errors of what texture() and moments() return, under the same keys. The surface is taken as a sample of a larger one that is
+    /// everywhere alike: the errors mean nothing for an indenter. A value is None where the error is not known.
+    fn sampling_errors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let SurfaceParameters { texture, moments, .. } = py.detach(|| SurfaceParameters::new(&self.surface));
+        by_key(py, texture.iter().chain(&moments), |it| it.error)
     }
 
     /// How random heights got a distribution that is not Gaussian: rounds, spectrum_error and height_error. None for other surfaces.
@@ -334,6 +330,17 @@ impl Surface {
         let (shape, size) = (&grid.shape()[2 - self.rank..], &grid.size()[2 - self.rank..]);
         format!("Surface(shape={shape:?}, size={size:?}, {})", grid.boundary())
     }
+}
+
+/// Numbers of parameters by their keys.
+fn by_key<'py, 'a>(
+    py: Python<'py>,
+    parameters: impl IntoIterator<Item = &'a SurfaceParameter>,
+    number: fn(&SurfaceParameter) -> Option<f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let found = PyDict::new(py);
+    parameters.into_iter().try_for_each(|it| found.set_item(&it.key, number(it)))?;
+    Ok(found)
 }
 
 /// The keys of a cell.

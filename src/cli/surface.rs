@@ -201,7 +201,8 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
     }
     let surface = recipe.surface(*grid)?;
     let survey = Survey::new(&Scan::from_surface(&surface, 1))?;
-    statistics.whole = Some(HeightStatistics::new(&surface, outer));
+    let is_sample = recipe.indenter.is_none() && (recipe.is_measured() || recipe.spectrum.is_some());
+    statistics.whole = Some(HeightStatistics::new(&surface, outer, is_sample));
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
     statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));
     statistics.survey = Some(survey);
@@ -306,8 +307,8 @@ impl Statistics {
 
 impl HeightStatistics {
     /// The statistics of a surface from an axis on.
-    fn new(surface: &Surface, outer: usize) -> Self {
-        let (roughness, texture) = (Roughness::new(surface), TextureReport::new(surface));
+    fn new(surface: &Surface, outer: usize, is_sample: bool) -> Self {
+        let (roughness, texture) = (Roughness::new(surface), TextureReport::new(surface, is_sample));
         Self {
             jump_in_rms_steps: surface.jumps()[outer..].to_vec(),
             roughness,

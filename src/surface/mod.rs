@@ -23,7 +23,7 @@ pub use formats::{
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
-pub use moments::SpectralMoments;
+pub use moments::{MomentErrors, SpectralMoments};
 pub use plateau::Plateaus;
 pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
 pub use random::{
@@ -34,7 +34,9 @@ pub use random::{
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
 pub use survey::{Band, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
-pub use texture::{AbbottCurve, Autocorrelation, CoreHeights, Texture, TextureParameter};
+pub use texture::{
+    AbbottCurve, Autocorrelation, CoreHeights, SurfaceParameter, SurfaceParameters, Texture, TextureParameter,
+};
 
 use crate::chunks;
 use crate::error::SurfaceError;

@@ -43,7 +43,7 @@ use std::f64::consts::PI;
 /// assert!((moments.nayak() - 1.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpectralMoments {
     /// Mean square of the heights about their mean, a length squared.
     pub m0: f64,
@@ -60,23 +60,72 @@ pub struct SpectralMoments {
 impl SpectralMoments {
     /// The moments of `surface`.
     pub fn new(surface: &Surface) -> Self {
-        let grid = surface.grid();
-        let mut spectrum = vec![Complex::default(); grid.modes()];
-        Fourier::new(grid).forward(&stationary(surface), &mut spectrum);
-        let waves = grid.wave_vectors().zip(grid.multiplicities()).zip(&spectrum).skip(1);
-        let [m0, along_y, along_x, bend_y, bend_x, bends] =
-            waves.fold([0.0; 6], |sums, (([qy, qx], multiplicity), coefficient)| {
-                let (square, [y, x]) = (multiplicity * coefficient.norm_sqr(), [qy * qy, qx * qx]);
-                let terms = [1.0, y, x, y * y, x * x, (y + x) * (y + x)];
-                std::array::from_fn(|i| sums[i] + terms[i] * square)
-            });
-        let [second, fourth] = if grid.is_line() { [1.0; 2] } else { [0.5, 0.375] };
+        Self::from_waves(&Waves::new(surface))
+    }
+
+    /// The moments of `surface`, and their standard errors as a sample of a larger surface.
+    ///
+    /// Each wave of a random surface has an amplitude of its own, whose square has a standard deviation equal to its mean. A wave with the
+    /// term `t` for both signs of `q` adds `t^2/2` to the variance of the sum, since the mean of `t^2` is twice its variance. The terms of
+    /// Nayak's parameter are those of its relative change, `dm0/m0 + dm4/m4 - 2 dm2/m2`. A Hann window along a free axis correlates
+    /// neighbouring waves, which multiplies the variance by `<w^4>/<w^2>^2 = 35/18`.
+    ///
+    /// The errors hold for heights that are everywhere alike, with many waves in the cell. They mean nothing for an indenter.
+    ///
+    /// ```
+    /// use asperity::Grid;
+    /// use asperity::surface::{SpectralMoments, Spectrum};
+    /// # use asperity::Surface;
+    /// let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.05, short_cutoff: 0.01, rms_gradient: 0.1 };
+    /// let surface = Surface::rough(Grid::line(2048, 1.0)?, &spectrum, 1)?;
+    /// let (moments, errors) = SpectralMoments::with_errors(&surface);
+    /// assert!(errors.m0 < 0.3 * moments.m0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_errors(surface: &Surface) -> (Self, MomentErrors) {
+        let waves = Waves::new(surface);
+        let moments = Self::from_waves(&waves);
+        let relative = |of: Self| {
+            if moments.m2 > 0.0 { of.m0 / moments.m0 + of.m4 / moments.m4 - 2.0 * of.m2 / moments.m2 } else { 0.0 }
+        };
+        let windows = surface.grid().periodic().iter().filter(|is_periodic| !**is_periodic).count();
+        let correlated = (35f64 / 18.0).powi(windows as i32);
+        let error = |of: &dyn Fn(Self) -> f64| (correlated * waves.variance(of)).sqrt();
+        let errors = MomentErrors {
+            m0: error(&|it| it.m0),
+            m2: error(&|it| it.m2),
+            m4: error(&|it| it.m4),
+            m2_along: [0, 1].map(|axis| error(&|it| it.m2_along[axis])),
+            m4_along: [0, 1].map(|axis| error(&|it| it.m4_along[axis])),
+            nayak: moments.nayak() * error(&relative),
+        };
+        (moments, errors)
+    }
+
+    fn from_waves(waves: &Waves) -> Self {
+        waves.terms().fold(Self::default(), |sum, (_, term)| sum.plus(&term))
+    }
+
+    /// The terms of one wave, of the mean square `square`.
+    fn of_wave([qy, qx]: [f64; 2], square: f64, is_line: bool) -> Self {
+        let ([y, x], [second, fourth]) = ([qy * qy, qx * qx], if is_line { [1.0; 2] } else { [0.5, 0.375] });
         Self {
-            m0,
-            m2: second * (along_y + along_x),
-            m4: fourth * bends,
-            m2_along: [along_y, along_x],
-            m4_along: [bend_y, bend_x],
+            m0: square,
+            m2: second * (y + x) * square,
+            m4: fourth * (y + x) * (y + x) * square,
+            m2_along: [y * square, x * square],
+            m4_along: [y * y * square, x * x * square],
+        }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let both = |one: [f64; 2], other: [f64; 2]| [one[0] + other[0], one[1] + other[1]];
+        Self {
+            m0: self.m0 + other.m0,
+            m2: self.m2 + other.m2,
+            m4: self.m4 + other.m4,
+            m2_along: both(self.m2_along, other.m2_along),
+            m4_along: both(self.m4_along, other.m4_along),
         }
     }
 
@@ -84,6 +133,53 @@ impl SpectralMoments {
     /// 3/2 for a surface, and these for waves of one length.
     pub fn nayak(&self) -> f64 {
         if self.m2 > 0.0 { self.m0 / self.m2 * (self.m4 / self.m2) } else { 0.0 }
+    }
+}
+
+/// Standard errors of the moments of a surface, in their units, see [`SpectralMoments::with_errors`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MomentErrors {
+    /// Of `m0`.
+    pub m0: f64,
+    /// Of `m2`.
+    pub m2: f64,
+    /// Of `m4`.
+    pub m4: f64,
+    /// Of `<h_y^2>` (0 for a line) and `<h_x^2>`.
+    pub m2_along: [f64; 2],
+    /// Of `<h_yy^2>` (0 for a line) and `<h_xx^2>`.
+    pub m4_along: [f64; 2],
+    /// Of Nayak's parameter.
+    pub nayak: f64,
+}
+
+/// The waves of a surface.
+struct Waves {
+    grid: Grid,
+    spectrum: Vec<Complex>,
+}
+
+impl Waves {
+    fn new(surface: &Surface) -> Self {
+        let grid = *surface.grid();
+        let mut spectrum = vec![Complex::default(); grid.modes()];
+        Fourier::new(&grid).forward(&stationary(surface), &mut spectrum);
+        Self { grid, spectrum }
+    }
+
+    /// The number of modes that a stored wave represents, and its terms of the moments; without the mean.
+    fn terms(&self) -> impl Iterator<Item = (f64, SpectralMoments)> {
+        let is_line = self.grid.is_line();
+        let waves = self.grid.wave_vectors().zip(self.grid.multiplicities()).zip(&self.spectrum).skip(1);
+        waves.map(move |((q, multiplicity), coefficient)| {
+            (multiplicity, SpectralMoments::of_wave(q, multiplicity * coefficient.norm_sqr(), is_line))
+        })
+    }
+
+    /// The variance of a sum over the waves. A wave that is stored once for both signs of `q` has twice the terms, and `t^2/2`; of
+    /// two that are stored apart each has `t^2`.
+    fn variance(&self, of: &dyn Fn(SpectralMoments) -> f64) -> f64 {
+        self.terms().map(|(multiplicity, term)| of(term).powi(2) / multiplicity).sum()
     }
 }
 

@@ -15,6 +15,7 @@ mod preparation;
 mod prony;
 mod random;
 mod rolling;
+mod sampling;
 mod sliding;
 mod sliding_stability;
 mod slip;

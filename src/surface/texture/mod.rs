@@ -3,9 +3,11 @@
 mod correlation;
 mod developed;
 mod material;
+mod parameters;
 
 pub use correlation::Autocorrelation;
 pub use material::{AbbottCurve, CoreHeights};
+pub use parameters::{SurfaceParameter, SurfaceParameters};
 
 use super::{Roughness, Surface};
 use crate::chunks;
