@@ -54,6 +54,12 @@ pub enum GridError {
         "a free boundary needs a half-space, but this is a {solid}: make the boundary periodic, or leave the layer out"
     )]
     FreeSolid { solid: String },
+    /// A solid that is not known for all waves.
+    #[error(
+        "the stiffness of the solid is given for wavenumbers from {first:e} to {last:e}, but the grid has waves from {longest:e} to \
+         {shortest:e}: give it for all of them"
+    )]
+    UnknownWaves { first: f64, last: f64, longest: f64, shortest: f64 },
     /// A solid whose response to a traction along its surface is not known.
     #[error(
         "the displacement by a tangential load is not known of {solid}: use a half-space whose boundary is periodic, or free along \
@@ -324,6 +330,15 @@ pub enum SolidError {
     PoissonOfLayer { count: usize },
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
     Poisson { poisson: f64 },
+    /// A table that is not one of stiffnesses.
+    #[error("the table of stiffnesses cannot be used: {reason}")]
+    StiffnessTable { reason: String },
+    /// A table of stiffnesses together with other constants.
+    #[error("both a stiffness and elastic constants are given: give only the stiffness, or leave it out")]
+    StiffnessAndConstants,
+    /// Columns of a table of stiffnesses.
+    #[error("there are {wavenumbers} wavenumbers and {stiffnesses} stiffnesses: give as many of both")]
+    StiffnessColumns { wavenumbers: usize, stiffnesses: usize },
     #[error("a Prony term has the ratio {ratio:?} and the time {time:?}: give positive, finite values")]
     PronyTerm { ratio: f64, time: f64 },
     #[error("the ratios of the relaxation add up to {sum:?}: give ratios whose sum is below 1")]

@@ -12,6 +12,8 @@ use std::sync::Arc;
 
 /// Wavenumbers between the longest and the shortest wave at which a stiffness is looked at for its range.
 const SAMPLES: usize = 512;
+/// Relative rounding of wavenumbers.
+const ROUNDING: f64 = 1e-9;
 
 /// The compliance of a solid on a grid: the factors of the waves in [`crate::elastic::Response`], which are shared by
 /// all responses of the same kind.
@@ -47,9 +49,10 @@ impl Compliance {
     /// pressure on a periodic grid, if the solid has one. Otherwise displacements have zero mean there.
     ///
     /// # Errors
-    /// [`GridError::FreeSolid`] for a solid other than a half-space on a grid that is not periodic, and [`GridError::TooManyPoints`] if
-    /// what a free boundary adds is too much.
+    /// [`GridError::FreeSolid`] for a solid other than a half-space on a grid that is not periodic, [`GridError::UnknownWaves`] for a
+    /// grid with waves for which the solid is not known, and [`GridError::TooManyPoints`] if what a free boundary adds is too much.
     pub fn new(grid: &Grid, solid: Arc<dyn ElasticSolid>, with_uniform: bool) -> Result<Self, GridError> {
+        check_known(grid, solid.as_ref())?;
         let modulus = solid.contact_modulus();
         let (kind, range) = if !grid.is_periodic() {
             let table = FreeTable::new(grid, solid.as_ref())?;
@@ -60,11 +63,10 @@ impl Compliance {
         } else {
             let uniform = solid.uniform_compliance().filter(|_| with_uniform).map_or(0.0, f64::recip);
             let uniform = if uniform.is_finite() { uniform } else { 0.0 };
-            let mut range = periodic_range(grid, solid.as_ref());
-            if uniform > 0.0 {
-                range = [range[0].min(uniform), range[1].max(uniform)];
-            }
-            (ComplianceKind::Table(table(grid, solid.as_ref(), uniform)), range)
+            let table = table(grid, solid.as_ref(), uniform);
+            let stiffest = |[low, high]: [f64; 2], &k: &f64| [f64::min(low, k), f64::max(high, k)];
+            let range = table.iter().filter(|k| **k > 0.0).fold([f64::INFINITY, 0.0], stiffest);
+            (ComplianceKind::Table(table), range)
         };
         Ok(Self { grid: *grid, solid, kind, range, least_stiffness: range[0], motion: None })
     }
@@ -335,6 +337,21 @@ impl Compliance {
     }
 }
 
+/// Checks that a solid is known for all waves of a grid, but for rounding of their wavenumbers.
+fn check_known(grid: &Grid, solid: &dyn ElasticSolid) -> Result<(), GridError> {
+    let (Some([first, last]), [longest, shortest]) = (solid.known_waves(), wavenumbers(grid)) else { return Ok(()) };
+    match longest * (1.0 + ROUNDING) >= first && shortest * (1.0 - ROUNDING) <= last {
+        true => Ok(()),
+        false => Err(GridError::UnknownWaves { first, last, longest, shortest }),
+    }
+}
+
+/// The wavenumbers of the longest and of the shortest wave of a grid.
+fn wavenumbers(grid: &Grid) -> [f64; 2] {
+    let [dy, dx] = grid.spacing().map(|spacing| PI / spacing);
+    [TAU / grid.longest_wavelength(), if grid.is_line() { dx } else { dx.hypot(dy) }]
+}
+
 /// Checks the grid and the step of a contact that rolls.
 fn check_line(grid: &Grid, step: f64) -> Result<(), ProblemError> {
     if !grid.is_line() {
@@ -359,8 +376,7 @@ fn table(grid: &Grid, solid: &dyn ElasticSolid, uniform: f64) -> Vec<f64> {
 /// Stiffness of the softest and of the stiffest wave of a periodic grid.
 fn periodic_range(grid: &Grid, solid: &dyn ElasticSolid) -> [f64; 2] {
     let modulus = solid.contact_modulus();
-    let [dy, dx] = grid.spacing().map(|spacing| PI / spacing);
-    let [longest, shortest] = [TAU / grid.longest_wavelength(), if grid.is_line() { dx } else { dx.hypot(dy) }];
+    let [longest, shortest] = wavenumbers(grid);
     if solid.is_half_space() {
         return [PI * modulus / grid.longest_wavelength(), 0.5 * modulus * shortest];
     }

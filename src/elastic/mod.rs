@@ -18,6 +18,7 @@ mod response;
 mod secular;
 mod shear;
 mod solid;
+mod stiffness_table;
 pub mod stress;
 
 pub use compliance::Compliance;
@@ -30,4 +31,5 @@ pub use prony::{Prony, PronyTerm};
 pub use response::Response;
 pub use shear::{ShearCompliance, ShearResponse};
 pub use solid::{ElasticSolid, LongWaves};
+pub use stiffness_table::StiffnessTable;
 pub use stress::Stress;

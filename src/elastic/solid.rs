@@ -49,6 +49,11 @@ pub trait ElasticSolid: Debug + Send + Sync {
         None
     }
 
+    /// The smallest and the largest wavenumber for which the factor is known; none if it is known for all.
+    fn known_waves(&self) -> Option<[f64; 2]> {
+        None
+    }
+
     /// The compliance of long waves as a polynomial, for solids that are thin between them and a rigid base; none for others. Solvers
     /// may be faster with it.
     fn long_waves(&self) -> Option<LongWaves> {

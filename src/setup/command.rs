@@ -1,6 +1,6 @@
 //! Setups as command lines: flags laid over a setup, and the line that repeats one.
 
-use super::{FLAGS, Flag, FlagValue, Setup, SetupTable};
+use super::{FLAGS, Flag, FlagValue, Setup, SetupTable, Solid};
 
 /// The place of the contact modulus in a setup.
 const CONTACT_MODULUS: &str = "solid.contact-modulus";
@@ -31,8 +31,12 @@ pub(super) fn value(word: &str) -> toml::Value {
     }
 }
 
-/// The command line that repeats a setup, to the last digit, without a recording.
+/// The command line that repeats a setup, to the last digit, without a recording. A stiffness has no flag: such a setup is repeated from
+/// a scene, see [`Setup::to_table`].
 pub fn command(setup: &Setup) -> String {
+    if let Some(Solid::Stiffness(_)) = setup.solid {
+        return "asperity solve scene.toml".into();
+    }
     let table = setup.to_table();
     let flags = FLAGS.iter().filter(|flag| flag.section() != "record");
     let written = |flag: &Flag| {

@@ -208,12 +208,12 @@ impl Setup {
     /// The errors of [`Setup::contact_modulus`].
     pub fn elastic(&self) -> Result<Arc<dyn elastic::ElasticSolid>, SetupError> {
         let solid = Solid::ContactModulus(self.contact_modulus()?);
-        Ok(self.solid.unwrap_or(solid).elastic(self.grid.datum)?)
+        Ok(self.solid.clone().unwrap_or(solid).elastic(self.grid.datum)?)
     }
 
     /// Poisson's ratio of the elastic body, or of the first of two; none if only the contact modulus is known.
     pub fn poisson(&self) -> Option<f64> {
-        self.solid.and_then(|solid| solid.poisson())
+        self.solid.as_ref().and_then(Solid::poisson)
     }
 
     /// Checks everything that does not need the surface, and returns the grid. Only the header of a height file is

@@ -1,6 +1,6 @@
 //! The process of a setup: which history it describes, and what makes it.
 
-use super::{RollingMotion, Setup};
+use super::{RollingMotion, Setup, Solid};
 use crate::adhesion::{AdhesiveMethod, AdhesiveMotion, AdhesiveProblem};
 use crate::contact::{Load, Problem, Solver};
 use crate::elastic::Prony;
@@ -342,12 +342,12 @@ impl Setup {
 
     /// Dundurs' constant; 0 for a solid of which only the contact modulus is known.
     fn dundurs_beta(&self) -> f64 {
-        self.solid.and_then(|solid| solid.dundurs_beta()).unwrap_or(0.0)
+        self.solid.as_ref().and_then(Solid::dundurs_beta).unwrap_or(0.0)
     }
 
     /// The ratio `m = sum (nu/G) / sum ((1 - nu)/G)` over the bodies, see [`Compliance::tangential`](crate::elastic::Compliance::tangential);
     /// 0 for a solid of which only the contact modulus is known.
     fn shear_ratio(&self) -> f64 {
-        self.solid.and_then(|solid| solid.shear_ratio()).unwrap_or(0.0)
+        self.solid.as_ref().and_then(Solid::shear_ratio).unwrap_or(0.0)
     }
 }

@@ -1,7 +1,7 @@
 //! The elastic solid.
 
 use super::one_or_more;
-use crate::elastic::{self, Base, HalfSpace};
+use crate::elastic::{self, Base, HalfSpace, StiffnessTable};
 use crate::error::SolidError;
 use crate::quantity;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// assert_eq!(Solid::ContactModulus(1e9).contact_modulus()?, 1e9);
 /// # Ok::<(), asperity::error::SolidError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "SolidKeys", into = "SolidKeys")]
 pub enum Solid {
     /// The contact modulus `E*`, a pressure.
@@ -36,6 +36,8 @@ pub enum Solid {
         /// How it is held on its base.
         base: Base,
     },
+    /// A solid with a given stiffness of its waves.
+    Stiffness(StiffnessTable),
 }
 
 /// The stiffness of a layer.
@@ -76,6 +78,7 @@ impl Solid {
                     LayerModulus::Young(young) => body(young),
                 }
             }
+            Self::Stiffness(ref table) => Ok(elastic::ElasticSolid::contact_modulus(table)),
         }
     }
 
@@ -97,6 +100,7 @@ impl Solid {
             Self::Layer { poisson, thickness, base, .. } => {
                 Ok(elastic::Layer { contact_modulus, poisson, thickness, base }.into())
             }
+            Self::Stiffness(ref table) => Ok(table.clone().into()),
             _ => Ok(HalfSpace { contact_modulus, datum }.into()),
         }
     }
@@ -104,7 +108,7 @@ impl Solid {
     /// Poisson's ratio of the elastic body, or of the first of two; none if only the contact modulus is known.
     pub fn poisson(&self) -> Option<f64> {
         match self {
-            Self::ContactModulus(_) => None,
+            Self::ContactModulus(_) | Self::Stiffness(_) => None,
             Self::Bodies(Body { poisson, .. }, _) | Self::Layer { poisson, .. } => Some(*poisson),
         }
     }
@@ -152,6 +156,7 @@ impl Solid {
                 format!("of a layer, {}", words(Body { young, poisson }))
             }
             Self::Layer { poisson, .. } => format!("of a layer, nu {poisson}"),
+            Self::Stiffness(_) => "of the shortest wave with a given stiffness".into(),
         }
     }
 }
@@ -189,6 +194,36 @@ struct SolidKeys {
     layer: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     base: Option<Base>,
+    /// Wavenumbers at which the stiffness is given.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    wavenumber: Vec<f64>,
+    /// Stiffness of the wave of each wavenumber, a pressure per length.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    stiffness: Vec<f64>,
+    /// Stiffness under a uniform pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uniform_stiffness: Option<f64>,
+}
+
+impl SolidKeys {
+    /// The solid whose stiffness the keys give, if they give any.
+    fn stiffness(&self) -> Option<Result<Solid, SolidError>> {
+        let Self { contact_modulus, young, poisson, layer, base, wavenumber, stiffness, uniform_stiffness } = self;
+        if wavenumber.is_empty() && stiffness.is_empty() && uniform_stiffness.is_none() {
+            return None;
+        }
+        let has_constants =
+            contact_modulus.is_some() || layer.is_some() || base.is_some() || !young.is_empty() || !poisson.is_empty();
+        let [wavenumbers, stiffnesses] = [wavenumber.len(), stiffness.len()];
+        Some(match wavenumbers == stiffnesses {
+            _ if has_constants => Err(SolidError::StiffnessAndConstants),
+            false => Err(SolidError::StiffnessColumns { wavenumbers, stiffnesses }),
+            true => {
+                let rows = wavenumber.iter().zip(stiffness).map(|(&q, &k)| [q, k]);
+                StiffnessTable::new(rows, *uniform_stiffness).map(Solid::Stiffness)
+            }
+        })
+    }
 }
 
 fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
@@ -198,7 +233,11 @@ fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::E
 impl TryFrom<SolidKeys> for Solid {
     type Error = SolidError;
 
-    fn try_from(SolidKeys { contact_modulus, young, poisson, layer, base }: SolidKeys) -> Result<Self, SolidError> {
+    fn try_from(keys: SolidKeys) -> Result<Self, SolidError> {
+        if let Some(solid) = keys.stiffness() {
+            return solid;
+        }
+        let SolidKeys { contact_modulus, young, poisson, layer, base, .. } = keys;
         if let Some(thickness) = layer {
             return Self::layer(contact_modulus, &young, &poisson, thickness, base.unwrap_or_default());
         }
@@ -255,7 +294,13 @@ impl From<Solid> for SolidKeys {
                     LayerModulus::Contact(modulus) => (Some(modulus), Vec::new()),
                     LayerModulus::Young(young) => (None, vec![young]),
                 };
-                Self { contact_modulus, young, poisson: vec![poisson], layer: Some(thickness), base: Some(base) }
+                let (poisson, layer, base) = (vec![poisson], Some(thickness), Some(base));
+                Self { contact_modulus, young, poisson, layer, base, ..Self::default() }
+            }
+            Solid::Stiffness(table) => {
+                let column = |i: usize| table.rows().iter().map(|row| row[i]).collect();
+                let uniform_stiffness = table.uniform();
+                Self { wavenumber: column(0), stiffness: column(1), uniform_stiffness, ..Self::default() }
             }
         }
     }

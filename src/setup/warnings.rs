@@ -23,7 +23,7 @@ const LARGEST_BETA: f64 = 0.01;
 impl Setup {
     /// The warning that normal and tangential loads couple, which a single pull, as the difference of two normal contacts, leaves out.
     pub fn warning_of_coupling(&self) -> Option<Warning> {
-        let beta = self.friction.and(self.solid)?.dundurs_beta()?.abs();
+        let beta = self.friction.and(self.solid.as_ref())?.dundurs_beta()?.abs();
         (beta > LARGEST_BETA).then(|| {
             Warning::new(
                 format!(

@@ -26,7 +26,7 @@ use std::f64::consts::PI;
 /// larger surface, as measured heights are. Repeated, they would jump at the rim, and `m2` and `m4` would be those of
 /// the jump. So the slope of the least-squares plane along a free axis is subtracted, and the heights are multiplied by a
 /// Hann window of mean square 1, as for the spectrum of a [`Survey`](super::Survey). The moments are then estimates
-/// for heights that are everywhere alike. Waves longer than half of the cell are lost in part. The window adds `(4/3)
+/// for heights that are everywhere alike. WaveSums longer than half of the cell are lost in part. The window adds `(4/3)
 /// (pi/L)^2 m0` to `m2` along that axis, with the length `L` of the cell: little, if the waves are much shorter.
 ///
 /// Source: Longuet-Higgins, Phil. Trans. R. Soc. A 249:321, 1957; Nayak, J. Lubr. Technol. 93:398, 1971.
@@ -60,7 +60,7 @@ pub struct SpectralMoments {
 impl SpectralMoments {
     /// The moments of `surface`.
     pub fn new(surface: &Surface) -> Self {
-        Self::from_waves(&Waves::new(surface))
+        Self::from_waves(&WaveSums::new(surface))
     }
 
     /// The moments of `surface`, and their standard errors as a sample of a larger surface.
@@ -83,7 +83,7 @@ impl SpectralMoments {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_errors(surface: &Surface) -> (Self, MomentErrors) {
-        let waves = Waves::new(surface);
+        let waves = WaveSums::new(surface);
         let moments = Self::from_waves(&waves);
         let relative = |of: Self| {
             if moments.m2 > 0.0 { of.m0 / moments.m0 + of.m4 / moments.m4 - 2.0 * of.m2 / moments.m2 } else { 0.0 }
@@ -102,7 +102,7 @@ impl SpectralMoments {
         (moments, errors)
     }
 
-    fn from_waves(waves: &Waves) -> Self {
+    fn from_waves(waves: &WaveSums) -> Self {
         waves.terms().fold(Self::default(), |sum, (_, term)| sum.plus(&term))
     }
 
@@ -154,12 +154,12 @@ pub struct MomentErrors {
 }
 
 /// The waves of a surface.
-struct Waves {
+struct WaveSums {
     grid: Grid,
     spectrum: Vec<Complex>,
 }
 
-impl Waves {
+impl WaveSums {
     fn new(surface: &Surface) -> Self {
         let grid = *surface.grid();
         let mut spectrum = vec![Complex::default(); grid.modes()];

@@ -3,3 +3,4 @@
 mod free;
 mod layer;
 mod peers;
+mod stiffness;
