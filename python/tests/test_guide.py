@@ -1,7 +1,7 @@
 """The programs of the guide, run as a reader runs them: each block `python` that begins with its file name, page by page, in one folder and in order.
 
-A block `toml` that begins with its file name is written to that file. Where a block `text` stands directly before a program, that is, what a command
-prints for the same task, each number that the program prints must stand in it.
+A block `toml` that begins with its file name is written to that file. A program does the task of the commands before it. Where a block `text` shows what
+these print, each number that the program prints must stand in it.
 """
 
 import os
@@ -71,7 +71,7 @@ def run(name: str, folder: Path) -> str:
 @pytest.mark.parametrize("page", sorted(path.stem for path in GUIDE.glob("*.md") if path.stem not in WITHOUT_PROGRAMS))
 def test_programs_of_the_guide_run(page: str, tmp_path: Path) -> None:
     programs = 0
-    text_before = None
+    shown = None
     found = blocks(GUIDE / f"{page}.md")
     for call, module in NEEDS.items():
         if any(info == "python" and call in text for info, text in found):
@@ -83,10 +83,11 @@ def test_programs_of_the_guide_run(page: str, tmp_path: Path) -> None:
         if name is not None and name.endswith(".py"):
             programs += 1
             printed = run(name, tmp_path)
-            if text_before is not None:
-                assert numbers(printed), f"{name} prints no number of the text before it"
-                assert not missing(printed, text_before), f"{name} prints\n{printed}\nbut the page has\n{text_before}"
-        text_before = text if info == "text" else None
+            if shown is not None:
+                assert numbers(printed), f"{name} prints no number of what the command prints"
+                assert not missing(printed, shown), f"{name} prints\n{printed}\nbut the page has\n{shown}"
+        if info == "text" or info.startswith("sh"):
+            shown = text if info == "text" else None
     assert programs > 0, "no program on this page"
 
 
