@@ -26,7 +26,7 @@ use std::f64::consts::PI;
 /// larger surface, as measured heights are. Repeated, they would jump at the rim, and `m2` and `m4` would be those of
 /// the jump. So the slope of the least-squares plane along a free axis is subtracted, and the heights are multiplied by a
 /// Hann window of mean square 1, as for the spectrum of a [`Survey`](super::Survey). The moments are then estimates
-/// for heights that are everywhere alike. WaveSums longer than half of the cell are lost in part. The window adds `(4/3)
+/// for heights that are everywhere alike. Waves longer than half of the cell are lost in part. The window adds `(4/3)
 /// (pi/L)^2 m0` to `m2` along that axis, with the length `L` of the cell: little, if the waves are much shorter.
 ///
 /// Source: Longuet-Higgins, Phil. Trans. R. Soc. A 249:321, 1957; Nayak, J. Lubr. Technol. 93:398, 1971.
