@@ -21,7 +21,7 @@ STUDY = asp.Study(
 def draw(table):
     figure, axes = plt.subplots(figsize=(6, 4), layout="constrained")
     for hurst, marker in ((0.3, "o"), (0.8, "s")):
-        rows = [(table["hurst"] == hurst) & (table["reduced_pressure"] == load) for load in LOADS]
+        rows = [(table["hurst"] == hurst) & (table["load.reduced-pressure"] == load) for load in LOADS]
         means, spreads = [np.array([each(table["kappa"][row]) for row in rows]) for each in (np.mean, np.std)]
         axes.errorbar(LOADS, means, spreads, fmt=marker, mfc="none", capsize=3, label=f"Hurst exponent {hurst}, 30 seeds")
         print(f"Hurst exponent {hurst}: area over load at p* = 0.01 is {means[0]:.3f} ± {spreads[0]:.3f}")
