@@ -12,6 +12,9 @@ macro_rules! pages {
             #[doc = "[explorer]: crate::guide::explorer"]
             #[doc = "[first-contact]: crate::guide::first_contact"]
             #[doc = "[flow]: crate::guide::flow"]
+            #[doc = "[from-contact-mechanics]: crate::guide::from_contact_mechanics"]
+            #[doc = "[from-tamaas]: crate::guide::from_tamaas"]
+            #[doc = "[gallery]: crate::guide::gallery"]
             #[doc = "[hardness]: crate::guide::hardness"]
             #[doc = "[history]: crate::guide::history"]
             #[doc = "[how-it-works]: crate::guide::how_it_works"]
@@ -47,6 +50,9 @@ pages! {
     other_solvers "assets/guide/other-solvers.md"
     slow_solvers "assets/guide/slow-solvers.md"
     python "assets/guide/python.md"
+    gallery "assets/guide/gallery.md"
+    from_tamaas "assets/guide/from-tamaas.md"
+    from_contact_mechanics "assets/guide/from-contact-mechanics.md"
     how_it_works "assets/guide/how-it-works.md"
     trust "assets/guide/trust.md"
     words "assets/guide/words.md"

@@ -9,7 +9,7 @@ from asperity.notebook import has_viewer
 FOLDER = Path(__file__).parent.parent / "notebooks"
 
 
-@pytest.mark.parametrize("name", ["hertz_against_rough", "why_is_my_solver_slow"])
+@pytest.mark.parametrize("name", ["first_hour", "hertz_against_rough", "why_is_my_solver_slow"])
 def test_a_notebook_runs_from_top_to_bottom(name: str, tmp_path: Path) -> None:
     nbformat, nbclient = pytest.importorskip("nbformat"), pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
@@ -21,5 +21,5 @@ def test_a_notebook_runs_from_top_to_bottom(name: str, tmp_path: Path) -> None:
     assert "image/png" in shown
     assert ("application/vnd.jupyter.widget-view+json" in shown) == has_viewer()
     text = "".join(output.get("text", "") for cell in cells for output in cell.outputs)
-    words = {"hertz_against_rough": "patches:", "why_is_my_solver_slow": "multilevel:"}
+    words = {"first_hour": "whole surface", "hertz_against_rough": "patches:", "why_is_my_solver_slow": "multilevel:"}
     assert words[name] in text
