@@ -26,6 +26,8 @@ mod fork;
 mod history;
 mod ledger;
 mod load_curve;
+mod operator;
+mod own_solver;
 mod problem;
 mod recorder;
 mod setup;

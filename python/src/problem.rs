@@ -21,7 +21,8 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 /// mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
 /// reduced pressure, which is the mean pressure divided by rms gradient and contact modulus; a mean gap, a length; a force, which is a force per
 /// length of a line; or an approach, a length. A list of loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
-/// each, or two for two bodies), and for a layer its thickness as layer, and base. `law` is a dictionary with a hardness. `friction` is a
+/// each, or two for two bodies), and for a layer its thickness as layer, and base. A solid of your own is a function k(q) or a dictionary with stiffness, the stiffness of each wave: see
+/// solve(). `law` is a dictionary with a hardness. `friction` is a
 /// dictionary with a coefficient and a tangential load. `adhesion` is a dictionary with work, range, form and method, or with a table.
 /// `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.
 /// `path` holds time, load and tangential, lists of one length; `sliding` a speed or several; `rolling` a creepage or a tangential load, or
@@ -64,10 +65,23 @@ impl Problem {
     }
 }
 
+/// The keywords with the values of a stiffness that is a function or an array over the waves of the grid.
+fn with_sampled_solid<'py>(surface: &Surface, keywords: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
+    let keywords = keywords.copy()?;
+    if let Some(solid) = keywords.get_item("solid")? {
+        let grid = surface.surface.grid();
+        let (shape, size) = (grid.shape()[2 - surface.rank..].to_vec(), grid.size()[2 - surface.rank..].to_vec());
+        let sampled = keywords.py().import("asperity.solids")?.call_method1("sampled", (solid, shape, size))?;
+        keywords.set_item("solid", sampled)?;
+    }
+    Ok(keywords)
+}
+
 /// The sections of some keywords, laid over those of a surface.
 fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
     let mut described = surface.sections.clone();
-    for (key, value) in sections_from_keywords(keywords)? {
+    let keywords = keywords.map(|keywords| with_sampled_solid(surface, keywords)).transpose()?;
+    for (key, value) in sections_from_keywords(keywords.as_ref())? {
         match key.as_str() {
             "solid" if value.is_number() || value.is_string() => {
                 described.insert(key, json!({ "contact-modulus": value }));

@@ -5,6 +5,7 @@ use crate::contact::Contact;
 use crate::error::{BoxedError, bail, py_error};
 use crate::history::History;
 use crate::load_curve::LoadCurve;
+use crate::own_solver::OwnSolver;
 use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::solve_options::SolveOptions;
@@ -12,6 +13,7 @@ use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
 use asperity::contact::{Load, Observer, Status};
 use asperity::error::{HistoryError, StudyError};
+use asperity::foreign::{Quantity, Replay};
 use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::{self, Cost};
 use asperity::study;
@@ -59,8 +61,8 @@ impl Problem {
     /// Solves the problem. The contact is returned whether the solver converged or not, with a warning if it did not; a list of loads returns
     /// a LoadCurve; a path, several speeds or rolling return a History.
     ///
-    /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings. It stops at a
-    /// certificate `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative
+    /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings, or a function of the problem that
+    /// yields one pressure after the other. It stops at a certificate `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative
     /// error of the pressure. With refine="auto" the grid is refined until the estimated errors of area and kappa_r are
     /// below area_tolerance (0.01). callback(step) is called with every step and ends the run by returning False.
     /// `start` is a pressure to start from. `record` is the file of a recording, `live` shows it in the installed
@@ -95,8 +97,10 @@ impl Setup {
 impl Solve<'_> {
     /// Solves under one load.
     fn contact(&self, py: Python<'_>) -> PyResult<Contact> {
-        let outcome = self.in_background(py, |steps| Ok(self.job().run(&mut Steps(steps))?))?;
-        let Outcome { mut solved, diagnosis } = outcome;
+        let Outcome { mut solved, diagnosis } = match &self.options.own_solver {
+            Some(own) => self.by_own_solver(py, own)?,
+            None => self.in_background(py, |steps| Ok(self.job().run(&mut Steps(steps))?))?,
+        };
         let solved = solved.swap_remove(0);
         let stuck = solved.slip.as_ref().map(|slip| &slip.stuck);
         [Some(&solved.contact), stuck]
@@ -111,6 +115,26 @@ impl Solve<'_> {
         let surface = contact.problem.surface().clone();
         let diagnosis = diagnosis.map(|findings| findings.to_string());
         Ok(Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip })
+    }
+
+    /// Solves by a solver that is written in Python. Its exceptions are raised as they are.
+    fn by_own_solver(&self, py: Python<'_>, own: &OwnSolver) -> PyResult<Outcome> {
+        let pressures = own.begin(py, self.problem)?;
+        let (setup, problem, sink) = (&self.setup.setup, &self.problem.problem, &self.options.sink);
+        let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), own.name);
+        let outcome = self.in_background(py, |steps| {
+            let replay = Replay::new(&own.name, Quantity::Pressure, pressures.iter()).endless();
+            let job = Job::from_run(JobRun::from_other(&title, setup.clone(), problem.clone(), &replay));
+            let job = match sink.is_active() {
+                true => job.recorded(|scenes, options| sink.recording(scenes, options)),
+                false => job,
+            };
+            Ok(job.run(&mut Steps(steps))?)
+        });
+        match pressures.exception() {
+            Some(exception) => Err(exception),
+            None => outcome,
+        }
     }
 
     /// The job that the keywords ask for.

@@ -3,6 +3,7 @@
 use crate::arrays::field_on;
 use crate::conversion::{Sections, section_mut, value_from_py};
 use crate::error::{bail, py_error};
+use crate::own_solver::OwnSolver;
 use crate::setup::Setup;
 use crate::sink::RecordingSink;
 use asperity::grid::Grid;
@@ -22,6 +23,8 @@ pub struct SolveOptions {
     pub diagnose: bool,
     /// A pressure to start from.
     pub start: Option<Field>,
+    /// A solver that is written in Python.
+    pub own_solver: Option<OwnSolver>,
 }
 
 impl SolveOptions {
@@ -41,6 +44,7 @@ impl SolveOptions {
 
     fn read(&mut self, key: &str, it: &Bound<'_, PyAny>, sections: &mut Sections, shape: [usize; 2]) -> PyResult<()> {
         match key {
+            "solver" if it.is_callable() => self.own_solver = Some(OwnSolver::new(it)?),
             "solver" => {
                 let solver = value_from_py(it, key)?;
                 let named = solver.as_str().map(|name| serde_json::json!({ "method": name }));
@@ -73,8 +77,27 @@ impl SolveOptions {
         Ok(())
     }
 
+    /// Refuses what a solver in Python cannot do.
+    fn check_own_solver(&self, setup: &Setup) -> PyResult<()> {
+        let refused = [
+            ("diagnose", self.diagnose, "use a Recorder, which has a diagnosis"),
+            ("start", self.start.is_some(), "start your function where you like"),
+            ("refine='auto'", setup.refinement.is_some(), "give a Surface with the grid that you need"),
+            ("a list of loads", setup.loads.is_some(), "solve under one load after the other"),
+            ("friction", setup.setup.friction.is_some(), "choose multilevel"),
+            ("a history", setup.setup.is_history().map_err(py_error)?, "leave the solver out"),
+        ];
+        match refused.into_iter().find(|(_, is_given, _)| *is_given) {
+            Some((what, _, instead)) => bail(format!("a solver of your own cannot have {what}: {instead}")),
+            None => Ok(()),
+        }
+    }
+
     /// Refuses options that are only valid for one load, or for a given grid.
     fn check(&self, setup: &Setup) -> PyResult<()> {
+        if self.own_solver.is_some() {
+            self.check_own_solver(setup)?;
+        }
         let only_once = [
             ("record, live and stream show", self.sink.is_active()),
             ("diagnose needs", self.diagnose),

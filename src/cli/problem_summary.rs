@@ -3,7 +3,7 @@
 use super::units::Units;
 use asperity::contact::Problem;
 use asperity::error::SetupError;
-use asperity::setup::Setup;
+use asperity::setup::{Setup, Solid};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -62,7 +62,7 @@ impl ProblemSummary {
             title: setup.surface.title(grid),
             name: solver_of(setup).0,
             settings: solver_of(setup).1,
-            solid: setup.solid.map_or("not given: pressures are divided by it".into(), |solid| solid.description()),
+            solid: setup.solid.as_ref().map_or("not given: pressures are divided by it".into(), Solid::description),
             others: others(setup, problem),
             rank,
         })

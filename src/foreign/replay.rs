@@ -50,12 +50,19 @@ pub struct Replay<I> {
     name: String,
     quantity: Quantity,
     frames: RefCell<I>,
+    is_endless: bool,
 }
 
 impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
     /// The replay of steps of a quantity, made by a code of some name. They can be replayed once.
     pub fn new(name: &str, quantity: Quantity, frames: I) -> Self {
-        Self { name: name.into(), quantity, frames: RefCell::new(frames) }
+        Self { name: name.into(), quantity, frames: RefCell::new(frames), is_endless: false }
+    }
+
+    /// The steps of a code that is still running and does not know when to end: no more steps are taken once the goals are met or the
+    /// iterations have reached their cap.
+    pub fn endless(self) -> Self {
+        Self { is_endless: true, ..self }
     }
 
     /// Shows a frame as a step, and says why to stop, if so.
@@ -65,7 +72,9 @@ impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
         let work = run.work(response.transforms());
         let step = Step::new(run.problem(), work, &state.pressure, &state.displacement);
         let ended = run.pass(&step.with_certificate(state.certificate));
-        (state, ended.filter(|ended| *ended != Status::IterationCap))
+        let is_met = self.is_endless && run.is_converged(&state.certificate);
+        let ended = ended.filter(|ended| self.is_endless || *ended != Status::IterationCap);
+        (state, ended.or(is_met.then_some(Status::Converged)))
     }
 
     /// The feasible pressure of a frame, and what follows from it.
