@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from typing_extensions import Required, Unpack
 
     from asperity import notebook
-    from asperity._asperity import ListOfLoads, Load, Loads, SolveOptions
+    from asperity._asperity import ListOfLoads, Load, Loads, OwnSolver, SolveOptions, Stiffness
     from asperity.notebook import show
     from asperity.studies import study
 
@@ -76,7 +76,7 @@ if TYPE_CHECKING:
 
         boundary: Literal["periodic", "free"] | Sequence[str] | None
         datum: Length | None
-        solid: Pressure | Keys | None
+        solid: Pressure | Keys | Stiffness | None
         law: Keys | None
         friction: Keys | None
         viscoelastic: Keys | None
@@ -165,7 +165,7 @@ def solve(
     approach: Length | Loads | None = None,
     boundary: Literal["periodic", "free"] | Sequence[str] | None = None,
     datum: Length | None = None,
-    solid: Pressure | Keys | None = None,
+    solid: Pressure | Keys | Stiffness | None = None,
     law: Keys | None = None,
     friction: Keys | None = None,
     adhesion: Keys | None = None,
@@ -173,7 +173,7 @@ def solve(
     path: Keys | None = None,
     sliding: Keys | None = None,
     rolling: Keys | None = None,
-    solver: str | Keys | None = None,
+    solver: str | Keys | OwnSolver | None = None,
     tolerance: float | None = None,
     pressure_tolerance: float | None = None,
     max_iterations: int | None = None,
@@ -198,7 +198,10 @@ def solve(
     boundary: "periodic" (the cell repeats) or "free" (no pressure outside the cell), or one for each axis.
     datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
     solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies); for a layer also its
-        thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
+        thickness as layer, and base. Without a solid, pressures are in units of the contact modulus. A solid of your own is a function k(q)
+        that returns the stiffness, pressure over displacement, of waves of the wavenumbers q = 2 pi / wavelength; or a dictionary with such
+        a function or array as stiffness, with the wavenumbers of an array as wavenumber, and with uniform_stiffness, the stiffness
+        under a uniform pressure. Its boundary is periodic.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
     adhesion: {"work": w, "range": rho} attracts the surfaces, with "form" "exponential", "cubic" or "dugdale", or {"table": file.csv}. Its
@@ -211,7 +214,8 @@ def solve(
         adhesion it has loads alone.
     sliding: {"speed": v}: slides steadily along x; measures["friction"] is the friction. Several speeds return a History.
     rolling: {"creepage": ...} or {"tangential": ...}: lines roll steadily with friction, which needs friction={"coefficient": mu}. It returns a History.
-    solver: "multilevel" (the fastest), "polonsky-keer" or "gfmd", or a dictionary with its method and settings.
+    solver: "multilevel" (the fastest), "polonsky-keer" or "gfmd", or a dictionary with its method and settings; or a function of the Problem that
+        yields one pressure after the other. Each is certified, and no more are taken when the tolerance is reached.
     tolerance: the certificate to reach (1e-8). pressure_tolerance: the bound of the relative error of the pressure to reach.
     refine: "auto" refines the grid until the estimated errors of area and kappa_r are below area_tolerance (0.01).
     start: a pressure to start from, such as the solution under a similar load.
@@ -278,7 +282,7 @@ def certify(
     approach: Length | None = None,
     boundary: Literal["periodic", "free"] | Sequence[str] | None = None,
     datum: Length | None = None,
-    solid: Pressure | Keys | None = None,
+    solid: Pressure | Keys | Stiffness | None = None,
     law: Keys | None = None,
 ) -> Certification:
     """Certifies a result of another code: bounds its error, and recognises common mistakes.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Generic, Iterator, Literal, Mapping, Sequence, TypeAlias, TypedDict, overload
+from typing import Any, Callable, Generic, Iterable, Iterator, Literal, Mapping, Sequence, TypeAlias, TypedDict, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +17,10 @@ Loads: TypeAlias = list[float] | list[str] | list[float | str] | tuple[float | s
 """Several loads, which are solved one after the other."""
 Keys: TypeAlias = Mapping[str, Any]
 Path: TypeAlias = os.PathLike[str] | str
+Stiffness: TypeAlias = Callable[[Array], ArrayLike]
+"""A function of an array of wavenumbers 2 pi / wavelength that returns the stiffness of each wave."""
+OwnSolver: TypeAlias = Callable[[Problem[Any]], Iterable[ArrayLike]]
+"""A function of a problem that yields one pressure after the other."""
 Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 Solved = TypeVar("Solved", bound=Contact | LoadCurve | History, default=Contact)
 """What a solve returns: a Contact under one load, a LoadCurve under a list of loads, a History along a path, of rolling or with adhesion."""
@@ -24,7 +28,7 @@ Solved = TypeVar("Solved", bound=Contact | LoadCurve | History, default=Contact)
 class SolveOptions(TypedDict, total=False):
     """The keywords of Problem.solve."""
 
-    solver: str | Keys | None
+    solver: str | Keys | OwnSolver | None
     tolerance: float | None
     pressure_tolerance: float | None
     max_iterations: int | None
@@ -59,7 +63,7 @@ class ListOfLoads(TypedDict, total=False):
 class Rest(TypedDict, total=False):
     """What a problem takes besides surface and load."""
 
-    solid: Pressure | Keys | None
+    solid: Pressure | Keys | Stiffness | None
     law: Keys | None
     friction: Keys | None
     viscoelastic: Keys | None
@@ -259,6 +263,9 @@ class Problem(Generic[Solved]):
         gap: ArrayLike | None = None,
         displacement: ArrayLike | None = None,
     ) -> Certification: ...
+    def displacement(self, pressure: ArrayLike) -> Array: ...
+    @property
+    def stiffness(self) -> Array: ...
     @property
     def surface(self) -> Surface: ...
     @property

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Callable, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 import numpy as np
 
-from asperity._asperity import Array, AsperityError
+from asperity._asperity import AsperityError
+
+if TYPE_CHECKING:
+    from asperity._asperity import Array
 
 PER_DECADE = 400
 """Wavenumbers per decade at which a function is taken. Between them the package interpolates with a relative error of about 1e-10."""
@@ -62,7 +65,7 @@ def _line_waves(shape: Sequence[int], size: Sequence[float]) -> Array:
     """The wavenumbers of numpy.fft.rfft of a line."""
     if len(shape) != 1:
         raise AsperityError("the stiffness of a surface is given without its wavenumbers: give them as wavenumber, an array of the same shape")
-    return 2 * np.pi * np.arange(shape[0] // 2 + 1) / size[0]
+    return np.asarray(2 * np.pi * np.arange(shape[0] // 2 + 1) / size[0], dtype=float)
 
 
 def _by_wavenumber(q: Array, k: Array) -> tuple[Array, Array]:
