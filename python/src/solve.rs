@@ -19,6 +19,7 @@ use asperity::setup::{self, Cost};
 use asperity::study;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::{Mutex, PoisonError};
 
 /// Fields of a recording or a result in memory, besides those of a solver.
 const FIELDS: f64 = 4.0;
@@ -206,7 +207,8 @@ impl Solve<'_> {
         py: Python<'_>,
         work: impl FnOnce(&mut StepSender) -> Result<T, BoxedError> + Send,
     ) -> PyResult<T> {
-        let on_step = |py: Python<'_>, step: &StepHandle| self.call_back(py, step);
+        let last_error = Mutex::new(f64::INFINITY);
+        let on_step = |py: Python<'_>, step: &StepHandle| self.call_back(py, step, &last_error);
         let on_step: Option<&StepCallback<'_>> = if self.options.callback.is_some() { Some(&on_step) } else { None };
         let on_idle = |py: Python<'_>| self.options.sink.flush(py);
         let done = run_in_background(py, Foreground { on_step, on_idle: &on_idle }, work);
@@ -215,10 +217,12 @@ impl Solve<'_> {
     }
 
     /// Calls the callback with a step, and returns whether the run continues.
-    fn call_back(&self, py: Python<'_>, step: &StepHandle) -> PyResult<bool> {
-        let (Some(callback), Some(step)) = (&self.options.callback, Step::new(step, self.problem.rank)) else {
+    fn call_back(&self, py: Python<'_>, step: &StepHandle, last_error: &Mutex<f64>) -> PyResult<bool> {
+        let before = *last_error.lock().unwrap_or_else(PoisonError::into_inner);
+        let (Some(callback), Some(step)) = (&self.options.callback, Step::new(step, self.problem.rank, before)) else {
             return Ok(true);
         };
+        *last_error.lock().unwrap_or_else(PoisonError::into_inner) = step.error();
         let answer = callback.bind(py).call1((step,))?;
         Ok(answer.is_none() || answer.is_truthy()?)
     }

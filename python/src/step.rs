@@ -20,16 +20,19 @@ pub struct Step {
     seconds: f64,
     transforms: u64,
     certificate: Option<contact::Certificate>,
+    error: f64,
 }
 
 impl Step {
-    /// The step behind a handle; none if the step is over.
-    pub fn new(handle: &StepHandle, rank: usize) -> Option<Self> {
+    /// The step behind a handle, after one with the error `before`; none if the step is over.
+    pub fn new(handle: &StepHandle, rank: usize, before: f64) -> Option<Self> {
         let numbers = |step: &contact::Step<'_>| {
             (step.index(), step.phase(), step.seconds(), step.transforms(), step.certificate().copied())
         };
         let (index, phase, seconds, transforms, certificate) = handle.query(numbers)?;
-        Some(Self { handle: handle.clone(), rank, index, phase, seconds, transforms, certificate })
+        let known = certificate.map(|it| it.eta).or((index > 0).then_some(before));
+        let error = known.filter(|_| phase.level == 0).unwrap_or(f64::INFINITY);
+        Some(Self { handle: handle.clone(), rank, index, phase, seconds, transforms, certificate, error })
     }
 
     fn query<T: Send + 'static>(
@@ -86,10 +89,11 @@ impl Step {
         self.certificate.map(Certificate)
     }
 
-    /// The certificate `eta`, a bound of the error in energy over load times rms height; NaN where it is not known.
+    /// The certificate `eta` on the finest grid, a bound of the error in energy over load times rms height. Where a step has none, it is that of
+    /// the last step that had one; it is infinite on coarser grids and before the first.
     #[getter]
-    fn error(&self) -> f64 {
-        self.certificate.map_or(f64::NAN, |certificate| certificate.eta)
+    pub fn error(&self) -> f64 {
+        self.error
     }
 
     /// Pressure, shape (n) or (ny, nx) of the grid of this level.

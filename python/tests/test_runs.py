@@ -52,6 +52,15 @@ def test_a_callback_that_returns_false_ends_the_run() -> None:
     assert contact.status == "stopped by the observer"
 
 
+@pytest.mark.parametrize("solver", ["multilevel", "polonsky-keer", "gfmd"])
+def test_a_run_can_end_at_an_error_on_the_finest_grid(solver: str) -> None:
+    contact = problem().solve(solver=solver, callback=lambda step: step.error > 1e-4)
+    assert contact.status == "stopped by the observer" and 1e-8 < contact.certificate.eta <= 1e-4
+    levels: dict[int, list[float]] = {}
+    problem().solve(solver=solver, callback=lambda step: levels.setdefault(step.level, []).append(step.error))
+    assert np.isfinite(levels.pop(0)).all() and all(np.isinf(errors).all() for errors in levels.values())
+
+
 def test_what_a_callback_raises_comes_out() -> None:
     def fail(step: asp.Step) -> None:
         if step.iteration == 3:
