@@ -14,10 +14,10 @@ import pytest
 
 GUIDE = Path(__file__).parents[2] / "assets" / "guide"
 
-NEEDS = {".plot(": "matplotlib", ".to_pandas(": "pandas"}
+NEEDS = {".plot(": "matplotlib", ".to_pandas(": "pandas", "import tamaas": "tamaas", "import ContactMechanics": "ContactMechanics"}
 """What a program needs besides numpy, by the call that needs it."""
 
-WITHOUT_PROGRAMS = {"explorer", "how-it-works", "words"}
+WITHOUT_PROGRAMS = {"explorer", "gallery", "how-it-works", "words"}
 """Pages that show no task."""
 
 UNITS = {"nm": 1e-9, "µm": 1e-6, "mm": 1e-3, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "%": 1e-2}

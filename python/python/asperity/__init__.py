@@ -11,7 +11,7 @@
 - `Surface`, `Problem` and `Setup` describe a contact. A `Setup` is text that repeats it to the last bit.
 - `study` solves a setup with lists, in this process or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
 - `certify` checks a result of any other code, and `Recorder` each step of your own loop.
-- `theory` has closed forms. `show` displays contacts and recordings in a notebook.
+- `theory` has closed forms. `show` displays contacts and recordings in a notebook, `explore` opens the interactive page on a setup.
 
 Conventions: heights are positive towards the solid, pressure in compression, displacement into the solid. The gap is displacement minus
 height plus a datum. Wavenumbers are 2 pi / wavelength. Any consistent set of units works; texts such as "160 um" and "1 GPa" become metres and
@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from asperity import notebook
     from asperity._asperity import ListOfLoads, Load, Loads, OwnSolver, SolveOptions, Stiffness
     from asperity.notebook import show
+    from asperity.page import explore
     from asperity.studies import study
 
     Length = Union[float, str]
@@ -119,6 +120,7 @@ __all__ = [
     "Table",
     "Work",
     "certify",
+    "explore",
     "notebook",
     "observables",
     "show",
@@ -132,6 +134,8 @@ def __getattr__(name: str) -> Any:
     # modules that take long to import are imported when they are first used
     if name == "notebook":
         return import_module("asperity.notebook")
+    if name == "explore":
+        return import_module("asperity.page").explore
     if name == "show":
         return import_module("asperity.notebook").show
     if name == "study":
