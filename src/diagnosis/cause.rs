@@ -162,7 +162,10 @@ impl fmt::Display for Cause {
                 )
             }
             Self::Plateau { steps: [from, to], eta, end } => {
-                write!(f, "The certificate stayed at {eta:.1e} from step {from} to step {to}, until {end}.")
+                write!(
+                    f,
+                    "The certificate fell by less than a factor of 2 from step {from} to step {to}, where it was {eta:.1e}, until {end}."
+                )
             }
         }
     }
