@@ -1,9 +1,9 @@
 """The package as a whole: its types, its command line, its documentation, and what an import costs."""
 
 import inspect
-import re
 import subprocess
 import sys
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -20,20 +20,12 @@ def test_the_stubs_and_the_code_satisfy_a_type_checker() -> None:
     assert ran.returncode == 0, ran.stdout
 
 
-def test_the_stubs_name_what_there_is() -> None:
-    stubs = (Path(asp.__file__).parent / "_asperity.pyi").read_text()
-    from asperity import _asperity
-
-    for name, it in vars(_asperity).items():
-        if name.startswith("_") or not (inspect.isclass(it) or callable(it)):
-            continue
-        assert re.search(rf"^(class|def) {name}\b", stubs, re.M), name
-        if not inspect.isclass(it):
-            continue
-        body = re.split(r"^(?=class |def |@)", stubs.split(f"class {name}")[1], flags=re.M)[0]
-        for member in vars(it):
-            if not member.startswith("_"):
-                assert re.search(rf"def {member}\b", body), f"{name}.{member}"
+def test_the_stubs_agree_with_the_module() -> None:
+    for name in ["matplotlib", "mypy", "xarray"]:
+        pytest.importorskip(name)
+    options = ["--mypy-config-file", "pyproject.toml", "--allowlist", "tests/stubtest.txt", "--ignore-disjoint-bases", "--concise"]
+    ran = subprocess.run([sys.executable, "-m", "mypy.stubtest", "asperity", *options], cwd=HERE.parent, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
 
 
 def test_everything_is_documented() -> None:
@@ -53,6 +45,20 @@ def test_the_command_line_is_in_the_package(tmp_path: Path) -> None:
     assert said.stdout.startswith("asperity ")
     refused = subprocess.run([sys.executable, "-m", "asperity", "solve"], capture_output=True, text=True)
     assert refused.returncode == 2
+
+
+def test_the_distribution_says_what_it_is() -> None:
+    found = metadata.distribution("asperity-contact")
+    said = subprocess.run([sys.executable, "-m", "asperity", "--version"], capture_output=True, text=True).stdout
+    assert found.version == asp.__version__ == said.split()[1]
+    assert found.metadata["License-Expression"] == "MIT OR Apache-2.0"
+    licences = {file.name: file.read_text() for file in found.files or [] if "licenses" in file.parts}
+    assert set(licences) == {"LICENSE-APACHE", "LICENSE-MIT"} and all(len(text) > 1000 for text in licences.values())
+    classifiers = found.metadata.get_all("Classifier") or []
+    assert {"Intended Audience :: Science/Research", "Programming Language :: Python :: 3.10", "Typing :: Typed"} <= set(classifiers)
+    assert set(found.metadata.get_all("Provides-Extra") or []) == {"notebook", "study", "test"}
+    assert found.metadata["Requires-Python"] == ">=3.10"
+    assert [point.name for point in found.entry_points] == ["asperity"]
 
 
 def test_an_import_leaves_alone_what_takes_long(capsys: pytest.CaptureFixture[str]) -> None:

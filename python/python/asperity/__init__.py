@@ -141,7 +141,7 @@ def __getattr__(name: str) -> Any:
     if name == "study":
         return import_module("asperity.studies").study
     if name == "__version__":
-        return import_module("importlib.metadata").version("asperity")
+        return import_module("importlib.metadata").version("asperity-contact")
     raise AttributeError(f"module 'asperity' has no attribute {name!r}")
 
 

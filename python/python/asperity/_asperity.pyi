@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Generic, Iterable, Iterator, Literal, Mapping, Sequence, TypeAlias, TypedDict, overload
+from typing import Any, Callable, Generic, Iterable, Iterator, Literal, Mapping, Sequence, TypeAlias, TypedDict, final, overload, type_check_only
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +25,7 @@ Numbers: TypeAlias = Sequence[float] | NDArray[Any]
 Solved = TypeVar("Solved", bound=Contact | LoadCurve | History, default=Contact)
 """What a solve returns: a Contact under one load, a LoadCurve under a list of loads, a History along a path, of rolling or with adhesion."""
 
+@type_check_only
 class SolveOptions(TypedDict, total=False):
     """The keywords of Problem.solve."""
 
@@ -42,6 +43,7 @@ class SolveOptions(TypedDict, total=False):
     stream: Callable[[bytes], object] | None
     diagnose: bool
 
+@type_check_only
 class Load(TypedDict, total=False):
     """One load."""
 
@@ -51,6 +53,7 @@ class Load(TypedDict, total=False):
     force: float | str | None
     approach: Length | None
 
+@type_check_only
 class ListOfLoads(TypedDict, total=False):
     """Several loads of one kind."""
 
@@ -60,6 +63,7 @@ class ListOfLoads(TypedDict, total=False):
     force: Loads | None
     approach: Loads | None
 
+@type_check_only
 class Rest(TypedDict, total=False):
     """What a problem takes besides surface and load."""
 
@@ -70,20 +74,25 @@ class Rest(TypedDict, total=False):
     sliding: Keys | None
     record: Keys | None
 
+@type_check_only
 class OneLoad(Load, Rest, total=False): ...
+@type_check_only
 class SeveralLoads(ListOfLoads, Rest, total=False): ...
 
+@type_check_only
 class AlongPath(Load, Rest, total=False):
     """A history along a path of times and loads."""
 
     path: Required[Keys]
 
+@type_check_only
 class WithAdhesion(Load, Rest, total=False):
     """A contact with adhesion, under one load or along a path of loads."""
 
     adhesion: Required[Keys]
     path: Keys | None
 
+@type_check_only
 class WhileRolling(Load, Rest, total=False):
     """Steady rolling at some creepages or under some tangential loads."""
 
@@ -96,6 +105,7 @@ class NotConverged(AsperityError):
 
 class AsperityWarning(UserWarning): ...
 
+@type_check_only
 class Observable(TypedDict):
     name: str
     symbol: str
@@ -108,6 +118,7 @@ def threads() -> int: ...
 def free_memory() -> float | None: ...
 def observables() -> list[Observable]: ...
 
+@final
 class Certificate:
     def __new__(
         cls,
@@ -141,6 +152,7 @@ class Certificate:
     def rounding(self) -> float: ...
     def __float__(self) -> float: ...
 
+@final
 class Work:
     def __new__(cls, iterations: int, transforms: int, seconds: float) -> Work: ...
     @property
@@ -150,6 +162,7 @@ class Work:
     @property
     def seconds(self) -> float: ...
 
+@final
 class Surface:
     def __new__(
         cls,
@@ -158,7 +171,7 @@ class Surface:
         *,
         boundary: str | Sequence[str] | None = ...,
         datum: Length | None = None,
-        refine: int | None = None,
+        refine: int | None = 1,
     ) -> Surface: ...
     @staticmethod
     def read(
@@ -236,10 +249,13 @@ class Surface:
     @property
     def rank_map(self) -> dict[str, float] | None: ...
     def spectrum(self) -> tuple[Array, Array]: ...
-    def __add__(self, other: Surface) -> Surface: ...
+    def __add__(self, other: Surface, /) -> Surface: ...
     def to_xarray(self) -> Any: ...
     def plot(self) -> Any: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: object) -> Self: ...
 
+@final
 class Problem(Generic[Solved]):
     @overload
     def __new__(cls, surface: Surface, **keys: Unpack[OneLoad]) -> Problem[Contact]: ...
@@ -278,7 +294,10 @@ class Problem(Generic[Solved]):
     def rms_gradient(self) -> float: ...
     @property
     def mean_pressure(self) -> float | None: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: object) -> Self: ...
 
+@final
 class Setup:
     def __new__(
         cls,
@@ -312,13 +331,17 @@ class Setup:
     def surface(self) -> Surface: ...
     def problem(self) -> Problem: ...
     def solve(self, **options: Unpack[SolveOptions]) -> Contact: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: object) -> Self: ...
 
+@type_check_only
 class Expense(TypedDict):
     values: str
     realisations: int
     seconds: float
     bytes: float
 
+@final
 class Study:
     def __new__(
         cls,
@@ -328,6 +351,8 @@ class Study:
         load: Keys,
         solid: Keys | None = None,
         law: Keys | None = None,
+        adhesion: Keys | None = None,
+        path: Keys | None = None,
         solver: Keys | None = None,
         stop: Keys | None = None,
     ) -> Study: ...
@@ -344,10 +369,12 @@ class Study:
     def expenses(self) -> list[Expense]: ...
     def solve(self, realisations: Sequence[int], *, threads: int = 1, cancel: CancelToken | None = None) -> list[str]: ...
 
+@final
 class CancelToken:
     def __new__(cls) -> CancelToken: ...
     def cancel(self) -> None: ...
 
+@final
 class Ledger:
     def __new__(cls, study: Study, out: Path | None = None) -> Ledger: ...
     @property
@@ -358,6 +385,7 @@ class Ledger:
     def add(self, realisations: Sequence[int], rows: Sequence[str]) -> None: ...
     def finish(self) -> Table: ...
 
+@final
 class Batch:
     @property
     def realisations(self) -> list[int]: ...
@@ -366,17 +394,19 @@ class Batch:
     @property
     def bytes(self) -> float: ...
 
+@final
 class Table:
     @property
     def columns(self) -> list[str]: ...
     def keys(self) -> list[str]: ...
     def to_pandas(self) -> Any: ...
-    def __getitem__(self, name: str) -> NDArray[Any]: ...
-    def __contains__(self, name: object) -> bool: ...
+    def __getitem__(self, name: str, /) -> NDArray[Any]: ...
+    def __contains__(self, name: object, /) -> bool: ...
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
     def __arrow_c_stream__(self, requested_schema: object = None) -> object: ...
 
+@final
 class Step:
     @property
     def iteration(self) -> int: ...
@@ -407,6 +437,7 @@ class Step:
     @property
     def measures(self) -> dict[str, float]: ...
 
+@final
 class Contact:
     @property
     def pressure(self) -> Array: ...
@@ -467,7 +498,10 @@ class Contact:
     def save(self, path: Path) -> None: ...
     def to_xarray(self) -> Any: ...
     def plot(self) -> Any: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, _memo: object) -> Self: ...
 
+@final
 class PartialSlip:
     @property
     def coefficient(self) -> float: ...
@@ -486,6 +520,7 @@ class PartialSlip:
     @property
     def stick_contact(self) -> Contact: ...
 
+@final
 class LoadCurve:
     @property
     def loads(self) -> Array: ...
@@ -501,11 +536,12 @@ class LoadCurve:
     def plot(self) -> Any: ...
     def __len__(self) -> int: ...
     @overload
-    def __getitem__(self, index: int) -> Contact: ...
+    def __getitem__(self, index: int, /) -> Contact: ...
     @overload
-    def __getitem__(self, index: slice) -> tuple[Contact, ...]: ...
+    def __getitem__(self, index: slice, /) -> tuple[Contact, ...]: ...
     def __iter__(self) -> Iterator[Contact]: ...
 
+@final
 class History:
     @property
     def process(self) -> str: ...
@@ -531,11 +567,12 @@ class History:
     def to_pandas(self) -> Any: ...
     def __len__(self) -> int: ...
     @overload
-    def __getitem__(self, index: int) -> Contact: ...
+    def __getitem__(self, index: int, /) -> Contact: ...
     @overload
-    def __getitem__(self, index: slice) -> tuple[Contact, ...]: ...
+    def __getitem__(self, index: slice, /) -> tuple[Contact, ...]: ...
     def __iter__(self) -> Iterator[Contact]: ...
 
+@final
 class Certification:
     @property
     def holds(self) -> bool: ...
@@ -549,6 +586,7 @@ class Certification:
     def assessment(self) -> dict[str, Any] | None: ...
     def __bool__(self) -> bool: ...
 
+@final
 class Recorder:
     def __new__(
         cls,
@@ -572,6 +610,7 @@ class Recorder:
     @property
     def diagnosis(self) -> str: ...
 
+@final
 class PowerLaw:
     def __new__(
         cls, geometry: Literal["line", "point"], coefficient: float, exponent: float, contact_modulus: float = 1.0
@@ -598,6 +637,7 @@ class PowerLaw:
 def sphere(radius: float, contact_modulus: float = 1.0) -> PowerLaw: ...
 def cylinder(radius: float, contact_modulus: float = 1.0) -> PowerLaw: ...
 
+@final
 class Westergaard:
     def __new__(cls, amplitude: float, period: float, contact_modulus: float = 1.0) -> Westergaard: ...
     @property
