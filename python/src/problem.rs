@@ -18,14 +18,15 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 /// A rigid surface pressed on an elastic solid.
 ///
 /// Problem(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None,
-/// mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
+/// flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
 /// reduced pressure, which is the mean pressure divided by rms gradient and contact modulus; a mean gap, a length; a force, which is a force per
 /// length of a line; or an approach, a length. A list of loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
 /// each, or two for two bodies), and for a layer its thickness as layer, and base. `law` is a dictionary with a hardness. `friction` is a
 /// dictionary with a coefficient and a tangential load. `adhesion` is a dictionary with work, range, form and method, or with a table.
 /// `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.
 /// `path` holds time, load and tangential, lists of one length; `sliding` a speed or several; `rolling` a creepage or a tangential load, or
-/// several: with these, but for a single speed, solve() returns a History. `record` holds the keys of the section `record` of a scene.
+/// several: with these, but for a single speed, solve() returns a History. A path may be a file, too, a table with the columns time, load and tangential.
+/// `flow` is a dictionary with leakage (true), and resistivity or conductivity (a number for both bodies, or two). `record` holds the keys of the section `record` of a scene.
 #[pyclass(frozen, module = "asperity")]
 pub struct Problem {
     /// The problem under its load, or under the largest load of a list.
@@ -33,6 +34,12 @@ pub struct Problem {
     pub surface: Arc<asperity::Surface>,
     pub setup: Setup,
     pub rank: usize,
+}
+
+impl PartialEq for Problem {
+    fn eq(&self, other: &Self) -> bool {
+        self.rank == other.rank && self.setup == other.setup && self.surface == other.surface
+    }
 }
 
 impl Problem {
@@ -60,7 +67,7 @@ impl Problem {
     fn py_surface(&self) -> Surface {
         let mut sections = self.setup.sections();
         sections.retain(|key, _| key == "surface" || key == "grid");
-        Surface { surface: self.surface.clone(), sections, rank: self.rank }
+        Surface::of(self.surface.clone(), sections, self.rank)
     }
 }
 
@@ -72,7 +79,12 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
             "solid" if value.is_number() || value.is_string() => {
                 described.insert(key, json!({ "contact-modulus": value }));
             }
-            "solid" | "law" | "friction" | "adhesion" | "viscoelastic" | "path" | "sliding" | "rolling" | "record" => {
+            // the path of a table
+            "path" if value.is_string() => {
+                described.insert(key, json!({ "file": value }));
+            }
+            "solid" | "law" | "friction" | "adhesion" | "viscoelastic" | "path" | "sliding" | "rolling" | "flow"
+            | "record" => {
                 described.insert(key, value);
             }
             load if LOADS.contains(&load) => {
@@ -90,7 +102,7 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
 #[pymethods]
 impl Problem {
     #[new]
-    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
+    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
     fn py_new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::new(py, &surface.surface, Setup::from_sections(&described(surface, keys)?)?, surface.rank)
     }
@@ -152,7 +164,7 @@ impl Problem {
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        self.rank == other.rank && self.setup == other.setup && self.surface == other.surface
+        self == other
     }
 
     fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {

@@ -132,7 +132,7 @@ impl Recorder {
         let Plan { surface, setup, rank, .. } = &*self.plan;
         let (surface, setup, findings) = (surface.clone(), setup.clone(), findings.to_string());
         let diagnosis = Some(findings.clone());
-        let contact = Contact { contact, surface, setup, rank: *rank, diagnosis, slip: None };
+        let contact = Contact { diagnosis, ..Contact::new(contact, surface, setup, *rank) };
         self.state().finished = Some(Finished { contact: Py::new(py, contact)?, distances, findings });
         streamed
     }

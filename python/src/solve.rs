@@ -10,13 +10,14 @@ use crate::setup::Setup;
 use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
-use asperity::contact::{Load, Observer, Status};
+use asperity::contact::{Load, Observables, Observer, Status};
 use asperity::error::{HistoryError, StudyError};
-use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
+use asperity::job::{CurveRecording, HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::{self, Cost};
 use asperity::study;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::path::PathBuf;
 
 /// Fields of a recording or a result in memory, besides those of a solver.
 const FIELDS: f64 = 4.0;
@@ -110,7 +111,7 @@ impl Solve<'_> {
         let Solved { setup, contact, slip, .. } = solved;
         let surface = contact.problem.surface().clone();
         let diagnosis = diagnosis.map(|findings| findings.to_string());
-        Ok(Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip })
+        Ok(Contact { diagnosis, slip, ..Contact::new(contact, surface, setup, self.problem.rank) })
     }
 
     /// The job that the keywords ask for.
@@ -173,7 +174,7 @@ impl Solve<'_> {
     fn under_its_load(&self, contact: asperity::Contact) -> Contact {
         let setup = setup::Setup { load: contact.problem.load(), ..self.setup.setup.clone() };
         let Problem { surface, rank, .. } = self.problem;
-        Contact { contact, surface: surface.clone(), setup, rank: *rank, diagnosis: None, slip: None }
+        Contact::new(contact, surface.clone(), setup, *rank)
     }
 
     /// Does some work in the background, shows its steps to the callback and passes on its recording.
@@ -210,18 +211,27 @@ impl Solve<'_> {
     /// The contacts under one load after the other, up to the one at which the callback ends the run.
     fn pressed(&self, loads: &[Load], steps: &mut StepSender) -> Result<Vec<asperity::Contact>, BoxedError> {
         let curve = study::LoadCurve { setup: self.setup.setup.clone(), loads: loads.to_vec() };
+        let create = |path: &PathBuf| CurveRecording::create(path, &curve, &self.problem.problem);
+        let mut recording = self.options.sink.path.as_ref().map(create).transpose()?;
         let mut contacts = Vec::with_capacity(loads.len());
         let ended = curve.press(
             &self.problem.problem,
             |_| steps.clone(),
-            |_, contact| {
+            |load, contact| {
+                if let Some(recording) = &recording {
+                    let added = recording.add(load, contact, &Observables::new(contact));
+                    added.map_err(StudyError::from)?;
+                }
                 contacts.push(contact.clone());
                 if contact.status == Status::StoppedByObserver { Err(Ended::ByCallback) } else { Ok(()) }
             },
         );
         match ended {
             Err(Ended::By(error)) => Err(error.into()),
-            Ok(()) | Err(Ended::ByCallback) => Ok(contacts),
+            Ok(()) | Err(Ended::ByCallback) => {
+                recording.take().map_or(Ok(()), CurveRecording::finish)?;
+                Ok(contacts)
+            }
         }
     }
 }
