@@ -84,7 +84,9 @@ impl SolveOptions {
         let is_several = setup.loads.is_some() || setup.setup.is_history().map_err(py_error)?;
         if let Some(part) = setup.setup.record.what.iter().find(|part| is_several && Part::OF_A_RUN.contains(part)) {
             let part = part.name();
-            return bail(format!("the recording part {part} shows the steps of one solve, but there are several: leave it out"));
+            return bail(format!(
+                "the recording part {part} shows the steps of one solve, but there are several: leave it out"
+            ));
         }
         match only_once.iter().find(|(_, is_given)| *is_given) {
             Some((what, _)) if setup.loads.is_some() => {

@@ -54,11 +54,12 @@ impl Surface {
     fn _from_parts(
         height: ArrayLike<'_>,
         mean_height: f64,
-        (size, periodic): ([f64; 2], [bool; 2]),
-        (seed, plateaus, preparation): (Option<u64>, Option<PlateausParts>, Vec<String>),
+        cell: ([f64; 2], [bool; 2]),
+        made: (Option<u64>, Option<PlateausParts>, Vec<String>),
         sections: &str,
         rank: usize,
     ) -> PyResult<Self> {
+        let ((size, periodic), (seed, plateaus, preparation)) = (cell, made);
         let field = field(&height)?;
         let [ny, nx] = field.dim().into();
         let grid = if ny == 1 { Grid::line(nx, size[1]) } else { Grid::surface([ny, nx], size) };

@@ -91,7 +91,7 @@ def test_histories_slips_and_certifications_come_back() -> None:
     cycle = asp.solve(
         rough, solid=1.0, mean_pressure=2e-3, friction={"coefficient": 0.5}, path={"tangential": [5e-4, -5e-4, 5e-4, -5e-4, 5e-4]}
     )
-    sine = asp.Surface.indenter("sine", 128, "20 um", amplitude="1 um")
+    sine = asp.Surface.indenter("sine", 512, "20 um", amplitude="1 um")
     sticky = asp.solve(
         sine, solid="1 MPa", mean_pressure=0.0, path={"load": ["0 Pa", "-20 kPa"], "steps": 8}, adhesion={"work": "10 mJ/m^2", "range": "80 nm"}
     )

@@ -64,7 +64,7 @@ def test_notebooks_show_a_picture_and_the_main_numbers() -> None:
 
 
 def test_a_loop_with_jumps_is_drawn() -> None:
-    sine = asp.Surface.indenter(shape="sine", points=256, size="20 um", amplitude="1 um")
+    sine = asp.Surface.indenter(shape="sine", points=512, size="20 um", amplitude="1 um")
     loop = asp.solve(
         sine, solid="1 MPa", mean_gap="1 um", path={"load": ["1.6 um", "0.4 um", "1.6 um"], "steps": 8}, adhesion={"work": 0.01, "range": 80e-9}
     )

@@ -9,6 +9,9 @@ use asperity::setup::ProcessChart;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
 
+/// Ends of a curve that are closer than this, over the distance of its extreme values, are the same.
+const CLOSED: f64 = 1e-6;
+
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
 pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
     let states: Vec<&HistoryState> = outcome.states.iter().filter(|it| it.claim != ResultClaim::Moving).collect();
@@ -36,7 +39,7 @@ fn panel(chart: ProcessChart, states: &[&HistoryState]) -> Panel {
     };
     let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
     let mut panel = Panel::new(format!("{} against {}", y.0, x.0), axis(&x, chart.is_logarithmic), axis(&y, false));
-    let is_loop = states.iter().any(|state| state.numbers.residual.is_some());
+    let is_loop = is_closed(&x.1) || is_closed(&y.1);
     if is_loop && chart.y == "mean_pressure" {
         panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());
     }
@@ -45,6 +48,13 @@ fn panel(chart: ProcessChart, states: &[&HistoryState]) -> Panel {
         panel.add("", Colour::BLACK, Mark::Arrow, [dots[jump - 1], dots[jump]]);
     }
     panel
+}
+
+/// Whether the finite values of a curve end where they have begun, and were elsewhere between.
+fn is_closed(values: &[f64]) -> bool {
+    let finite: Vec<f64> = values.iter().copied().filter(|it| it.is_finite()).collect();
+    let [low, high] = range(&finite);
+    matches!(finite.as_slice(), [first, .., last] if (last - first).abs() <= CLOSED * (high - low))
 }
 
 /// The least and the largest finite value, with zero beside values that are all the same.

@@ -76,22 +76,27 @@ def plot_history(history: History) -> Figure:
     numbers: dict[str, Any] = {name: values[still] for name, values in history.numbers.items()}
     numbers["state"] = 1.0 + np.arange(still.sum())
     apart = claims[still] == "separated"
-    # jumps of other states than the first one
-    jumps = np.flatnonzero(np.isfinite(numbers["jump"][1:])) + 1 if "jump" in numbers else []
+    jumps = np.flatnonzero(np.isfinite(numbers.get("jump", np.full(still.sum(), np.nan))))
     for axes, ((x, y), (xlabel, ylabel), is_logarithmic) in zip(figure.subplots(1, 2), history._charts()):
         missing = np.full(still.sum(), np.nan)
         across, up = (np.where(apart, np.nan, numbers.get(name, missing)) for name in (x, y))
         (line,) = axes.plot(across, up, marker=".")
-        if history.process == "adhesion" and y == "mean_pressure":
+        if y == "mean_pressure" and (_is_closed(across[~apart]) or _is_closed(up[~apart])):
             axes.fill(across[~apart], up[~apart], color=line.get_color(), alpha=0.15)
         for jump in jumps:
-            ends = [(across[at], up[at]) for at in (jump - 1, jump)]
+            ends = [(across[at], up[at]) for at in (max(jump - 1, 0), jump)]
             if np.isfinite(ends).all():
                 axes.annotate("", ends[1], ends[0], arrowprops={"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0})
         axes.set(xlabel=xlabel, ylabel=ylabel, xscale="log" if is_logarithmic else "linear")
         if not is_logarithmic:
             axes.ticklabel_format(scilimits=(-3, 4))
+            axes.locator_params(axis="x", nbins=5)
     return figure
+
+
+def _is_closed(values: Any) -> bool:
+    """Whether a curve ends where it has begun, and was elsewhere between."""
+    return len(values) > 2 and bool(abs(values[-1] - values[0]) <= 1e-6 * np.ptp(values))
 
 
 def contact_as_html(contact: Contact) -> str:
