@@ -76,15 +76,15 @@ def plot_history(history: History) -> Figure:
     numbers: dict[str, Any] = {name: values[still] for name, values in history.numbers.items()}
     numbers["state"] = 1.0 + np.arange(still.sum())
     apart = claims[still] == "separated"
-    jumps = np.flatnonzero(np.isfinite(numbers.get("jump", np.full(still.sum(), np.nan))))
+    jumps: Any = np.flatnonzero(np.isfinite(numbers.get("jump", np.full(still.sum(), np.nan))))
     for axes, ((x, y), (xlabel, ylabel), is_logarithmic) in zip(figure.subplots(1, 2), history._charts()):
         missing = np.full(still.sum(), np.nan)
         across, up = (np.where(apart, np.nan, numbers.get(name, missing)) for name in (x, y))
         (line,) = axes.plot(across, up, marker=".")
         if y == "mean_pressure" and (_is_closed(across[~apart]) or _is_closed(up[~apart])):
             axes.fill(across[~apart], up[~apart], color=line.get_color(), alpha=0.15)
-        for jump in jumps:
-            ends = [(across[at], up[at]) for at in (max(jump - 1, 0), jump)]
+        for jump in jumps[jumps > 0]:
+            ends = [(across[at], up[at]) for at in (jump - 1, jump)]
             if np.isfinite(ends).all():
                 axes.annotate("", ends[1], ends[0], arrowprops={"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0})
         axes.set(xlabel=xlabel, ylabel=ylabel, xscale="log" if is_logarithmic else "linear")
