@@ -3,9 +3,9 @@
 use crate::arrays::{owned, vector, view};
 use crate::certificate::{Certificate, Work};
 use crate::error::{NotConverged, bail};
-use crate::measures::StateNumbers;
 use crate::problem::Problem;
 use crate::setup::Setup;
+use crate::state_numbers::StateNumbers;
 use asperity::contact::{self, Distribution, PartialSlip, Patch};
 use asperity::setup;
 use asperity::study::FlowRow;

@@ -6,6 +6,7 @@ use crate::error::{bail, py_error};
 use crate::history::History;
 use crate::history_parts::named;
 use crate::load_curve::LoadCurve;
+use crate::prepared_array::sections_of_array;
 use crate::saved::SavedArrays;
 use crate::setup::Setup;
 use crate::surface::Surface;
@@ -54,10 +55,10 @@ fn surface(py: Python<'_>, saved: &SavedArrays, setup: &Setup) -> PyResult<Surfa
         if made.grid().shape()[2 - rank..] != shape {
             return bail(format!("the heights in {} do not have the shape of those of its setup", saved.name()));
         }
-        return Ok(Surface::of(made.into(), Sections::new(), rank));
+        return Ok(Surface::from_surface(made.into(), Sections::new(), rank));
     }
     let size: Vec<f64> = saved.array("size")?.into_iter().collect();
-    let mut sections = Surface::sections_of_array(Sections::new());
+    let mut sections = sections_of_array(Sections::new());
     let grid = section_mut(&mut sections, "grid");
     grid.insert("points".into(), json!(shape));
     grid.insert("size".into(), json!(size));
@@ -71,7 +72,7 @@ fn surface(py: Python<'_>, saved: &SavedArrays, setup: &Setup) -> PyResult<Surfa
     let grid = cell.grid().map_err(py_error)?;
     let height = saved.fields("height", shape.len(), 1)?.swap_remove(0);
     let surface = py.detach(|| asperity::Surface::new(grid, height)).map_err(py_error)?;
-    Ok(Surface::of(surface.into(), sections, shape.len()))
+    Ok(Surface::from_surface(surface.into(), sections, shape.len()))
 }
 
 /// A result in a file, with its setup and its surface.

@@ -5,7 +5,7 @@ use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use asperity::contact::{OBSERVABLES, State};
 use asperity::error::FlowError;
-use asperity::history::{HISTORY_QUANTITIES, HistoryState};
+use asperity::history::HISTORY_QUANTITIES;
 use asperity::setup::ProcessKind;
 use asperity::study::{FLOW_COLUMNS, FlowColumn, FlowRow};
 use numpy::PyArray1;
@@ -18,10 +18,6 @@ pub enum Measure {
     Number(f64),
     Truth(bool),
 }
-
-/// The numbers of a state of a history, one for each of [`HISTORY_QUANTITIES`]; none where the state has no such number.
-#[derive(Clone)]
-pub struct StateNumbers(pub Vec<Option<f64>>);
 
 /// Observables that hold for a solid with a memory and for surfaces with an attraction, too. The others are computed with the modulus of an
 /// elastic solid, or from edges at which the pressure is that of an elastic solid.
@@ -39,28 +35,6 @@ const OF_ALL_PROCESSES: [&str; 12] = [
     "nodes_per_patch",
     "iterations",
 ];
-
-impl From<&HistoryState> for StateNumbers {
-    fn from(state: &HistoryState) -> Self {
-        Self(HISTORY_QUANTITIES.iter().map(|it| (it.value)(state)).collect())
-    }
-}
-
-impl PartialEq for StateNumbers {
-    /// Whether all numbers are the same to the last bit, so that a number that is not a number is the same as another one.
-    fn eq(&self, other: &Self) -> bool {
-        let bits = |it: &Self| -> Vec<_> { it.0.iter().map(|number| number.map(f64::to_bits)).collect() };
-        bits(self) == bits(other)
-    }
-}
-
-impl StateNumbers {
-    /// The number of a name, if the state has it.
-    pub fn find(&self, name: &str) -> Option<f64> {
-        let place = HISTORY_QUANTITIES.iter().position(|it| it.name == name)?;
-        self.0.get(place).copied().flatten()
-    }
-}
 
 impl Contact {
     /// The process of the history of which the contact is a state, if it is one.

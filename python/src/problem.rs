@@ -67,7 +67,7 @@ impl Problem {
     fn py_surface(&self) -> Surface {
         let mut sections = self.setup.sections();
         sections.retain(|key, _| key == "surface" || key == "grid");
-        Surface::of(self.surface.clone(), sections, self.rank)
+        Surface::from_surface(self.surface.clone(), sections, self.rank)
     }
 }
 

@@ -135,7 +135,7 @@ impl Setup {
         }
         let surface = py.detach(|| self.setup.surface()).map_err(py_error)?;
         let rank = self.setup.surface.rank(&self.setup.grid).map_err(py_error)?;
-        Ok(Surface::of(surface.into(), sections, rank))
+        Ok(Surface::from_surface(surface.into(), sections, rank))
     }
 
     fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {

@@ -6,19 +6,13 @@ use crate::conversion::{
 };
 use crate::error::{bail, py_error};
 use crate::fork;
-use crate::surface_prepared::prepared_array;
+use crate::prepared_array::{ARRAY, FIELDS, PreparedArray, sections_of_array};
 use asperity::setup::Cost;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::{Value, json};
 use std::sync::Arc;
-
-/// The name of the height file in the setup of a surface that was given as an array.
-const ARRAY: &str = "array.npy";
-
-/// Fields in memory while a surface is made.
-pub const FIELDS: f64 = 4.0;
 
 /// Keys of the section `grid`; all others belong to the section `surface`.
 const GRID_KEYS: [&str; 5] = ["points", "size", "boundary", "datum", "refine"];
@@ -42,7 +36,7 @@ pub struct Surface {
 
 impl Surface {
     /// A surface that some sections describe, with arrays of some rank.
-    pub fn of(surface: Arc<asperity::Surface>, sections: Sections, rank: usize) -> Self {
+    pub fn from_surface(surface: Arc<asperity::Surface>, sections: Sections, rank: usize) -> Self {
         Self { surface, sections, rank, preparation: Vec::new() }
     }
 
@@ -59,7 +53,7 @@ impl Surface {
         for file in recipe.files().filter(|_| !recipe.prepare.is_none()) {
             preparation.extend(recipe.prepared(file, &grid).map_err(py_error)?.effects);
         }
-        Ok(Self { preparation, ..Self::of(surface.into(), sections, rank) })
+        Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 
     /// The surface of some keywords, of which those that are not of the grid belong below `place`.
@@ -84,14 +78,6 @@ impl Surface {
         Self::made(py, made)
     }
 
-    /// The sections of a surface that is an array on a grid.
-    pub fn sections_of_array(grid: Sections) -> Sections {
-        let mut sections = Sections::new();
-        section_mut(&mut sections, "surface").insert("height".into(), ARRAY.into());
-        sections.insert("grid".into(), Value::Object(grid));
-        sections
-    }
-
     /// Whether the heights were given as an array, so that no file or recipe makes them.
     pub fn is_array(sections: &Sections) -> bool {
         sections.get("surface").and_then(|it| it.get("height")).is_some_and(|height| height == ARRAY)
@@ -105,7 +91,8 @@ impl Surface {
     fn new(height: ArrayLike<'_>, size: Bound<'_, PyAny>, grid: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut grid = sections_from_keywords(grid)?;
         grid.insert("size".into(), value_from_py(&size, "size")?);
-        prepared_array(&height, grid)
+        let PreparedArray { surface, sections, rank, preparation } = PreparedArray::new(&height, grid)?;
+        Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 
     /// The surface in a file of heights: a file of an instrument, .npy, .npz or text.
@@ -214,8 +201,8 @@ impl Surface {
         let mut grid = self.sections.get("grid").and_then(Value::as_object).cloned().unwrap_or_default();
         grid.remove("points");
         grid.insert("size".into(), json!(self.surface.grid().size()[2 - self.rank..]));
-        let sections = Self::sections_of_array(grid);
-        Ok(Self::of(self.surface.plus(&other.surface).into(), sections, self.rank))
+        let sections = sections_of_array(grid);
+        Ok(Self::from_surface(self.surface.plus(&other.surface).into(), sections, self.rank))
     }
 
     fn __repr__(&self) -> String {

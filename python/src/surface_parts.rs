@@ -67,6 +67,6 @@ impl Surface {
         let plateaus = plateaus.map(|(shape, factor, nodes)| Plateaus { shape, factor, nodes: nodes.into() });
         let surface = asperity::Surface::from_parts(grid, field, mean_height, seed, plateaus).map_err(py_error)?;
         let sections = serde_json::from_str(sections).map_err(py_error)?;
-        Ok(Self { preparation, ..Self::of(surface.into(), sections, rank) })
+        Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 }

@@ -206,7 +206,8 @@ def solve(
         file of heights.
     size: length of the cell, or the lengths along y and x. It is not needed where a file contains it.
     mean_pressure, reduced_pressure (mean pressure divided by rms gradient and contact modulus), mean_gap, force (of a line: force per length),
-        approach: the load, one of them. A list of loads returns a LoadCurve; each solve starts from the previous contact.
+        approach: the load, one of them. A list of loads, or a range such as "1e-3..1e-1:5", returns a LoadCurve; each solve starts from the
+        previous contact.
     boundary: "periodic" (the cell repeats) or "free" (no pressure outside the cell), or one for each axis.
     datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
     prepare: "auto" prepares measured heights as they need it, or a dictionary of steps, as of Surface.read.
@@ -299,11 +300,13 @@ def certify(
     datum: Length | None = None,
     solid: Pressure | Keys | None = None,
     law: Keys | None = None,
+    tolerance: float | None = None,
 ) -> Certification:
     """Certifies a result of another code: bounds its error, and recognises common mistakes.
 
     The result is one of pressure (positive in compression), gap and displacement (lengths), of the shape of the heights. Without a load, the
-    mean of the pressure or of the gap is the load. The other keywords are those of `solve`.
+    mean of the pressure or of the gap is the load. The result holds if its certificate meets the tolerance (1e-8). The other keywords are those of
+    `solve`.
     """
     loads = (mean_pressure, reduced_pressure, mean_gap, force, approach)
     if all(load is None for load in loads):
@@ -319,7 +322,7 @@ def certify(
         force=force,
         approach=approach,
     )
-    return problem.certify(pressure=pressure, gap=gap, displacement=displacement)
+    return problem.certify(pressure=pressure, gap=gap, displacement=displacement, tolerance=tolerance)
 
 
 def _surface(

@@ -271,6 +271,7 @@ class Problem(Generic[Solved]):
         pressure: ArrayLike | None = None,
         gap: ArrayLike | None = None,
         displacement: ArrayLike | None = None,
+        tolerance: float | None = None,
     ) -> Certification: ...
     @property
     def surface(self) -> Surface: ...
@@ -583,7 +584,7 @@ class Recorder:
         *,
         name: str = "mine",
         quantity: Literal["pressure", "gap", "displacement"] = "pressure",
-        reference: bool = True,
+        reference: bool | ArrayLike = True,
         live: bool = False,
         stream: Callable[[bytes], object] | None = None,
         recording: Keys | None = None,

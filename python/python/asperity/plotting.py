@@ -37,7 +37,7 @@ def plot_surface(surface: Surface) -> Figure:
 
 
 def plot_contact(contact: Contact) -> Figure:
-    """Surfaces and pressure of a line, or maps of pressure and gap of a surface."""
+    """Surfaces, pressure and traction of a line, or maps of pressure and gap of a surface."""
     figure = _figure(9, 4)
     left, right = figure.subplots(1, 2)
     if contact.pressure.ndim == 1:
@@ -48,8 +48,11 @@ def plot_contact(contact: Contact) -> Figure:
         left.plot(x, -displacement, label="solid")
         left.set(xlabel="x", ylabel="z", title="surfaces")
         left.legend()
-        right.plot(x, contact.pressure[near])
+        right.plot(x, contact.pressure[near], label="pressure")
         right.set(xlabel="x", ylabel="pressure", title="pressure")
+        if slip := contact.slip:
+            right.plot(x, slip.traction[near], label="traction")
+            right.legend()
         return figure
     size = contact.problem.surface.size
     _map(left, contact.pressure, size, "pressure")
