@@ -31,6 +31,8 @@ pub struct Contact {
     pub slip: Option<PartialSlip>,
     /// The numbers of the state of a history that the contact is, if it is one.
     pub state: Option<StateNumbers>,
+    /// The steps of the preparation of the heights.
+    pub preparation: Arc<[String]>,
     /// What flows through the contact, after it was found.
     pub flow: OnceLock<FlowRow>,
 }
@@ -44,7 +46,8 @@ type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 impl Contact {
     /// A contact on a surface, of a setup, with arrays of some rank.
     pub fn new(contact: asperity::Contact, surface: Arc<asperity::Surface>, setup: setup::Setup, rank: usize) -> Self {
-        Self { contact, surface, setup, rank, diagnosis: None, slip: None, state: None, flow: OnceLock::new() }
+        let (preparation, flow) = (Arc::default(), OnceLock::new());
+        Self { contact, surface, setup, rank, diagnosis: None, slip: None, state: None, preparation, flow }
     }
 
     fn field<'py>(slf: Bound<'py, Self>, of: fn(&asperity::Contact) -> &Field) -> Bound<'py, PyArrayDyn<f64>> {
@@ -78,7 +81,8 @@ impl Contact {
     /// The problem as an object of Python.
     pub fn py_problem(&self) -> Problem {
         let (problem, surface) = (self.contact.problem.clone(), self.surface.clone());
-        Problem { problem, surface, setup: Setup::new(self.setup.clone()), rank: self.rank }
+        let (setup, preparation) = (Setup::new(self.setup.clone()), self.preparation.clone());
+        Problem { problem, surface, setup, rank: self.rank, preparation }
     }
 }
 

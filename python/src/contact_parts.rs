@@ -104,7 +104,8 @@ impl Contact {
                 edges,
                 edges_of_shape,
             });
-        let Problem { problem, surface, setup, rank } = problem;
+        let Problem { problem, surface, setup, rank, preparation } = problem;
+        let preparation = preparation.clone();
         // the load of a state is not that of its history; a state without a load keeps the one of the problem
         let of_state =
             state.as_ref().and_then(|(_, load)| problem.clone().with_load(serde_json::from_str(load).ok()?).ok());
@@ -123,6 +124,12 @@ impl Contact {
             stuck: stick.get().contact.clone(),
         });
         let state = state.map(|(numbers, _)| StateNumbers(numbers));
-        Ok(Self { diagnosis, slip, state, ..Self::new(contact, surface.clone(), setup.setup.clone(), *rank) })
+        Ok(Self {
+            diagnosis,
+            slip,
+            state,
+            preparation,
+            ..Self::new(contact, surface.clone(), setup.setup.clone(), *rank)
+        })
     }
 }

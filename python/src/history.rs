@@ -5,6 +5,7 @@ use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::to_python;
 use crate::error::{BoxedError, bail, py_error};
+use crate::problem::Problem;
 use crate::setup::Setup;
 use asperity::files::{check_named, write_beside};
 use asperity::history::{HISTORY_QUANTITIES, HistoryField, HistoryState, HistoryUnit, archive_of_history};
@@ -33,16 +34,12 @@ pub struct History {
 
 impl History {
     /// The history that was followed from a setup.
-    pub fn new(
-        py: Python<'_>,
-        outcome: HistoryOutcome,
-        surface: &Arc<asperity::Surface>,
-        setup: Setup,
-        rank: usize,
-    ) -> PyResult<Self> {
+    pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Self> {
+        let Problem { surface, rank, preparation, .. } = problem;
+        let rank = *rank;
         let contact = |state: &HistoryState| {
             let contact = Contact::new(state.contact.clone(), surface.clone(), setup.setup.clone(), rank);
-            Py::new(py, Contact { state: Some(state.into()), ..contact })
+            Py::new(py, Contact { state: Some(state.into()), preparation: preparation.clone(), ..contact })
         };
         let contacts = outcome.states.iter().map(contact).collect::<PyResult<Vec<_>>>()?;
         Ok(Self { outcome: Arc::new(outcome), contacts: PyTuple::new(py, contacts)?.unbind(), setup, rank })

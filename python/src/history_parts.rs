@@ -54,6 +54,7 @@ impl History {
             surface: contact.surface.clone(),
             setup: it.setup.clone(),
             rank: it.rank,
+            preparation: contact.preparation.clone(),
         };
         let fields = |state: &HistoryState| {
             let named = state.fields.iter();

@@ -7,20 +7,25 @@ use crate::history::History;
 use crate::history_parts::named;
 use crate::load_curve::LoadCurve;
 use crate::prepared_array::sections_of_array;
-use crate::saved::SavedArrays;
+use crate::saved::{SavedArrays, SavedContact, of_pressure};
 use crate::setup::Setup;
 use crate::surface::Surface;
 use crate::warnings::warn_sentence;
 use asperity::contact::{Friction, Load, PartialSlip, ResultClaim};
+use asperity::error::SurfaceError;
 use asperity::history::{HISTORY_QUANTITIES, HistoryField, HistoryState};
 use asperity::job::HistoryOutcome;
 use asperity::study::{self, Loading};
-use asperity::{Problem, setup};
+use asperity::surface::{Field, Plateaus};
+use asperity::{Grid, Problem, setup};
 use numpy::ndarray::Axis;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// Heights that differ by less than this, over the largest one, are the same.
+const SAME_HEIGHT: f64 = 1e-12;
 
 /// Reads a saved result (.npz) again: a Contact, a LoadCurve or a History, of this package or of the command line.
 ///
@@ -71,8 +76,30 @@ fn surface(py: Python<'_>, saved: &SavedArrays, setup: &Setup) -> PyResult<Surfa
     let (_, cell) = table_from_sections(&sections)?.surface().map_err(py_error)?;
     let grid = cell.grid().map_err(py_error)?;
     let height = saved.fields("height", shape.len(), 1)?.swap_remove(0);
-    let surface = py.detach(|| asperity::Surface::new(grid, height)).map_err(py_error)?;
+    let surface = py.detach(|| {
+        let plateaus = plateaus(&grid, &height, of.grid.refine())?;
+        let plain = asperity::Surface::new(grid, height)?;
+        asperity::Surface::from_parts(grid, plain.height().clone(), plain.mean_height(), None, plateaus)
+    });
+    let surface = surface.map_err(py_error)?;
     Ok(Surface::from_surface(surface.into(), sections, shape.len()))
+}
+
+/// The plateaus of heights that interpolate those of every `factor`-th node, which say what the grid is worth; none if these are other heights.
+fn plateaus(grid: &Grid, height: &Field, factor: usize) -> Result<Option<Plateaus>, SurfaceError> {
+    let every = grid.shape().map(|points| if points == 1 { 1 } else { factor });
+    let [ny, nx] = [0, 1].map(|axis| grid.shape()[axis] / every[axis]);
+    if factor < 2 || [ny * every[0], nx * every[1]] != grid.shape() {
+        return Ok(None);
+    }
+    let largest = height.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+    // heights that were equal differ by rounding after the interpolation
+    let step = SAME_HEIGHT * largest;
+    let at = |(y, x)| (height[[every[0] * y, every[1] * x]] / step).round() * step;
+    let coarse = Field::from_shape_fn([ny, nx], at);
+    let surface = asperity::Surface::new(grid.with_shape([ny, nx])?, coarse)?.refined(factor)?;
+    let is_same = surface.heights_as_given().iter().zip(height).all(|(one, two)| (one - two).abs() <= 100.0 * step);
+    Ok(surface.plateaus().cloned().filter(|_| is_same))
 }
 
 /// A result in a file, with its setup and its surface.
@@ -89,7 +116,7 @@ impl SavedResult {
         let setup = &self.setup.setup;
         let problem = setup.problem_of(self.surface.clone()).map_err(py_error)?;
         let contacts = self.saved.contacts(self.rank, 1, self.surface.grid())?;
-        let certified = |it: &crate::saved::SavedContact| it.certified(&problem, &setup.stop);
+        let certified = |it: &SavedContact| it.certified(&problem, &setup.stop);
         let (contact, doubt) = py.detach(|| certified(&contacts[0])).map_err(py_error)?;
         self.warn(py, doubt.iter())?;
         let slip = setup.friction.map(|friction| self.slip(py, &contact, friction)).transpose()?.flatten();
@@ -106,8 +133,7 @@ impl SavedResult {
         let ratio = friction.ratio(load).map_err(py_error)?;
         let lighter = pressed.problem.clone().with_load(load.with_value(load.value() * (1.0 - ratio)));
         let lighter = lighter.map_err(py_error)?;
-        let stuck =
-            py.detach(|| crate::saved::of_pressure(&lighter, stick, stop, &pressed.solver)).map_err(py_error)?;
+        let stuck = py.detach(|| of_pressure(&lighter, stick, stop, &pressed.solver)).map_err(py_error)?;
         Ok(Some(PartialSlip { friction, ratio, pressed: pressed.clone(), stuck }))
     }
 
@@ -165,11 +191,14 @@ impl SavedResult {
             states.push(HistoryState::from_parts(contact, (point, claim), number, further));
         }
         let outcome = HistoryOutcome::from_states(setup, &problem, states).map_err(py_error)?;
-        History::new(py, outcome, &self.surface, self.setup.clone(), self.rank)
+        let (surface, setup, rank) = (self.surface.clone(), self.setup.clone(), self.rank);
+        let problem =
+            crate::problem::Problem { problem, surface, setup: setup.clone(), rank, preparation: Arc::default() };
+        History::new(py, outcome, &problem, setup)
     }
 
     /// The problem under the load of a state: that of the point of the path, or its mean pressure between two points.
-    fn under_load(&self, problem: &Problem, point: Option<usize>, contact: &crate::saved::SavedContact) -> Problem {
+    fn under_load(&self, problem: &Problem, point: Option<usize>, contact: &SavedContact) -> Problem {
         let (setup, path) = (&self.setup.setup, self.setup.setup.path_points());
         if setup.adhesion.is_some() {
             return problem.clone();

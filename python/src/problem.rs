@@ -34,6 +34,8 @@ pub struct Problem {
     pub surface: Arc<asperity::Surface>,
     pub setup: Setup,
     pub rank: usize,
+    /// The steps of the preparation of its heights.
+    pub preparation: Arc<[String]>,
 }
 
 impl PartialEq for Problem {
@@ -55,7 +57,19 @@ impl Problem {
             None => first.problem_of(surface.clone()),
         };
         let problem = py.detach(problem).map_err(py_error)?;
-        Ok(Self { problem, surface: surface.clone(), setup, rank })
+        Ok(Self { problem, surface: surface.clone(), setup, rank, preparation: Arc::default() })
+    }
+
+    /// The problem of a surface of Python.
+    fn from_surface(py: Python<'_>, surface: &Surface, setup: Setup) -> PyResult<Self> {
+        let preparation = surface.preparation.clone();
+        Ok(Self { preparation, ..Self::new(py, &surface.surface, setup, surface.rank)? })
+    }
+
+    /// The problem under another load.
+    fn under(&self, problem: asperity::Problem, setup: Setup) -> Self {
+        let Self { surface, rank, preparation, .. } = self;
+        Self { problem, surface: surface.clone(), setup, rank: *rank, preparation: preparation.clone() }
     }
 
     /// Whether the heights were given as an array, so that the setup does not describe them.
@@ -67,7 +81,8 @@ impl Problem {
     fn py_surface(&self) -> Surface {
         let mut sections = self.setup.sections();
         sections.retain(|key, _| key == "surface" || key == "grid");
-        Surface::from_surface(self.surface.clone(), sections, self.rank)
+        let preparation = self.preparation.clone();
+        Surface { preparation, ..Surface::from_surface(self.surface.clone(), sections, self.rank) }
     }
 }
 
@@ -104,7 +119,7 @@ impl Problem {
     #[new]
     #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
     fn py_new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::new(py, &surface.surface, Setup::from_sections(&described(surface, keys)?)?, surface.rank)
+        Self::from_surface(py, surface, Setup::from_sections(&described(surface, keys)?)?)
     }
 
     /// The same problem under another load, or under a list of loads.
@@ -116,14 +131,14 @@ impl Problem {
         if setup.setup.adhesion.is_some() {
             // adhesion has loads that no other contact has, such as pulls, and so its problem does not depend on the load
             setup.setup.problem_of(self.surface.clone()).map_err(py_error)?;
-            return Ok(Self { problem: self.problem.clone(), surface: self.surface.clone(), setup, rank: self.rank });
+            return Ok(self.under(self.problem.clone(), setup));
         }
         let under = |load| self.problem.clone().with_load(load).map_err(py_error);
         setup.loads.iter().flatten().try_for_each(|load| under(*load).map(drop))?;
         if let (Some(friction), None) = (setup.setup.friction, setup.setup.process().map_err(py_error)?) {
             friction.ratio(setup.setup.load).map_err(py_error)?;
         }
-        Ok(Self { problem: under(setup.setup.load)?, surface: self.surface.clone(), setup, rank: self.rank })
+        Ok(self.under(under(setup.setup.load)?, setup))
     }
 
     /// The surface.
@@ -183,7 +198,7 @@ impl Problem {
     /// The problem that the values of a pickle describe.
     #[staticmethod]
     fn _from_parts(py: Python<'_>, surface: &Surface, setup: Setup) -> PyResult<Self> {
-        Self::new(py, &surface.surface, setup, surface.rank)
+        Self::from_surface(py, surface, setup)
     }
 
     fn __repr__(&self) -> String {
@@ -206,7 +221,7 @@ impl Setup {
             let setups = Refinement::new(self.setup.clone(), auto);
             first.setup = setups.setups().next().unwrap_or_else(|| self.setup.clone());
         }
-        let Surface { surface, rank, .. } = first.surface(py)?;
-        Problem::new(py, &surface, first, rank)
+        let surface = first.surface(py)?;
+        Problem::from_surface(py, &surface, first)
     }
 }

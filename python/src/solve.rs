@@ -111,7 +111,8 @@ impl Solve<'_> {
         let Solved { setup, contact, slip, .. } = solved;
         let surface = contact.problem.surface().clone();
         let diagnosis = diagnosis.map(|findings| findings.to_string());
-        Ok(Contact { diagnosis, slip, ..Contact::new(contact, surface, setup, self.problem.rank) })
+        let preparation = self.problem.preparation.clone();
+        Ok(Contact { diagnosis, slip, preparation, ..Contact::new(contact, surface, setup, self.problem.rank) })
     }
 
     /// The job that the keywords ask for.
@@ -167,14 +168,15 @@ impl Solve<'_> {
             warn_sentence(py, &format!("The history ended after {} states: {error}.", outcome.states.len()))?;
         }
         warn(py, &outcome.warnings())?;
-        History::new(py, outcome, &self.problem.surface, self.setup.clone(), self.problem.rank)
+        History::new(py, outcome, self.problem, self.setup.clone())
     }
 
     /// The contact of a curve as an object of Python.
     fn under_its_load(&self, contact: asperity::Contact) -> Contact {
         let setup = setup::Setup { load: contact.problem.load(), ..self.setup.setup.clone() };
-        let Problem { surface, rank, .. } = self.problem;
-        Contact::new(contact, surface.clone(), setup, *rank)
+        let Problem { surface, rank, preparation, .. } = self.problem;
+        let preparation = preparation.clone();
+        Contact { preparation, ..Contact::new(contact, surface.clone(), setup, *rank) }
     }
 
     /// Does some work in the background, shows its steps to the callback and passes on its recording.

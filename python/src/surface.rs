@@ -31,13 +31,13 @@ pub struct Surface {
     /// The number of axes of its arrays in Python.
     pub rank: usize,
     /// The steps of the preparation, each a sentence: why it was chosen, and what it did.
-    pub preparation: Vec<String>,
+    pub preparation: Arc<[String]>,
 }
 
 impl Surface {
     /// A surface that some sections describe, with arrays of some rank.
     pub fn from_surface(surface: Arc<asperity::Surface>, sections: Sections, rank: usize) -> Self {
-        Self { surface, sections, rank, preparation: Vec::new() }
+        Self { surface, sections, rank, preparation: Arc::default() }
     }
 
     /// The surface that some sections describe.
@@ -53,6 +53,7 @@ impl Surface {
         for file in recipe.files().filter(|_| !recipe.prepare.is_none()) {
             preparation.extend(recipe.prepared(file, &grid).map_err(py_error)?.effects);
         }
+        let preparation = preparation.into();
         Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 
@@ -92,6 +93,7 @@ impl Surface {
         let mut grid = sections_from_keywords(grid)?;
         grid.insert("size".into(), value_from_py(&size, "size")?);
         let PreparedArray { surface, sections, rank, preparation } = PreparedArray::new(&height, grid)?;
+        let preparation = preparation.into();
         Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 
@@ -160,7 +162,7 @@ impl Surface {
     /// empty without a preparation.
     #[getter]
     fn preparation(&self) -> Vec<String> {
-        self.preparation.clone()
+        self.preparation.to_vec()
     }
 
     /// Mean of the heights as they were given, a length.

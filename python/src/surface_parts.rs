@@ -44,7 +44,7 @@ impl Surface {
         let sections = Value::Object(sections.clone()).to_string();
         let height = view(surface.height(), *rank, slf.clone().into_any());
         let cell = (grid.size(), grid.periodic());
-        let made = (surface.seed(), plateaus, preparation.clone());
+        let made = (surface.seed(), plateaus, preparation.to_vec());
         let parts = (height, surface.mean_height(), cell, made, sections, *rank);
         Ok((slf.get_type().getattr("_from_parts")?, parts))
     }
@@ -67,6 +67,7 @@ impl Surface {
         let plateaus = plateaus.map(|(shape, factor, nodes)| Plateaus { shape, factor, nodes: nodes.into() });
         let surface = asperity::Surface::from_parts(grid, field, mean_height, seed, plateaus).map_err(py_error)?;
         let sections = serde_json::from_str(sections).map_err(py_error)?;
+        let preparation = preparation.into();
         Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 }

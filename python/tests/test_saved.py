@@ -37,6 +37,7 @@ def test_a_contact_comes_back(tmp_path: Path) -> None:
         asp.solve(ROUGH, reduced_pressure=0.05),
         asp.solve(WAVES, 1.0, solid=1.0, mean_gap=0.004, solver="polonsky-keer"),
         asp.solve(np.add.outer(WAVES[::8], WAVES[::4]), (1.0, 2.0), reduced_pressure=0.05, boundary=("free", "periodic")),
+        asp.solve(asp.Surface(np.round(WAVES, 3), 1.0, refine=4), reduced_pressure=0.05),
         asp.solve(ROUGH, solid=1.0, mean_pressure=2e-3, law={"hardness": 0.05}, flow={"leakage": True}),
         asp.solve(ROUGH, reduced_pressure=0.05, viscoelastic={"creep": [9.0, 1.0]}, sliding={"speed": 0.01}),
     ):

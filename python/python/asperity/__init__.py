@@ -210,7 +210,8 @@ def solve(
         previous contact.
     boundary: "periodic" (the cell repeats) or "free" (no pressure outside the cell), or one for each axis.
     datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
-    prepare: "auto" prepares measured heights as they need it, or a dictionary of steps, as of Surface.read.
+    prepare: "auto" prepares measured heights as they need it, or a dictionary of steps, as of Surface.read. Contact.problem.surface.preparation says
+        what was done, and why.
     channel, file_unit, against: of a file of heights: its channel, the unit of one that states none, and a file of the second body.
     solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies); for a layer also its
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus.
