@@ -26,7 +26,8 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 /// `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.
 /// `path` holds time, load and tangential, lists of one length; `sliding` a speed or several; `rolling` a creepage or a tangential load, or
 /// several: with these, but for a single speed, solve() returns a History. A path may be a file, too, a table with the columns time, load and tangential.
-/// `flow` is a dictionary with leakage (true), and resistivity or conductivity (a number for both bodies, or two). `record` holds the keys of the section `record` of a scene.
+/// `flow` is a dictionary with leakage (true), and resistivity or conductivity (a number for both bodies, or two). `record` holds the keys of the
+/// section `record` of a scene.
 #[pyclass(frozen, module = "asperity")]
 pub struct Problem {
     /// The problem under its load, or under the largest load of a list.

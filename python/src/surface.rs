@@ -22,7 +22,8 @@ const GRID_KEYS: [&str; 5] = ["points", "size", "boundary", "datum", "refine"];
 /// Surface(height, size, *, boundary="periodic", datum=None, refine=1, prepare=None) takes the heights of a line, shape (n), or of a surface, shape
 /// (ny, nx), as lengths. `size` is the length of the cell, or the lengths along y and x; texts such as "160 um" become metres. The boundary
 /// is "periodic" or "free", or one of these for each axis. `refine` is the number of points for each height along an axis; heights between
-/// are interpolated. `prepare` is "auto", or a dictionary of steps, as of Surface.read; heights that are nan are void and can be filled. Surface.read, Surface.rough, Surface.indenter and Surface.from_sections make other surfaces.
+/// are interpolated. `prepare` is "auto", or a dictionary of steps, as of Surface.read; heights that are nan are void and can be filled.
+/// Surface.read, Surface.rough, Surface.indenter and Surface.from_sections make other surfaces.
 #[pyclass(frozen, module = "asperity")]
 pub struct Surface {
     pub surface: Arc<asperity::Surface>,

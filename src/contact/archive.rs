@@ -63,7 +63,8 @@ pub fn archive_with(
 }
 
 /// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction`, where it sticks (`stick`) and the pressure of the
-/// contact that sticks (`stick_pressure`), all of the shape of the pressure, and the numbers `friction_coefficient`, `tangential`, `stick_area` and `slip_area`.
+/// contact that sticks (`stick_pressure`), all of the shape of the pressure, and the numbers `friction_coefficient`, `tangential`, `stick_area` and
+/// `slip_area`.
 ///
 /// # Errors
 /// The errors of [`archive`].
