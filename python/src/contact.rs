@@ -1,22 +1,19 @@
 //! Contacts: what solvers return.
 
-use crate::arrays::{ArrayLike, field, owned, vector, view};
+use crate::arrays::{owned, vector, view};
 use crate::certificate::{Certificate, Work};
-use crate::error::{BoxedError, NotConverged, bail, py_error};
+use crate::error::{NotConverged, bail};
 use crate::problem::Problem;
 use crate::setup::Setup;
-use asperity::contact::{
-    self, Distribution, Friction, OBSERVABLES, PartialSlip, Patch, Resolved, State, Status, archive, archive_of_slip,
-};
-use asperity::files::{check_named, write_beside};
+use crate::state_numbers::StateNumbers;
+use asperity::contact::{self, Distribution, PartialSlip, Patch};
 use asperity::setup;
+use asperity::study::FlowRow;
 use asperity::surface::{Field, PowerSpectrum};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::io::{self, Write};
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A solved contact, or the best one that the solver found.
 ///
@@ -32,6 +29,12 @@ pub struct Contact {
     pub diagnosis: Option<String>,
     /// The stick and slip areas, if there is friction.
     pub slip: Option<PartialSlip>,
+    /// The numbers of the state of a history that the contact is, if it is one.
+    pub state: Option<StateNumbers>,
+    /// The steps of the preparation of the heights.
+    pub preparation: Arc<[String]>,
+    /// What flows through the contact, after it was found.
+    pub flow: OnceLock<FlowRow>,
 }
 
 /// A number of each patch.
@@ -40,19 +43,13 @@ type PatchColumn = fn(&Patch) -> f64;
 /// Two arrays, such as the edges of bins and densities.
 type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-/// The values that make a contact again: fields, certificate and work, status and solver, the state on the next coarser grid, the diagnosis,
-/// and under friction its coefficient, the tangential load, the ratio of it to the load at which all slides, and the stick contact.
-type ContactParts<'py> = (
-    Problem,
-    [Bound<'py, PyArrayDyn<f64>>; 3],
-    (Certificate, Work),
-    [String; 2],
-    Option<([f64; 4], [usize; 2])>,
-    Option<String>,
-    Option<([f64; 3], Contact)>,
-);
-
 impl Contact {
+    /// A contact on a surface, of a setup, with arrays of some rank.
+    pub fn new(contact: asperity::Contact, surface: Arc<asperity::Surface>, setup: setup::Setup, rank: usize) -> Self {
+        let (preparation, flow) = (Arc::default(), OnceLock::new());
+        Self { contact, surface, setup, rank, diagnosis: None, slip: None, state: None, preparation, flow }
+    }
+
     fn field<'py>(slf: Bound<'py, Self>, of: fn(&asperity::Contact) -> &Field) -> Bound<'py, PyArrayDyn<f64>> {
         let Self { contact, rank, .. } = slf.get();
         view(of(contact), *rank, slf.clone().into_any())
@@ -70,22 +67,10 @@ impl Contact {
         Ok((vector(py, edges), vector(py, density)))
     }
 
-    /// All observables by their names.
-    pub fn numbers(&self) -> Vec<(&'static str, f64)> {
-        let state = State::from(&self.contact);
-        OBSERVABLES.iter().map(|row| (row.name, (row.value)(&state))).collect()
-    }
-
     /// The contact of what sticks.
     pub fn stick(&self, slip: &PartialSlip) -> Self {
-        Self {
-            contact: slip.stuck.clone(),
-            surface: self.surface.clone(),
-            setup: setup::Setup { load: slip.stuck.problem.load(), friction: None, ..self.setup.clone() },
-            rank: self.rank,
-            diagnosis: None,
-            slip: None,
-        }
+        let setup = setup::Setup { load: slip.stuck.problem.load(), friction: None, ..self.setup.clone() };
+        Self::new(slip.stuck.clone(), self.surface.clone(), setup, self.rank)
     }
 
     /// The pressures, row by row.
@@ -94,9 +79,10 @@ impl Contact {
     }
 
     /// The problem as an object of Python.
-    fn py_problem(&self) -> Problem {
+    pub fn py_problem(&self) -> Problem {
         let (problem, surface) = (self.contact.problem.clone(), self.surface.clone());
-        Problem { problem, surface, setup: Setup::new(self.setup.clone()), rank: self.rank }
+        let (setup, preparation) = (Setup::new(self.setup.clone()), self.preparation.clone());
+        Problem { problem, surface, setup, rank: self.rank, preparation }
     }
 }
 
@@ -145,17 +131,7 @@ impl Contact {
         vector(py, self.surface.grid().y().collect())
     }
 
-    /// All observables of the contact by their names: areas, gradients, kappa_r, mean gap, errors and so on. asperity.observables() explains
-    /// them.
-    #[getter]
-    fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let numbers = py.detach(|| self.numbers());
-        let measures = PyDict::new(py);
-        numbers.into_iter().try_for_each(|(name, number)| measures.set_item(name, number))?;
-        Ok(measures)
-    }
-
-    /// Error bounds of this very pressure.
+    /// Error bounds of this very pressure. With adhesion they are NaN: History.claims and the residual in History.numbers stand for them.
     #[getter]
     fn certificate(&self) -> Certificate {
         Certificate(self.contact.certificate)
@@ -209,36 +185,6 @@ impl Contact {
     #[getter]
     fn diagnosis(&self) -> Option<&str> {
         self.diagnosis.as_deref()
-    }
-
-    /// Mean pressure.
-    #[getter]
-    fn mean_pressure(&self) -> f64 {
-        self.contact.mean_pressure()
-    }
-
-    /// Mean gap, a length.
-    #[getter]
-    fn mean_gap(&self) -> f64 {
-        self.contact.mean_gap()
-    }
-
-    /// The approach, a length: how far the surface has moved since first touch. None on a periodic half-space, where it has no limit.
-    #[getter]
-    fn approach(&self) -> Option<f64> {
-        self.contact.approach()
-    }
-
-    /// Elastic energy per area, pressure times length.
-    #[getter]
-    fn elastic_energy(&self) -> f64 {
-        self.contact.elastic_energy()
-    }
-
-    /// Contact stiffness, pressure per length: the increase of the mean pressure divided by the decrease of the mean gap. The first call takes
-    /// about a tenth of the time of a solve.
-    fn stiffness(&self, py: Python<'_>) -> f64 {
-        py.detach(|| self.contact.stiffness())
     }
 
     /// Contact patches, the largest first, as arrays by name: number of nodes (nodes), node of the largest pressure (peak), area (the length
@@ -298,123 +244,18 @@ impl Contact {
         (vector(py, wavenumber), vector(py, density))
     }
 
-    /// Writes fields, distributions, spectra, numbers and setup to a file whose name ends in .npz. Setup.read and the command line read the
-    /// setup in it, with the heights.
-    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let write = || -> Result<(), BoxedError> {
-            check_named(&path, &["npz"])?;
-            let text = self.setup.to_toml();
-            let bytes = match &self.slip {
-                Some(slip) => archive_of_slip(slip, self.rank, Some(&text)),
-                None => archive(&self.contact, self.rank, Some(&text)),
-            };
-            Ok(write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
-        };
-        py.detach(write).map_err(py_error)
-    }
-
-    /// The fields as a Dataset of xarray over the positions of the nodes, with the measures as attributes.
-    fn to_xarray<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.export")?.call_method1("contact_to_xarray", (slf,))
-    }
-
-    /// A figure of the contact by matplotlib: surfaces and pressure of a line, maps of pressure and gap of a surface.
-    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("plot_contact", (slf,))
-    }
-
-    fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("contact_as_html", (slf,))
-    }
-
-    fn __eq__(&self, other: &Self) -> bool {
-        let (one, two) = (&self.contact, &other.contact);
-        let has_same_fields =
-            one.pressure == two.pressure && one.gap == two.gap && one.displacement == two.displacement;
-        has_same_fields && self.setup == other.setup && self.surface == other.surface
-    }
-
-    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
-        slf
-    }
-
-    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
-        slf
-    }
-
-    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, ContactParts<'py>)> {
-        let it = slf.get();
-        let Self { contact, rank, .. } = it;
-        if contact.problem.surface() != &it.surface {
-            return bail(
-                "this contact lies on a surface that has yielded under a higher load, which a pickle does not hold: save it in place of \
-                 pickling it",
-            );
-        }
-        let fields = [&contact.pressure, &contact.displacement, &contact.gap];
-        let fields = fields.map(|field| view(field, *rank, slf.clone().into_any()));
-        let coarser = contact.coarser.map(|it| {
-            (
-                [it.relative_area, it.rms_gradient_contact, it.kappa_r, it.reduced_pressure_contact],
-                [it.edges, it.edges_of_shape],
-            )
-        });
-        let slip = it.slip.as_ref().map(|slip| {
-            let Friction { coefficient, tangential } = slip.friction;
-            ([coefficient, tangential, slip.ratio], it.stick(slip))
-        });
-        let words = [contact.status.name().to_owned(), contact.solver.clone()];
-        let numbers = (Certificate(contact.certificate), Work(contact.work));
-        let parts = (it.py_problem(), fields, numbers, words, coarser, it.diagnosis.clone(), slip);
-        Ok((slf.get_type().getattr("_from_parts")?, parts))
-    }
-
-    /// The contact that the values of a pickle describe.
-    #[staticmethod]
-    #[pyo3(signature = (problem, fields, numbers, words, coarser, diagnosis, slip))]
-    fn _from_parts(
-        problem: &Problem,
-        fields: [ArrayLike<'_>; 3],
-        numbers: (Certificate, Work),
-        words: [String; 2],
-        coarser: Option<([f64; 4], [usize; 2])>,
-        diagnosis: Option<String>,
-        slip: Option<([f64; 3], Bound<'_, Self>)>,
-    ) -> PyResult<Self> {
-        let [pressure, displacement, gap] = &fields;
-        let fields = [field(pressure)?, field(displacement)?, field(gap)?];
-        let (Certificate(certificate), Work(work)) = numbers;
-        let [status, solver] = words;
-        let status: Status = serde_json::from_value(status.into()).map_err(py_error)?;
-        let coarser =
-            coarser.map(|([relative_area, rms_gradient_contact, kappa_r, last], [edges, edges_of_shape])| Resolved {
-                relative_area,
-                rms_gradient_contact,
-                kappa_r,
-                reduced_pressure_contact: last,
-                edges,
-                edges_of_shape,
-            });
-        let Problem { problem, surface, setup, rank } = problem;
-        let contact =
-            asperity::Contact::from_parts(problem.clone(), fields, (certificate, work, status), solver, coarser);
-        let contact = contact.map_err(py_error)?;
-        let slip = slip.map(|([coefficient, tangential, ratio], stick)| PartialSlip {
-            friction: Friction { coefficient, tangential },
-            ratio,
-            pressed: contact.clone(),
-            stuck: stick.get().contact.clone(),
-        });
-        Ok(Self { contact, surface: surface.clone(), setup: setup.setup.clone(), rank: *rank, diagnosis, slip })
-    }
-
     fn __repr__(&self) -> String {
         let asperity::Contact { status, certificate, solver, .. } = &self.contact;
         let points = &self.contact.problem.surface().grid().shape()[2 - self.rank..];
-        format!(
-            "Contact(shape={points:?}, {}, eta={:.1e}, {status} by {solver})",
-            self.contact.problem.load(),
-            certificate.eta
-        )
+        match self.process() {
+            Some(process) => {
+                let (process, pressure): (&str, _) = (process.into(), self.contact.mean_pressure());
+                format!("Contact(shape={points:?}, a state of {process}, contact pressure {pressure:e}, {status})")
+            }
+            None => {
+                let load = self.contact.problem.load();
+                format!("Contact(shape={points:?}, {load}, eta={:.1e}, {status} by {solver})", certificate.eta)
+            }
+        }
     }
 }

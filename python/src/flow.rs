@@ -2,9 +2,12 @@
 
 use crate::arrays::owned;
 use crate::contact::Contact;
-use crate::conversion::to_python;
-use crate::error::py_error;
+use crate::conversion::{Sections, to_python, value_from_py};
+use crate::error::{bail, py_error};
+use asperity::error::FlowError;
 use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation, PercolationLoad};
+use asperity::setup::Flow;
+use asperity::study::FlowRow;
 use asperity::surface::Field;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -35,12 +38,33 @@ impl Contact {
         Ok(found)
     }
 
-    /// Electrical or thermal conductance of the contact per area of the cell, between half-spaces of some resistivities (two numbers, or one that
-    /// both have): `2 k / (E* (rho_1 + rho_2))` with the stiffness k (Barber 2003). For heat give metre kelvin per watt.
-    fn conductance(&self, py: Python<'_>, resistivity: Resistivity) -> PyResult<f64> {
-        let resistivities = match resistivity {
-            Resistivity::Both(both) => [both, both],
-            Resistivity::Each(each) => each,
+    /// Electrical or thermal conductance of the contact per area of the cell, between half-spaces of some resistivities (two values, or one that
+    /// both have): `2 k / (E* (rho_1 + rho_2))` with the stiffness k (Barber 2003). For heat give metre kelvin per watt. Texts have units, such as
+    /// "17 nohm*m". A `conductivity`, or two, can be given instead, such as "401 W/m/K".
+    #[pyo3(signature = (resistivity=None, *, conductivity=None))]
+    fn conductance(
+        &self,
+        py: Python<'_>,
+        resistivity: Option<&Bound<'_, PyAny>>,
+        conductivity: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<f64> {
+        if let Some(process) = self.process() {
+            let process: &str = process.into();
+            return bail(format!(
+                "the conductance follows from the stiffness of an elastic contact at rest, but this is a state of {process}"
+            ));
+        }
+        let mut asked = Sections::new();
+        for (key, given) in [("resistivity", resistivity), ("conductivity", conductivity)] {
+            if let Some(given) = given {
+                asked.insert(key.into(), value_from_py(given, key)?);
+            }
+        }
+        let asked: Flow = serde_json::from_value(asked.into()).map_err(py_error)?;
+        let Some(resistivities) = asked.resistivities().map_err(py_error)? else {
+            return bail(
+                "no resistivity is given: give that of both bodies, or two (resistivity), or the conductivity",
+            );
         };
         let found = py.detach(|| Conductance::new(&self.contact, resistivities)).map_err(py_error)?;
         Ok(found.per_area)
@@ -72,11 +96,23 @@ impl Contact {
     }
 }
 
-/// Resistivities of the bodies.
-#[derive(FromPyObject)]
-enum Resistivity {
-    Both(f64),
-    Each([f64; 2]),
+/// The fields of the flow through contacts, as far as their setup asks for it: by their names in archives one of each contact.
+pub fn flow_fields<'c>(contacts: impl Iterator<Item = &'c Contact>) -> Result<Vec<(String, Vec<Field>)>, FlowError> {
+    let mut found: Vec<(String, Vec<Field>)> = Vec::new();
+    for contact in contacts.filter(|it| it.setup.flow.leakage) {
+        let (_, leakages) = FlowRow::measure(&contact.contact, &contact.setup.flow)?;
+        let named = leakages.into_iter().flat_map(|it| {
+            let axis = it.axis.name();
+            [(format!("flux_{axis}"), it.flux), (format!("fluid_pressure_{axis}"), it.pressure)]
+        });
+        for (name, field) in named {
+            match found.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, fields)) => fields.push(field),
+                None => found.push((name, vec![field])),
+            }
+        }
+    }
+    Ok(found)
 }
 
 fn axis_of(name: &str) -> PyResult<FlowAxis> {

@@ -2,51 +2,56 @@
 
 use crate::arrays::vector;
 use crate::contact::Contact;
+use crate::contact_files::ending;
 use crate::conversion::to_python;
 use crate::error::{BoxedError, bail, py_error};
+use crate::problem::Problem;
 use crate::setup::Setup;
 use asperity::files::{check_named, write_beside};
-use asperity::history::{HISTORY_QUANTITIES, HistoryField, archive_of_history};
+use asperity::history::{HISTORY_QUANTITIES, HistoryField, HistoryState, HistoryUnit, archive_of_history};
 use asperity::job::HistoryOutcome;
-use asperity::setup;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds, rolls or has adhesion, in their order: a
 /// sequence of Contact.
 ///
 /// history[0] is the contact of the first state. history.numbers["friction"] holds the friction of all states, and
-/// history.fields["traction"] the tractions of all states.
+/// history.fields["traction"] the tractions of all states. A contact of a history has the numbers of its state in its measures.
 #[pyclass(frozen, sequence, module = "asperity")]
 pub struct History {
-    outcome: Arc<HistoryOutcome>,
-    contacts: Py<PyTuple>,
-    setup: Setup,
-    rank: usize,
+    pub outcome: Arc<HistoryOutcome>,
+    pub contacts: Py<PyTuple>,
+    pub setup: Setup,
+    pub rank: usize,
 }
 
 impl History {
     /// The history that was followed from a setup.
-    pub fn new(
-        py: Python<'_>,
-        outcome: HistoryOutcome,
-        surface: &Arc<asperity::Surface>,
-        setup: Setup,
-        rank: usize,
-    ) -> PyResult<Self> {
-        let contact = |contact: &asperity::Contact| {
-            let setup = setup::Setup { load: contact.problem.load(), ..setup.setup.clone() };
-            let (contact, surface) = (contact.clone(), surface.clone());
-            Py::new(py, Contact { contact, surface, setup, rank, diagnosis: None, slip: None })
+    pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Self> {
+        let Problem { surface, rank, preparation, .. } = problem;
+        let rank = *rank;
+        let contact = |state: &HistoryState| {
+            let contact = Contact::new(state.contact.clone(), surface.clone(), setup.setup.clone(), rank);
+            Py::new(py, Contact { state: Some(state.into()), preparation: preparation.clone(), ..contact })
         };
-        let contacts = outcome.states.iter().map(|it| contact(&it.contact)).collect::<PyResult<Vec<_>>>()?;
+        let contacts = outcome.states.iter().map(contact).collect::<PyResult<Vec<_>>>()?;
         Ok(Self { outcome: Arc::new(outcome), contacts: PyTuple::new(py, contacts)?.unbind(), setup, rank })
+    }
+}
+
+impl History {
+    /// Writes the fields and numbers of all states.
+    fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
+        let quantities = self.outcome.quantities();
+        let bytes = archive_of_history(self.outcome.states.clone(), &quantities, self.rank, &self.setup.to_toml());
+        Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
 }
 
@@ -100,7 +105,7 @@ impl History {
         let fields = PyDict::new(py);
         let Some(first) = self.outcome.states.first() else { return Ok(fields) };
         for (place, HistoryField { name, .. }) in first.fields.iter().enumerate() {
-            let of_rank = |it: &asperity::history::HistoryState| -> ArrayD<f64> {
+            let of_rank = |it: &HistoryState| -> ArrayD<f64> {
                 let values = it.fields[place].values.clone();
                 if self.rank == 1 { values.index_axis_move(Axis(0), 0).into_dyn() } else { values.into_dyn() }
             };
@@ -137,23 +142,65 @@ impl History {
         found.map(|it| it.help).ok_or_else(|| PyKeyError::new_err(name.to_owned()))
     }
 
-    /// Writes the fields and numbers of all states, with the setup, to a file whose name ends in .npz.
-    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        if self.outcome.states.is_empty() {
+    /// The unit of a number of `numbers` in a word, such as "length"; "1" for a pure number.
+    #[staticmethod]
+    fn _unit(name: &str) -> &'static str {
+        let unit = HISTORY_QUANTITIES.iter().find(|it| it.name == name).map_or(HistoryUnit::One, |it| it.unit);
+        match unit {
+            HistoryUnit::One => "1",
+            HistoryUnit::Time => "time",
+            HistoryUnit::Length => "length",
+            HistoryUnit::Speed => "length/time",
+            HistoryUnit::Pressure => "pressure",
+            HistoryUnit::EnergyPerArea => "pressure length",
+        }
+    }
+
+    /// The charts of a figure: names of the quantities on both axes, their titles, and whether the first axis is logarithmic.
+    fn _charts(&self) -> [([&'static str; 2], [&'static str; 2], bool); 2] {
+        let title = |name| HISTORY_QUANTITIES.iter().find(|it| it.name == name).map_or(name, |it| it.title);
+        self.outcome.kind.charts().map(|it| ([it.x, it.y], [it.x, it.y].map(title), it.is_logarithmic))
+    }
+
+    /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the
+    /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
+    fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
+        check_named(&path, &["npz", "csv", "svg", "png"]).map_err(py_error)?;
+        let it = slf.get();
+        if it.outcome.states.is_empty() {
             return bail("the history has no states: nothing is saved");
         }
-        let write = || -> Result<(), BoxedError> {
-            check_named(&path, &["npz"])?;
-            let quantities = self.outcome.quantities();
-            let bytes = archive_of_history(self.outcome.states.clone(), &quantities, self.rank, &self.setup.to_toml());
-            Ok(write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
-        };
-        py.detach(write).map_err(py_error)
+        match ending(&path).as_str() {
+            "npz" => slf.py().detach(|| it.write_archive(&path)).map_err(py_error),
+            "csv" => slf.py().detach(|| it.outcome.write_table(&path)).map_err(py_error),
+            _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
+        }
     }
 
     /// The numbers as a data frame of pandas, with a row for every state.
     fn to_pandas<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("pandas")?.call_method1("DataFrame", (slf.get().numbers(slf.py())?,))
+    }
+
+    /// The fields and numbers as a Dataset of xarray, over the states and the positions of the nodes.
+    fn to_xarray<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.export")?.call_method1("history_to_xarray", (slf,))
+    }
+
+    /// Writes the Dataset of to_xarray to a NetCDF file.
+    fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
+    }
+
+    /// A figure by matplotlib, with the quantities that the command line draws: area and gap over time for creep; mean pressure and area over the mean
+    /// gap for adhesion, with an arrow for each jump; traction over the shift and the share that sticks for slip; friction and area over the
+    /// speed for sliding; friction and the share that sticks over the creepage for rolling.
+    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("plot_history", (slf,))
+    }
+
+    fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("history_as_html", (slf,))
     }
 
     fn __len__(&self, py: Python<'_>) -> usize {

@@ -19,26 +19,37 @@ mod cancel;
 mod certificate;
 mod certification;
 mod contact;
+mod contact_files;
+mod contact_parts;
 mod conversion;
 mod error;
 mod flow;
 mod fork;
 mod history;
+mod history_parts;
 mod ledger;
+mod load;
 mod load_curve;
+mod measures;
 mod operator;
 mod own_solver;
+mod prepared_array;
 mod problem;
 mod recorder;
+mod saved;
 mod setup;
 mod sink;
 mod slip;
 mod solve;
 mod solve_options;
+mod state_numbers;
 mod step;
 mod stress;
 mod study;
 mod surface;
+mod surface_files;
+mod surface_numbers;
+mod surface_parts;
 mod table;
 mod theory;
 mod warnings;
@@ -88,6 +99,8 @@ mod _asperity {
     use crate::history::History;
     #[pymodule_export]
     use crate::ledger::{Batch, Ledger};
+    #[pymodule_export]
+    use crate::load::load;
     #[pymodule_export]
     use crate::load_curve::LoadCurve;
     #[pymodule_export]

@@ -2,15 +2,19 @@
 
 use crate::arrays::vector;
 use crate::contact::Contact;
+use crate::contact_files::ending;
 use crate::conversion::sections_of;
 use crate::error::{BoxedError, py_error};
+use crate::flow::flow_fields;
+use crate::measures::columns;
 use crate::setup::Setup;
-use asperity::contact::archive_of_loads;
+use asperity::contact::{Observables, archive_of_loads_with};
 use asperity::files::{check_named, write_beside};
+use asperity::job::write_loads;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The contacts under a list of loads, in the order of the loads: a sequence of Contact.
 ///
@@ -44,16 +48,11 @@ impl LoadCurve {
         vector(py, self.setup.loads.iter().flatten().map(|load| load.value()).collect()).into_any()
     }
 
-    /// All observables by their names, each an array with a number for every load.
+    /// All numbers of Contact.measures by their names, each an array with a value for every load.
     #[getter]
     fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let contacts: Vec<Py<Contact>> = self.contacts(py)?.into_iter().map(Into::into).collect();
-        let rows = py.detach(|| contacts.iter().map(|it| it.get().numbers()).collect::<Vec<_>>());
-        let measures = PyDict::new(py);
-        for (i, (name, _)) in rows.first().into_iter().flatten().enumerate() {
-            measures.set_item(name, vector(py, rows.iter().map(|row| row[i].1).collect()))?;
-        }
-        Ok(measures)
+        columns(py, &contacts)
     }
 
     /// Whether the solver converged under all loads.
@@ -68,17 +67,17 @@ impl LoadCurve {
         self.setup.clone()
     }
 
-    /// Writes the fields and numbers under all loads, with the setup, to a file whose name ends in .npz.
-    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        let contacts: Vec<Py<Contact>> = self.contacts(py)?.into_iter().map(Into::into).collect();
-        let write = || -> Result<(), BoxedError> {
-            check_named(&path, &["npz"])?;
-            let rank = contacts.first().map_or(1, |it| it.get().rank);
-            let contacts: Vec<_> = contacts.iter().map(|it| it.get().contact.clone()).collect();
-            let bytes = archive_of_loads(&contacts, rank, &self.setup.to_toml());
-            Ok(write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
-        };
-        py.detach(write).map_err(py_error)
+    /// Writes the curve to a file whose ending says what: .npz for the fields and numbers under all loads, with the setup, .csv for the table that the
+    /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
+    fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
+        check_named(&path, &["npz", "csv", "svg", "png"]).map_err(py_error)?;
+        let (py, it) = (slf.py(), slf.get());
+        let contacts: Vec<Py<Contact>> = it.contacts(py)?.into_iter().map(Into::into).collect();
+        match ending(&path).as_str() {
+            "npz" => py.detach(|| write_archive(&path, &contacts, &it.setup)).map_err(py_error),
+            "csv" => py.detach(|| write_table(&path, &contacts, &it.setup)).map_err(py_error),
+            _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
+        }
     }
 
     /// The measures as a data frame of pandas, with a row for every load.
@@ -91,9 +90,18 @@ impl LoadCurve {
         slf.py().import("asperity.export")?.call_method1("curve_to_xarray", (slf,))
     }
 
+    /// Writes the Dataset of to_xarray to a NetCDF file.
+    fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
+    }
+
     /// A figure of relative area, kappa_r and mean gap over the reduced pressure, by matplotlib.
     fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("asperity.plotting")?.call_method1("plot_curve", (slf,))
+    }
+
+    fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("curve_as_html", (slf,))
     }
 
     fn __len__(&self, py: Python<'_>) -> usize {
@@ -132,4 +140,25 @@ impl LoadCurve {
         };
         Ok(format!("LoadCurve({count} loads by {}, {converged} converged)", kind.replace('-', "_")))
     }
+}
+
+/// Writes the fields and numbers of contacts under all loads.
+fn write_archive(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result<(), BoxedError> {
+    let rank = contacts.first().map_or(1, |it| it.get().rank);
+    let flow = flow_fields(contacts.iter().map(Py::get))?;
+    let fields: Vec<_> = flow.iter().map(|(name, fields)| (name.as_str(), fields.iter().collect())).collect();
+    let contacts: Vec<_> = contacts.iter().map(|it| it.get().contact.clone()).collect();
+    let bytes = archive_of_loads_with(&contacts, &fields, rank, &setup.to_toml());
+    Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
+}
+
+/// Writes the observables of contacts under all loads.
+fn write_table(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result<(), BoxedError> {
+    let row = |it: &Py<Contact>| (it.get().contact.status, Observables::new(&it.get().contact));
+    let rows: Vec<_> = contacts.iter().map(row).collect();
+    let flow = match setup.setup.flow.is_none() {
+        true => None,
+        false => Some(contacts.iter().map(|it| it.get().flow()).collect::<Result<Vec<_>, _>>()?),
+    };
+    Ok(write_loads(path, &rows, flow.as_deref())?)
 }

@@ -32,8 +32,7 @@ impl OwnSolver {
 
     /// Calls the function with the problem.
     pub fn begin(&self, py: Python<'_>, problem: &Problem) -> PyResult<Pressures> {
-        let Problem { problem, surface, setup, rank } = problem;
-        let given = Problem { problem: problem.clone(), surface: surface.clone(), setup: setup.clone(), rank: *rank };
+        let given = problem.under(problem.problem.clone(), problem.setup.clone());
         let made = self.function.bind(py).call1((Py::new(py, given)?,))?;
         let Ok(iterator) = made.try_iter() else {
             return bail(format!(
@@ -42,7 +41,7 @@ impl OwnSolver {
                 made.get_type().name()?
             ));
         };
-        let shape = problem.surface().grid().shape();
+        let shape = problem.surface.grid().shape();
         Ok(Pressures { iterator: iterator.unbind(), shape, start: Instant::now(), exception: Mutex::default() })
     }
 }

@@ -18,7 +18,7 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 /// A rigid surface pressed on an elastic solid.
 ///
 /// Problem(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None,
-/// mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
+/// flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
 /// reduced pressure, which is the mean pressure divided by rms gradient and contact modulus; a mean gap, a length; a force, which is a force per
 /// length of a line; or an approach, a length. A list of loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
 /// each, or two for two bodies), and for a layer its thickness as layer, and base. A solid of your own is a function k(q) or a dictionary with stiffness, the stiffness of each wave: see
@@ -26,7 +26,9 @@ const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "forc
 /// dictionary with a coefficient and a tangential load. `adhesion` is a dictionary with work, range, form and method, or with a table.
 /// `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.
 /// `path` holds time, load and tangential, lists of one length; `sliding` a speed or several; `rolling` a creepage or a tangential load, or
-/// several: with these, but for a single speed, solve() returns a History. `record` holds the keys of the section `record` of a scene.
+/// several: with these, but for a single speed, solve() returns a History. A path may be a file, too, a table with the columns time, load and tangential.
+/// `flow` is a dictionary with leakage (true), and resistivity or conductivity (a number for both bodies, or two). `record` holds the keys of the
+/// section `record` of a scene.
 #[pyclass(frozen, module = "asperity")]
 pub struct Problem {
     /// The problem under its load, or under the largest load of a list.
@@ -34,6 +36,14 @@ pub struct Problem {
     pub surface: Arc<asperity::Surface>,
     pub setup: Setup,
     pub rank: usize,
+    /// The steps of the preparation of its heights.
+    pub preparation: Arc<[String]>,
+}
+
+impl PartialEq for Problem {
+    fn eq(&self, other: &Self) -> bool {
+        self.rank == other.rank && self.setup == other.setup && self.surface == other.surface
+    }
 }
 
 impl Problem {
@@ -49,7 +59,19 @@ impl Problem {
             None => first.problem_of(surface.clone()),
         };
         let problem = py.detach(problem).map_err(py_error)?;
-        Ok(Self { problem, surface: surface.clone(), setup, rank })
+        Ok(Self { problem, surface: surface.clone(), setup, rank, preparation: Arc::default() })
+    }
+
+    /// The problem of a surface of Python.
+    fn from_surface(py: Python<'_>, surface: &Surface, setup: Setup) -> PyResult<Self> {
+        let preparation = surface.preparation.clone();
+        Ok(Self { preparation, ..Self::new(py, &surface.surface, setup, surface.rank)? })
+    }
+
+    /// The problem under another load.
+    pub fn under(&self, problem: asperity::Problem, setup: Setup) -> Self {
+        let Self { surface, rank, preparation, .. } = self;
+        Self { problem, surface: surface.clone(), setup, rank: *rank, preparation: preparation.clone() }
     }
 
     /// Whether the heights were given as an array, so that the setup does not describe them.
@@ -61,7 +83,8 @@ impl Problem {
     fn py_surface(&self) -> Surface {
         let mut sections = self.setup.sections();
         sections.retain(|key, _| key == "surface" || key == "grid");
-        Surface { surface: self.surface.clone(), sections, rank: self.rank }
+        let preparation = self.preparation.clone();
+        Surface { preparation, ..Surface::from_surface(self.surface.clone(), sections, self.rank) }
     }
 }
 
@@ -86,7 +109,12 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
             "solid" if value.is_number() || value.is_string() => {
                 described.insert(key, json!({ "contact-modulus": value }));
             }
-            "solid" | "law" | "friction" | "adhesion" | "viscoelastic" | "path" | "sliding" | "rolling" | "record" => {
+            // the path of a table
+            "path" if value.is_string() => {
+                described.insert(key, json!({ "file": value }));
+            }
+            "solid" | "law" | "friction" | "adhesion" | "viscoelastic" | "path" | "sliding" | "rolling" | "flow"
+            | "record" => {
                 described.insert(key, value);
             }
             load if LOADS.contains(&load) => {
@@ -104,9 +132,9 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
 #[pymethods]
 impl Problem {
     #[new]
-    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
+    #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
     fn py_new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::new(py, &surface.surface, Setup::from_sections(&described(surface, keys)?)?, surface.rank)
+        Self::from_surface(py, surface, Setup::from_sections(&described(surface, keys)?)?)
     }
 
     /// The same problem under another load, or under a list of loads.
@@ -118,14 +146,14 @@ impl Problem {
         if setup.setup.adhesion.is_some() {
             // adhesion has loads that no other contact has, such as pulls, and so its problem does not depend on the load
             setup.setup.problem_of(self.surface.clone()).map_err(py_error)?;
-            return Ok(Self { problem: self.problem.clone(), surface: self.surface.clone(), setup, rank: self.rank });
+            return Ok(self.under(self.problem.clone(), setup));
         }
         let under = |load| self.problem.clone().with_load(load).map_err(py_error);
         setup.loads.iter().flatten().try_for_each(|load| under(*load).map(drop))?;
         if let (Some(friction), None) = (setup.setup.friction, setup.setup.process().map_err(py_error)?) {
             friction.ratio(setup.setup.load).map_err(py_error)?;
         }
-        Ok(Self { problem: under(setup.setup.load)?, surface: self.surface.clone(), setup, rank: self.rank })
+        Ok(self.under(under(setup.setup.load)?, setup))
     }
 
     /// The surface.
@@ -166,7 +194,7 @@ impl Problem {
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        self.rank == other.rank && self.setup == other.setup && self.surface == other.surface
+        self == other
     }
 
     fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
@@ -185,7 +213,7 @@ impl Problem {
     /// The problem that the values of a pickle describe.
     #[staticmethod]
     fn _from_parts(py: Python<'_>, surface: &Surface, setup: Setup) -> PyResult<Self> {
-        Self::new(py, &surface.surface, setup, surface.rank)
+        Self::from_surface(py, surface, setup)
     }
 
     fn __repr__(&self) -> String {
@@ -208,7 +236,7 @@ impl Setup {
             let setups = Refinement::new(self.setup.clone(), auto);
             first.setup = setups.setups().next().unwrap_or_else(|| self.setup.clone());
         }
-        let Surface { surface, rank, .. } = first.surface(py)?;
-        Problem::new(py, &surface, first, rank)
+        let surface = first.surface(py)?;
+        Problem::from_surface(py, &surface, first)
     }
 }

@@ -7,6 +7,7 @@ use crate::conversion::{section_mut, value_from_py};
 use crate::error::{BoxedError, bail, py_error};
 use crate::fork;
 use crate::problem::Problem;
+use crate::saved::of_pressure;
 use crate::setup::Setup;
 use crate::sink::RecordingSink;
 use asperity::contact::{Multilevel, Solver, Stop};
@@ -15,8 +16,9 @@ use asperity::error::Failure;
 use asperity::foreign::{Distance, Distances, Frame, Quantity, Replay};
 use asperity::job::{Job, JobRun, ShowSteps};
 use asperity::setup;
+use asperity::surface::Field;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBool, PyDict};
 use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::sync::mpsc::{SyncSender, sync_channel};
@@ -36,7 +38,7 @@ const QUEUE_LENGTH: usize = 2;
 /// `quantity` is "pressure", "gap" or "displacement". Seconds are measured between the steps, without the time of the recorder, unless they are
 /// given. Without a path nothing is written, and the numbers remain. `live` shows the steps in the installed viewer. `stream` is a callable that
 /// takes the recording as bytes, piece by piece, such as asperity.notebook.Viewer(). The solution to compare with is solved first, by multilevel
-/// to 1e-12, unless reference=False.
+/// to 1e-12, unless `reference` is False, or a pressure to compare with.
 #[pyclass(frozen, module = "asperity")]
 pub struct Recorder {
     plan: Arc<Plan>,
@@ -55,7 +57,14 @@ struct Plan {
     name: String,
     quantity: Quantity,
     sink: RecordingSink,
-    has_reference: bool,
+    reference: Target,
+}
+
+/// What the steps are compared with.
+enum Target {
+    Nothing,
+    Solution,
+    Pressure(Field),
 }
 
 /// The state of a recorder: before, in and after its `with` block.
@@ -132,7 +141,7 @@ impl Recorder {
         let Plan { surface, setup, rank, .. } = &*self.plan;
         let (surface, setup, findings) = (surface.clone(), setup.clone(), findings.to_string());
         let diagnosis = Some(findings.clone());
-        let contact = Contact { contact, surface, setup, rank: *rank, diagnosis, slip: None };
+        let contact = Contact { diagnosis, ..Contact::new(contact, surface, setup, *rank) };
         self.state().finished = Some(Finished { contact: Py::new(py, contact)?, distances, findings });
         streamed
     }
@@ -149,14 +158,14 @@ impl Recorder {
 #[pymethods]
 impl Recorder {
     #[new]
-    #[pyo3(signature = (problem, path=None, *, name="mine", quantity="pressure", reference=true, live=false, stream=None, recording=None))]
+    #[pyo3(signature = (problem, path=None, *, name="mine", quantity="pressure", reference=None, live=false, stream=None, recording=None), text_signature = "(problem, path=None, *, name='mine', quantity='pressure', reference=True, live=False, stream=None, recording=None)")]
     #[allow(clippy::too_many_arguments, reason = "these are keywords")]
     fn new(
         problem: &Problem,
         path: Option<PathBuf>,
         name: &str,
         quantity: &str,
-        reference: bool,
+        reference: Option<&Bound<'_, PyAny>>,
         live: bool,
         stream: Option<&Bound<'_, PyAny>>,
         recording: Option<&Bound<'_, PyAny>>,
@@ -175,6 +184,20 @@ impl Recorder {
             let given = value_from_py(recording, "recording")?;
             *section_mut(&mut sections, "record") = given.as_object().cloned().unwrap_or_default();
         }
+        let reference = match reference {
+            None => Target::Solution,
+            Some(it) if it.is_instance_of::<PyBool>() => {
+                if it.extract()? {
+                    Target::Solution
+                } else {
+                    Target::Nothing
+                }
+            }
+            Some(pressure) => {
+                let shape = problem.problem.surface().grid().shape();
+                Target::Pressure(field_on(&pressure.extract()?, shape, "pressure of the reference")?)
+            }
+        };
         let plan = Plan {
             problem: problem.problem.clone(),
             surface: problem.surface.clone(),
@@ -183,7 +206,7 @@ impl Recorder {
             name: name.into(),
             quantity,
             sink,
-            has_reference: reference,
+            reference,
         };
         Ok(Self { plan: plan.into(), state: Mutex::default() })
     }
@@ -191,13 +214,17 @@ impl Recorder {
     fn __enter__(slf: Bound<'_, Self>) -> PyResult<Bound<'_, Self>> {
         fork::check_not_forked()?;
         let (py, plan) = (slf.py(), slf.get().plan.clone());
-        let reference = match plan.has_reference {
-            true => {
-                let stop = Stop::new(REFERENCE_TOLERANCE, Stop::default().max_iterations()).map_err(py_error)?;
+        let stop = Stop::new(REFERENCE_TOLERANCE, Stop::default().max_iterations()).map_err(py_error)?;
+        let reference = match &plan.reference {
+            Target::Pressure(given) => {
+                let of_given = || of_pressure(&plan.problem, given.clone(), &stop, "the reference");
+                Some(py.detach(of_given).map_err(py_error)?)
+            }
+            Target::Solution => {
                 let solve = |steps: &mut StepSender| Multilevel.solve(&plan.problem, &stop, steps);
                 Some(run_in_background(py, Foreground::IDLE, solve)?.map_err(py_error)?)
             }
-            false => None,
+            Target::Nothing => None,
         };
         let (frames, given) = sync_channel(QUEUE_LENGTH);
         let thread = thread::spawn(move || plan.run(reference, given.into_iter()));

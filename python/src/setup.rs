@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 /// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///
-/// Setup(surface=..., grid=..., solid=..., load=..., solver=..., stop=..., record=...) takes the sections of a scene as
+/// Setup(surface=..., grid=..., solid=..., load=..., flow=..., solver=..., stop=..., record=...) takes the sections of a scene as
 /// dictionaries, with `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such
 /// as "160 um" and "1 GPa". A load may be a list of loads. With grid={"refine": "auto", ...} the grid is refined until
 /// area and kappa_r are accurate enough.
@@ -68,7 +68,7 @@ impl Setup {
 #[pymethods]
 impl Setup {
     #[new]
-    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, solver=None, stop=None, record=None)")]
+    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, solver=None, stop=None, record=None)")]
     fn py_new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::from_sections(&sections_from_keywords(keys)?)
     }
@@ -135,7 +135,7 @@ impl Setup {
         }
         let surface = py.detach(|| self.setup.surface()).map_err(py_error)?;
         let rank = self.setup.surface.rank(&self.setup.grid).map_err(py_error)?;
-        Ok(Surface { surface: surface.into(), sections, rank })
+        Ok(Surface::from_surface(surface.into(), sections, rank))
     }
 
     fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {

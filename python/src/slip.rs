@@ -13,6 +13,8 @@ use pyo3::prelude::*;
 pub struct PartialSlip {
     slip: contact::PartialSlip,
     stick: Py<Contact>,
+    /// The contact under the normal load.
+    pressed: Py<Contact>,
     rank: usize,
 }
 
@@ -68,6 +70,27 @@ impl PartialSlip {
         self.stick.clone_ref(py)
     }
 
+    fn __eq__(&self, other: &Self) -> bool {
+        let is_same = |one: &Py<Contact>, two: &Py<Contact>| one.get() == two.get();
+        let is_same_friction = self.slip.friction == other.slip.friction;
+        is_same_friction && is_same(&self.pressed, &other.pressed) && is_same(&self.stick, &other.stick)
+    }
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
+    }
+
+    // a pickle holds the contact, which has its slip
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Py<Contact>,))> {
+        let py = slf.py();
+        let getter = py.import("operator")?.call_method1("attrgetter", ("slip",))?;
+        Ok((getter, (slf.get().pressed.clone_ref(py),)))
+    }
+
     fn __repr__(&self) -> String {
         let contact::PartialSlip { ratio, stuck, .. } = &self.slip;
         format!("PartialSlip(tangential_over_sliding={ratio:.4}, eta={:.1e}, {})", stuck.certificate.eta, stuck.status)
@@ -78,9 +101,10 @@ impl PartialSlip {
 impl Contact {
     /// The stick and slip areas, if the contact was solved with `friction` and converged; otherwise None.
     #[getter]
-    fn slip(&self, py: Python<'_>) -> PyResult<Option<PartialSlip>> {
-        let Some(slip) = &self.slip else { return Ok(None) };
-        let stick = Py::new(py, self.stick(slip))?;
-        Ok(Some(PartialSlip { slip: slip.clone(), stick, rank: self.rank }))
+    fn slip(slf: Bound<'_, Self>) -> PyResult<Option<PartialSlip>> {
+        let it = slf.get();
+        let Some(slip) = &it.slip else { return Ok(None) };
+        let stick = Py::new(slf.py(), it.stick(slip))?;
+        Ok(Some(PartialSlip { slip: slip.clone(), stick, rank: it.rank, pressed: slf.clone().unbind() }))
     }
 }

@@ -11,14 +11,15 @@ use crate::setup::Setup;
 use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
-use asperity::contact::{Load, Observer, Status};
+use asperity::contact::{Load, Observables, Observer, Status};
 use asperity::error::{HistoryError, StudyError};
 use asperity::foreign::{Quantity, Replay};
-use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
+use asperity::job::{CurveRecording, HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::{self, Cost};
 use asperity::study;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 /// Fields of a recording or a result in memory, besides those of a solver.
@@ -115,7 +116,8 @@ impl Solve<'_> {
         let Solved { setup, contact, slip, .. } = solved;
         let surface = contact.problem.surface().clone();
         let diagnosis = diagnosis.map(|findings| findings.to_string());
-        Ok(Contact { contact, surface, setup, rank: self.problem.rank, diagnosis, slip })
+        let preparation = self.problem.preparation.clone();
+        Ok(Contact { diagnosis, slip, preparation, ..Contact::new(contact, surface, setup, self.problem.rank) })
     }
 
     /// Solves by a solver that is written in Python. Its exceptions are raised as they are.
@@ -191,14 +193,15 @@ impl Solve<'_> {
             warn_sentence(py, &format!("The history ended after {} states: {error}.", outcome.states.len()))?;
         }
         warn(py, &outcome.warnings())?;
-        History::new(py, outcome, &self.problem.surface, self.setup.clone(), self.problem.rank)
+        History::new(py, outcome, self.problem, self.setup.clone())
     }
 
     /// The contact of a curve as an object of Python.
     fn under_its_load(&self, contact: asperity::Contact) -> Contact {
         let setup = setup::Setup { load: contact.problem.load(), ..self.setup.setup.clone() };
-        let Problem { surface, rank, .. } = self.problem;
-        Contact { contact, surface: surface.clone(), setup, rank: *rank, diagnosis: None, slip: None }
+        let Problem { surface, rank, preparation, .. } = self.problem;
+        let preparation = preparation.clone();
+        Contact { preparation, ..Contact::new(contact, surface.clone(), setup, *rank) }
     }
 
     /// Does some work in the background, shows its steps to the callback and passes on its recording.
@@ -238,18 +241,27 @@ impl Solve<'_> {
     /// The contacts under one load after the other, up to the one at which the callback ends the run.
     fn pressed(&self, loads: &[Load], steps: &mut StepSender) -> Result<Vec<asperity::Contact>, BoxedError> {
         let curve = study::LoadCurve { setup: self.setup.setup.clone(), loads: loads.to_vec() };
+        let create = |path: &PathBuf| CurveRecording::create(path, &curve, &self.problem.problem);
+        let mut recording = self.options.sink.path.as_ref().map(create).transpose()?;
         let mut contacts = Vec::with_capacity(loads.len());
         let ended = curve.press(
             &self.problem.problem,
             |_| steps.clone(),
-            |_, contact| {
+            |load, contact| {
+                if let Some(recording) = &recording {
+                    let added = recording.add(load, contact, &Observables::new(contact));
+                    added.map_err(StudyError::from)?;
+                }
                 contacts.push(contact.clone());
                 if contact.status == Status::StoppedByObserver { Err(Ended::ByCallback) } else { Ok(()) }
             },
         );
         match ended {
             Err(Ended::By(error)) => Err(error.into()),
-            Ok(()) | Err(Ended::ByCallback) => Ok(contacts),
+            Ok(()) | Err(Ended::ByCallback) => {
+                recording.take().map_or(Ok(()), CurveRecording::finish)?;
+                Ok(contacts)
+            }
         }
     }
 }

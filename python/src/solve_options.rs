@@ -7,6 +7,7 @@ use crate::own_solver::OwnSolver;
 use crate::setup::Setup;
 use crate::sink::RecordingSink;
 use asperity::grid::Grid;
+use asperity::setup::Part;
 use asperity::surface::Field;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -35,8 +36,7 @@ impl SolveOptions {
             options.read(&key.extract::<String>()?, &it, &mut sections, grid.shape())?;
         }
         let setup = Setup::from_sections(&sections)?;
-        setup.setup.solver.check().and_then(|()| setup.setup.stop.check()).map_err(py_error)?;
-        setup.setup.record.check(grid).map_err(py_error)?;
+        setup.setup.check_on(grid).map_err(py_error)?;
         options.sink.check()?;
         options.check(&setup)?;
         Ok((options, setup))
@@ -99,11 +99,18 @@ impl SolveOptions {
             self.check_own_solver(setup)?;
         }
         let only_once = [
-            ("record, live and stream show", self.sink.is_active()),
+            ("live and stream show", self.sink.is_live || self.sink.is_streamed()),
             ("diagnose needs", self.diagnose),
             ("start needs", self.start.is_some()),
             ("friction needs", setup.setup.friction.is_some()),
         ];
+        let is_several = setup.loads.is_some() || setup.setup.is_history().map_err(py_error)?;
+        if let Some(part) = setup.setup.record.what.iter().find(|part| is_several && Part::OF_A_RUN.contains(part)) {
+            let part = part.name();
+            return bail(format!(
+                "the recording part {part} shows the steps of one solve, but there are several: leave it out"
+            ));
+        }
         match only_once.iter().find(|(_, is_given)| *is_given) {
             Some((what, _)) if setup.loads.is_some() => {
                 bail(format!("{what} one load, but a list of loads is given: give one load"))

@@ -37,7 +37,7 @@ impl Study {
 #[pymethods]
 impl Study {
     #[new]
-    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, adhesion=None, path=None, solver=None, stop=None)")]
+    #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, adhesion=None, viscoelastic=None, path=None, sliding=None, flow=None, solver=None, stop=None, record=None)")]
     fn new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::from_table(table_from_sections(&sections_from_keywords(keys)?)?)
     }

@@ -55,6 +55,10 @@ impl Table {
         py.import("pandas")?.call_method1("DataFrame", (columns,))
     }
 
+    fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("table_as_html", (slf,))
+    }
+
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         match self.columns.iter().find(|column| column.name == name) {
             Some(column) => array(py, &column.values),

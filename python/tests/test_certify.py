@@ -40,6 +40,13 @@ def test_a_displacement_for_a_gap_is_told_by_its_keyword() -> None:
     assert any("give it as displacement" in sentence for sentence in certification.mistakes), certification.mistakes
 
 
+def test_a_tolerance_decides_whether_a_result_holds() -> None:
+    assert not asp.certify(HEIGHT, 1.0, solid=1.0, pressure=EXACT)
+    assert asp.certify(HEIGHT, 1.0, solid=1.0, pressure=EXACT, tolerance=1e-3)
+    with pytest.raises(asp.AsperityError, match="tolerance"):
+        asp.certify(HEIGHT, 1.0, solid=1.0, pressure=EXACT, tolerance=-1.0)
+
+
 def test_one_result_is_given_at_a_time() -> None:
     with pytest.raises(asp.AsperityError, match="one result"):
         asp.certify(HEIGHT, 1.0, solid=1.0, mean_pressure=MEAN)

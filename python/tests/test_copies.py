@@ -85,6 +85,33 @@ def test_problems_and_contacts_travel_between_processes() -> None:
     assert there == problem.solve()
 
 
+def test_histories_slips_and_certifications_come_back() -> None:
+    rough = asp.Surface.rough(512, 1.0, **ROUGH)
+    creep = asp.solve(rough, reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": [0.0, 1.0, 2.0], "load": [0.0, 0.05, 0.0]})
+    cycle = asp.solve(
+        rough, solid=1.0, mean_pressure=2e-3, friction={"coefficient": 0.5}, path={"tangential": [5e-4, -5e-4, 5e-4, -5e-4, 5e-4]}
+    )
+    sine = asp.Surface.indenter("sine", 512, "20 um", amplitude="1 um")
+    sticky = asp.solve(
+        sine, solid="1 MPa", mean_pressure=0.0, path={"load": ["0 Pa", "-20 kPa"], "steps": 8}, adhesion={"work": "10 mJ/m^2", "range": "80 nm"}
+    )
+    pulled = asp.solve(rough, solid=1.0, mean_pressure=2e-3, friction={"coefficient": 0.5, "tangential": 5e-4})
+    certified = asp.certify(rough, solid=1.0, pressure=pulled.pressure)
+    assert pulled.slip is not None
+    for it in (creep, cycle, sticky, pulled.slip, certified):
+        assert again(it) == it and copy.copy(it) is it and copy.deepcopy(it) is it, it
+    for history in (creep, cycle, sticky):
+        same = again(history)
+        assert (same.process, same.claims, same.adhesion) == (history.process, history.claims, history.adhesion)
+        assert np.array_equal(same.energy_per_cycle, history.energy_per_cycle)
+        for there, here in ((same.numbers, history.numbers), (same.fields, history.fields)):
+            assert there.keys() == here.keys() and all(np.array_equal(there[it], here[it], equal_nan=True) for it in here)
+        assert again(history[-1]) == history[-1] != history[0]
+        assert again(history[-1]).measures.keys() == history[-1].measures.keys()
+    assert creep != cycle and certified != asp.certify(rough, solid=1.0, pressure=2 * pulled.pressure)
+    assert (again(certified).holds, again(certified).mistakes) == (certified.holds, certified.mistakes)
+
+
 def test_a_table_comes_back() -> None:
     study = asp.Study(
         surface={"spectrum": ROUGH, "seed": "1-2"}, grid={"points": 256, "size": 1.0}, load={"reduced_pressure": [0.05, 0.1]}

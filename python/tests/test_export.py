@@ -25,6 +25,32 @@ def test_a_contact_is_a_dataset_over_positions(tmp_path: Path) -> None:
     assert asp.Setup.from_toml(data.attrs["setup"]).solve() == contact
 
 
+def test_histories_are_datasets_over_their_states() -> None:
+    pytest.importorskip("xarray")
+    history = asp.solve(SURFACE, reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0, "steps": 2})
+    data = history.to_xarray()
+    assert dict(data.sizes) == {"state": 3, "y": 64, "x": 128} and list(data.state) == [1, 2, 3]
+    assert np.array_equal(data.stored_strain, history.fields["stored_strain"]) and np.array_equal(data.pressure[2], history[2].pressure)
+    assert data.time.attrs == {"long_name": "Time since the beginning.", "unit": "time"}
+    assert list(data.claim.values) == history.claims and data.attrs["process"] == "creep"
+
+
+def test_netcdf_files_come_back(tmp_path: Path) -> None:
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("netCDF4")
+    contact = asp.solve(SURFACE, solid=1.0, reduced_pressure=0.1, flow={"leakage": True})
+    curve = asp.solve(SURFACE, reduced_pressure=[0.05, 0.1])
+    history = asp.solve(SURFACE, reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0, "steps": 2})
+    for name, it in (("contact", contact), ("curve", curve), ("history", history)):
+        it.to_netcdf(tmp_path / f"{name}.nc")
+        with xarray.open_dataset(tmp_path / f"{name}.nc") as again:
+            assert again.equals(it.to_xarray()), name
+            assert again.attrs["setup"] == it.setup.to_toml()
+    SURFACE.to_netcdf(tmp_path / "surface.nc")
+    with xarray.open_dataarray(tmp_path / "surface.nc") as again:
+        assert np.array_equal(again, SURFACE.height)
+
+
 def test_lines_surfaces_and_curves_are_datasets_too() -> None:
     pytest.importorskip("xarray")
     line = asp.Surface.rough(256, 1.0, **ROUGH)

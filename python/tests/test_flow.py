@@ -1,5 +1,10 @@
 """Leakage, conductance and percolation of contacts."""
 
+import csv
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -43,6 +48,50 @@ def test_a_contact_seals_above_its_sealing_load(contact: asp.Contact) -> None:
         solved = asp.solve(surface, solid=1.0, reduced_pressure=pressure)
         assert solved.percolation()["open_x"] == is_open
         assert solved.leakage("x")["sealed"] != is_open
+
+
+def test_flow_is_among_the_measures(contact: asp.Contact, tmp_path: Path) -> None:
+    asked = {"leakage": True, "resistivity": [1.0, 3.0]}
+    curve = asp.solve(contact.problem.surface, solid=1.0, reduced_pressure=[0.05, 0.4], flow=asked)
+    found = curve[0].measures
+    assert found["leakage_upper_x"] == contact.leakage("x")["upper"] and found["open_percolates_x"] is True
+    assert found["conductance_per_area"] == contact.conductance([1.0, 3.0])
+    assert list(curve.measures["open_percolates_x"]) == [True, contact.problem.with_load(reduced_pressure=0.4).solve().percolation()["open_x"]]
+    # the columns and values of the command line
+    curve.setup.write(tmp_path / "scene.toml")
+    words = ["solve", str(tmp_path / "scene.toml"), "--out", str(tmp_path / "there.npz")]
+    subprocess.run([sys.executable, "-m", "asperity", *words], check=True, capture_output=True)
+    subprocess.run([sys.executable, "-m", "asperity", *words[:3], str(tmp_path / "there.csv")], check=True, capture_output=True)
+    with open(tmp_path / "there.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    for name in ("leakage_lower_x", "hydraulic_gap_y", "conductance_per_area", "conductance_times_resistivity"):
+        assert [float(row[name]) for row in rows] == list(curve.measures[name]), name
+    curve.save(tmp_path / "own.npz")
+    with np.load(tmp_path / "own.npz") as own, np.load(tmp_path / "there.npz") as there:
+        assert set(own) == set(there) and np.array_equal(own["flux_x"], there["flux_x"])
+    problem = asp.Problem(contact.problem.surface, solid=1.0, reduced_pressure=0.05, flow={"conductivity": 2.0})
+    alone = problem.solve()
+    assert alone.measures["conductance_per_area"] == contact.conductance(0.5) and "leakage_upper_x" not in alone.measures
+    with pytest.raises(asp.AsperityError, match="both resistivities and conductivities"):
+        asp.solve(contact.problem.surface, reduced_pressure=0.05, flow={"resistivity": 1.0, "conductivity": 1.0})
+
+
+def test_resistivities_have_units(contact: asp.Contact) -> None:
+    assert contact.conductance("17 nohm*m") == contact.conductance(17e-9)
+    assert contact.conductance(["17 nohm*m", 28e-9]) == contact.conductance([17e-9, 28e-9])
+    assert contact.conductance(conductivity="401 W/m/K") == contact.conductance(1 / 401)
+    for wrong in ({}, {"resistivity": [1.0, 2.0, 3.0]}, {"resistivity": 1.0, "conductivity": 1.0}, {"resistivity": "17 m"}):
+        with pytest.raises(asp.AsperityError):
+            contact.conductance(**wrong)
+
+
+def test_what_yields_is_among_the_measures(tmp_path: Path) -> None:
+    surface = asp.Surface.rough(512, 1.0, hurst=0.8, rolloff_wavelength=0.25, short_cutoff=1 / 64, rms_gradient=0.1)
+    contact = asp.solve(surface, solid=1.0, reduced_pressure=0.05, law={"hardness": 0.06})
+    found = contact.measures
+    assert found["plastic_load_share"] == pytest.approx(0.06 * found["plastic_area"] / contact.mean_pressure)
+    assert 0 < found["plastic_overlap"] == pytest.approx(-contact.gap[contact.pressure > 0.0599].sum() / 512, rel=1e-6)
+    assert "plastic_overlap" not in asp.solve(surface, reduced_pressure=0.05).measures
 
 
 def test_other_axes_are_refused(contact: asp.Contact) -> None:

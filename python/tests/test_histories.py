@@ -104,6 +104,60 @@ def test_what_cannot_be_is_refused_in_words_of_python() -> None:
         asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0}, diagnose=True)
 
 
+@pytest.mark.parametrize(
+    ("keys", "solver", "sentence"),
+    [
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "path": {"time": 1.0}}, "gfmd", "gfmd cannot solve histories"),
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": 1.0}}, "polonsky-keer", "sliding has a solver of its own, not polonsky-keer"),
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": 1.0}}, "gfmd", "gfmd cannot solve histories"),
+        ({"friction": {"coefficient": 0.3}, "rolling": {"creepage": 1e-4}}, "gfmd", "gfmd cannot solve histories"),
+        ({"friction": {"coefficient": 0.3}, "path": {"tangential": [0.001, 0.0]}}, "gfmd", "gfmd cannot solve histories"),
+        ({"adhesion": {"work": 0.01, "range": 0.1}}, "gfmd", "give gfmd as the method of the adhesion"),
+        ({"adhesion": {"work": 0.01, "range": 0.1}}, "polonsky-keer", "adhesion has methods of its own, not polonsky-keer"),
+    ],
+)
+def test_a_solver_that_a_process_does_not_have_is_refused(keys: dict[str, dict[str, object]], solver: str, sentence: str) -> None:
+    with pytest.raises(asp.AsperityError, match=sentence):
+        asp.solve(rough(), solid=1.0, reduced_pressure=0.02, solver=solver, **keys)
+
+
+def test_contacts_have_the_numbers_of_their_states() -> None:
+    creep = asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 3.0, "steps": 4})
+    sticky = asp.solve(sine(), mean_gap="1 um", path={"load": ["1.2 um", "0.8 um"], "steps": 4}, **STICKY)
+    pulled = asp.solve(rough(), solid=1.0, mean_pressure=2e-3, friction={"coefficient": 0.5}, path={"tangential": [5e-4, 0.0]})
+    for history in (creep, sticky, pulled):
+        assert isinstance(history, asp.History)
+        for name, values in history.numbers.items():
+            found = [contact.measures.get(name, math.nan) for contact in history]
+            assert np.array_equal(found, values, equal_nan=True), (history.process, name)
+    # what holds for an elastic contact only is absent, and stays with slip
+    assert "kappa" in pulled[0].measures and "kappa" not in creep[0].measures
+    assert not {"kappa", "certificate", "reduced_pressure", "elastic_energy"} & set(sticky[0].measures)
+    assert sticky[-1].mean_pressure == sticky.numbers["mean_pressure"][-1] != sticky[-1].pressure.mean()
+    assert math.isnan(creep[-1].elastic_energy) and "a state of creep" in repr(creep[-1])
+    with pytest.raises(asp.AsperityError, match="without adhesion"):
+        sticky[0].stiffness()
+    with pytest.raises(asp.AsperityError, match="a state of creep"):
+        creep[0].conductance(1.0)
+
+
+def test_a_path_may_be_a_file(tmp_path: Path) -> None:
+    (tmp_path / "press.csv").write_text("time,load\n0,0.01\n1,0.02\n")
+    given = dict(reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]})
+    of_file = asp.solve(rough(), path=tmp_path / "press.csv", **given)
+    same = asp.solve(rough(), path={"time": [0.0, 1.0], "load": [0.01, 0.02]}, **given)
+    assert isinstance(of_file, asp.History) and np.array_equal(of_file[-1].pressure, same[-1].pressure)
+
+
+def test_a_history_is_written_as_the_table_of_the_command_line(tmp_path: Path) -> None:
+    history = asp.solve(sine(), mean_gap="1 um", path={"load": ["1.2 um", "0.8 um"], "steps": 4}, **STICKY)
+    history.save(tmp_path / "own.csv")
+    history.setup.write(tmp_path / "scene.toml")
+    words = ["solve", str(tmp_path / "scene.toml"), "--out", str(tmp_path / "there.csv")]
+    subprocess.run([sys.executable, "-m", "asperity", *words], check=True, capture_output=True)
+    assert (tmp_path / "own.csv").read_text() == (tmp_path / "there.csv").read_text()
+
+
 def test_a_callback_ends_a_history() -> None:
     seen = []
 

@@ -90,7 +90,8 @@ def test_rows_that_do_not_converge_give_one_warning() -> None:
         ({"reduced_pressure": []}, "the list is empty"),
         ({"reduced_pressure": [0.1, -0.1]}, "-0.1"),
         ({"reduced_pressure": LOADS, "diagnose": True}, "diagnose needs one load"),
-        ({"reduced_pressure": LOADS, "record": "steps.rrd"}, "record, live and stream show one load"),
+        ({"reduced_pressure": LOADS, "stream": len}, "live and stream show one load"),
+        ({"reduced_pressure": LOADS, "record": "steps.rrd", "recording": {"what": ["waterfall"]}}, "the recording part waterfall"),
         ({"reduced_pressure": LOADS, "start": np.ones(2048)}, "start needs one load"),
         ({"reduced_pressure": LOADS, "refine": "auto"}, "refine='auto' needs one load"),
     ],
@@ -98,6 +99,19 @@ def test_rows_that_do_not_converge_give_one_warning() -> None:
 def test_lists_that_cannot_be_are_refused(keys: dict[str, object], sentence: str) -> None:
     with pytest.raises(asp.AsperityError, match=sentence):
         asp.solve(SURFACE, **keys)
+
+
+def test_a_curve_is_recorded_and_written_as_a_table(tmp_path: Path) -> None:
+    curve = asp.solve(SURFACE, reduced_pressure=LOADS, record=tmp_path / "curve.rrd")
+    assert (tmp_path / "curve.rrd").stat().st_size > 50_000
+    curve.save(tmp_path / "curve.csv")
+    scene = curve.setup
+    scene.write(tmp_path / "scene.toml")
+    words = ["solve", str(tmp_path / "scene.toml"), "--out", str(tmp_path / "same.csv")]
+    subprocess.run([sys.executable, "-m", "asperity", *words], check=True, capture_output=True)
+    assert (tmp_path / "curve.csv").read_text() == (tmp_path / "same.csv").read_text()
+    with pytest.raises(asp.AsperityError, match="give a name that ends in .npz or .csv"):
+        curve.save(tmp_path / "curve.txt")
 
 
 def test_results_of_several_loads_are_neither_certified_nor_recorded() -> None:

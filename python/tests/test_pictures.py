@@ -1,5 +1,7 @@
 """Figures: the rigid surface keeps its shape, the solid is pressed down, and curves and maps hold the numbers."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -59,6 +61,56 @@ def test_notebooks_show_a_picture_and_the_main_numbers() -> None:
     assert "data:image/png;base64," in html and "reduced pressure 0.1" in html and "converged by multilevel" in html
     assert f"{contact.mean_gap:.6g}" in html
     assert "rms gradient" in ROUGH._repr_html_() and "64 x 128" in ROUGH._repr_html_()
+
+
+def test_a_loop_with_jumps_is_drawn() -> None:
+    sine = asp.Surface.indenter(shape="sine", points=512, size="20 um", amplitude="1 um")
+    loop = asp.solve(
+        sine, solid="1 MPa", mean_gap="1 um", path={"load": ["1.6 um", "0.4 um", "1.6 um"], "steps": 8}, adhesion={"work": 0.01, "range": 80e-9}
+    )
+    assert isinstance(loop, asp.History) and loop.adhesion is not None
+    left, right = loop.plot().axes
+    (line,) = left.lines
+    assert np.array_equal(line.get_xdata(), loop.numbers["mean_gap"]) and np.array_equal(line.get_ydata(), loop.numbers["mean_pressure"])
+    assert len(left.texts) == len(loop.adhesion["jumps"]) == 2 and len(left.patches) == 1
+    for arrow, jump in zip(left.texts, loop.adhesion["jumps"]):
+        assert arrow.xy == (jump["mean_gap"][1], jump["mean_pressure"][1])
+    assert (left.get_xlabel(), left.get_ylabel(), right.get_ylabel()) == ("mean gap", "mean pressure", "relative area")
+
+
+@pytest.mark.parametrize(
+    ("keys", "labels"),
+    [
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "path": {"time": 2.0, "steps": 3}}, ["time", "relative area", "mean gap"]),
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": [0.01, 0.1]}}, ["speed", "friction coefficient", "relative area"]),
+        ({"friction": {"coefficient": 0.5}, "path": {"tangential": [0.005, -0.005]}}, ["shift", "mean traction", "share that sticks"]),
+        ({"friction": {"coefficient": 0.5}, "rolling": {"creepage": [1e-4, 2e-4]}}, ["creepage", "friction coefficient", "share that sticks"]),
+    ],
+)
+def test_each_process_has_its_charts(keys: dict[str, dict[str, object]], labels: list[str]) -> None:
+    rough = asp.Surface.rough(256, 1.0, hurst=0.8, rolloff_wavelength=0.25, short_cutoff=0.05, rms_gradient=0.1)
+    history = asp.solve(rough, solid=1.0, mean_pressure=0.02, **keys)
+    axes = history.plot().axes
+    assert [axes[0].get_xlabel(), *(it.get_ylabel() for it in axes)] == labels
+    assert all(np.isfinite(it.lines[0].get_ydata()).any() for it in axes)
+
+
+def test_notebooks_show_curves_histories_and_tables(tmp_path: Path) -> None:
+    curve = asp.solve(ROUGH, reduced_pressure=[0.1, 0.2])
+    assert "data:image/png;base64," in curve._repr_html_() and "<td>2</td>" in curve._repr_html_()
+    history = asp.solve(ROUGH, reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0, "steps": 2})
+    assert "data:image/png;base64," in history._repr_html_() and "creep" in history._repr_html_()
+    assert asp.show(history).axes
+    table = asp.study(
+        asp.Study(
+            surface={"indenter": {"shape": "sine", "amplitude": 0.01}}, grid={"points": 64, "size": 1.0},
+            load={"reduced_pressure": [0.01 * (i + 1) for i in range(12)]},
+        )
+    )
+    assert "Table of 12 rows" in table._repr_html_() and "10 of 12 rows" in table._repr_html_()
+    for it in (curve, history):
+        it.save(tmp_path / "it.png")
+        assert (tmp_path / "it.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_an_empty_cell_is_drawn_as_a_whole() -> None:

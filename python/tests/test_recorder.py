@@ -101,3 +101,16 @@ def test_our_own_solvers_are_recorded_with_their_setup(tmp_path: Path) -> None:
     surface = asp.Surface.rough(512, 1.0, hurst=0.8, rolloff_wavelength=0.25, short_cutoff=0.02, rms_gradient=0.1)
     contact = asp.solve(surface, reduced_pressure=0.05, record=path)
     assert asp.Setup.read(path) == contact.setup
+
+
+def test_steps_are_compared_with_a_pressure_that_is_given() -> None:
+    solution = problem().solve(tolerance=1e-12).pressure
+    found = {}
+    for name, reference in (("solved", True), ("given", solution), ("other", np.full(N, MEAN))):
+        with asp.Recorder(problem(), reference=reference) as recorder:
+            for pressure in steps(10):
+                recorder.step(pressure)
+        found[name] = recorder.distances["pressure_error"]
+    assert np.allclose(found["given"], found["solved"], rtol=1e-4) and found["other"][0] < 1e-12 < found["other"][-1]
+    with pytest.raises(asp.AsperityError, match="does not fit"):
+        asp.Recorder(problem(), reference=np.ones(3))

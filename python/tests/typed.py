@@ -31,3 +31,8 @@ assert_type(asp.solve(surface, mean_pressure=1e6, solid=1e9, viscoelastic={"cree
 assert_type(asp.solve(surface, force=1.0, solid=1e9, friction={"coefficient": 0.3}, rolling={"creepage": 1e-4})[0], asp.Contact)
 assert_type(asp.solve(surface, mean_gap="1 um", solid="1 MPa", adhesion={"work": 0.01, "range": "80 nm"}).claims, list[str])
 assert_type(asp.Problem(surface, mean_gap=1e-6, solid=1e6, adhesion={"work": 0.01, "range": 1e-7}, path={"load": [1e-6, 0.0]}).solve(), asp.History)
+assert_type(asp.load("run.npz"), "asp.Contact | asp.LoadCurve | asp.History")
+assert_type(asp.solve(contact.height, 1.0, reduced_pressure=0.1, prepare="auto", flow={"leakage": True}).conductance("17 nohm*m"), float)
+assert_type(asp.Surface(contact.height, 1.0, prepare={"detrend": "plane"}).preparation, list[str])
+assert_type(surface.spectrum("profile"), tuple[NDArray[np.float64], NDArray[np.float64]])
+assert_type(asp.solve(surface, mean_pressure=1e6, solid=1e9, viscoelastic={"creep": [9, 1]}, path="press.csv"), asp.History)

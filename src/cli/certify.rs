@@ -6,7 +6,6 @@ use super::exit_status::{ExitStatus, usage};
 use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
-use super::nodes::write_nodes;
 use super::output::write_json;
 #[cfg(feature = "record")]
 use super::recording_args::RecordingArgs;
@@ -17,6 +16,7 @@ use asperity::contact::{Contact, ContactModulus, Problem, archive, warnings_of};
 use asperity::error::ProblemError;
 use asperity::files::{check_apart, check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
+use asperity::job::write_nodes;
 use asperity::plot::{write_png, write_svg};
 use asperity::setup::{Cost, Setup};
 use asperity::surface::read_field;

@@ -23,7 +23,6 @@ use asperity::setup::{Part, ProcessKind, Setup};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::{self, Write, stdout};
-use std::path::Path;
 
 /// Columns of the table for reading, by process.
 const COLUMNS: [(ProcessKind, &[&str]); 5] = [
@@ -195,7 +194,7 @@ fn write(
     let (subject, full) = (ProblemSummary::new(setup, problem)?, setup.clone().with_full_path());
     let quantities = outcome.quantities();
     if let Some(path) = outputs.table() {
-        write_table(path, &outcome.states, &quantities)?;
+        outcome.write_table(path)?;
     }
     if let Some(path) = outputs.picture() {
         picture::write(path, &super::history_picture::draw(&subject.title, &outcome))?;
@@ -244,25 +243,6 @@ fn object(number: usize, state: &HistoryState, quantities: &[&HistoryQuantity]) 
 
 fn word(status: Status) -> Value {
     serde_json::to_value(status).unwrap_or_default()
-}
-
-/// Writes the numbers of all states as comma-separated values, with adhesion with the claim of each.
-fn write_table(path: &Path, states: &[HistoryState], quantities: &[&HistoryQuantity]) -> Result<()> {
-    write_beside(path, |file| {
-        let claimed = states.iter().any(|state| state.numbers.residual.is_some()).then_some("claim");
-        let first = ["state", "status"].into_iter().chain(claimed);
-        let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name)).collect();
-        writeln!(file, "{}", names.join(","))?;
-        states.iter().enumerate().try_for_each(|(i, state)| {
-            let values = quantities.iter().map(|it| (it.value)(state).map_or(String::new(), |value| value.to_string()));
-            let status = word(state.contact.status).as_str().unwrap_or_default().to_owned();
-            let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
-            let first = [(i + 1).to_string(), status].into_iter().chain(claim);
-            let cells: Vec<String> = first.chain(values).collect();
-            writeln!(file, "{}", cells.join(","))
-        })
-    })?;
-    Ok(())
 }
 
 impl HistorySummary {

@@ -4,70 +4,57 @@ use asperity::contact::ResultClaim;
 use asperity::history::{HISTORY_QUANTITIES, HistoryState};
 use asperity::job::HistoryOutcome;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
-use asperity::setup::ProcessKind;
+use asperity::setup::ProcessChart;
 
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
 
-/// A panel of the picture: one quantity of the states against another one.
-struct HistoryPanel {
-    /// Name of the quantity on the horizontal axis, or `state` for the number of the state.
-    x: &'static str,
-    /// Name of the quantity on the vertical axis.
-    y: &'static str,
-    /// Whether the horizontal axis is logarithmic.
-    is_logarithmic: bool,
-}
-
-/// The panels of a process.
-fn panels(kind: ProcessKind) -> [HistoryPanel; 2] {
-    let panel = |x, y, is_logarithmic| HistoryPanel { x, y, is_logarithmic };
-    match kind {
-        ProcessKind::Creep => [panel("time", "relative_area", false), panel("time", "mean_gap", false)],
-        ProcessKind::Adhesion => [panel("mean_gap", "mean_pressure", false), panel("mean_gap", "relative_area", false)],
-        ProcessKind::Slip => [panel("shift", "mean_traction", false), panel("state", "stick_share", false)],
-        ProcessKind::Sliding => [panel("speed", "friction", true), panel("speed", "relative_area", true)],
-        ProcessKind::Rolling => [panel("creepage", "friction", false), panel("creepage", "stick_share", false)],
-    }
-}
+/// Ends of a curve that are closer than this, over the distance of its extreme values, are the same.
+const CLOSED: f64 = 1e-6;
 
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
 pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
     let states: Vec<&HistoryState> = outcome.states.iter().filter(|it| it.claim != ResultClaim::Moving).collect();
-    let panels = panels(outcome.kind).map(|panel| panel.draw(&states));
+    let panels = outcome.kind.charts().map(|chart| panel(chart, &states));
     Figure { title: title.into(), panels: panels.into() }
 }
 
-impl HistoryPanel {
-    fn draw(&self, states: &[&HistoryState]) -> Panel {
-        let [x, y] = [self.x, self.y].map(|name| {
-            let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
-            let value = |(number, state): (usize, &HistoryState)| match found {
-                _ if state.claim == ResultClaim::Separated => f64::NAN,
-                Some(it) => (it.value)(state).unwrap_or(f64::NAN),
-                None => (number + 1) as f64,
-            };
-            (found.map_or(name, |it| it.title), states.iter().copied().enumerate().map(value).collect::<Vec<f64>>())
-        });
-        let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
-            let [low, high] = range(values);
-            match is_logarithmic && low > 0.0 {
-                true => Axis::log(*title, [low / 1.2, high * 1.2]),
-                false => Axis::linear(*title, [low - ROOM * (high - low), high + ROOM * (high - low)]),
-            }
+/// A panel of the picture.
+fn panel(chart: ProcessChart, states: &[&HistoryState]) -> Panel {
+    let [x, y] = [chart.x, chart.y].map(|name| {
+        let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
+        let value = |(number, state): (usize, &HistoryState)| match found {
+            _ if state.claim == ResultClaim::Separated => f64::NAN,
+            Some(it) => (it.value)(state).unwrap_or(f64::NAN),
+            None => (number + 1) as f64,
         };
-        let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
-        let mut panel = Panel::new(format!("{} against {}", y.0, x.0), axis(&x, self.is_logarithmic), axis(&y, false));
-        let is_loop = states.iter().any(|state| state.numbers.residual.is_some());
-        if is_loop && self.y == "mean_pressure" {
-            panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());
+        (found.map_or(name, |it| it.title), states.iter().copied().enumerate().map(value).collect::<Vec<f64>>())
+    });
+    let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
+        let [low, high] = range(values);
+        match is_logarithmic && low > 0.0 {
+            true => Axis::log(*title, [low / 1.2, high * 1.2]),
+            false => Axis::linear(*title, [low - ROOM * (high - low), high + ROOM * (high - low)]),
         }
-        panel.add("", Colour::ORANGE, Mark::Joined { symbol: Symbol::Circle, filled: true }, dots.iter().copied());
-        for jump in (1..states.len()).filter(|&i| states[i].numbers.jump.is_some()) {
-            panel.add("", Colour::BLACK, Mark::Arrow, [dots[jump - 1], dots[jump]]);
-        }
-        panel
+    };
+    let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
+    let mut panel = Panel::new(format!("{} against {}", y.0, x.0), axis(&x, chart.is_logarithmic), axis(&y, false));
+    let is_loop = is_closed(&x.1) || is_closed(&y.1);
+    if is_loop && chart.y == "mean_pressure" {
+        panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());
     }
+    panel.add("", Colour::ORANGE, Mark::Joined { symbol: Symbol::Circle, filled: true }, dots.iter().copied());
+    for jump in (1..states.len()).filter(|&i| states[i].numbers.jump.is_some()) {
+        panel.add("", Colour::BLACK, Mark::Arrow, [dots[jump - 1], dots[jump]]);
+    }
+    panel
+}
+
+/// Whether the finite values of a curve end where they have begun, and were elsewhere between.
+fn is_closed(values: &[f64]) -> bool {
+    let finite: Vec<f64> = values.iter().copied().filter(|it| it.is_finite()).collect();
+    let [low, high] = range(&finite);
+    matches!(finite.as_slice(), [first, .., last] if (last - first).abs() <= CLOSED * (high - low))
 }
 
 /// The least and the largest finite value, with zero beside values that are all the same.

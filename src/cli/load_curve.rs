@@ -16,9 +16,10 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads_with, warnings_of};
 use asperity::error::FileError;
-use asperity::files::{write_beside, write_csv};
+use asperity::files::write_beside;
 #[cfg(feature = "record")]
 use asperity::job::CurveRecording;
+use asperity::job::write_loads;
 use asperity::setup::{Part, SetupTable};
 use asperity::study::{FlowRow, LoadCurve};
 use asperity::surface::Field;
@@ -37,14 +38,6 @@ struct LoadCurveSummary {
     setup: SetupTable,
     #[serde(skip)]
     units: Units,
-}
-
-/// A row of the table, before its observables.
-#[derive(Serialize)]
-struct LoadRow {
-    /// Number of the load, from 1.
-    load_number: usize,
-    status: Status,
 }
 
 /// The findings under all loads, their contacts, and how the solves ended.
@@ -164,12 +157,10 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
-        let row = |(i, it): (usize, &Finding)| (LoadRow { load_number: i + 1, status: it.status }, it.observables);
+        let rows: Vec<_> = findings.iter().map(|it| (it.status, it.observables)).collect();
         let flow = |it: &Finding| it.flow.as_ref().map_or(FlowRow::default(), |it| it.row);
-        match curve.setup.flow.is_none() {
-            true => write_csv(path, findings.iter().enumerate().map(row))?,
-            false => write_csv(path, findings.iter().enumerate().map(|(i, it)| (row((i, it)), flow(it))))?,
-        }
+        let flow: Option<Vec<FlowRow>> = (!curve.setup.flow.is_none()).then(|| findings.iter().map(flow).collect());
+        write_loads(path, &rows, flow.as_deref())?;
     }
     if let Some(path) = outputs.picture() {
         picture::write(path, &picture::of_loads(&subject.title, &observables, units))?;

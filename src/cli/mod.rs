@@ -27,7 +27,6 @@ mod interrupt;
 mod iteration;
 mod load_curve;
 mod man;
-mod nodes;
 mod output;
 mod outputs;
 mod paper;

@@ -1,9 +1,11 @@
 //! The fields of contacts in one file.
 
-use crate::contact::{Contact, OBSERVABLES, PartialSlip, State};
+use crate::contact::{Contact, OBSERVABLES, PartialSlip, Resolved, State};
 use crate::elastic::Stress;
 use crate::surface::{Field, PowerSpectrum};
-use ndarray::{Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr2, arr3, stack};
+use ndarray::{
+    Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr1, arr2, arr3, stack,
+};
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
 use std::slice::from_ref;
@@ -26,6 +28,8 @@ use std::slice::from_ref;
 /// | `contact_modulus`                                    | `()`                 | `E*`                                        |
 /// | those of [`OBSERVABLES`]                             | `()`                 | load, area and all else, by their names     |
 /// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
+/// | `status`, `solver`                                   | bytes                | how the solver stopped, and its name        |
+/// | `coarser`                                            | `(6)`                | the contact on the next coarser grid: relative area, rms gradient, `kappa_r`, reduced pressure, and numbers of edges; NaN if it is not known |
 /// | `yielding`, where there is a hardness                | `(ny, nx)` or `(nx)` | whether the nodes yield                     |
 /// | `hardness`, `plastic_overlap`, `plastic_load_share` | `()`  | it, and the [`Plasticity`](crate::contact::Plasticity) |
 /// | `setup`                                              | bytes                | the text of the setup that repeats it       |
@@ -58,8 +62,9 @@ pub fn archive_with(
     archive.finish()
 }
 
-/// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction` and where it sticks (`stick`), both of
-/// the shape of the pressure, and the numbers `friction_coefficient`, `tangential`, `stick_area` and `slip_area`.
+/// A contact in partial slip as `.npz`: as [`archive`] of what is pressed, with the `traction`, where it sticks (`stick`) and the pressure of the
+/// contact that sticks (`stick_pressure`), all of the shape of the pressure, and the numbers `friction_coefficient`, `tangential`, `stick_area` and
+/// `slip_area`.
 ///
 /// # Errors
 /// The errors of [`archive`].
@@ -67,6 +72,7 @@ pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> 
     let mut archive = ArchiveWriter::new(from_ref(&slip.pressed), false, rank, setup)?;
     archive.add_field("traction", slip.traction().view())?;
     archive.add_field("stick", slip.sticks().view())?;
+    archive.add_field("stick_pressure", slip.stuck.pressure.view())?;
     let areas = [("stick_area", slip.stick().relative_area), ("slip_area", slip.slip_area())];
     let loads = [("friction_coefficient", slip.friction.coefficient), ("tangential", slip.friction.tangential)];
     for (name, value) in loads.into_iter().chain(areas) {
@@ -144,7 +150,8 @@ pub fn archive_of_loads_with(
 }
 
 /// The contacts of the states of a history as `.npz`: as [`archive_of_loads`], with further `numbers` and `fields` of all states, each
-/// under its name along a first axis. A number takes the place of the observable of its name.
+/// under its name along a first axis, and further `words`, one of each state on a line of a text. A number takes the place of the observable of
+/// its name.
 ///
 /// # Errors
 /// The errors of [`archive_of_loads`].
@@ -152,6 +159,7 @@ pub(crate) fn archive_of_states(
     contacts: &[Contact],
     numbers: &[(&str, Vec<f64>)],
     fields: &[(&str, Vec<&Field>)],
+    words: &[(&str, Vec<String>)],
     rank: usize,
     setup: &str,
 ) -> Result<Vec<u8>, WriteNpzError> {
@@ -160,6 +168,7 @@ pub(crate) fn archive_of_states(
     for (name, values) in numbers {
         archive.npz.add_array(*name, &ArrayView1::from(values))?;
     }
+    words.iter().try_for_each(|(name, of)| archive.add_words(name, of.iter().map(String::as_str)))?;
     archive.add_lists(fields)?;
     archive.finish()
 }
@@ -241,6 +250,9 @@ impl<'n> ArchiveWriter<'n> {
             self.add_outline(first)?;
         }
         self.add_each("converged", contacts.iter().map(|contact| arr0(contact.is_converged()).into()))?;
+        self.add_words("status", contacts.iter().map(|contact| contact.status.name()))?;
+        self.add_words("solver", contacts.iter().map(|contact| contact.solver.as_str()))?;
+        self.add_each("coarser", contacts.iter().map(|contact| arr1(&Resolved::numbers(contact.coarser)).into()))?;
         if let Some(hardness) = first.problem.law().hardness() {
             self.add_fields("yielding", contacts.iter().map(|contact| contact.yielding().into()))?;
             self.npz.add_array("hardness", &arr0(hardness))?;
@@ -324,6 +336,12 @@ impl<'n> ArchiveWriter<'n> {
                 self.npz.add_array(name, &stack(Axis(0), &views).expect("the contacts are of one surface"))
             }
         }
+    }
+
+    /// Adds a text of lines, with a word of each contact.
+    fn add_words<'a>(&mut self, name: &str, words: impl Iterator<Item = &'a str>) -> Result<(), WriteNpzError> {
+        let text = words.collect::<Vec<_>>().join("\n");
+        self.npz.add_array(name, &ArrayView1::from(text.as_bytes()))
     }
 
     fn finish(self) -> Result<Vec<u8>, WriteNpzError> {

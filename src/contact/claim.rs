@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use serde::Serialize;
-use strum::{EnumMessage, IntoStaticStr};
+use strum::{EnumMessage, EnumString, IntoStaticStr};
 
 /// The claim of a result: what its certificate proves about energy, pressure and mean gap.
 ///
@@ -16,7 +16,7 @@ use strum::{EnumMessage, IntoStaticStr};
 /// assert_eq!([claims[0].clone()?, claims[1].clone()?], [ResultClaim::Solution, ResultClaim::Bounded]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumMessage, IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, EnumMessage, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum ResultClaim {

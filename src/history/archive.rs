@@ -6,7 +6,8 @@ use crate::surface::Field;
 use ndarray_npy::WriteNpzError;
 
 /// The states of a history as `.npz`: as [`archive_of_loads`](crate::contact::archive_of_loads), with the states in place of the loads, and
-/// with arrays of the `quantities` and of the further fields of the states by their names, along a first axis of states.
+/// with arrays of the `quantities` and of the further fields of the states by their names, along a first axis of states. Two texts have a line for
+/// each state: its claim (`claim`), and the point of the path that it has reached (`point`), from 0, or `-` between two points.
 ///
 /// # Errors
 /// [`WriteNpzError`] if there are no states; fields of doubles cause none.
@@ -21,8 +22,13 @@ pub fn archive_of_history(
         quantities.iter().map(|it| (it.name, states.iter().map(|state| value(it, state)).collect())).collect();
     let names: Vec<&'static str> =
         states.first().map_or(Vec::new(), |first| first.fields.iter().map(|it| it.name).collect());
+    let point = |it: &HistoryState| it.point.map_or("-".to_owned(), |point| point.to_string());
+    let words = [
+        ("claim", states.iter().map(|it| <&str>::from(it.claim).to_owned()).collect()),
+        ("point", states.iter().map(point).collect()),
+    ];
     let (contacts, fields): (Vec<Contact>, Vec<_>) = states.into_iter().map(|it| (it.contact, it.fields)).unzip();
     let of_name = |(place, name): (usize, &&'static str)| (*name, fields.iter().map(|it| &it[place].values).collect());
     let further: Vec<(&str, Vec<&Field>)> = names.iter().enumerate().map(of_name).collect();
-    archive_of_states(&contacts, &numbers, &further, rank, setup)
+    archive_of_states(&contacts, &numbers, &further, &words, rank, setup)
 }

@@ -28,6 +28,7 @@ mod kelvin;
 mod motion_process;
 mod process;
 mod quantity;
+mod restored;
 mod rolling;
 mod sliding;
 mod slip;

@@ -54,7 +54,7 @@ impl HistoryOutcome {
     /// The errors of [`Setup::history`], and those of the first state. A failure of a later one ends the history, and the states before it
     /// are kept.
     pub fn solve(setup: &Setup, problem: &Problem, observer: &mut dyn Observer) -> Result<Self, SetupError> {
-        let kind = setup.process()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })?;
+        kind_of(setup)?;
         let mut states: Vec<HistoryState> = Vec::new();
         let Some(mut process) = setup.history(problem.clone())? else { unreachable!("a kind of process has one") };
         let ended = process.run(observer, &mut |state| {
@@ -66,11 +66,17 @@ impl HistoryOutcome {
         });
         match ended {
             Err(error) if states.is_empty() => Err(error.into()),
-            ended => {
-                let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
-                Ok(Self { kind, adhesion, states, ended: ended.err() })
-            }
+            ended => Ok(Self { ended: ended.err(), ..Self::from_states(setup, problem, states)? }),
         }
+    }
+
+    /// The history of states that were found before, such as those of a file.
+    ///
+    /// # Errors
+    /// For a setup without a history, and for an attraction that cannot be.
+    pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<HistoryState>) -> Result<Self, SetupError> {
+        let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
+        Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None })
     }
 
     /// The quantities that the states have, in the order of their table.
@@ -113,4 +119,9 @@ impl HistoryOutcome {
         });
         missed.into_iter().chain(coarse).collect()
     }
+}
+
+/// The process of a setup with a history.
+fn kind_of(setup: &Setup) -> Result<ProcessKind, SetupError> {
+    setup.process()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })
 }

@@ -26,6 +26,7 @@ mod history_recording;
 mod outcome;
 mod ready;
 mod run;
+mod tables;
 mod watch;
 
 #[cfg(feature = "record")]
@@ -34,6 +35,7 @@ pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;
+pub use tables::{write_loads, write_nodes};
 pub use watch::{Pass, ShowSteps, Watcher};
 
 #[cfg(feature = "record")]

@@ -70,7 +70,7 @@ pub use flow::Flow;
 pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;
-pub use process::ProcessKind;
+pub use process::{ProcessChart, ProcessKind};
 pub use recipe::{Joined, Recipe};
 pub use solid::{Body, LayerModulus, Solid};
 pub use text::SetupTable;
@@ -229,7 +229,10 @@ impl Setup {
     }
 
     /// Checks everything except the surface, on a grid.
-    fn check_on(&self, grid: &Grid) -> Result<(), SetupError> {
+    ///
+    /// # Errors
+    /// The errors of [`Setup::check`] that do not concern the surface.
+    pub fn check_on(&self, grid: &Grid) -> Result<(), SetupError> {
         self.solver.check()?;
         self.stop.check()?;
         self.record.check(grid)?;

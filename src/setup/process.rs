@@ -37,7 +37,35 @@ pub enum ProcessKind {
     Adhesion,
 }
 
+/// A chart of the states of a process: one quantity against another one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ProcessChart {
+    /// Name of the quantity on the horizontal axis, or `state` for the number of the state.
+    pub x: &'static str,
+    /// Name of the quantity on the vertical axis.
+    pub y: &'static str,
+    /// Whether the horizontal axis is logarithmic.
+    pub is_logarithmic: bool,
+}
+
 impl ProcessKind {
+    /// The charts of its pictures.
+    pub fn charts(self) -> [ProcessChart; 2] {
+        let of = |x, [first, second]: [&'static str; 2], is_logarithmic| {
+            [first, second].map(|y| ProcessChart { x, y, is_logarithmic })
+        };
+        match self {
+            Self::Creep => of("time", ["relative_area", "mean_gap"], false),
+            Self::Adhesion => of("mean_gap", ["mean_pressure", "relative_area"], false),
+            Self::Slip => [
+                ProcessChart { x: "shift", y: "mean_traction", is_logarithmic: false },
+                ProcessChart { x: "state", y: "stick_share", is_logarithmic: false },
+            ],
+            Self::Sliding => of("speed", ["friction", "relative_area"], true),
+            Self::Rolling => of("creepage", ["friction", "stick_share"], false),
+        }
+    }
+
     /// The quantity along which its states are drawn, by its name in [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES);
     /// none for the number of the step.
     pub fn axis(self) -> Option<&'static str> {

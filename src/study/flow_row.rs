@@ -36,13 +36,15 @@ pub struct FlowRow {
 }
 
 /// A column of a table with flow: its name, and its value in a row.
-pub(super) enum FlowColumn {
+pub enum FlowColumn {
+    /// A number.
     Number(&'static str, fn(&FlowRow) -> Option<f64>),
+    /// Whether something holds.
     Text(&'static str, fn(&FlowRow) -> Option<bool>),
 }
 
 /// The columns of a table with flow, by the names of their fields.
-pub(super) const FLOW_COLUMNS: &[FlowColumn] = &[
+pub const FLOW_COLUMNS: &[FlowColumn] = &[
     FlowColumn::Text("open_percolates_x", |it| it.open_percolates_x),
     FlowColumn::Text("open_percolates_y", |it| it.open_percolates_y),
     FlowColumn::Text("contact_percolates_x", |it| it.contact_percolates_x),

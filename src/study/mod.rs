@@ -48,7 +48,7 @@ pub use campaign::Campaign;
 pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;
-pub use flow_row::FlowRow;
+pub use flow_row::{FLOW_COLUMNS, FlowColumn, FlowRow};
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::{LoadCurve, Loading};

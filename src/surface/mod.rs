@@ -16,10 +16,9 @@ mod survey;
 mod texture;
 
 pub use bumps::{Bump, Bumps};
-pub(crate) use formats::read_text;
 pub use formats::{
     HeightFile, Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights, read_shape,
-    write_heights,
+    read_text, write_heights,
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};

@@ -11,7 +11,8 @@
 - `Surface`, `Problem` and `Setup` describe a contact. A `Setup` is text that repeats it to the last bit.
 - `study` solves a setup with lists, in this process or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
 - `certify` checks a result of any other code, and `Recorder` each step of your own loop.
-- `theory` has closed forms. `show` displays contacts and recordings in a notebook, `explore` opens the interactive page on a setup.
+- `load` reads a saved result again. `theory` has closed forms. `show` displays contacts and recordings in a notebook, `explore` opens the
+  interactive page on a setup.
 
 Conventions: heights are positive towards the solid, pressure in compression, displacement into the solid. The gap is displacement minus
 height plus a datum. Wavenumbers are 2 pi / wavelength. Any consistent set of units works; texts such as "160 um" and "1 GPa" become metres and
@@ -44,6 +45,7 @@ from asperity._asperity import (
     Surface,
     Table,
     Work,
+    load,
     observables,
 )
 
@@ -77,11 +79,16 @@ if TYPE_CHECKING:
 
         boundary: Literal["periodic", "free"] | Sequence[str] | None
         datum: Length | None
+        prepare: Keys | Literal["auto"] | None
+        channel: str | int | None
+        file_unit: Length | None
+        against: os.PathLike[str] | str | None
         solid: Pressure | Keys | Stiffness | None
         law: Keys | None
         friction: Keys | None
         viscoelastic: Keys | None
         sliding: Keys | None
+        flow: Keys | None
         progress: bool
 
     class Press(Load, PressOptions, total=False): ...
@@ -89,11 +96,11 @@ if TYPE_CHECKING:
     class PressSeveral(ListOfLoads, PressOptions, total=False): ...
 
     class PressAlong(Load, PressOptions, total=False):
-        path: Required[Keys]
+        path: Required[Keys | os.PathLike[str] | str]
 
     class PressSticky(Load, PressOptions, total=False):
         adhesion: Required[Keys]
-        path: Keys | None
+        path: Keys | os.PathLike[str] | str | None
 
     class PressRolling(Load, PressOptions, total=False):
         rolling: Required[Keys]
@@ -121,6 +128,7 @@ __all__ = [
     "Work",
     "certify",
     "explore",
+    "load",
     "notebook",
     "observables",
     "show",
@@ -169,14 +177,19 @@ def solve(
     approach: Length | Loads | None = None,
     boundary: Literal["periodic", "free"] | Sequence[str] | None = None,
     datum: Length | None = None,
+    prepare: Keys | Literal["auto"] | None = None,
+    channel: str | int | None = None,
+    file_unit: Length | None = None,
+    against: os.PathLike[str] | str | None = None,
     solid: Pressure | Keys | Stiffness | None = None,
     law: Keys | None = None,
     friction: Keys | None = None,
     adhesion: Keys | None = None,
     viscoelastic: Keys | None = None,
-    path: Keys | None = None,
+    path: Keys | os.PathLike[str] | str | None = None,
     sliding: Keys | None = None,
     rolling: Keys | None = None,
+    flow: Keys | None = None,
     solver: str | Keys | OwnSolver | None = None,
     tolerance: float | None = None,
     pressure_tolerance: float | None = None,
@@ -198,9 +211,13 @@ def solve(
         file of heights.
     size: length of the cell, or the lengths along y and x. It is not needed where a file contains it.
     mean_pressure, reduced_pressure (mean pressure divided by rms gradient and contact modulus), mean_gap, force (of a line: force per length),
-        approach: the load, one of them. A list of loads returns a LoadCurve; each solve starts from the previous contact.
+        approach: the load, one of them. A list of loads, or a range such as "1e-3..1e-1:5", returns a LoadCurve; each solve starts from the
+        previous contact.
     boundary: "periodic" (the cell repeats) or "free" (no pressure outside the cell), or one for each axis.
     datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
+    prepare: "auto" prepares measured heights as they need it, or a dictionary of steps, as of Surface.read. Contact.problem.surface.preparation says
+        what was done, and why.
+    channel, file_unit, against: of a file of heights: its channel, the unit of one that states none, and a file of the second body.
     solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies); for a layer also its
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus. A solid of your own is a function k(q)
         that returns the stiffness, pressure over displacement, of waves of the wavenumbers q = 2 pi / wavelength; or a dictionary with such
@@ -209,22 +226,25 @@ def solve(
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
     adhesion: {"work": w, "range": rho} attracts the surfaces, with "form" "exponential", "cubic" or "dugdale", or {"table": file.csv}. Its
-        "method" is "fast", "safe", or "gfmd", a motion whose frames show jumps. It returns a History. History.fields["attraction"] has the attraction, History.claims what each state claims to be, and History.adhesion
-        pull-off, jumps and energies. Pressures may be negative.
+        "method" is "fast", "safe", or "gfmd", a motion whose frames show jumps. It returns a History. History.fields["attraction"] has the
+        attraction, History.claims what each state claims to be, and History.adhesion pull-off, jumps and energies. Pressures may be negative.
     viscoelastic: {"creep": [f, tau, ...]} or {"relaxation": [g, tau, ...]}: pairs of a ratio and a time of a solid that creeps. The elastic
         constants are those at once after loading. It needs a path with times, or sliding.
     path: {"time": ..., "load": ..., "tangential": ...}: lists of one length, of which some may be missing. Between two points loads change
         linearly. It returns a History: creep where there are times, partial slip where there are tangential loads and friction. With
-        adhesion it has loads alone.
+        adhesion it has loads alone. A path may be a file: a table with the columns time, load and tangential.
     sliding: {"speed": v}: slides steadily along x; measures["friction"] is the friction. Several speeds return a History.
     rolling: {"creepage": ...} or {"tangential": ...}: lines roll steadily with friction, which needs friction={"coefficient": mu}. It returns a History.
+    flow: {"leakage": True} finds percolation and leakage, {"resistivity": rho} or {"conductivity": k} (one for both bodies, or two) the conductance.
+        They are among the measures, under the names of the tables of the command line.
     solver: "multilevel" (the fastest), "polonsky-keer" or "gfmd", or a dictionary with its method and settings; or a function of the Problem that
         yields one pressure after the other. Each is certified, and no more are taken when the tolerance is reached.
     tolerance: the certificate to reach (1e-8). pressure_tolerance: the bound of the relative error of the pressure to reach.
     refine: "auto" refines the grid until the estimated errors of area and kappa_r are below area_tolerance (0.01).
     start: a pressure to start from, such as the solution under a similar load.
     callback: called with every Step; the run ends when it returns False. progress: shows a bar by tqdm.
-    record: a file .rrd for all steps, to be opened in the Rerun viewer. recording: keys of the section `record` of a scene. live: shows the steps
+    record: a file .rrd for all steps, for the contacts under a list of loads, or for the states of a history, to be opened in the Rerun viewer.
+        recording: keys of the section `record` of a scene. live: shows the steps
         in the installed viewer. stream: a callable that takes the recording as bytes, piece by piece, such as `asperity.notebook.Viewer()`.
     diagnose: solves twice; Contact.diagnosis then states why the solver is slow.
 
@@ -240,13 +260,15 @@ def solve(
         "path": path,
         "sliding": sliding,
         "rolling": rolling,
+        "flow": flow,
         "mean_pressure": mean_pressure,
         "reduced_pressure": reduced_pressure,
         "mean_gap": mean_gap,
         "force": force,
         "approach": approach,
     }
-    problem: Problem[Any] = Problem(_surface(height, size, boundary, datum), **keys)
+    of_file = {"channel": channel, "file_unit": file_unit, "against": against}
+    problem: Problem[Any] = Problem(_surface(height, size, boundary, datum, prepare, of_file), **keys)
     options: SolveOptions = {
         "solver": solver,
         "tolerance": tolerance,
@@ -288,11 +310,13 @@ def certify(
     datum: Length | None = None,
     solid: Pressure | Keys | Stiffness | None = None,
     law: Keys | None = None,
+    tolerance: float | None = None,
 ) -> Certification:
     """Certifies a result of another code: bounds its error, and recognises common mistakes.
 
     The result is one of pressure (positive in compression), gap and displacement (lengths), of the shape of the heights. Without a load, the
-    mean of the pressure or of the gap is the load. The other keywords are those of `solve`.
+    mean of the pressure or of the gap is the load. The result holds if its certificate meets the tolerance (1e-8). The other keywords are those of
+    `solve`.
     """
     loads = (mean_pressure, reduced_pressure, mean_gap, force, approach)
     if all(load is None for load in loads):
@@ -308,21 +332,25 @@ def certify(
         force=force,
         approach=approach,
     )
-    return problem.certify(pressure=pressure, gap=gap, displacement=displacement)
+    return problem.certify(pressure=pressure, gap=gap, displacement=displacement, tolerance=tolerance)
 
 
-def _surface(height: Any, size: Any, boundary: Any, datum: Any) -> Surface:
+def _surface(
+    height: Any, size: Any, boundary: Any, datum: Any, prepare: Any = None, of_file: Mapping[str, Any] | None = None
+) -> Surface:
     """The surface of heights that are an array, a Surface or a file."""
     if isinstance(height, Surface):
-        given = {"size": size, "boundary": boundary, "datum": datum}
+        given = {"size": size, "boundary": boundary, "datum": datum, "prepare": prepare, **(of_file or {})}
         if named := [name for name, value in given.items() if value is not None]:
             raise AsperityError(f"a Surface has its own {named[0]}: give {named[0]} to the Surface")
         return height
     if isinstance(height, str) or hasattr(height, "__fspath__"):
-        return Surface.read(height, size=size, boundary=boundary, datum=datum)
+        return Surface.read(height, size=size, boundary=boundary, datum=datum, prepare=prepare, **(of_file or {}))
+    if named := [name for name, value in (of_file or {}).items() if value is not None]:
+        raise AsperityError(f"{named[0]} is for a file of heights, but the heights are an array: leave {named[0]} out")
     if size is None:
         raise AsperityError("no size is given: give the length of the cell, or those along y and x (size)")
-    return Surface(height, size, boundary=boundary, datum=datum)
+    return Surface(height, size, boundary=boundary, datum=datum, prepare=prepare)
 
 
 def _mean(field: ArrayLike) -> float:

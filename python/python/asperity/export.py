@@ -1,14 +1,17 @@
-"""Contacts and surfaces as Datasets of xarray."""
+"""Contacts, load curves, histories and surfaces as Datasets of xarray, and as files of them."""
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity._asperity import Contact, LoadCurve, Surface, observables
+from asperity._asperity import AsperityError, Contact, History, LoadCurve, Surface, observables
 
 if TYPE_CHECKING:
+    import os
+
     import xarray as xr
 
 NAMES = {
@@ -19,6 +22,11 @@ NAMES = {
     "contact": "nodes in contact",
     "traction": "tangential traction along x",
     "stick": "nodes that stick",
+    "slip": "slip of the solid along x, a length",
+    "traction_across": "tangential traction along y",
+    "slip_across": "slip of the solid along y, a length",
+    "attraction": "attraction between the surfaces, a pressure",
+    "stored_strain": "stored strain, as the pressure that would cause it in the glassy solid",
 }
 """The fields, and what they hold."""
 
@@ -47,15 +55,53 @@ def curve_to_xarray(curve: LoadCurve) -> xr.Dataset:
 
     first = curve[0]
     axes = _axes(first.pressure)
-    every = [_fields(contact) for contact in curve]
-    fields: dict[str, Any] = {"height": (axes, first.height, {"long_name": NAMES["height"]})}
-    for name in every[0].keys() - {"height"}:
-        fields[name] = (("load", *axes), np.stack([one[name] for one in every]), {"long_name": NAMES[name]})
-    explained = {row["name"]: {"long_name": row["sentence"], "symbol": row["symbol"]} for row in observables()}
-    measures = {name: ("load", values, explained[name]) for name, values in curve.measures.items()}
+    fields = _stacked("load", list(curve))
+    explained = {row["name"]: {"long_name": row["sentence"], "symbol": row["symbol"], "unit": row["unit"]} for row in observables()}
+    measures = {name: ("load", values, explained.get(name, {})) for name, values in curve.measures.items()}
     status = {"status": ("load", [contact.status for contact in curve])}
     positions = _positions(first, axes) | {"load": curve.loads}
     return xr.Dataset(fields | measures | status, positions, {"setup": curve.setup.to_toml()})
+
+
+def history_to_xarray(history: History) -> xr.Dataset:
+    """The fields of all states along the dimension `state`, with the numbers as variables."""
+    import xarray as xr
+
+    if len(history) == 0:
+        raise AsperityError("the history has no states: there is nothing to export")
+    first = history[0]
+    axes = _axes(first.pressure)
+    further = {name: (("state", *axes), values, {"long_name": NAMES[name]}) for name, values in history.fields.items()}
+    numbers = {
+        name: ("state", values, {"long_name": History.explain(name), "unit": History._unit(name)})
+        for name, values in history.numbers.items()
+    }
+    words = {"status": ("state", [contact.status for contact in history]), "claim": ("state", history.claims)}
+    positions = _positions(first, axes) | {"state": np.arange(1, len(history) + 1)}
+    described = {"process": history.process, "setup": history.setup.to_toml()}
+    return xr.Dataset(_stacked("state", list(history)) | further | numbers | words, positions, described)
+
+
+def write_netcdf(what: Contact | LoadCurve | History | Surface, path: os.PathLike[str] | str) -> None:
+    """Writes the Dataset of a contact, a load curve, a history or a surface to a NetCDF file."""
+    data = what.to_xarray()
+    # NetCDF has no attributes that are true or false
+    data.attrs = {name: int(value) if isinstance(value, bool) else value for name, value in data.attrs.items()}
+    try:
+        data.to_netcdf(path)
+    except (ImportError, ValueError) as error:
+        if find_spec("netCDF4") or find_spec("h5netcdf") or find_spec("scipy"):
+            raise
+        raise AsperityError("to_netcdf needs a package for NetCDF: install it with `pip install netcdf4`") from error
+
+
+def _stacked(dimension: str, contacts: list[Contact]) -> dict[str, Any]:
+    """The heights, and the other fields of all contacts along a dimension."""
+    axes, every = _axes(contacts[0].pressure), [_fields(contact) for contact in contacts]
+    fields: dict[str, Any] = {"height": (axes, contacts[0].height, {"long_name": NAMES["height"]})}
+    for name in every[0].keys() - {"height"}:
+        fields[name] = ((dimension, *axes), np.stack([one[name] for one in every]), {"long_name": NAMES[name]})
+    return fields
 
 
 def _fields(contact: Contact) -> dict[str, Any]:

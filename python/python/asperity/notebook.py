@@ -7,16 +7,16 @@ from importlib.util import find_spec
 from time import monotonic
 from typing import Any
 
-from asperity._asperity import Contact, LoadCurve, Surface
+from asperity._asperity import Contact, History, LoadCurve, Surface
 
 
-def show(what: Contact | LoadCurve | Surface | os.PathLike[str] | str, *, width: int = 1000, height: int = 700) -> Any:
-    """Shows a recording in the viewer inside a notebook, or a figure of a contact, a load curve or a surface.
+def show(what: Contact | LoadCurve | History | Surface | os.PathLike[str] | str, *, width: int = 1000, height: int = 700) -> Any:
+    """Shows a recording in the viewer inside a notebook, or a figure of a contact, a load curve, a history or a surface.
 
-    what: the file of a recording (.rrd), a contact, a load curve or a surface. The package `rerun-notebook` shows recordings; without it the
+    what: the file of a recording (.rrd), a contact, a load curve, a history or a surface. The package `rerun-notebook` shows recordings; without it the
     path of the recording is returned, which `asperity view` or any Rerun viewer opens.
     """
-    if isinstance(what, (Contact, LoadCurve, Surface)):
+    if isinstance(what, (Contact, LoadCurve, History, Surface)):
         return what.plot()
     path = os.fspath(what)
     if not has_viewer():

@@ -1,4 +1,4 @@
-"""Figures of surfaces, contacts and load curves by matplotlib."""
+"""Figures of surfaces, contacts, load curves and histories by matplotlib, and pictures of them for notebooks."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity._asperity import AsperityError, Contact, LoadCurve, Surface
+from asperity._asperity import AsperityError, Contact, History, LoadCurve, Surface, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -37,7 +37,7 @@ def plot_surface(surface: Surface) -> Figure:
 
 
 def plot_contact(contact: Contact) -> Figure:
-    """Surfaces and pressure of a line, or maps of pressure and gap of a surface."""
+    """Surfaces, pressure and traction of a line, or maps of pressure and gap of a surface."""
     figure = _figure(9, 4)
     left, right = figure.subplots(1, 2)
     if contact.pressure.ndim == 1:
@@ -48,8 +48,11 @@ def plot_contact(contact: Contact) -> Figure:
         left.plot(x, -displacement, label="solid")
         left.set(xlabel="x", ylabel="z", title="surfaces")
         left.legend()
-        right.plot(x, contact.pressure[near])
+        right.plot(x, contact.pressure[near], label="pressure")
         right.set(xlabel="x", ylabel="pressure", title="pressure")
+        if slip := contact.slip:
+            right.plot(x, slip.traction[near], label="traction")
+            right.legend()
         return figure
     size = contact.problem.surface.size
     _map(left, contact.pressure, size, "pressure")
@@ -66,6 +69,37 @@ def plot_curve(curve: LoadCurve) -> Figure:
         axes.plot(measures["reduced_pressure"], measures[name], marker=".")
         axes.set(xscale="log", xlabel="reduced pressure", ylabel=label)
     return figure
+
+
+def plot_history(history: History) -> Figure:
+    """The two charts of a process, without the frames of motions; a jump of a history with adhesion is an arrow."""
+    figure = _figure(9, 4)
+    claims = np.array(history.claims)
+    still = claims != "moving"
+    numbers: dict[str, Any] = {name: values[still] for name, values in history.numbers.items()}
+    numbers["state"] = 1.0 + np.arange(still.sum())
+    apart = claims[still] == "separated"
+    jumps: Any = np.flatnonzero(np.isfinite(numbers.get("jump", np.full(still.sum(), np.nan))))
+    for axes, ((x, y), (xlabel, ylabel), is_logarithmic) in zip(figure.subplots(1, 2), history._charts()):
+        missing = np.full(still.sum(), np.nan)
+        across, up = (np.where(apart, np.nan, numbers.get(name, missing)) for name in (x, y))
+        (line,) = axes.plot(across, up, marker=".")
+        if y == "mean_pressure" and (_is_closed(across[~apart]) or _is_closed(up[~apart])):
+            axes.fill(across[~apart], up[~apart], color=line.get_color(), alpha=0.15)
+        for jump in jumps[jumps > 0]:
+            ends = [(across[at], up[at]) for at in (jump - 1, jump)]
+            if np.isfinite(ends).all():
+                axes.annotate("", ends[1], ends[0], arrowprops={"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0})
+        axes.set(xlabel=xlabel, ylabel=ylabel, xscale="log" if is_logarithmic else "linear")
+        if not is_logarithmic:
+            axes.ticklabel_format(scilimits=(-3, 4))
+            axes.locator_params(axis="x", nbins=5)
+    return figure
+
+
+def _is_closed(values: Any) -> bool:
+    """Whether a curve ends where it has begun, and was elsewhere between."""
+    return len(values) > 2 and bool(abs(values[-1] - values[0]) <= 1e-6 * np.ptp(values))
 
 
 def contact_as_html(contact: Contact) -> str:
@@ -87,6 +121,48 @@ def surface_as_html(surface: Surface) -> str:
     numbers = {name.replace("_", " "): f"{value:.6g}" for name, value in surface.statistics.items() if value is not None}
     rows = {"points": " x ".join(map(str, surface.shape)), "size": " x ".join(f"{it:g}" for it in surface.size)} | numbers
     return _html("Surface", rows, lambda: plot_surface(surface))
+
+
+def curve_as_html(curve: LoadCurve) -> str:
+    """A small picture and the main numbers of a load curve, for notebooks."""
+    converged = sum(contact.converged for contact in curve)
+    rows = {"loads": str(len(curve)), "converged": str(converged)} | _ranges(curve.measures, CURVE_NUMBERS)
+    return _html("Load curve", rows, lambda: plot_curve(curve))
+
+
+def history_as_html(history: History) -> str:
+    """A small picture and the main numbers of a history, for notebooks."""
+    named = dict.fromkeys(name for axes, _, _ in history._charts() for name in axes)
+    rows = {"process": history.process, "states": str(len(history)), "claim": ", ".join(dict.fromkeys(history.claims))}
+    return _html("History", rows | _ranges(history.numbers, named), lambda: plot_history(history))
+
+
+def table_as_html(table: Table) -> str:
+    """The first rows of a table, for notebooks."""
+    names, shown = table.columns, min(len(table), MOST_ROWS)
+    columns = [table[name] for name in names if name != "scene"]
+    head = "".join(f"<th>{escape(name)}</th>" for name in names if name != "scene")
+    rows = ("".join(f"<td>{escape(_cell(column[row]))}</td>" for column in columns) for row in range(shown))
+    body = "".join(f"<tr>{row}</tr>" for row in rows)
+    left = f"<p>{shown} of {len(table)} rows</p>" if shown < len(table) else ""
+    return f"<table><caption>Table of {len(table)} rows</caption><tr>{head}</tr>{body}</table>{left}"
+
+
+CURVE_NUMBERS = ("mean_pressure", "relative_area", "kappa_r", "mean_gap")
+"""The numbers of a load curve that a notebook shows."""
+
+MOST_ROWS = 10
+"""Rows of a table that a notebook shows."""
+
+
+def _cell(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _ranges(numbers: Any, names: Any) -> dict[str, str]:
+    """The least and the largest of some numbers."""
+    found = {name: numbers[name][np.isfinite(numbers[name])] for name in names if name in numbers}
+    return {name.replace("_", " "): f"{it.min():.6g} to {it.max():.6g}" for name, it in found.items() if it.size}
 
 
 def _html(title: str, rows: dict[str, str], plot: Any) -> str:

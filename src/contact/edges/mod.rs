@@ -89,6 +89,24 @@ pub struct Resolved {
     pub edges_of_shape: usize,
 }
 
+impl Resolved {
+    /// The values in the order of an archive; NaN where there are none.
+    pub fn numbers(it: Option<Self>) -> [f64; 6] {
+        it.map_or([f64::NAN; 6], |it| {
+            let [edges, of_shape] = [it.edges, it.edges_of_shape].map(|edges| edges as f64);
+            [it.relative_area, it.rms_gradient_contact, it.kappa_r, it.reduced_pressure_contact, edges, of_shape]
+        })
+    }
+
+    /// The values of an archive, if there are any.
+    pub fn from_numbers(numbers: [f64; 6]) -> Option<Self> {
+        let [relative_area, rms_gradient_contact, kappa_r, reduced_pressure_contact, edges, of_shape] = numbers;
+        let [edges, edges_of_shape] = [edges, of_shape].map(|edges| edges as usize);
+        let it = Self { relative_area, rms_gradient_contact, reduced_pressure_contact, kappa_r, edges, edges_of_shape };
+        (!numbers[4].is_nan()).then_some(it)
+    }
+}
+
 impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     /// The edges of the contact of nodes with `pressure > 0` (row by row), `gap` being that of a node, a length.
     ///

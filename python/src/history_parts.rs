@@ -1,0 +1,90 @@
+//! Copies, comparisons and pickles of histories.
+
+use crate::arrays::{ArrayLike, field, view};
+use crate::contact::Contact;
+use crate::error::{bail, py_error};
+use crate::history::History;
+use crate::problem::Problem;
+use crate::state_numbers::StateNumbers;
+use asperity::contact::ResultClaim;
+use asperity::history::{HistoryField, HistoryState};
+use asperity::job::HistoryOutcome;
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use std::sync::Arc;
+
+/// The values of a state besides its contact: the point of the path, the claim, and further fields by their names.
+type StateParts<'py> = (Option<usize>, String, Vec<(String, Bound<'py, PyArrayDyn<f64>>)>);
+
+/// The values of a state besides its contact, as a pickle gives them.
+type GivenParts<'py> = (Option<usize>, String, Vec<(String, ArrayLike<'py>)>);
+
+/// The values that make a history again: its problem, its contacts, and what else belongs to their states.
+type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
+
+#[pymethods]
+impl History {
+    fn __eq__(&self, py: Python<'_>, other: &Self) -> PyResult<bool> {
+        let is_same = |(one, two): (&HistoryState, &HistoryState)| {
+            let fields = |it: &HistoryState| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
+            one.claim == two.claim && one.point == two.point && fields(one) == fields(two)
+        };
+        let [one, two] = [self, other].map(|it| &it.outcome.states);
+        let has_same_contacts = self.contacts.bind(py).eq(other.contacts.bind(py))?;
+        Ok(self.setup == other.setup && has_same_contacts && one.iter().zip(two).all(is_same))
+    }
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, HistoryParts<'py>)> {
+        let (py, it) = (slf.py(), slf.get());
+        let Some(first) = it.contacts.bind(py).iter().next() else {
+            return bail("the history has no states: there is nothing to pickle");
+        };
+        let contact = first.cast::<Contact>()?.get();
+        let problem = Problem {
+            problem: contact.contact.problem.clone(),
+            surface: contact.surface.clone(),
+            setup: it.setup.clone(),
+            rank: it.rank,
+            preparation: contact.preparation.clone(),
+        };
+        let fields = |state: &HistoryState| {
+            let named = state.fields.iter();
+            named.map(|it| (it.name.to_owned(), view(&it.values, slf.get().rank, slf.clone().into_any()))).collect()
+        };
+        let state = |state: &HistoryState| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
+        let states = it.outcome.states.iter().map(state).collect();
+        Ok((slf.get_type().getattr("_from_parts")?, (problem, it.contacts.clone_ref(py), states)))
+    }
+
+    /// The history that the values of a pickle describe.
+    #[staticmethod]
+    fn _from_parts(problem: &Problem, contacts: Bound<'_, PyTuple>, states: Vec<GivenParts<'_>>) -> PyResult<Self> {
+        let state = |(contact, (point, claim, fields)): (Bound<'_, PyAny>, GivenParts<'_>)| -> PyResult<_> {
+            let contact = contact.cast::<Contact>()?.get();
+            let claim: ResultClaim = claim.parse().map_err(|_| py_error(format!("there is no claim {claim:?}")))?;
+            let fields = fields.iter().map(|(name, values)| named(name, field(values)?)).collect::<PyResult<_>>()?;
+            let numbers = contact.state.clone().unwrap_or_else(|| StateNumbers(Vec::new()));
+            let number = |name: &str| numbers.find(name);
+            Ok(HistoryState::from_parts(contact.contact.clone(), (point, claim), number, fields))
+        };
+        let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
+        let Problem { problem, setup, rank, .. } = problem;
+        let outcome = HistoryOutcome::from_states(&setup.setup, problem, states).map_err(py_error)?;
+        Ok(Self { outcome: Arc::new(outcome), contacts: contacts.unbind(), setup: setup.clone(), rank: *rank })
+    }
+}
+
+/// The field of a name with its values.
+pub fn named(name: &str, values: asperity::surface::Field) -> PyResult<HistoryField> {
+    let maker = HistoryField::MAKERS.iter().find(|(known, _)| *known == name);
+    maker.map(|(_, make)| make(values)).ok_or_else(|| py_error(format!("there is no field {name:?} of histories")))
+}

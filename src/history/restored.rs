@@ -1,0 +1,61 @@
+//! States of histories made from their numbers, such as those of a file.
+
+use super::{HistoryField, HistoryNumbers, HistoryState};
+use crate::contact::{Contact, ResultClaim, Work};
+use crate::surface::Field;
+
+impl HistoryState {
+    /// The state of a contact whose numbers, by their names in [`HISTORY_QUANTITIES`](super::HISTORY_QUANTITIES), and further fields are known.
+    pub fn from_parts(
+        contact: Contact,
+        (point, claim): (Option<usize>, ResultClaim),
+        number: impl Fn(&str) -> Option<f64>,
+        fields: Vec<HistoryField>,
+    ) -> Self {
+        let residual = number("residual");
+        let numbers = HistoryNumbers {
+            time: number("time"),
+            speed: number("speed"),
+            creepage: number("creepage"),
+            mean_traction: number("mean_traction"),
+            friction: number("friction"),
+            lateral_friction: number("lateral_friction"),
+            friction_full_contact: number("friction_full_contact"),
+            friction_persson: number("friction_persson"),
+            effective_pressure: number("effective_pressure"),
+            relative_area: number("relative_area"),
+            kappa_r: number("kappa_r"),
+            shift: number("shift"),
+            stick_share: number("stick_share"),
+            dissipated: number("dissipated"),
+            stored: number("stored"),
+            work_done: number("work_done"),
+            time_error: number("time_error"),
+            history_bound: number("history_bound"),
+            traction_certificate: number("traction_certificate"),
+            net_pressure: residual.and_then(|_| number("mean_pressure")),
+            attraction: number("mean_attraction"),
+            jump: number("jump"),
+            residual,
+            least_curvature: number("least_curvature"),
+        };
+        let transforms = number("transforms").map_or(0, |it| it as u64);
+        let work = Work { transforms, ..contact.work };
+        Self { contact, point, claim, numbers, fields, work }
+    }
+}
+
+/// The name of a field, and what makes it of its values.
+type FieldMaker = (&'static str, fn(Field) -> HistoryField);
+
+impl HistoryField {
+    /// The names of all fields, such as `traction`, and what makes them of their values.
+    pub const MAKERS: [FieldMaker; 6] = [
+        ("traction", Self::traction),
+        ("slip", Self::slip),
+        ("traction_across", Self::traction_across),
+        ("slip_across", Self::slip_across),
+        ("attraction", Self::attraction),
+        ("stored_strain", Self::remembered),
+    ];
+}
