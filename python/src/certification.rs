@@ -32,9 +32,10 @@ struct Finding {
 
 impl Certification {
     /// The certification of a field as the solution of a problem.
-    fn new(py: Python<'_>, problem: &Problem, quantity: &'static str, values: &ArrayLike<'_>) -> PyResult<Self> {
+    fn new(py: Python<'_>, problem: &Problem, quantity: &'static str, values: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let values = ArrayLike::new(values, quantity)?;
         let kind: Quantity = quantity.parse().expect("the three quantities have these names");
-        let values = field_on(values, problem.problem.surface().grid().shape(), quantity)?;
+        let values = field_on(&values, problem.problem.surface().grid().shape(), quantity)?;
         let found = py.detach(|| Self::find(problem, kind, &values)).map_err(py_error)?;
         let Finding { certificate, contact, assessment, holds, mistakes } = found;
         let Problem { surface, setup, rank, .. } = problem;
@@ -115,9 +116,9 @@ impl Problem {
     fn certify(
         &self,
         py: Python<'_>,
-        pressure: Option<ArrayLike<'_>>,
-        gap: Option<ArrayLike<'_>>,
-        displacement: Option<ArrayLike<'_>>,
+        pressure: Option<Bound<'_, PyAny>>,
+        gap: Option<Bound<'_, PyAny>>,
+        displacement: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Certification> {
         if self.setup.loads.is_some() {
             return bail("a result belongs to one load, but a list of loads is given: give one load");

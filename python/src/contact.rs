@@ -1,6 +1,6 @@
 //! Contacts: what solvers return.
 
-use crate::arrays::{ArrayLike, field, owned, vector, view};
+use crate::arrays::{ArrayLike, field, in_parentheses, owned, vector, view};
 use crate::certificate::{Certificate, Work};
 use crate::error::{BoxedError, NotConverged, bail, py_error};
 use crate::problem::Problem;
@@ -412,7 +412,8 @@ impl Contact {
         let asperity::Contact { status, certificate, solver, .. } = &self.contact;
         let points = &self.contact.problem.surface().grid().shape()[2 - self.rank..];
         format!(
-            "Contact(shape={points:?}, {}, eta={:.1e}, {status} by {solver})",
+            "Contact(shape={}, {}, eta={:.1e}, {solver}: {status})",
+            in_parentheses(points),
             self.contact.problem.load(),
             certificate.eta
         )

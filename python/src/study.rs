@@ -2,7 +2,7 @@
 
 use crate::cancel::CancelToken;
 use crate::conversion::{sections_from_keywords, table_from_sections};
-use crate::error::{bail, py_error};
+use crate::error::{bail, index_of, py_error};
 use crate::setup::Setup;
 use asperity::setup::SetupTable;
 use asperity::study::{Plan, Point};
@@ -73,9 +73,12 @@ impl Study {
         self.plan.realisations()
     }
 
-    /// The setup of a row under its load; rows count from 1.
-    fn setup(&self, row: usize) -> PyResult<Setup> {
-        self.plan.row(row).and_then(|row| self.plan.setup(row)).map(Setup::new).map_err(py_error)
+    /// The setup of a row under its load. Rows count from 0: study.setup(5) is the setup of table["scene"][5], whose number in the column "row",
+    /// in files and on the command line is 6.
+    fn setup(&self, row: isize) -> PyResult<Setup> {
+        let row = index_of("row", row, self.plan.rows())?;
+        // rows of the library count from 1
+        self.plan.row(row + 1).and_then(|it| self.plan.setup(it)).map(Setup::new).map_err(py_error)
     }
 
     /// The estimated cost of each combination of values, except for the seeds: the values, the number of realisations, and for each of them
@@ -99,13 +102,15 @@ impl Study {
     fn solve(
         &self,
         py: Python<'_>,
-        realisations: Vec<usize>,
+        realisations: Vec<isize>,
         threads: usize,
         cancel: Option<&CancelToken>,
     ) -> PyResult<Vec<String>> {
         if threads == 0 {
             return bail("a realisation is solved on 0 threads: give at least one (threads)");
         }
+        let index = |it: isize| index_of("realisation", it, self.plan.realisations());
+        let realisations = realisations.into_iter().map(index).collect::<PyResult<Vec<_>>>()?;
         let cancel = cancel.cloned().unwrap_or_default();
         let solve = |&it: &usize| self.plan.solve(self.plan.number(it)?, |_| &cancel);
         let solved = py.detach(|| {

@@ -1,12 +1,14 @@
 //! Rigid surfaces.
 
-use crate::arrays::{ArrayLike, field, vector, view};
+use crate::arrays::{ArrayLike, check_finite, field, in_parentheses, vector, view};
 use crate::conversion::{
     Sections, section_mut, sections_from_dict, sections_from_keywords, table_from_sections, to_python, value_from_py,
 };
-use crate::error::{bail, py_error};
+use crate::error::{argument, bail, py_error, unexpected_keyword};
 use crate::fork;
+use crate::words::unknown_keyword;
 use asperity::Grid;
+use asperity::error::SetupError;
 use asperity::setup::Cost;
 use asperity::surface::{Plateaus, PowerSpectrum, Roughness, SurfaceParameter, SurfaceParameters};
 use numpy::{PyArray1, PyArrayDyn};
@@ -54,8 +56,8 @@ type SurfaceParts<'py> = (
 
 impl Surface {
     /// The surface that some sections describe.
-    fn made(py: Python<'_>, sections: Sections) -> PyResult<Self> {
-        let (recipe, cell) = table_from_sections(&sections)?.surface().map_err(py_error)?;
+    fn made(py: Python<'_>, sections: Sections, exception: impl FnOnce(SetupError) -> PyErr) -> PyResult<Self> {
+        let (recipe, cell) = table_from_sections(&sections)?.surface().map_err(exception)?;
         let rank = recipe.rank(&cell).map_err(py_error)?;
         let grid = recipe.grid(&cell).map_err(py_error)?;
         Cost::from_fields(&grid, FIELDS).check("a surface").map_err(py_error)?;
@@ -64,9 +66,10 @@ impl Surface {
         Ok(Self { surface: surface.into(), sections, rank })
     }
 
-    /// The surface of some keywords, of which those that are not of the grid belong below `place`.
+    /// The surface of the keywords of a function, of which those that are not of the grid belong below `place`.
     fn from_keywords(
         py: Python<'_>,
+        function: &str,
         keywords: Option<&Bound<'_, PyDict>>,
         place: &[&str],
         fixed: Sections,
@@ -83,7 +86,7 @@ impl Surface {
             };
             path.iter().fold(&mut made, |at, name| section_mut(at, name)).insert(key, value);
         }
-        Self::made(py, made)
+        Self::made(py, made, |error| error_of_keywords(py, function, error))
     }
 
     /// The sections of a surface that is an array on a grid.
@@ -104,13 +107,16 @@ impl Surface {
 impl Surface {
     #[new]
     #[pyo3(signature = (height, size, **grid), text_signature = "(height, size, *, boundary='periodic', datum=None, refine=1)")]
-    fn new(height: ArrayLike<'_>, size: Bound<'_, PyAny>, grid: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn new(height: Bound<'_, PyAny>, size: Bound<'_, PyAny>, grid: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let height = ArrayLike::new(&height, "height")?;
         let (rank, field) = (height.as_array().ndim(), field(&height)?);
+        check_finite(&field, "height")?;
         let mut grid = sections_from_keywords(grid)?;
         grid.insert("size".into(), value_from_py(&size, "size")?);
         let mut sized = Self::sections_of_array(grid.clone());
         section_mut(&mut sized, "grid").insert("points".into(), json!(&field.shape()[2 - rank.clamp(1, 2)..]));
-        let (_, mut cell) = table_from_sections(&sized)?.surface().map_err(py_error)?;
+        let described = table_from_sections(&sized)?.surface();
+        let (_, mut cell) = described.map_err(|error| error_of_keywords(height.py(), "Surface", error))?;
         let fine = cell.grid().map_err(py_error)?;
         Cost::from_fields(&fine, FIELDS).check("a surface").map_err(py_error)?;
         let factor = cell.refine.take().unwrap_or(1);
@@ -130,7 +136,7 @@ impl Surface {
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut fixed = Sections::new();
         fixed.insert("height".into(), value_from_py(&path, "path")?);
-        Self::from_keywords(path.py(), keys, &["surface"], fixed)
+        Self::from_keywords(path.py(), "read", keys, &["surface"], fixed)
     }
 
     /// Random roughness: one realisation of a power spectrum, as that of van Dokkum et al. (2018), Eq. 10.
@@ -145,7 +151,7 @@ impl Surface {
     #[pyo3(signature = (points, size, **keys), text_signature = "(points, size, *, seed=1, **spectrum_and_grid)")]
     fn rough(points: Bound<'_, PyAny>, size: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let fixed = cell(&points, &size)?;
-        Self::from_keywords(points.py(), keys, &["surface", "spectrum"], fixed)
+        Self::from_keywords(points.py(), "rough", keys, &["surface", "spectrum"], fixed)
     }
 
     /// A smooth indenter in the centre of the cell.
@@ -155,14 +161,14 @@ impl Surface {
     #[staticmethod]
     #[pyo3(signature = (shape, points, size, **keys), text_signature = "(shape, points, size, **parameters)")]
     fn indenter(
-        shape: String,
+        shape: Bound<'_, PyAny>,
         points: Bound<'_, PyAny>,
         size: Bound<'_, PyAny>,
         keys: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let mut fixed = cell(&points, &size)?;
-        fixed.insert("shape".into(), shape.into());
-        Self::from_keywords(points.py(), keys, &["surface", "indenter"], fixed)
+        fixed.insert("shape".into(), argument::<String>(&shape, "shape", "the name of an indenter")?.into());
+        Self::from_keywords(points.py(), "indenter", keys, &["surface", "indenter"], fixed)
     }
 
     /// The surface that the sections `surface` and `grid` of a scene describe, given as dictionaries.
@@ -171,7 +177,7 @@ impl Surface {
         let mut made = Sections::new();
         made.insert("surface".into(), Value::Object(sections_from_dict(surface)?));
         made.insert("grid".into(), Value::Object(sections_from_dict(grid)?));
-        Self::made(surface.py(), made)
+        Self::made(surface.py(), made, py_error)
     }
 
     /// Heights about their mean, a length: shape (n) or (ny, nx), shared and read-only.
@@ -328,7 +334,18 @@ impl Surface {
     fn __repr__(&self) -> String {
         let grid = self.surface.grid();
         let (shape, size) = (&grid.shape()[2 - self.rank..], &grid.size()[2 - self.rank..]);
-        format!("Surface(shape={shape:?}, size={size:?}, {})", grid.boundary())
+        format!("Surface(shape={}, size={size:?}, {})", in_parentheses(shape), grid.boundary())
+    }
+}
+
+/// The exception for an error in the keywords of a function: a `TypeError` for one that it does not take.
+fn error_of_keywords(py: Python<'_>, function: &str, error: SetupError) -> PyErr {
+    match &error {
+        SetupError::Text { place, reason } => match unknown_keyword(place, reason) {
+            Some((name, known)) => unexpected_keyword(py, function, name, &known),
+            None => py_error(error),
+        },
+        _ => py_error(error),
     }
 }
 

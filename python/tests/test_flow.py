@@ -46,5 +46,5 @@ def test_a_contact_seals_above_its_sealing_load(contact: asp.Contact) -> None:
 
 
 def test_other_axes_are_refused(contact: asp.Contact) -> None:
-    with pytest.raises(ValueError, match='the axis is "z"'):
+    with pytest.raises(ValueError, match="the axis is 'z'"):
         contact.leakage("z")

@@ -45,6 +45,7 @@ from asperity._asperity import (
     Table,
     Work,
     observables,
+    unexpected_keyword,
 )
 
 # type checkers read this name as true; importing `typing` would take as long as all the rest
@@ -187,6 +188,7 @@ def solve(
     live: bool = False,
     stream: Callable[[bytes], object] | None = None,
     diagnose: bool = False,
+    **unknown: Any,
 ) -> Contact | LoadCurve | History:
     """Presses heights on an elastic solid, and returns the contact.
 
@@ -223,6 +225,8 @@ def solve(
     Raises AsperityError, a ValueError, for invalid input, and FileNotFoundError for a missing file. Doubtful results
     give an AsperityWarning. Ctrl-C ends the run.
     """
+    for name in unknown:
+        raise unexpected_keyword("solve", name, list(solve.__kwdefaults__ or ()))
     keys: dict[str, Any] = {
         "solid": solid,
         "law": law,
@@ -286,10 +290,15 @@ def certify(
     The result is one of pressure (positive in compression), gap and displacement (lengths), of the shape of the heights. Without a load, the
     mean of the pressure or of the gap is the load. The other keywords are those of `solve`.
     """
+    results = (pressure, gap, displacement)
+    if sum(result is not None for result in results) != 1:
+        raise AsperityError("give one result to certify: a pressure, a gap or a displacement")
     loads = (mean_pressure, reduced_pressure, mean_gap, force, approach)
     if all(load is None for load in loads):
-        mean_pressure = None if pressure is None else abs(_mean(pressure))
-        mean_gap = None if gap is None else _mean(gap)
+        mean_pressure = None if pressure is None else abs(_mean("pressure", pressure))
+        mean_gap = None if gap is None else _mean("gap", gap)
+        if displacement is not None:
+            raise AsperityError("a displacement does not say its load: give one (mean_pressure, reduced_pressure, mean_gap, force, approach)")
     problem = Problem(
         _surface(height, size, boundary, datum),
         solid=solid,
@@ -311,13 +320,23 @@ def _surface(height: Any, size: Any, boundary: Any, datum: Any) -> Surface:
             raise AsperityError(f"a Surface has its own {named[0]}: give {named[0]} to the Surface")
         return height
     if isinstance(height, str) or hasattr(height, "__fspath__"):
+        if str(height).endswith((".toml", ".json")):
+            raise AsperityError(f"{height} is a scene and not a file of heights: use Setup.read({str(height)!r}).solve()")
         return Surface.read(height, size=size, boundary=boundary, datum=datum)
+    if isinstance(height, (Setup, Problem)):
+        name = type(height).__name__
+        raise TypeError(f"height must be an array, a Surface or the name of a file, not {name}: solve a {name} by its own method solve()")
+    if height is None:
+        raise TypeError("height must be an array, a Surface or the name of a file, not None")
     if size is None:
         raise AsperityError("no size is given: give the length of the cell, or those along y and x (size)")
     return Surface(height, size, boundary=boundary, datum=datum)
 
 
-def _mean(field: ArrayLike) -> float:
+def _mean(name: str, field: ArrayLike) -> float:
     import numpy as np
 
-    return float(np.mean(np.asarray(field, dtype=float)))
+    try:
+        return float(np.mean(np.real(np.asarray(field)), dtype=float))
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be an array of numbers, not {type(field).__name__}") from None

@@ -36,6 +36,8 @@ def show_steps(
     callback: Callable[[Step], bool | None] | None, tolerance: float | None
 ) -> Iterator[Callable[[Step], bool | None]]:
     """A callback of a solve that moves a bar by the decades of the certificate, after the one that is given."""
+    if callback is not None and not callable(callback):
+        raise TypeError(f"callback must be a callable that takes a Step, not {type(callback).__name__}")
     first: list[float] = []
     goal = log10(tolerance or 1e-8)
     with _bar(total=1.0, bar_format="{desc} {percentage:3.0f}%|{bar}| {elapsed}") as bar:
