@@ -1,6 +1,6 @@
 //! Errors of the library as exceptions of Python.
 
-use crate::words::{at_place, in_python, keyword_of_flag, without_flags};
+use crate::words::{at_place, in_python, keyword_of_flag, unknown_keyword, without_flags};
 use asperity::error::{ClaimError, SetupError, StudyError};
 use pyo3::create_exception;
 use pyo3::exceptions::{
@@ -61,6 +61,18 @@ pub fn error_in_solve(error: SetupError) -> PyErr {
     }
 }
 
+/// The exception for an error in the keywords of a function, which are the keys of some sections: a `TypeError` for one that it does not take.
+pub fn error_of_keywords(py: Python<'_>, function: &str, sections: &[&str], error: SetupError) -> PyErr {
+    let unknown = match &error {
+        SetupError::Text { place, reason } => unknown_keyword(place, reason, sections),
+        _ => None,
+    };
+    match unknown {
+        Some((name, known)) => unexpected_keyword(py, function, &name, &known),
+        None => py_error(error),
+    }
+}
+
 /// The exception of the class for an error, with a sentence.
 fn exception(error: &BoxedError, sentence: String) -> PyErr {
     match io_error(error.as_ref()) {
@@ -72,8 +84,8 @@ fn exception(error: &BoxedError, sentence: String) -> PyErr {
 
 /// The exception for a keyword that a function does not take, with the keyword that was meant: that of a flag of the command line or a close one,
 /// or else all known ones. The names may be keys of scenes.
-pub fn unexpected_keyword(py: Python<'_>, function: &str, name: &str, known: &[&str]) -> PyErr {
-    let known: Vec<String> = known.iter().map(|it| it.replace('-', "_")).collect();
+pub fn unexpected_keyword(py: Python<'_>, function: &str, name: &str, known: &[impl AsRef<str>]) -> PyErr {
+    let known: Vec<String> = known.iter().map(|it| it.as_ref().replace('-', "_")).collect();
     let name = name.replace('-', "_");
     let close = || close_name(py, &name, &known).map(|it| format!("'{it}'"));
     let is_known =
@@ -145,6 +157,10 @@ fn sentence(error: &BoxedError) -> String {
         // rows of Python count from 0
         Some(StudyError::Row { row, values, source }) => {
             return format!("row {} ({}): {}", row - 1, values, sentence_of_setup(source));
+        }
+        Some(StudyError::AdhesionLoads) => {
+            return "a study with adhesion goes along a path: give one load, and further ones as path={'load': ...}"
+                .into();
         }
         Some(StudyError::Missing { rows, first, of }) => {
             let first = first - 1;

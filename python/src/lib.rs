@@ -72,7 +72,6 @@ fn observables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 /// The exception for a keyword that a function does not take, with the keyword that was probably meant.
 #[pyfunction]
 fn unexpected_keyword(py: Python<'_>, function: &str, name: &str, known: Vec<String>) -> Py<PyAny> {
-    let known: Vec<&str> = known.iter().map(String::as_str).collect();
     error::unexpected_keyword(py, function, name, &known).into_value(py).into_any()
 }
 

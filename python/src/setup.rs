@@ -1,7 +1,7 @@
 //! Descriptions of contacts to solve.
 
 use crate::conversion::{Sections, sections_from_keywords, sections_of, table_from_sections, to_python};
-use crate::error::{bail, error_in_text, py_error};
+use crate::error::{bail, error_in_text, error_of_keywords, py_error};
 use crate::surface::Surface;
 use asperity::contact::Load;
 use asperity::error::SetupError;
@@ -71,8 +71,9 @@ impl Setup {
 impl Setup {
     #[new]
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, solver=None, stop=None, record=None)")]
-    fn py_new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::from_sections(&sections_from_keywords(keys)?)
+    fn py_new(py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let table = table_from_sections(&sections_from_keywords(keys)?)?;
+        Self::from_table(table).map_err(|error| error_of_keywords(py, "Setup", &[""], error))
     }
 
     /// The setup that a TOML text describes.

@@ -4,9 +4,8 @@ use crate::arrays::{ArrayLike, check_finite, field, in_parentheses, vector, view
 use crate::conversion::{
     Sections, section_mut, sections_from_dict, sections_from_keywords, table_from_sections, to_python, value_from_py,
 };
-use crate::error::{argument, bail, py_error, unexpected_keyword};
+use crate::error::{argument, bail, error_of_keywords, py_error};
 use crate::fork;
-use crate::words::unknown_keyword;
 use asperity::Grid;
 use asperity::error::SetupError;
 use asperity::setup::Cost;
@@ -86,7 +85,7 @@ impl Surface {
             };
             path.iter().fold(&mut made, |at, name| section_mut(at, name)).insert(key, value);
         }
-        Self::made(py, made, |error| error_of_keywords(py, function, error))
+        Self::made(py, made, |error| error_of_keywords(py, function, &["grid", &place.join(".")], error))
     }
 
     /// The sections of a surface that is an array on a grid.
@@ -116,7 +115,7 @@ impl Surface {
         let mut sized = Self::sections_of_array(grid.clone());
         section_mut(&mut sized, "grid").insert("points".into(), json!(&field.shape()[2 - rank.clamp(1, 2)..]));
         let described = table_from_sections(&sized)?.surface();
-        let (_, mut cell) = described.map_err(|error| error_of_keywords(height.py(), "Surface", error))?;
+        let (_, mut cell) = described.map_err(|error| error_of_keywords(height.py(), "Surface", &["grid"], error))?;
         let fine = cell.grid().map_err(py_error)?;
         Cost::from_fields(&fine, FIELDS).check("a surface").map_err(py_error)?;
         let factor = cell.refine.take().unwrap_or(1);
@@ -335,17 +334,6 @@ impl Surface {
         let grid = self.surface.grid();
         let (shape, size) = (&grid.shape()[2 - self.rank..], &grid.size()[2 - self.rank..]);
         format!("Surface(shape={}, size={size:?}, {})", in_parentheses(shape), grid.boundary())
-    }
-}
-
-/// The exception for an error in the keywords of a function: a `TypeError` for one that it does not take.
-fn error_of_keywords(py: Python<'_>, function: &str, error: SetupError) -> PyErr {
-    match &error {
-        SetupError::Text { place, reason } => match unknown_keyword(place, reason) {
-            Some((name, known)) => unexpected_keyword(py, function, name, &known),
-            None => py_error(error),
-        },
-        _ => py_error(error),
     }
 }
 

@@ -6,7 +6,10 @@ use asperity::setup::{FLAGS, Flag, FlagValue};
 const KEYWORDS: [&str; 6] = ["grid", "stop", "load", "surface", "surface.spectrum", "surface.indenter"];
 
 /// Keys that are given by the keyword of their section alone.
-const SECTIONS: [&str; 4] = ["solver.method", "surface.prepare.steps", "surface.prepare", "sliding.speed"];
+const SECTIONS: [&str; 3] = ["solver.method", "surface.prepare.steps", "solid.contact-modulus"];
+
+/// What the library calls the value of grids that are found.
+const AUTO: &str = "text \"auto\"";
 
 /// A sentence without flags, with names in quotes and keys as Python has them.
 pub fn in_python(sentence: &str) -> String {
@@ -28,7 +31,12 @@ pub fn at_place(place: &str, reason: &str) -> String {
     let name = keyword(keys);
     let invalid = ["invalid type: ", "invalid value: "].iter().find_map(|it| reason.strip_prefix(it));
     if let Some((found, expected)) = invalid.and_then(|it| it.split_once(", expected ")) {
-        return format!("{name} is {}: give {}", value(found), in_python(&wanted(keys, expected)));
+        let wanted = match (keys, found) {
+            ("grid.refine", AUTO) => "a whole number here, or refine='auto' to solve".into(),
+            ("grid.points", AUTO) => "whole numbers here, or grid={'points': 'auto', ...} to Setup".into(),
+            _ => wanted(keys, expected),
+        };
+        return format!("{name} is {}: give {}", value(found), in_python(&wanted));
     }
     if let Some((length, expected)) = reason.strip_prefix("invalid length ").and_then(|it| it.split_once(", expected "))
     {
@@ -37,18 +45,26 @@ pub fn at_place(place: &str, reason: &str) -> String {
     if let Some(given) = reason.strip_prefix("unknown value ") {
         return format!("{name} is {}", in_python(given));
     }
+    if let Some((unknown, known)) = unknown_key(reason) {
+        return format!("{name}: unknown key '{unknown}'{}", in_python(known));
+    }
     if let Some((missing, remedy)) = reason.strip_prefix("missing key ").and_then(|it| it.split_once(": ")) {
         return format!("{name}: {} is missing: {}", in_python(missing), in_python(remedy));
     }
     format!("{name}: {}", in_python(reason))
 }
 
-/// The keyword that a function does not take and those that it takes, of a sentence about a key that is a keyword.
-pub fn unknown_keyword<'a>(place: &str, reason: &'a str) -> Option<(&'a str, Vec<&'a str>)> {
-    let is_keyword = KEYWORDS.contains(&place.trim_end_matches(": ")) && reason.starts_with("unknown key ");
-    let reason = reason.split_once(": ").map_or(reason, |(reason, _)| reason);
-    let mut names = reason.split('`').skip(1).step_by(2).filter(|_| is_keyword);
-    Some((names.next()?, names.collect()))
+/// The keyword that a function does not take and those that it takes, of a sentence on a key of one of the sections whose keys are its keywords.
+pub fn unknown_keyword(place: &str, reason: &str, sections: &[&str]) -> Option<(String, Vec<String>)> {
+    let (unknown, known) = unknown_key(reason).filter(|_| sections.contains(&place.trim_end_matches(": ")))?;
+    let known = known.split_once(": ").map_or(known, |(known, _)| known);
+    Some((unknown, known.split('`').skip(1).step_by(2).map(in_quotes).collect()))
+}
+
+/// The unknown key of a sentence, with `_` for `-`, and the rest of the sentence.
+fn unknown_key(reason: &str) -> Option<(String, &str)> {
+    let (unknown, rest) = reason.strip_prefix("unknown key `")?.split_once('`')?;
+    Some((unknown.replace('-', "_"), rest))
 }
 
 /// The name under which Python takes what stands at some keys of a setup: a keyword, or a key of a dictionary.
