@@ -7,7 +7,7 @@ use asperity::setup::SetupTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// Sections and keys of a setup.
 pub type Sections = Map<String, Value>;
@@ -80,9 +80,15 @@ fn name_of(key: &str) -> String {
     key.replace('-', "_")
 }
 
-/// The table that some sections make.
+/// The table that some sections make, of which the solver may be a name alone, and the solid a contact modulus.
 pub fn table_from_sections(sections: &Sections) -> PyResult<SetupTable> {
-    SetupTable::from_json(&Value::Object(sections.clone()).to_string()).map_err(py_error)
+    let mut sections = sections.clone();
+    for (section, key) in [("solver", "method"), ("solid", "contact-modulus")] {
+        if let Some(value) = sections.get_mut(section).filter(|it| it.is_string() || it.is_number()) {
+            *value = json!({ key: value.take() });
+        }
+    }
+    SetupTable::from_json(&Value::Object(sections).to_string()).map_err(py_error)
 }
 
 /// The sections of a setup or a table.

@@ -62,9 +62,14 @@ pub fn error_in_solve(error: SetupError) -> PyErr {
 }
 
 /// The exception for an error in the keywords of a function, which are the keys of some sections: a `TypeError` for one that it does not take.
-pub fn error_of_keywords(py: Python<'_>, function: &str, sections: &[&str], error: SetupError) -> PyErr {
-    let unknown = match &error {
-        SetupError::Text { place, reason } => unknown_keyword(place, reason, sections),
+pub fn error_of_keywords(py: Python<'_>, function: &str, sections: &[&str], error: impl Into<BoxedError>) -> PyErr {
+    let error = error.into();
+    let of_study = match error.downcast_ref() {
+        Some(StudyError::Setup(error) | StudyError::Row { source: error, .. }) => Some(error),
+        _ => None,
+    };
+    let unknown = match of_study.or(error.downcast_ref()) {
+        Some(SetupError::Text { place, reason }) => unknown_keyword(place, reason, sections),
         _ => None,
     };
     match unknown {

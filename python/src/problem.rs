@@ -9,7 +9,7 @@ use crate::surface::Surface;
 use asperity::study::{LoadCurve, Refinement};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 
 /// Names of the loads.
@@ -73,9 +73,6 @@ fn described(py: Python<'_>, surface: &Surface, keywords: Option<&Bound<'_, PyDi
     let mut described = surface.sections.clone();
     for (key, value) in sections_from_keywords(keywords)? {
         match key.as_str() {
-            "solid" if value.is_number() || value.is_string() => {
-                described.insert(key, json!({ "contact-modulus": value }));
-            }
             section if SECTIONS.contains(&section) => {
                 described.insert(key, value);
             }

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 /// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///
 /// Setup(surface=..., grid=..., solid=..., load=..., solver=..., stop=..., record=...) takes the sections of a scene as
-/// dictionaries, with `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such
+/// dictionaries, with `_` for `-` in their keys. The solver may be a name alone, and the solid a contact modulus. Lengths and pressures are numbers in one set of units, or texts such
 /// as "160 um" and "1 GPa". A load may be a list of loads. With grid={"refine": "auto", ...} the grid is refined until
 /// area and kappa_r are accurate enough.
 #[pyclass(frozen, eq, from_py_object, module = "asperity")]

@@ -63,9 +63,7 @@ impl SolveOptions {
     fn read(&mut self, key: &str, it: &Bound<'_, PyAny>, sections: &mut Sections, shape: [usize; 2]) -> PyResult<()> {
         match key {
             "solver" => {
-                let solver = value_from_py(it, key)?;
-                let named = solver.as_str().map(|name| serde_json::json!({ "method": name }));
-                sections.insert(key.into(), named.unwrap_or(solver));
+                sections.insert(key.into(), value_from_py(it, key)?);
             }
             "tolerance" | "pressure_tolerance" | "max_iterations" => {
                 section_mut(sections, "stop").insert(key.replace('_', "-"), value_from_py(it, key)?);

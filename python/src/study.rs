@@ -2,8 +2,9 @@
 
 use crate::cancel::CancelToken;
 use crate::conversion::{sections_from_keywords, table_from_sections};
-use crate::error::{bail, index_of, py_error};
+use crate::error::{bail, error_of_keywords, index_of, py_error};
 use crate::setup::Setup;
+use asperity::error::StudyError;
 use asperity::setup::SetupTable;
 use asperity::study::{Plan, Point};
 use pyo3::prelude::*;
@@ -26,10 +27,10 @@ pub struct Study {
 }
 
 impl Study {
-    fn from_table(table: SetupTable) -> PyResult<Self> {
+    fn from_table(table: SetupTable, exception: impl FnOnce(StudyError) -> PyErr) -> PyResult<Self> {
         let table = table.beside(&absolute("study.toml")?);
         let text = table.to_toml();
-        let plan = Plan::from_table(table).map_err(py_error)?;
+        let plan = Plan::from_table(table).map_err(exception)?;
         Ok(Self { plan, text })
     }
 }
@@ -38,22 +39,23 @@ impl Study {
 impl Study {
     #[new]
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, adhesion=None, path=None, solver=None, stop=None)")]
-    fn new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::from_table(table_from_sections(&sections_from_keywords(keys)?)?)
+    fn new(py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let table = table_from_sections(&sections_from_keywords(keys)?)?;
+        Self::from_table(table, |error| error_of_keywords(py, "Study", &[""], error))
     }
 
     /// The study that a TOML text describes. Height files are found in the working directory.
     #[staticmethod]
     fn from_toml(text: &str) -> PyResult<Self> {
         Plan::from_toml(text).map_err(py_error)?; // which names the line of what is wrong
-        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?)
+        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?, py_error)
     }
 
     /// The study in a file. Height files are found beside it.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         Plan::read(&path).map_err(py_error)?;
-        Self::from_table(SetupTable::read(&absolute(path)?).map_err(py_error)?)
+        Self::from_table(SetupTable::read(&absolute(path)?).map_err(py_error)?, py_error)
     }
 
     /// The study as TOML, with the full paths of height files.

@@ -4,7 +4,7 @@ use crate::arrays::{ArrayLike, check_finite, field, in_parentheses, vector, view
 use crate::conversion::{
     Sections, section_mut, sections_from_dict, sections_from_keywords, table_from_sections, to_python, value_from_py,
 };
-use crate::error::{argument, bail, error_of_keywords, py_error};
+use crate::error::{argument, bail, error_of_keywords, py_error, wrong_type};
 use crate::fork;
 use asperity::Grid;
 use asperity::error::SetupError;
@@ -134,7 +134,10 @@ impl Surface {
     #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, prepare=None, **grid)")]
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut fixed = Sections::new();
-        fixed.insert("height".into(), value_from_py(&path, "path")?);
+        match value_from_py(&path, "path")? {
+            name @ Value::String(_) => fixed.insert("height".into(), name),
+            _ => return Err(wrong_type("path", "the name of a file", &path)),
+        };
         Self::from_keywords(path.py(), "read", keys, &["surface"], fixed)
     }
 

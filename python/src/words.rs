@@ -8,12 +8,20 @@ const KEYWORDS: [&str; 6] = ["grid", "stop", "load", "surface", "surface.spectru
 /// Keys that are given by the keyword of their section alone.
 const SECTIONS: [&str; 3] = ["solver.method", "surface.prepare.steps", "solid.contact-modulus"];
 
+/// Phrases with flags or in TOML, and the same in Python.
+const PHRASES: [(&str, &str); 4] = [
+    (" with --record", " (record)"),
+    (" = auto", "='auto'"),
+    ("{ mean-pressure = 0.01 }", "{'mean_pressure': 0.01}"),
+    ("young = [[", "young=[["),
+];
+
 /// What the library calls the value of grids that are found.
 const AUTO: &str = "text \"auto\"";
 
 /// A sentence without flags, with names in quotes and keys as Python has them.
 pub fn in_python(sentence: &str) -> String {
-    let sentence = without_flags(sentence).replace(" with --record", " (record)").replace(" = auto", "='auto'");
+    let sentence = PHRASES.iter().fold(without_flags(sentence), |it, (phrase, python)| it.replace(phrase, python));
     let parts = sentence.split('`').enumerate().map(|(place, part)| match place % 2 {
         1 if part.contains(' ') => format!("`{part}`"),
         1 => format!("'{}'", in_quotes(part)),

@@ -197,6 +197,7 @@ REFUSALS: list[Refusal] = [
     (lambda: problem().certify(pressure="result.npz"), TypeError, "pressure must be an array of numbers, not str"),
     (lambda: asp.certify(HEIGHT, 1.0, pressure="result.npz"), TypeError, "pressure must be an array of numbers, not str"),
     (lambda: asp.certify(HEIGHT, 1.0, pressure=HEIGHT, gap=HEIGHT), asp.AsperityError, "give one result to certify: a pressure, a gap or a displacement"),
+    (lambda: asp.certify(HEIGHT, 1.0, pressure=1j * HEIGHT), TypeError, "pressure is complex: give real numbers, such as its real part"),
     (lambda: asp.certify(HEIGHT, 1.0), asp.AsperityError, "give one result to certify"),
     (lambda: asp.certify(HEIGHT, 1.0, displacement=HEIGHT), asp.AsperityError, "a displacement does not say its load: give one (mean_pressure, "),
     (lambda: asp.Problem(HEIGHT, **P), TypeError, "surface must be a Surface(height, size), not ndarray"),
@@ -209,6 +210,8 @@ REFUSALS: list[Refusal] = [
     (lambda: problem().with_load(pressure=1.0), TypeError, "with_load() got an unexpected keyword argument 'pressure'. Did you mean mean_pressure=...?"),
     (lambda: asp.Problem(asp.Surface(HEIGHT, 1.0), modulus=1.0), TypeError, "Problem() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
     (lambda: setup(modulus=1.0), TypeError, "Setup() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
+    (lambda: asp.Study(surface=SINE, grid=GRID, load=P, modulus=1.0), TypeError,
+        "Study() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
     (lambda: asp.Surface(HEIGHT, 1.0, channel=1), TypeError, f"Surface() got an unexpected keyword argument 'channel'. It takes {OF_GRID}"),
     (lambda: rough(rolloff=1.0), TypeError, "rough() got an unexpected keyword argument 'rolloff'. Did you mean rolloff_wavelength=...?"),
     (lambda: rough(short_cutof=1.0), TypeError, "'short_cutof'. Did you mean 'short_cutoff'?"),
@@ -222,6 +225,7 @@ REFUSALS: list[Refusal] = [
     (lambda: solve(diagnose="x"), TypeError, "diagnose must be True or False, not str"),
     (lambda: solve(record=3), TypeError, "record must be the name of a file, not int"),
     (lambda: asp.Surface.indenter(64, 1.0, "sine"), TypeError, "shape must be the name of an indenter, not int"),
+    (lambda: asp.Surface.read(3), TypeError, "path must be the name of a file, not int"),
     (lambda: asp.Recorder(HEIGHT), TypeError, "problem must be a Problem, not ndarray"),
     (lambda: solve().leakage(0), TypeError, "axis must be 'x' or 'y', not int"),
     (lambda: solve().stress(depths=1.0), TypeError, "depths must be a list of lengths, numbers or texts such as '1 um', not float"),
@@ -240,6 +244,9 @@ REFUSALS: list[Refusal] = [
     (lambda: solve(solver={"masses": "stiffness"}), asp.AsperityError,
         "solver: 'masses' is a setting of the method gfmd, but the method is multilevel: give the method gfmd, or leave 'masses' out"),
     (lambda: setup(stop={"max_iteration": 1}), asp.AsperityError, "stop: unknown key 'max_iteration', expected one of 'tolerance', 'pressure_tolerance', "),
+    (lambda: setup(load=3), asp.AsperityError, "load: expected a name and a number, such as {'mean_pressure': 0.01}"),
+    (lambda: setup(load={"pressure": 3}), asp.AsperityError, "load is 'pressure', expected one of 'mean_pressure', 'reduced_pressure', "),
+    (lambda: solve(solid={"young": [1, 2], "poisson": 0.3}), asp.AsperityError, "solid: 2 Young's moduli and 1 Poisson's ratio are given: give one of each"),
     (lambda: asp.Surface.indenter("sphere", (64, 64), 1.0), asp.AsperityError, "indenter: 'radius' is missing: give it"),
     # numbers and names
     (lambda: solve(tolerance="small"), asp.AsperityError, "tolerance is 'small': give a number"),
@@ -271,6 +278,7 @@ REFUSALS: list[Refusal] = [
     (lambda: solve(solid={"young": "1 um", "poisson": 0.3}), asp.AsperityError, "solid['young'] is '1 um': give a pressure: a number, or one with a unit"),
     (lambda: solve(solid="x"), asp.AsperityError, "solid is 'x': give a pressure"),
     (lambda: solve(law={"hardness": "x"}), asp.AsperityError, "law['hardness'] is 'x': give a pressure"),
+    (lambda: solve(solver={"method": "gfmd", "masses": "x"}), asp.AsperityError, "solver['masses'] is 'x', expected 'uniform' or 'stiffness'"),
     (lambda: solve(sliding={"speed": True}), asp.AsperityError, "sliding['speed'] is True: give one value, or a list of them"),
     (lambda: solve(adhesion={"table": [[0, 1]]}), asp.AsperityError, "adhesion['table'] is a list: give the name of a file"),
     # recordings
@@ -341,7 +349,7 @@ def test_no_error_has_flags_or_words_of_a_parser_or_keys_of_a_scene() -> None:
 @pytest.mark.parametrize("solver", ["polonsky_keer", "polonsky-keer", {"method": "polonsky_keer"}])
 def test_a_method_may_be_written_like_a_name_of_python(solver: Any) -> None:
     assert solve(solver=solver).solver == "polonsky-keer"
-    assert setup(solver={"method": "polonsky_keer"}).solve().solver == "polonsky-keer"
+    assert setup(solver=solver).solve().solver == "polonsky-keer"
 
 
 def test_rows_count_from_0_and_from_the_end() -> None:

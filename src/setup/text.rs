@@ -278,14 +278,14 @@ impl SetupTable {
         })
     }
 
-    /// The keys of the value that a message of serde calls invalid, where `keys` lead to the section of the value alone.
+    /// The keys of the value that a message of serde calls invalid or unknown, where `keys` lead to the section of the value alone.
     fn keys_of_value(&self, keys: String, message: &str) -> String {
-        let Some(value) = ["invalid type: ", "invalid value: "].iter().find_map(|it| message.strip_prefix(it)) else {
-            return keys;
+        let is_named = |value: &toml::Value| match value {
+            toml::Value::String(name) if message.starts_with(&format!("unknown variant `{name}`")) => true,
+            it => ["type", "value"].iter().any(|of| message.starts_with(&format!("invalid {of}: {},", unexpected(it)))),
         };
         let section = self.find(&keys).and_then(toml::Value::as_table);
-        let mut found =
-            section.into_iter().flatten().filter(|(_, it)| value.starts_with(&format!("{},", unexpected(it))));
+        let mut found = section.into_iter().flatten().filter(|(_, value)| is_named(value));
         match (found.next(), found.next()) {
             (Some((key, _)), None) => format!("{keys}.{key}"),
             _ => keys,

@@ -204,6 +204,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
             "solver = { masses = \"uniform\" }\ngrid",
             "solver: `masses` is a setting of the method gfmd, but the method is multilevel: give the method gfmd",
         ),
+        ("grid", "solver = { method = \"gfmd\", masses = \"x\" }\ngrid", "solver.masses: unknown value `x`, expected"),
         ("grid", "stop = { tolerance = 0 }\ngrid", "the tolerance is 0: it must lie in (0, infinity)"),
         ("grid", "stop = { max-iterations = 1.5 }\ngrid", whole),
         ("grid", "record = { what = \"mesh\" }\ngrid", "record.what: invalid type: text \"mesh\", expected a list"),

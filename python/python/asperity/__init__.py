@@ -222,8 +222,8 @@ def solve(
         in the installed viewer. stream: a callable that takes the recording as bytes, piece by piece, such as `asperity.notebook.Viewer()`.
     diagnose: solves twice; Contact.diagnosis then states why the solver is slow.
 
-    Raises AsperityError, a ValueError, for invalid input, and FileNotFoundError for a missing file. Doubtful results
-    give an AsperityWarning. Ctrl-C ends the run.
+    Raises AsperityError, a ValueError, for invalid input, TypeError for an argument of another type or a keyword that does not exist, and
+    FileNotFoundError for a missing file. Doubtful results give an AsperityWarning. Ctrl-C ends the run.
     """
     for name in unknown:
         raise unexpected_keyword("solve", name, list(solve.__kwdefaults__ or ()))
@@ -336,7 +336,9 @@ def _surface(height: Any, size: Any, boundary: Any, datum: Any) -> Surface:
 def _mean(name: str, field: ArrayLike) -> float:
     import numpy as np
 
+    if np.iscomplexobj(field):
+        raise TypeError(f"{name} is complex: give real numbers, such as its real part")
     try:
-        return float(np.mean(np.real(np.asarray(field)), dtype=float))
+        return float(np.mean(np.asarray(field), dtype=float))
     except (TypeError, ValueError):
         raise TypeError(f"{name} must be an array of numbers, not {type(field).__name__}") from None
