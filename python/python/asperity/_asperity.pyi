@@ -280,7 +280,7 @@ class Setup:
         surface: Keys,
         grid: Keys,
         load: Keys,
-        solid: Keys | None = None,
+        solid: Pressure | Keys | None = None,
         law: Keys | None = None,
         friction: Keys | None = None,
         adhesion: Keys | None = None,
@@ -288,7 +288,7 @@ class Setup:
         path: Keys | None = None,
         sliding: Keys | None = None,
         rolling: Keys | None = None,
-        solver: Keys | None = None,
+        solver: str | Keys | None = None,
         stop: Keys | None = None,
         record: Keys | None = None,
     ) -> Setup: ...
@@ -320,9 +320,9 @@ class Study:
         surface: Keys,
         grid: Keys,
         load: Keys,
-        solid: Keys | None = None,
+        solid: Pressure | Keys | None = None,
         law: Keys | None = None,
-        solver: Keys | None = None,
+        solver: str | Keys | None = None,
         stop: Keys | None = None,
     ) -> Study: ...
     @staticmethod
