@@ -83,8 +83,9 @@ fn name_of(key: &str) -> String {
 /// The table that some sections make, of which the solver may be a name alone, and the solid a contact modulus.
 pub fn table_from_sections(sections: &Sections) -> PyResult<SetupTable> {
     let mut sections = sections.clone();
-    for (section, key) in [("solver", "method"), ("solid", "contact-modulus")] {
-        if let Some(value) = sections.get_mut(section).filter(|it| it.is_string() || it.is_number()) {
+    for (section, key, may_be_number) in [("solver", "method", false), ("solid", "contact-modulus", true)] {
+        let is_alone = |it: &&mut Value| it.is_string() || may_be_number && it.is_number();
+        if let Some(value) = sections.get_mut(section).filter(is_alone) {
             *value = json!({ key: value.take() });
         }
     }
