@@ -415,8 +415,8 @@ mod with_units {
     fn json_that_is_no_setup_is_refused_in_one_sentence() {
         let object = "give an object with sections such as `surface` and `load`, and no value that is null";
         for (json, words) in [
-            ("", "this is not a setup in JSON: EOF while parsing a value at line 1 column 0"),
-            ("{", "this is not a setup in JSON: EOF while parsing an object at line 1 column 1"),
+            ("", "this is not a setup in JSON: the text ends too early, in line 1"),
+            ("{", "this is not a setup in JSON: the text ends too early, in line 1"),
             ("3", object),
             ("[]", object),
             ("null", object),
@@ -443,7 +443,7 @@ mod with_units {
             ("cylinder", "cilinder", "surface.indenter.shape: ", "cylinder"),
             ("grid", "solver = { method = \"gmfd\" }\ngrid", "solver.method: ", "gfmd"),
             ("grid", "solver = { method = \"gfmd\", timestep = 0.1 }\ngrid", "solver: ", "time-step"),
-            ("grid", "solver = { method = \"gfmd\", masses = \"uniforn\" }\ngrid", "solver: ", "uniform"),
+            ("grid", "solver = { method = \"gfmd\", masses = \"uniforn\" }\ngrid", "solver.masses: ", "uniform"),
             ("grid", "stop = { tol = 1e-8 }\ngrid", "stop: ", "tolerance"),
             ("contact-modulus", "modulus", "solid: ", "contact-modulus"),
             ("grid", "record = { what = [\"mask\", \"trace\"] }\ngrid", "record.what: ", "traces"),
