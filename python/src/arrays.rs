@@ -1,11 +1,11 @@
 //! Arrays of numpy, as fields of the library and made from them.
 
-use crate::error::{bail, py_error};
-use asperity::error::ClaimError;
+use crate::error::{bail, wrong_type};
 use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, ArrayView2, Axis, Ix2};
 use numpy::{AllowTypeChange, Element, PyArray1, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::Borrowed;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use std::ops::Deref;
 
@@ -20,10 +20,9 @@ impl<'py> Deref for ArrayLike<'py> {
     }
 }
 
-impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {
-    type Error = PyErr;
-
-    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+impl<'py> ArrayLike<'py> {
+    /// The argument `name` as an array.
+    pub fn new(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Self> {
         let masks = given.py().import("numpy.ma")?;
         if given.is_instance(&masks.getattr("MaskedArray")?)? {
             let masked: usize = masks.call_method1("count_masked", (given,))?.extract()?;
@@ -32,7 +31,23 @@ impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {
                 return bail(format!("{masked} of {all} values are masked: fill them, or crop the array"));
             }
         }
-        Ok(Self(given.extract()?))
+        let numpy = given.py().import("numpy")?;
+        if numpy.call_method1("iscomplexobj", (given,))?.extract()? {
+            let sentence = format!("{name} is complex: give real numbers, such as its real part");
+            return Err(PyTypeError::new_err(sentence));
+        }
+        match given.extract() {
+            Ok(array) => Ok(Self(array)),
+            Err(_) => Err(wrong_type(name, "an array of numbers", given)),
+        }
+    }
+}
+
+impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        Self::new(&given, "the argument")
     }
 }
 
@@ -40,23 +55,53 @@ impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {
 pub fn field(given: &ArrayLike<'_>) -> PyResult<Field> {
     let array = given.as_array().to_owned();
     let array = if array.ndim() == 1 { array.insert_axis(Axis(0)) } else { array };
-    let shape = array.shape().to_vec();
-    array.into_dimensionality::<Ix2>().map_err(|_| {
-        py_error(format!("an array of shape {shape:?} is neither a line nor a surface: give one or two axes"))
-    })
+    match *array.shape() {
+        [rows, 1] if rows > 1 => {
+            bail(format!("an array of shape ({rows}, 1) is a column: give a line as shape ({rows},)"))
+        }
+        [_, _] => Ok(array.into_dimensionality::<Ix2>().expect("two axes")),
+        [] => bail("a single number is neither a line nor a surface: give an array with one or two axes"),
+        ref shape => {
+            let shape = in_parentheses(shape);
+            bail(format!("an array of shape {shape} is neither a line nor a surface: give one or two axes"))
+        }
+    }
 }
 
 /// A copy of an array of finite numbers that fits a grid.
-pub fn field_on(given: &ArrayLike<'_>, expected: [usize; 2], quantity: &'static str) -> PyResult<Field> {
+pub fn field_on(given: &ArrayLike<'_>, expected: [usize; 2], quantity: &str) -> PyResult<Field> {
     let field = field(given)?;
     let found: [usize; 2] = field.dim().into();
     if found != expected {
-        let is_transposed = found == [expected[1], expected[0]];
-        return Err(py_error(ClaimError::Shape { quantity, found: given.shape().to_vec(), expected, is_transposed }));
+        let remedy = match found == [expected[1], expected[0]] {
+            true => "it is transposed, give the transpose",
+            false => "give one value for each height",
+        };
+        let axes = usize::from(expected[0] == 1);
+        let [found, expected] = [given.shape(), &expected[axes..]].map(in_parentheses);
+        return bail(format!(
+            "the {quantity} has the shape {found} and does not fit heights of shape {expected}: {remedy}"
+        ));
     }
-    match field.indexed_iter().find(|(_, value)| !value.is_finite()) {
-        Some(((row, column), &value)) => Err(py_error(ClaimError::NonFinite { quantity, index: [row, column], value })),
-        None => Ok(field),
+    check_finite(&field, quantity)?;
+    Ok(field)
+}
+
+/// Refuses a field with a number that is infinite, or not a number.
+pub fn check_finite(field: &Field, quantity: &str) -> PyResult<()> {
+    let Some(((row, column), value)) = field.indexed_iter().find(|(_, value)| !value.is_finite()) else {
+        return Ok(());
+    };
+    let index = if field.nrows() == 1 { format!("{column}") } else { format!("({row}, {column})") };
+    let value = value.to_string().to_lowercase();
+    bail(format!("the {quantity} at index {index} is {value}: all values must be finite"))
+}
+
+/// A shape as Python writes it, such as `(3,)`.
+pub fn in_parentheses(shape: &[usize]) -> String {
+    match shape {
+        [one] => format!("({one},)"),
+        more => format!("({})", more.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")),
     }
 }
 

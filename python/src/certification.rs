@@ -49,14 +49,15 @@ impl Certification {
     fn new(
         of: Bound<'_, Problem>,
         quantity: &'static str,
-        values: &ArrayLike<'_>,
+        values: &Bound<'_, PyAny>,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
         let (py, problem) = (of.py(), of.get());
+        let values = ArrayLike::new(values, quantity)?;
         let own = problem.setup.setup.stop;
         let stop = tolerance.map_or(Ok(own), |it| Stop::new(it, own.max_iterations())).map_err(py_error)?;
         let kind: Quantity = quantity.parse().expect("the three quantities have these names");
-        let values = field_on(values, problem.problem.surface().grid().shape(), quantity)?;
+        let values = field_on(&values, problem.problem.surface().grid().shape(), quantity)?;
         let found = py.detach(|| Self::find(problem, &stop, kind, &values)).map_err(py_error)?;
         let Finding { certificate, contact, assessment, holds, mistakes } = found;
         let (surface, setup, rank) = (problem.surface.clone(), problem.setup.setup.clone(), problem.rank);
@@ -159,7 +160,7 @@ impl Certification {
     fn _from_parts(
         problem: Bound<'_, Problem>,
         quantity: &str,
-        values: ArrayLike<'_>,
+        values: Bound<'_, PyAny>,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
         match QUANTITIES.iter().find(|name| **name == quantity) {
@@ -182,9 +183,9 @@ impl Problem {
     #[pyo3(signature = (*, pressure=None, gap=None, displacement=None, tolerance=None))]
     fn certify(
         slf: Bound<'_, Self>,
-        pressure: Option<ArrayLike<'_>>,
-        gap: Option<ArrayLike<'_>>,
-        displacement: Option<ArrayLike<'_>>,
+        pressure: Option<Bound<'_, PyAny>>,
+        gap: Option<Bound<'_, PyAny>>,
+        displacement: Option<Bound<'_, PyAny>>,
         tolerance: Option<f64>,
     ) -> PyResult<Certification> {
         if slf.get().setup.loads.is_some() {

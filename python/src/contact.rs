@@ -1,6 +1,6 @@
 //! Contacts: what solvers return.
 
-use crate::arrays::{owned, vector, view};
+use crate::arrays::{in_parentheses, owned, vector, view};
 use crate::certificate::{Certificate, Work};
 use crate::error::{NotConverged, bail};
 use crate::problem::Problem;
@@ -247,14 +247,15 @@ impl Contact {
     fn __repr__(&self) -> String {
         let asperity::Contact { status, certificate, solver, .. } = &self.contact;
         let points = &self.contact.problem.surface().grid().shape()[2 - self.rank..];
+        let shape = in_parentheses(points);
         match self.process() {
             Some(process) => {
                 let (process, pressure): (&str, _) = (process.into(), self.contact.mean_pressure());
-                format!("Contact(shape={points:?}, a state of {process}, contact pressure {pressure:e}, {status})")
+                format!("Contact(shape={shape}, a state of {process}, contact pressure {pressure:e}, {status})")
             }
             None => {
                 let load = self.contact.problem.load();
-                format!("Contact(shape={points:?}, {load}, eta={:.1e}, {status} by {solver})", certificate.eta)
+                format!("Contact(shape={shape}, {load}, eta={:.1e}, {solver}: {status})", certificate.eta)
             }
         }
     }

@@ -2,12 +2,12 @@
 //!
 //! `pythonize` is not used: it knows neither the scalars of numpy and xarray nor paths, and it has no release for this version of pyo3.
 
-use crate::error::{bail, py_error};
+use crate::error::{bail, py_error, wrong_type};
 use asperity::setup::SetupTable;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// Sections and keys of a setup.
 pub type Sections = Map<String, Value>;
@@ -24,7 +24,7 @@ pub fn sections_from_keywords(keywords: Option<&Bound<'_, PyDict>>) -> PyResult<
 }
 
 fn key_from_py(key: &Bound<'_, PyAny>) -> PyResult<String> {
-    Ok(key.extract::<String>()?.replace('_', "-"))
+    Ok(key.extract::<String>().map_err(|_| wrong_type("a key", "a str", key))?.replace('_', "-"))
 }
 
 /// The value of the key `at`: a text, a truth value, a number, a path, a list or a dictionary. Scalars of numpy and xarray are numbers.
@@ -33,13 +33,19 @@ pub fn value_from_py(it: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
         return Ok(Value::Object(sections_from_dict(entries)?));
     }
     if it.is_instance_of::<PyString>() {
-        return Ok(Value::String(it.extract()?));
+        let text: String = it.extract()?;
+        // names of methods may be written like names of Python
+        let is_name = matches!(at, "solver" | "method");
+        return Ok(Value::String(if is_name { text.replace('_', "-") } else { text }));
     }
     if it.is_instance_of::<PyBool>() {
         return Ok(Value::Bool(it.extract()?));
     }
     if it.is_instance_of::<PyInt>() {
-        return Ok(Value::from(it.extract::<i64>()?));
+        return match it.extract::<i64>() {
+            Ok(whole) => Ok(Value::from(whole)),
+            Err(_) => bail(format!("{} is {it}: give a whole number of less than 64 bits", name_of(at))),
+        };
     }
     if it.is_instance_of::<PyFloat>() {
         return number(it.extract()?, at);
@@ -53,7 +59,7 @@ pub fn value_from_py(it: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
     match it.try_iter() {
         Ok(items) => Ok(Value::Array(items.map(|item| value_from_py(&item?, at)).collect::<PyResult<_>>()?)),
         Err(_) if it.hasattr("__float__")? => number(it.extract()?, at),
-        Err(_) => bail(format!("{at} is {}: give a number, a text, a list or a dictionary", it.repr()?)),
+        Err(_) => bail(format!("{} is {}: give a number, a text, a list or a dictionary", name_of(at), it.repr()?)),
     }
 }
 
@@ -65,13 +71,27 @@ fn is_scalar(it: &Bound<'_, PyAny>) -> PyResult<bool> {
 fn number(number: f64, at: &str) -> PyResult<Value> {
     match serde_json::Number::from_f64(number) {
         Some(number) => Ok(Value::Number(number)),
-        None => bail(format!("{at} is {number}: give a finite number")),
+        None => bail(format!("{} is {}: give a finite number", name_of(at), number.to_string().to_lowercase())),
     }
 }
 
-/// The table that some sections make.
+/// The name of a key in Python.
+fn name_of(key: &str) -> String {
+    key.replace('-', "_")
+}
+
+/// The table that some sections make, of which the solver may be a name alone, the solid a contact modulus, and the path the name of a table.
 pub fn table_from_sections(sections: &Sections) -> PyResult<SetupTable> {
-    SetupTable::from_json(&Value::Object(sections.clone()).to_string()).map_err(py_error)
+    let mut sections = sections.clone();
+    for (section, key, may_be_number) in
+        [("solver", "method", false), ("solid", "contact-modulus", true), ("path", "file", false)]
+    {
+        let is_alone = |it: &&mut Value| it.is_string() || may_be_number && it.is_number();
+        if let Some(value) = sections.get_mut(section).filter(is_alone) {
+            *value = json!({ key: value.take() });
+        }
+    }
+    SetupTable::from_json(&Value::Object(sections).to_string()).map_err(py_error)
 }
 
 /// The sections of a setup or a table.

@@ -3,12 +3,13 @@
 use crate::arrays::owned;
 use crate::contact::Contact;
 use crate::conversion::{Sections, to_python, value_from_py};
-use crate::error::{bail, py_error};
+use crate::error::{argument, bail, py_error};
 use asperity::error::FlowError;
 use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation, PercolationLoad};
 use asperity::setup::Flow;
 use asperity::study::FlowRow;
 use asperity::surface::Field;
+use pyo3::Borrowed;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -20,9 +21,9 @@ impl Contact {
     /// gap of these plates (hydraulic_gap, a length), whether nothing flows (sealed), whether the bounds are within `tolerance` (converged), and
     /// in the shape of the heights the pressure of the fluid from 1 to 0 (pressure, nan where nothing flows) and the magnitude of the
     /// flux over its mean (flux).
-    #[pyo3(signature = (axis="x", *, tolerance=1e-4))]
-    fn leakage<'py>(&self, py: Python<'py>, axis: &str, tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
-        let axis = axis_of(axis)?;
+    #[pyo3(signature = (axis=FlowAxisName(FlowAxis::X), *, tolerance=1e-4), text_signature = "($self, axis='x', *, tolerance=0.0001)")]
+    fn leakage<'py>(&self, py: Python<'py>, axis: FlowAxisName, tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
+        let FlowAxisName(axis) = axis;
         let leakage = py.detach(|| Leakage::from_contact(&self.contact, axis, tolerance)).map_err(py_error)?;
         let found = PyDict::new(py);
         let numbers = [("lower", leakage.lower), ("upper", leakage.upper), ("hydraulic_gap", leakage.sigma().cbrt())];
@@ -86,9 +87,9 @@ impl Contact {
     /// A dictionary with the number of contacts that were solved (solves) and two others: the highest load at which the gap was seen open (open) and
     /// the lowest one at which the contact sealed (sealed), each with reduced_pressure, mean_pressure, mean_gap, relative_area,
     /// relative_area_counted and relative_area_corrected.
-    #[pyo3(signature = (axis="x", *, width=1e-3))]
-    fn sealing_load<'py>(&self, py: Python<'py>, axis: &str, width: f64) -> PyResult<Bound<'py, PyAny>> {
-        let axis = axis_of(axis)?;
+    #[pyo3(signature = (axis=FlowAxisName(FlowAxis::X), *, width=1e-3), text_signature = "($self, axis='x', *, width=0.001)")]
+    fn sealing_load<'py>(&self, py: Python<'py>, axis: FlowAxisName, width: f64) -> PyResult<Bound<'py, PyAny>> {
+        let FlowAxisName(axis) = axis;
         let (problem, setup) = (&self.contact.problem, &self.setup);
         let found =
             py.detach(|| PercolationLoad::new(problem, setup.solver.solver(), &setup.stop, axis, width, |_| ()));
@@ -115,6 +116,14 @@ pub fn flow_fields<'c>(contacts: impl Iterator<Item = &'c Contact>) -> Result<Ve
     Ok(found)
 }
 
-fn axis_of(name: &str) -> PyResult<FlowAxis> {
-    name.parse().map_err(|_| py_error(format!("the axis is {name:?}: give \"x\" or \"y\"")))
+/// The name of an axis.
+struct FlowAxisName(FlowAxis);
+
+impl<'a, 'py> FromPyObject<'a, 'py> for FlowAxisName {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let name: String = argument(&given, "axis", "'x' or 'y'")?;
+        name.parse().map(Self).map_err(|_| py_error(format!("the axis is '{name}': give 'x' or 'y'")))
+    }
 }

@@ -4,7 +4,7 @@ use crate::arrays::vector;
 use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::to_python;
-use crate::error::{BoxedError, bail, py_error};
+use crate::error::{BoxedError, bail, py_error, unknown_name};
 use crate::problem::Problem;
 use crate::setup::Setup;
 use asperity::files::{check_named, write_beside};
@@ -12,7 +12,6 @@ use asperity::history::{HISTORY_QUANTITIES, HistoryField, HistoryState, HistoryU
 use asperity::job::HistoryOutcome;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
-use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::io::{self, Write};
@@ -137,9 +136,10 @@ impl History {
 
     /// Explains a number of `numbers` in one sentence.
     #[staticmethod]
-    fn explain(name: &str) -> PyResult<&'static str> {
+    fn explain(py: Python<'_>, name: &str) -> PyResult<&'static str> {
         let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
-        found.map(|it| it.help).ok_or_else(|| PyKeyError::new_err(name.to_owned()))
+        let names = || HISTORY_QUANTITIES.iter().map(|it| it.name).collect::<Vec<_>>();
+        found.map(|it| it.help).ok_or_else(|| unknown_name(py, "number", name, &names()))
     }
 
     /// The unit of a number of `numbers` in a word, such as "length"; "1" for a pure number.

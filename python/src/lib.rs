@@ -53,6 +53,7 @@ mod surface_parts;
 mod table;
 mod theory;
 mod warnings;
+mod words;
 
 use pyo3::prelude::*;
 
@@ -81,10 +82,16 @@ fn observables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     conversion::to_python(py, &asperity::contact::OBSERVABLES)
 }
 
+/// The exception for a keyword that a function does not take, with the keyword that was probably meant.
+#[pyfunction]
+fn unexpected_keyword(py: Python<'_>, function: &str, name: &str, known: Vec<String>) -> Py<PyAny> {
+    error::unexpected_keyword(py, function, name, &known).into_value(py).into_any()
+}
+
 #[pymodule]
 mod _asperity {
     #[pymodule_export]
-    use super::{free_memory, main, observables, threads};
+    use super::{free_memory, main, observables, threads, unexpected_keyword};
     #[pymodule_export]
     use crate::cancel::CancelToken;
     #[pymodule_export]

@@ -9,9 +9,9 @@ use pyo3::prelude::*;
 impl Problem {
     /// The displacement of the surface of the solid under a pressure, a length, of the shape of the heights. Its mean is a datum and zero on
     /// a periodic boundary, except if an approach is given.
-    fn displacement<'py>(&self, py: Python<'py>, pressure: ArrayLike<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    fn displacement<'py>(&self, py: Python<'py>, pressure: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let shape = self.problem.surface().grid().shape();
-        let pressure = field_on(&pressure, shape, "pressure")?;
+        let pressure = field_on(&ArrayLike::new(&pressure, "pressure")?, shape, "pressure")?;
         let displacement = py.detach(|| {
             let mut displacement = vec![0.0; pressure.len()];
             let (pressure, _) = pressure.into_raw_vec_and_offset();

@@ -1,6 +1,6 @@
 //! Solvers that are written in Python.
 
-use crate::arrays::field_on;
+use crate::arrays::{ArrayLike, field_on};
 use crate::error::bail;
 use crate::problem::Problem;
 use asperity::error::Failure;
@@ -63,7 +63,7 @@ impl Pressures {
     }
 
     fn frame(&self, given: &Bound<'_, PyAny>) -> PyResult<Frame> {
-        let field = field_on(&given.extract()?, self.shape, "pressure")?;
+        let field = field_on(&ArrayLike::new(given, "a pressure of the solver")?, self.shape, "pressure")?;
         Ok(Frame { values: field.into_raw_vec_and_offset().0, seconds: Some(self.start.elapsed().as_secs_f64()) })
     }
 

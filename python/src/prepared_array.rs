@@ -1,8 +1,8 @@
 //! Arrays of heights that are prepared.
 
-use crate::arrays::{ArrayLike, field};
+use crate::arrays::{ArrayLike, check_finite, field};
 use crate::conversion::{Sections, section_mut, table_from_sections};
-use crate::error::{bail, py_error};
+use crate::error::{bail, error_of_keywords, py_error};
 use crate::fork;
 use asperity::setup::{Cost, Recipe};
 use asperity::surface::{Preparation, PreparationChoice, Scan};
@@ -31,12 +31,16 @@ impl PreparedArray {
         let rank = height.as_array().ndim();
         let (outer, given) = (2 - rank.clamp(1, 2), field(height)?);
         let prepare = cell.remove("prepare");
+        if prepare.is_none() {
+            check_finite(&given, "height")?;
+        }
+        let py = height.py();
         let mut sections = sections_of_array(cell);
         if let Some(prepare) = prepare {
             section_mut(&mut sections, "surface").insert("prepare".into(), prepare);
         }
         let is_chosen = take_auto(&mut sections)?;
-        let (recipe, raw) = on_points(&sections, &given.shape()[outer..], None)?;
+        let (recipe, raw) = on_points(py, &sections, &given.shape()[outer..], None)?;
         let unrefined = asperity::setup::Cell { refine: None, ..raw.clone() };
         let grid = unrefined.grid().map_err(py_error)?;
         let scan = Scan { height: given, spacing: grid.spacing() };
@@ -50,7 +54,7 @@ impl PreparedArray {
                 prepare.entry(step).or_insert(value);
             }
         }
-        let (recipe, _) = on_points(&sections, &scan.shape()[outer..], None)?;
+        let (recipe, _) = on_points(py, &sections, &scan.shape()[outer..], None)?;
         let prepared = height.py().detach(|| recipe.prepare.apply(scan)).map_err(py_error)?;
         let (voids, shape, spacing) = (prepared.scan.voids(), prepared.scan.shape(), prepared.scan.spacing);
         if voids > 0 && !recipe.prepare.is_none() {
@@ -60,7 +64,7 @@ impl PreparedArray {
             ));
         }
         let size = (!recipe.prepare.is_none()).then(|| [0, 1].map(|axis| shape[axis] as f64 * spacing[axis]));
-        let (_, mut cell) = on_points(&sections, &shape[outer..], size.as_ref().map(|size| &size[outer..]))?;
+        let (_, mut cell) = on_points(py, &sections, &shape[outer..], size.as_ref().map(|size| &size[outer..]))?;
         let fine = cell.grid().map_err(py_error)?;
         Cost::from_fields(&fine, FIELDS).check("a surface").map_err(py_error)?;
         let factor = cell.refine.take().unwrap_or(1);
@@ -105,14 +109,19 @@ fn take_auto(sections: &mut Sections) -> PyResult<bool> {
 }
 
 /// The recipe and the cell of some sections for an array with some points, of the size that is given or of another one.
-fn on_points(sections: &Sections, points: &[usize], size: Option<&[f64]>) -> PyResult<(Recipe, asperity::setup::Cell)> {
+fn on_points(
+    py: Python<'_>,
+    sections: &Sections,
+    points: &[usize],
+    size: Option<&[f64]>,
+) -> PyResult<(Recipe, asperity::setup::Cell)> {
     let mut sized = sections.clone();
     let grid = section_mut(&mut sized, "grid");
     grid.insert("points".into(), json!(points));
     if let Some(size) = size {
         grid.insert("size".into(), json!(size));
     }
-    table_from_sections(&sized)?.surface().map_err(py_error)
+    table_from_sections(&sized)?.surface().map_err(|error| error_of_keywords(py, "Surface", &["grid"], error))
 }
 
 /// The steps that heights need after they are cropped.

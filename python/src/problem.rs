@@ -1,19 +1,23 @@
 //! Contact problems.
 
+use crate::arrays::in_parentheses;
 use crate::conversion::{Sections, section_mut, sections_from_keywords};
-use crate::error::{bail, py_error};
+use crate::error::{bail, py_error, unexpected_keyword, wrong_type};
 use crate::fork;
 use crate::setup::Setup;
 use crate::surface::Surface;
 use asperity::study::{LoadCurve, Refinement};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 
 /// Names of the loads.
 const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "force", "approach"];
+
+/// Sections that are keywords of a problem.
+const SECTIONS: [&str; 10] =
+    ["solid", "law", "friction", "adhesion", "viscoelastic", "path", "sliding", "rolling", "flow", "record"];
 
 /// A rigid surface pressed on an elastic solid.
 ///
@@ -101,28 +105,20 @@ fn with_sampled_solid<'py>(surface: &Surface, keywords: &Bound<'py, PyDict>) -> 
 }
 
 /// The sections of some keywords, laid over those of a surface.
-fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
+fn described(py: Python<'_>, surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
     let mut described = surface.sections.clone();
     let keywords = keywords.map(|keywords| with_sampled_solid(surface, keywords)).transpose()?;
     for (key, value) in sections_from_keywords(keywords.as_ref())? {
         match key.as_str() {
-            "solid" if value.is_number() || value.is_string() => {
-                described.insert(key, json!({ "contact-modulus": value }));
-            }
-            // the path of a table
-            "path" if value.is_string() => {
-                described.insert(key, json!({ "file": value }));
-            }
-            "solid" | "law" | "friction" | "adhesion" | "viscoelastic" | "path" | "sliding" | "rolling" | "flow"
-            | "record" => {
+            section if SECTIONS.contains(&section) => {
                 described.insert(key, value);
             }
             load if LOADS.contains(&load) => {
                 section_mut(&mut described, "load").insert(key, value);
             }
             other => {
-                let other = other.replace('-', "_");
-                return Err(PyTypeError::new_err(format!("Problem() got an unexpected keyword argument '{other}'")));
+                let known = [&SECTIONS[..], &LOADS].concat();
+                return Err(unexpected_keyword(py, "Problem", other, &known));
             }
         }
     }
@@ -133,15 +129,22 @@ fn described(surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResul
 impl Problem {
     #[new]
     #[pyo3(signature = (surface, **keys), text_signature = "(surface, *, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None)")]
-    fn py_new(py: Python<'_>, surface: &Surface, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::from_surface(py, surface, Setup::from_sections(&described(surface, keys)?)?)
+    fn py_new(surface: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let py = surface.py();
+        let surface =
+            surface.cast::<Surface>().map_err(|_| wrong_type("surface", "a Surface(height, size)", &surface))?.get();
+        Self::from_surface(py, surface, Setup::from_sections(&described(py, surface, keys)?)?)
     }
 
     /// The same problem under another load, or under a list of loads.
     #[pyo3(signature = (**load), text_signature = "($self, *, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None)")]
-    fn with_load(&self, load: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn with_load(&self, py: Python<'_>, load: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut sections = self.setup.sections();
-        sections.insert("load".into(), Value::Object(sections_from_keywords(load)?));
+        let load = sections_from_keywords(load)?;
+        if let Some(other) = load.keys().find(|key| !LOADS.contains(&key.as_str())) {
+            return Err(unexpected_keyword(py, "with_load", other, &LOADS));
+        }
+        sections.insert("load".into(), Value::Object(load));
         let setup = Setup::from_sections(&sections)?;
         if setup.setup.adhesion.is_some() {
             // adhesion has loads that no other contact has, such as pulls, and so its problem does not depend on the load
@@ -223,7 +226,11 @@ impl Problem {
             Some(loads) => format!("{} loads", loads.len()),
             None => self.problem.load().to_string(),
         };
-        format!("Problem(shape={points:?}, contact_modulus={:e}, {loads})", self.problem.contact_modulus())
+        format!(
+            "Problem(shape={}, contact_modulus={:e}, {loads})",
+            in_parentheses(points),
+            self.problem.contact_modulus()
+        )
     }
 }
 

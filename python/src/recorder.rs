@@ -3,13 +3,13 @@
 use crate::arrays::{ArrayLike, field_on, vector};
 use crate::background::{Foreground, StepSender, run_in_background};
 use crate::contact::Contact;
-use crate::conversion::{section_mut, value_from_py};
-use crate::error::{BoxedError, bail, py_error};
+use crate::conversion::{table_from_sections, value_from_py};
+use crate::error::{BoxedError, bail, error_in_solve, py_error, wrong_type};
 use crate::fork;
 use crate::problem::Problem;
 use crate::saved::of_pressure;
 use crate::setup::Setup;
-use crate::sink::RecordingSink;
+use crate::sink::{NOTHING_RECORDED, RecordingSink};
 use asperity::contact::{Multilevel, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::error::Failure;
@@ -81,6 +81,21 @@ struct Running {
     start: Instant,
     /// Time that the recorder itself took.
     own_time: Duration,
+    /// Seconds of the last step, if there is one.
+    last: Option<f64>,
+}
+
+impl Running {
+    /// The seconds of the next step, which do not go back.
+    fn next_time(&mut self, seconds: f64) -> PyResult<f64> {
+        let least = self.last.unwrap_or(0.0);
+        if !(seconds.is_finite() && seconds >= least) {
+            let seconds = seconds.to_string().to_lowercase();
+            return bail(format!("seconds is {seconds}: give the seconds since the start, {least} or more"));
+        }
+        self.last = Some(seconds);
+        Ok(seconds)
+    }
 }
 
 /// The results of the thread that records.
@@ -94,7 +109,8 @@ struct Output {
 struct Finished {
     contact: Py<Contact>,
     distances: Vec<Distance>,
-    findings: String,
+    /// Why the solver is slow; none without a reference.
+    findings: Option<String>,
 }
 
 impl Plan {
@@ -133,14 +149,18 @@ impl Recorder {
 
     /// Waits until all steps are recorded, and keeps the results.
     fn finish(&self, py: Python<'_>) -> PyResult<()> {
-        let Some(Running { frames, thread, .. }) = self.state().running.take() else { return Ok(()) };
+        let Some(Running { frames, thread, last, .. }) = self.state().running.take() else { return Ok(()) };
         drop(frames);
         let output = py.detach(|| thread.join()).unwrap_or_else(|panic| resume_unwind(panic));
         let streamed = self.plan.sink.finish(py);
         let Output { contact, distances, findings } = output.map_err(py_error)?;
         let Plan { surface, setup, rank, .. } = &*self.plan;
-        let (surface, setup, findings) = (surface.clone(), setup.clone(), findings.to_string());
-        let diagnosis = Some(findings.clone());
+        if last.is_none() {
+            return streamed;
+        }
+        let (surface, setup) = (surface.clone(), setup.clone());
+        let diagnosis = (!matches!(self.plan.reference, Target::Nothing)).then(|| findings.to_string());
+        let findings = diagnosis.clone();
         let contact = Contact { diagnosis, ..Contact::new(contact, surface, setup, *rank) };
         self.state().finished = Some(Finished { contact: Py::new(py, contact)?, distances, findings });
         streamed
@@ -150,7 +170,9 @@ impl Recorder {
     fn result<T>(&self, of: impl FnOnce(&Finished) -> PyResult<T>) -> PyResult<T> {
         match &self.state().finished {
             Some(finished) => of(finished),
-            None => bail("the recorder has no results yet: read them after its `with` block"),
+            None => {
+                bail("the recorder has no results: record steps in its `with` block, and read the results after it")
+            }
         }
     }
 }
@@ -161,7 +183,7 @@ impl Recorder {
     #[pyo3(signature = (problem, path=None, *, name="mine", quantity="pressure", reference=None, live=false, stream=None, recording=None), text_signature = "(problem, path=None, *, name='mine', quantity='pressure', reference=True, live=False, stream=None, recording=None)")]
     #[allow(clippy::too_many_arguments, reason = "these are keywords")]
     fn new(
-        problem: &Problem,
+        problem: Bound<'_, PyAny>,
         path: Option<PathBuf>,
         name: &str,
         quantity: &str,
@@ -170,6 +192,7 @@ impl Recorder {
         stream: Option<&Bound<'_, PyAny>>,
         recording: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
+        let problem = problem.cast::<Problem>().map_err(|_| wrong_type("problem", "a Problem", &problem))?.get();
         let mut sink = RecordingSink::new(path, live);
         stream.map_or(Ok(()), |stream| sink.stream_to(stream))?;
         sink.check()?;
@@ -181,8 +204,10 @@ impl Recorder {
         }
         let mut sections = problem.setup.sections();
         if let Some(recording) = recording {
-            let given = value_from_py(recording, "recording")?;
-            *section_mut(&mut sections, "record") = given.as_object().cloned().unwrap_or_default();
+            if !sink.is_active() {
+                return bail(NOTHING_RECORDED);
+            }
+            sections.insert("record".into(), value_from_py(recording, "recording")?);
         }
         let reference = match reference {
             None => Target::Solution,
@@ -201,7 +226,7 @@ impl Recorder {
         let plan = Plan {
             problem: problem.problem.clone(),
             surface: problem.surface.clone(),
-            setup: Setup::from_sections(&sections)?.setup,
+            setup: Setup::from_table(table_from_sections(&sections)?).map_err(error_in_solve)?.setup,
             rank: problem.rank,
             name: name.into(),
             quantity,
@@ -228,24 +253,28 @@ impl Recorder {
         };
         let (frames, given) = sync_channel(QUEUE_LENGTH);
         let thread = thread::spawn(move || plan.run(reference, given.into_iter()));
-        let running = Running { frames, thread, start: Instant::now(), own_time: Duration::ZERO };
+        let running = Running { frames, thread, start: Instant::now(), own_time: Duration::ZERO, last: None };
         *slf.get().state() = RecorderState { running: Some(running), finished: None };
         Ok(slf)
     }
 
     /// Records a step: values of the quantity, of the shape of the heights, and the seconds since the start if you measure them yourself.
     #[pyo3(signature = (values, seconds=None))]
-    fn step(&self, py: Python<'_>, values: ArrayLike<'_>, seconds: Option<f64>) -> PyResult<()> {
+    fn step(&self, py: Python<'_>, values: Bound<'_, PyAny>, seconds: Option<f64>) -> PyResult<()> {
         let began = Instant::now();
         let Plan { problem, quantity, .. } = &*self.plan;
+        let values = ArrayLike::new(&values, "values")?;
         let field = field_on(&values, problem.surface().grid().shape(), quantity.name())?;
-        let (frames, clock) = match &self.state().running {
-            Some(it) => (it.frames.clone(), (began - it.start).saturating_sub(it.own_time).as_secs_f64()),
+        let (frames, seconds) = match &mut self.state().running {
+            Some(it) => {
+                let clock = (began - it.start).saturating_sub(it.own_time).as_secs_f64();
+                (it.frames.clone(), it.next_time(seconds.unwrap_or(clock))?)
+            }
             None => {
                 return bail("the recorder is not running: use it as `with Recorder(problem, path) as r: r.step(...)`");
             }
         };
-        let frame = Frame { values: field.into_raw_vec_and_offset().0, seconds: Some(seconds.unwrap_or(clock)) };
+        let frame = Frame { values: field.into_raw_vec_and_offset().0, seconds: Some(seconds) };
         let sent = py.detach(|| frames.send(frame));
         drop(frames);
         match sent {
@@ -291,9 +320,9 @@ impl Recorder {
     }
 
     /// Why the solver is slow, in words: slow wavelengths, nodes that change their state often, plateaus, contact sets
-    /// that recur.
+    /// that recur. None without a reference.
     #[getter]
-    fn diagnosis(&self) -> PyResult<String> {
+    fn diagnosis(&self) -> PyResult<Option<String>> {
         self.result(|it| Ok(it.findings.clone()))
     }
 }

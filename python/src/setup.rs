@@ -1,9 +1,11 @@
 //! Descriptions of contacts to solve.
 
 use crate::conversion::{Sections, sections_from_keywords, sections_of, table_from_sections, to_python};
-use crate::error::{bail, py_error};
+use crate::error::{bail, error_in_text, error_of_keywords, py_error};
 use crate::surface::Surface;
 use asperity::contact::Load;
+use asperity::error::SetupError;
+use asperity::files::check_named;
 use asperity::setup::{self, Auto, SetupTable};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +15,7 @@ use std::path::PathBuf;
 /// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///
 /// Setup(surface=..., grid=..., solid=..., load=..., flow=..., solver=..., stop=..., record=...) takes the sections of a scene as
-/// dictionaries, with `_` for `-` in their keys. Lengths and pressures are numbers in one set of units, or texts such
+/// dictionaries, with `_` for `-` in their keys. The solver may be a name alone, the solid a contact modulus, and the path the name of a table. Lengths and pressures are numbers in one set of units, or texts such
 /// as "160 um" and "1 GPa". A load may be a list of loads. With grid={"refine": "auto", ...} the grid is refined until
 /// area and kappa_r are accurate enough.
 #[pyclass(frozen, eq, from_py_object, module = "asperity")]
@@ -34,15 +36,15 @@ impl Setup {
     }
 
     /// The setup that a table describes.
-    pub fn from_table(mut table: SetupTable) -> PyResult<Self> {
-        let loads = table.take_loads().map_err(py_error)?;
-        let refinement = table.take_auto().map_err(py_error)?;
-        Ok(Self { setup: table.setup().map_err(py_error)?, loads, refinement })
+    pub fn from_table(mut table: SetupTable) -> Result<Self, SetupError> {
+        let loads = table.take_loads()?;
+        let refinement = table.take_auto()?;
+        Ok(Self { setup: table.setup()?, loads, refinement })
     }
 
     /// The setup that some sections describe.
     pub fn from_sections(sections: &Sections) -> PyResult<Self> {
-        Self::from_table(table_from_sections(sections)?)
+        Self::from_table(table_from_sections(sections)?).map_err(py_error)
     }
 
     /// The table with its list of loads and its request for a grid.
@@ -69,27 +71,28 @@ impl Setup {
 impl Setup {
     #[new]
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, solver=None, stop=None, record=None)")]
-    fn py_new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::from_sections(&sections_from_keywords(keys)?)
+    fn py_new(py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let table = table_from_sections(&sections_from_keywords(keys)?)?;
+        Self::from_table(table).map_err(|error| error_of_keywords(py, "Setup", &[""], error))
     }
 
     /// The setup that a TOML text describes.
     #[staticmethod]
     pub fn from_toml(text: &str) -> PyResult<Self> {
-        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?)
+        SetupTable::from_toml(text).and_then(Self::from_table).map_err(error_in_text)
     }
 
     /// The setup that a JSON text describes: a scene, or a result that contains a setup.
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
-        Self::from_table(SetupTable::from_json(text).map_err(py_error)?)
+        SetupTable::from_json(text).and_then(Self::from_table).map_err(error_in_text)
     }
 
     /// The setup in a scene (.toml, .json), or of a result that contains one (.npz, .json, .rrd).
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         if !asperity::record::is_recording(&path).map_err(py_error)? {
-            return Self::from_table(SetupTable::read(&path).map_err(py_error)?);
+            return SetupTable::read(&path).and_then(Self::from_table).map_err(error_in_text);
         }
         match asperity::record::setups(&path).map_err(py_error)?.as_deref() {
             Some([text]) => Self::from_toml(text),
@@ -114,8 +117,9 @@ impl Setup {
         to_python(py, &self.sections())
     }
 
-    /// Writes the setup as a scene.
+    /// Writes the setup as a scene, to a file whose name ends in .toml.
     fn write(&self, path: PathBuf) -> PyResult<()> {
+        check_named(&path, &["toml"]).map_err(py_error)?;
         self.table().write(&path).map_err(py_error)
     }
 

@@ -14,6 +14,9 @@ use std::time::{Duration, Instant};
 /// The shortest time between two pieces of a stream: smaller pieces are put together.
 const PIECE_INTERVAL: Duration = Duration::from_millis(50);
 
+/// Why keywords of a recording alone are refused.
+pub const NOTHING_RECORDED: &str = "recording says what is recorded, but nothing is recorded: give a file (record), live or stream as well, or leave it out";
+
 /// Where a recording goes: to a file, to the installed viewer, in pieces to a callable, or nowhere.
 #[derive(Default)]
 pub struct RecordingSink {

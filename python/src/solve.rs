@@ -179,10 +179,15 @@ impl Solve<'_> {
     /// Follows a history.
     fn history(&self, py: Python<'_>) -> PyResult<History> {
         let SolveOptions { sink, diagnose, start, .. } = self.options;
-        if sink.is_live || sink.is_streamed() || *diagnose || start.is_some() || self.setup.refinement.is_some() {
-            return bail(
-                "live, stream, diagnose, start and refine='auto' are for one contact: leave them out of a history",
-            );
+        let of_one_contact = [
+            (sink.is_live, "live"),
+            (sink.is_streamed(), "stream"),
+            (*diagnose, "diagnose"),
+            (start.is_some(), "start"),
+            (self.setup.refinement.is_some(), "refine='auto'"),
+        ];
+        if let Some((_, name)) = of_one_contact.iter().find(|(is_given, _)| *is_given) {
+            return bail(format!("{name} is for one contact: leave it out of a history"));
         }
         let (setup, problem) = (&self.setup.setup, &self.problem.problem);
         let outcome = self.in_background(py, |steps| Ok(HistoryOutcome::solve(setup, problem, steps)?))?;

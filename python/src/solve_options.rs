@@ -1,15 +1,14 @@
 //! Keywords of a solve.
 
-use crate::arrays::field_on;
-use crate::conversion::{Sections, section_mut, value_from_py};
-use crate::error::{bail, py_error};
+use crate::arrays::{ArrayLike, field_on};
+use crate::conversion::{Sections, section_mut, table_from_sections, value_from_py};
+use crate::error::{argument, bail, error_in_solve, py_error, unexpected_keyword, wrong_type};
 use crate::own_solver::OwnSolver;
 use crate::setup::Setup;
-use crate::sink::RecordingSink;
+use crate::sink::{NOTHING_RECORDED, RecordingSink};
 use asperity::grid::Grid;
 use asperity::setup::Part;
 use asperity::surface::Field;
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -26,7 +25,26 @@ pub struct SolveOptions {
     pub start: Option<Field>,
     /// A solver that is written in Python.
     pub own_solver: Option<OwnSolver>,
+    /// Whether it is said what is recorded.
+    has_recording: bool,
 }
+
+/// All keywords of a solve.
+const KEYWORDS: [&str; 13] = [
+    "solver",
+    "tolerance",
+    "pressure_tolerance",
+    "max_iterations",
+    "refine",
+    "area_tolerance",
+    "start",
+    "callback",
+    "record",
+    "recording",
+    "live",
+    "stream",
+    "diagnose",
+];
 
 impl SolveOptions {
     /// The options of some keywords, and the setup with the solver, the stop and the refinement that they name.
@@ -35,9 +53,12 @@ impl SolveOptions {
         for (key, it) in keywords.into_iter().flatten().filter(|(_, it)| !it.is_none()) {
             options.read(&key.extract::<String>()?, &it, &mut sections, grid.shape())?;
         }
-        let setup = Setup::from_sections(&sections)?;
+        let setup = Setup::from_table(table_from_sections(&sections)?).map_err(error_in_solve)?;
         setup.setup.check_on(grid).map_err(py_error)?;
         options.sink.check()?;
+        if options.has_recording && !options.sink.is_active() {
+            return bail(NOTHING_RECORDED);
+        }
         options.check(&setup)?;
         Ok((options, setup))
     }
@@ -46,9 +67,7 @@ impl SolveOptions {
         match key {
             "solver" if it.is_callable() => self.own_solver = Some(OwnSolver::new(it)?),
             "solver" => {
-                let solver = value_from_py(it, key)?;
-                let named = solver.as_str().map(|name| serde_json::json!({ "method": name }));
-                sections.insert(key.into(), named.unwrap_or(solver));
+                sections.insert(key.into(), value_from_py(it, key)?);
             }
             "tolerance" | "pressure_tolerance" | "max_iterations" => {
                 section_mut(sections, "stop").insert(key.replace('_', "-"), value_from_py(it, key)?);
@@ -56,7 +75,7 @@ impl SolveOptions {
             "refine" => {
                 let refine = value_from_py(it, key)?;
                 if refine != "auto" {
-                    return bail(format!("refine is {refine}: give 'auto' here, or a number to the surface"));
+                    return bail(format!("refine is {}: give 'auto' here, or a number to the surface", it.repr()?));
                 }
                 section_mut(sections, "grid").insert(key.into(), refine);
             }
@@ -64,15 +83,17 @@ impl SolveOptions {
                 section_mut(sections, "grid").insert("area-tolerance".into(), value_from_py(it, key)?);
             }
             "recording" => {
+                self.has_recording = true;
                 sections.insert("record".into(), value_from_py(it, key)?);
             }
+            "callback" if !it.is_callable() => return Err(wrong_type(key, "a callable that takes a Step", it)),
             "callback" => self.callback = Some(it.clone().unbind()),
-            "record" => self.sink.path = Some(it.extract()?),
-            "live" => self.sink.is_live = it.extract()?,
+            "record" => self.sink.path = Some(argument(it, key, "the name of a file")?),
+            "live" => self.sink.is_live = argument(it, key, "True or False")?,
             "stream" => self.sink.stream_to(it)?,
-            "diagnose" => self.diagnose = it.extract()?,
-            "start" => self.start = Some(field_on(&it.extract()?, shape, "pressure to start from")?),
-            other => return Err(PyTypeError::new_err(format!("solve() got an unexpected keyword argument '{other}'"))),
+            "diagnose" => self.diagnose = argument(it, key, "True or False")?,
+            "start" => self.start = Some(field_on(&ArrayLike::new(it, key)?, shape, "pressure to start from")?),
+            other => return Err(unexpected_keyword(it.py(), "solve", other, &KEYWORDS)),
         }
         Ok(())
     }

@@ -2,13 +2,14 @@
 
 use crate::arrays::vector;
 use crate::contact::Contact;
-use crate::error::{bail, py_error};
+use crate::error::{bail, index_of, py_error, wrong_type};
 use crate::warnings;
 use asperity::elastic::stress::{Stress, USUAL_POISSON};
+use asperity::quantity::length_of;
 use asperity::setup::Cost;
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 
 /// Values in memory for each column and depth.
 const VALUES: f64 = 16.0;
@@ -18,19 +19,20 @@ impl Contact {
     /// The stress below a row of the contact, in the vertical cut along x, as arrays by name.
     ///
     /// `row` is the row of a surface, that of the largest pressure if it is not given; a line has none. `depths` are depths below the surface,
-    /// lengths. `poisson` is Poisson's ratio, that of the solid if it is not given. Stresses are positive in tension, in the unit of the
+    /// lengths: numbers, or texts such as "1 um", which become metres. `poisson` is Poisson's ratio, that of the solid if it is not given. Stresses are positive in tension, in the unit of the
     /// pressure. They have the shape (depths, nx): sigma_xx, sigma_yy, sigma_zz, tau_xz, tau_xy, tau_yz, the largest shear stress tau_max and
     /// the equivalent stress von_mises. The entries x, depth, pressure, row and poisson say where they are.
     #[pyo3(signature = (*, row=None, depths=None, poisson=None))]
     fn stress<'py>(
         &self,
         py: Python<'py>,
-        row: Option<usize>,
-        depths: Option<Vec<f64>>,
+        row: Option<isize>,
+        depths: Option<Bound<'py, PyAny>>,
         poisson: Option<f64>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let row = self.checked_row(row)?;
-        let depths = checked_depths(depths.unwrap_or_else(|| self.contact.usual_depths()))?;
+        let depths = depths.map_or_else(|| Ok(self.contact.usual_depths()), |given| depths_of(&given))?;
+        let depths = checked_depths(depths)?;
         let grid = self.contact.problem.surface().grid();
         let fields = VALUES * depths.len() as f64 / grid.shape()[0] as f64;
         Cost::from_fields(grid, fields).check("the stress").map_err(py_error)?;
@@ -48,13 +50,12 @@ impl Contact {
 
 impl Contact {
     /// The row that is asked for, or that of the largest pressure.
-    fn checked_row(&self, row: Option<usize>) -> PyResult<usize> {
+    fn checked_row(&self, row: Option<isize>) -> PyResult<usize> {
         let grid = self.contact.problem.surface().grid();
         let rows = grid.shape()[0];
         match row {
             Some(_) if grid.is_line() => bail("row chooses a row of a surface, but this is a line: leave it out"),
-            Some(row) if row >= rows => bail(format!("row is {row}: give 0 to {}", rows - 1)),
-            Some(row) => Ok(row),
+            Some(row) => index_of("row", row, rows),
             None => Ok(self.contact.highest_row()),
         }
     }
@@ -79,6 +80,29 @@ impl Contact {
         table.set_item("poisson", stress.poisson)?;
         Ok(table)
     }
+}
+
+/// Depths, which are numbers or texts with units.
+fn depths_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    const WANTED: &str = "a list of lengths, numbers or texts such as '1 um'";
+    let depth = |it: PyResult<Bound<'_, PyAny>>| match it?.extract()? {
+        Depth::Number(depth) => Ok(depth),
+        Depth::Text(text) => match length_of(&text) {
+            Some(depth) => Ok(depth),
+            None => bail(format!("a depth is '{text}': give a length, a number or one with a unit such as '1 um'")),
+        },
+    };
+    match given.try_iter() {
+        Ok(depths) if !given.is_instance_of::<PyString>() => depths.map(depth).collect(),
+        _ => Err(wrong_type("depths", WANTED, given)),
+    }
+}
+
+/// A depth as it is given.
+#[derive(FromPyObject)]
+enum Depth {
+    Number(f64),
+    Text(String),
 }
 
 /// Depths that are finite and not above the surface.

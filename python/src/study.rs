@@ -2,8 +2,9 @@
 
 use crate::cancel::CancelToken;
 use crate::conversion::{sections_from_keywords, table_from_sections};
-use crate::error::{bail, py_error};
+use crate::error::{bail, error_of_keywords, index_of, py_error};
 use crate::setup::Setup;
+use asperity::error::StudyError;
 use asperity::setup::SetupTable;
 use asperity::study::{Plan, Point};
 use pyo3::prelude::*;
@@ -26,10 +27,10 @@ pub struct Study {
 }
 
 impl Study {
-    fn from_table(table: SetupTable) -> PyResult<Self> {
+    fn from_table(table: SetupTable, exception: impl FnOnce(StudyError) -> PyErr) -> PyResult<Self> {
         let table = table.beside(&absolute("study.toml")?);
         let text = table.to_toml();
-        let plan = Plan::from_table(table).map_err(py_error)?;
+        let plan = Plan::from_table(table).map_err(exception)?;
         Ok(Self { plan, text })
     }
 }
@@ -38,22 +39,23 @@ impl Study {
 impl Study {
     #[new]
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, adhesion=None, viscoelastic=None, path=None, sliding=None, flow=None, solver=None, stop=None, record=None)")]
-    fn new(keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::from_table(table_from_sections(&sections_from_keywords(keys)?)?)
+    fn new(py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let table = table_from_sections(&sections_from_keywords(keys)?)?;
+        Self::from_table(table, |error| error_of_keywords(py, "Study", &[""], error))
     }
 
     /// The study that a TOML text describes. Height files are found in the working directory.
     #[staticmethod]
     fn from_toml(text: &str) -> PyResult<Self> {
         Plan::from_toml(text).map_err(py_error)?; // which names the line of what is wrong
-        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?)
+        Self::from_table(SetupTable::from_toml(text).map_err(py_error)?, py_error)
     }
 
     /// The study in a file. Height files are found beside it.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         Plan::read(&path).map_err(py_error)?;
-        Self::from_table(SetupTable::read(&absolute(path)?).map_err(py_error)?)
+        Self::from_table(SetupTable::read(&absolute(path)?).map_err(py_error)?, py_error)
     }
 
     /// The study as TOML, with the full paths of height files.
@@ -73,9 +75,12 @@ impl Study {
         self.plan.realisations()
     }
 
-    /// The setup of a row under its load; rows count from 1.
-    fn setup(&self, row: usize) -> PyResult<Setup> {
-        self.plan.row(row).and_then(|row| self.plan.setup(row)).map(Setup::new).map_err(py_error)
+    /// The setup of a row under its load. Rows count from 0: study.setup(5) is the setup of table["scene"][5], whose number in the column "row",
+    /// in files and on the command line is 6.
+    fn setup(&self, row: isize) -> PyResult<Setup> {
+        let row = index_of("row", row, self.plan.rows())?;
+        // rows of the library count from 1
+        self.plan.row(row + 1).and_then(|it| self.plan.setup(it)).map(Setup::new).map_err(py_error)
     }
 
     /// The estimated cost of each combination of values, except for the seeds: the values, the number of realisations, and for each of them
@@ -99,13 +104,15 @@ impl Study {
     fn solve(
         &self,
         py: Python<'_>,
-        realisations: Vec<usize>,
+        realisations: Vec<isize>,
         threads: usize,
         cancel: Option<&CancelToken>,
     ) -> PyResult<Vec<String>> {
         if threads == 0 {
             return bail("a realisation is solved on 0 threads: give at least one (threads)");
         }
+        let index = |it: isize| index_of("realisation", it, self.plan.realisations());
+        let realisations = realisations.into_iter().map(index).collect::<PyResult<Vec<_>>>()?;
         let cancel = cancel.cloned().unwrap_or_default();
         let solve = |&it: &usize| self.plan.solve(self.plan.number(it)?, |_| &cancel);
         let solved = py.detach(|| {

@@ -1,12 +1,13 @@
 //! Rigid surfaces.
 
-use crate::arrays::{ArrayLike, vector, view};
+use crate::arrays::{ArrayLike, in_parentheses, vector, view};
 use crate::conversion::{
     Sections, section_mut, sections_from_dict, sections_from_keywords, table_from_sections, value_from_py,
 };
-use crate::error::{bail, py_error};
+use crate::error::{argument, bail, error_of_keywords, py_error, wrong_type};
 use crate::fork;
 use crate::prepared_array::{ARRAY, FIELDS, PreparedArray, sections_of_array};
+use asperity::error::SetupError;
 use asperity::setup::Cost;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
@@ -42,10 +43,10 @@ impl Surface {
     }
 
     /// The surface that some sections describe.
-    fn made(py: Python<'_>, sections: Sections) -> PyResult<Self> {
+    fn made(py: Python<'_>, sections: Sections, exception: impl FnOnce(SetupError) -> PyErr) -> PyResult<Self> {
         let mut table = table_from_sections(&sections)?;
         let mut preparation = table.choose_preparation().map_err(py_error)?;
-        let (recipe, cell) = table.surface().map_err(py_error)?;
+        let (recipe, cell) = table.surface().map_err(exception)?;
         let rank = recipe.rank(&cell).map_err(py_error)?;
         let grid = recipe.grid(&cell).map_err(py_error)?;
         Cost::from_fields(&grid, FIELDS).check("a surface").map_err(py_error)?;
@@ -58,9 +59,10 @@ impl Surface {
         Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 
-    /// The surface of some keywords, of which those that are not of the grid belong below `place`.
+    /// The surface of the keywords of a function, of which those that are not of the grid belong below `place`.
     fn from_keywords(
         py: Python<'_>,
+        function: &str,
         keywords: Option<&Bound<'_, PyDict>>,
         place: &[&str],
         fixed: Sections,
@@ -77,7 +79,7 @@ impl Surface {
             };
             path.iter().fold(&mut made, |at, name| section_mut(at, name)).insert(key, value);
         }
-        Self::made(py, made)
+        Self::made(py, made, |error| error_of_keywords(py, function, &["grid", &place.join(".")], error))
     }
 
     /// Whether the heights were given as an array, so that no file or recipe makes them.
@@ -90,7 +92,8 @@ impl Surface {
 impl Surface {
     #[new]
     #[pyo3(signature = (height, size, **grid), text_signature = "(height, size, *, boundary='periodic', datum=None, refine=1, prepare=None)")]
-    fn new(height: ArrayLike<'_>, size: Bound<'_, PyAny>, grid: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn new(height: Bound<'_, PyAny>, size: Bound<'_, PyAny>, grid: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let height = ArrayLike::new(&height, "height")?;
         let mut grid = sections_from_keywords(grid)?;
         grid.insert("size".into(), value_from_py(&size, "size")?);
         let PreparedArray { surface, sections, rank, preparation } = PreparedArray::new(&height, grid)?;
@@ -107,8 +110,11 @@ impl Surface {
     #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, prepare=None, **grid)")]
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut fixed = Sections::new();
-        fixed.insert("height".into(), value_from_py(&path, "path")?);
-        Self::from_keywords(path.py(), keys, &["surface"], fixed)
+        match value_from_py(&path, "path")? {
+            name @ Value::String(_) => fixed.insert("height".into(), name),
+            _ => return Err(wrong_type("path", "the name of a file", &path)),
+        };
+        Self::from_keywords(path.py(), "read", keys, &["surface"], fixed)
     }
 
     /// Random roughness: one realisation of a power spectrum, as that of van Dokkum et al. (2018), Eq. 10.
@@ -123,7 +129,7 @@ impl Surface {
     #[pyo3(signature = (points, size, **keys), text_signature = "(points, size, *, seed=1, **spectrum_and_grid)")]
     fn rough(points: Bound<'_, PyAny>, size: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let fixed = cell(&points, &size)?;
-        Self::from_keywords(points.py(), keys, &["surface", "spectrum"], fixed)
+        Self::from_keywords(points.py(), "rough", keys, &["surface", "spectrum"], fixed)
     }
 
     /// A smooth indenter in the centre of the cell.
@@ -133,14 +139,14 @@ impl Surface {
     #[staticmethod]
     #[pyo3(signature = (shape, points, size, **keys), text_signature = "(shape, points, size, **parameters)")]
     fn indenter(
-        shape: String,
+        shape: Bound<'_, PyAny>,
         points: Bound<'_, PyAny>,
         size: Bound<'_, PyAny>,
         keys: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let mut fixed = cell(&points, &size)?;
-        fixed.insert("shape".into(), shape.into());
-        Self::from_keywords(points.py(), keys, &["surface", "indenter"], fixed)
+        fixed.insert("shape".into(), argument::<String>(&shape, "shape", "the name of an indenter")?.into());
+        Self::from_keywords(points.py(), "indenter", keys, &["surface", "indenter"], fixed)
     }
 
     /// The surface that the sections `surface` and `grid` of a scene describe, given as dictionaries.
@@ -149,7 +155,7 @@ impl Surface {
         let mut made = Sections::new();
         made.insert("surface".into(), Value::Object(sections_from_dict(surface)?));
         made.insert("grid".into(), Value::Object(sections_from_dict(grid)?));
-        Self::made(surface.py(), made)
+        Self::made(surface.py(), made, py_error)
     }
 
     /// Heights about their mean, a length: shape (n) or (ny, nx), shared and read-only.
@@ -211,7 +217,7 @@ impl Surface {
     fn __repr__(&self) -> String {
         let grid = self.surface.grid();
         let (shape, size) = (&grid.shape()[2 - self.rank..], &grid.size()[2 - self.rank..]);
-        format!("Surface(shape={shape:?}, size={size:?}, {})", grid.boundary())
+        format!("Surface(shape={}, size={size:?}, {})", in_parentheses(shape), grid.boundary())
     }
 }
 

@@ -1,12 +1,11 @@
 //! Rows of studies as columns, for numpy, pandas and every library that reads Arrow.
 
 use crate::arrays::vector;
-use crate::error::{bail, py_error};
+use crate::error::{bail, py_error, unknown_name};
 use arrow::array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray, UInt64Array};
 use arrow::ffi_stream::FFI_ArrowArrayStream;
 use asperity::study::{Column, ColumnValues, Plan, Point};
 use numpy::PyArray1;
-use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyDict, PyIterator, PyList};
 use std::sync::Arc;
@@ -62,10 +61,7 @@ impl Table {
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         match self.columns.iter().find(|column| column.name == name) {
             Some(column) => array(py, &column.values),
-            None => {
-                let names = self.columns().join(", ");
-                Err(PyKeyError::new_err(format!("there is no column {name:?}: the columns are {names}")))
-            }
+            None => Err(unknown_name(py, "column", name, &self.columns())),
         }
     }
 

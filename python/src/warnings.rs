@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::error::AsperityWarning;
+use crate::words::given_as;
 use asperity::contact::{Observables, Status, warning_of_rim, warnings_of};
 use asperity::warning::{Remedy, Warning};
 use pyo3::prelude::*;
@@ -42,17 +43,11 @@ fn stack_level(py: Python<'_>) -> PyResult<i32> {
 
 /// The keyword of a remedy, such as `refine='auto'` or `law={'hardness': ...}`.
 fn keyword(remedy: &Remedy) -> Option<String> {
-    let (section, key) = remedy.key.rsplit_once('.')?;
-    let key = key.replace('-', "_");
     let value = match remedy.value.as_deref() {
         None => "...".into(),
         Some(value) if value.parse::<f64>().is_ok() => value.into(),
         Some(values) if values.contains(',') => format!("({})", values.replace(',', ", ")),
         Some(name) => format!("'{name}'"),
     };
-    Some(match section {
-        "grid" | "stop" => format!("{key}={value}"),
-        "surface.prepare" if key == "steps" => format!("prepare={value}"),
-        _ => format!("{}={{'{key}': {value}}}", section.rsplit('.').next()?),
-    })
+    given_as(remedy.key, &value)
 }

@@ -95,5 +95,5 @@ def test_what_yields_is_among_the_measures(tmp_path: Path) -> None:
 
 
 def test_other_axes_are_refused(contact: asp.Contact) -> None:
-    with pytest.raises(ValueError, match='the axis is "z"'):
+    with pytest.raises(ValueError, match="the axis is 'z'"):
         contact.leakage("z")

@@ -100,7 +100,7 @@ def test_what_cannot_be_is_refused_in_words_of_python() -> None:
         asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]})
     with pytest.raises(asp.AsperityError, match="one load"):
         asp.solve(rough(), reduced_pressure=[0.01, 0.02], viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0})
-    with pytest.raises(asp.AsperityError, match="leave them out"):
+    with pytest.raises(asp.AsperityError, match="leave it out of a history"):
         asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0}, diagnose=True)
 
 

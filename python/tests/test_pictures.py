@@ -58,7 +58,7 @@ def test_a_curve_is_drawn_over_the_reduced_pressure() -> None:
 def test_notebooks_show_a_picture_and_the_main_numbers() -> None:
     contact = asp.solve(ROUGH, reduced_pressure=0.1)
     html = contact._repr_html_()
-    assert "data:image/png;base64," in html and "reduced pressure 0.1" in html and "converged by multilevel" in html
+    assert "data:image/png;base64," in html and "reduced pressure 0.1" in html and "multilevel: converged" in html
     assert f"{contact.mean_gap:.6g}" in html
     assert "rms gradient" in ROUGH._repr_html_() and "64 x 128" in ROUGH._repr_html_()
 

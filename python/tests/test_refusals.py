@@ -1,10 +1,11 @@
-"""What makes no contact is refused in the sentences of the command line."""
+"""What makes no contact is refused by exceptions of Python, in sentences with keywords of Python."""
 
+import re
 import subprocess
 import sys
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable, Mapping
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ HEIGHT = 0.01 * np.cos(2 * np.pi * np.arange(64) / 64)
         ({"reduced_pressure": 0.1, "mean_gap": 0.01}, "give one of them"),
         ({"reduced_pressure": 0.1, "solver": "multigrid"}, "multilevel"),
         ({"reduced_pressure": 0.1, "tolerance": 0.0}, "tolerance"),
-        ({"reduced_pressure": 0.1, "solid": {"modulus": 1.0}}, "contact-modulus"),
+        ({"reduced_pressure": 0.1, "solid": {"modulus": 1.0}}, "contact_modulus"),
         ({"reduced_pressure": 0.1, "solid": {"young": 1.0, "poisson": 0.7}}, "0.7"),
         ({"reduced_pressure": 0.1, "start": np.zeros(32)}, "does not fit"),
         ({"reduced_pressure": 0.1, "record": "steps.txt"}, "rrd"),
@@ -43,7 +44,7 @@ def test_each_refusal_is_one_sentence_with_what_to_do(keys: dict[str, Any], sent
     [
         (np.zeros(64), 1.0, "flat"),
         (np.zeros((2, 2, 2)), 1.0, "neither a line nor a surface"),
-        (np.array([0.0, 1.0, np.nan, 2.0]), 1.0, "NaN"),
+        (np.array([0.0, 1.0, np.nan, 2.0]), 1.0, "index 2 is nan"),
         (HEIGHT, -1.0, "-1"),
         (HEIGHT, (1.0, 2.0), "2"),
         (HEIGHT, None, "size"),
@@ -118,3 +119,252 @@ def test_the_sentences_are_those_of_the_command_line() -> None:
     words = "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --reduced-pressure -1".split()
     ran = subprocess.run([sys.executable, "-m", "asperity", *words], capture_output=True, text=True)
     assert ran.returncode == 2 and str(refusal.value) in ran.stderr
+
+
+P = {"reduced_pressure": 0.1}
+SINE = {"indenter": {"shape": "sine", "amplitude": 0.01}}
+GRID = {"points": 64, "size": 1.0}
+CREEP = {"viscoelastic": {"creep": [9, 1.0]}, "path": {"time": [1.0]}}
+OF_GRID = "points, size, refine, boundary, datum"
+
+
+def solve(height: Any = HEIGHT, size: Any = 1.0, /, **keys: Any) -> Any:
+    return asp.solve(height, size, **{**P, **keys})
+
+
+def recorded(**recording: Any) -> Any:
+    return solve(record="run.rrd", recording=recording)
+
+
+def rough(**keys: Any) -> Any:
+    spectrum = {"hurst": 0.8, "rolloff_wavelength": 0.5, "short_cutoff": 0.1, "rms_gradient": 0.1}
+    return asp.Surface.rough(64, 1.0, **{**spectrum, **keys})
+
+
+def read(**keys: Any) -> Any:
+    np.save("heights.npy", HEIGHT)
+    return asp.Surface.read("heights.npy", size=1.0, **keys)
+
+
+def problem() -> Any:
+    return asp.Problem(asp.Surface(HEIGHT, 1.0), **P)
+
+
+def setup(**sections: Any) -> Any:
+    return asp.Setup(**{"surface": SINE, "grid": GRID, "load": P, **sections})
+
+
+def study(amplitude: float = 0.01) -> Any:
+    surface = {"indenter": {"shape": "sine", "amplitude": amplitude}}
+    return asp.Study(surface=surface, grid=GRID, load={"reduced_pressure": [0.1, 0.2]})
+
+
+def with_steps(*steps: Any, **keywords: Any) -> Any:
+    with asp.Recorder(problem(), **keywords) as recorder:
+        for step in steps:
+            recorder.step(*step)
+    return recorder
+
+
+def continued() -> Any:
+    asp.study(study(), out="study.csv")
+    return asp.study(study(0.02), out="study.csv")
+
+
+def text_file(name: str, text: bytes = b"") -> str:
+    Path(name).write_bytes(text)
+    return name
+
+
+Refusal = tuple[Callable[[], Any], type[Exception], str]
+"""A call that is refused, the class of the exception, and its sentence or the decisive part of it."""
+
+REFUSALS: list[Refusal] = [
+    # arrays
+    (lambda: solve(HEIGHT * 1j), TypeError, "height is complex: give real numbers, such as its real part"),
+    (lambda: solve(["a", "b"]), TypeError, "height must be an array of numbers, not list"),
+    (lambda: solve(None), TypeError, "height must be an array, a Surface or the name of a file, not None"),
+    (lambda: solve(problem()), TypeError, "solve a Problem by its own method solve()"),
+    (lambda: solve(setup()), TypeError, "solve a Setup by its own method solve()"),
+    (lambda: solve("scene.toml"), asp.AsperityError, "scene.toml is a scene and not a file of heights: use Setup.read('scene.toml').solve()"),
+    (lambda: solve(3.0), asp.AsperityError, "a single number is neither a line nor a surface: give an array with one or two axes"),
+    (lambda: solve(np.zeros((2, 2, 2))), asp.AsperityError, "an array of shape (2, 2, 2) is neither a line nor a surface"),
+    (lambda: solve(HEIGHT.reshape(64, 1)), asp.AsperityError, "an array of shape (64, 1) is a column: give a line as shape (64,)"),
+    (lambda: solve(np.array([[0.0] * 4, [0, 1, np.inf, 2]])), asp.AsperityError, "the height at index (1, 2) is inf: all values must be finite"),
+    (lambda: solve(start="x"), TypeError, "start must be an array of numbers, not str"),
+    (lambda: solve(start=np.zeros(3)), asp.AsperityError,
+        "the pressure to start from has the shape (3,) and does not fit heights of shape (64,): give one value for each height"),
+    (lambda: problem().certify(pressure="result.npz"), TypeError, "pressure must be an array of numbers, not str"),
+    (lambda: asp.certify(HEIGHT, 1.0, pressure="result.npz"), TypeError, "pressure must be an array of numbers, not str"),
+    (lambda: asp.certify(HEIGHT, 1.0, pressure=HEIGHT, gap=HEIGHT), asp.AsperityError, "give one result to certify: a pressure, a gap or a displacement"),
+    (lambda: asp.certify(HEIGHT, 1.0, pressure=1j * HEIGHT), TypeError, "pressure is complex: give real numbers, such as its real part"),
+    (lambda: asp.certify(HEIGHT, 1.0), asp.AsperityError, "give one result to certify"),
+    (lambda: asp.certify(HEIGHT, 1.0, displacement=HEIGHT), asp.AsperityError, "a displacement does not say its load: give one (mean_pressure, "),
+    (lambda: asp.Problem(HEIGHT, **P), TypeError, "surface must be a Surface(height, size), not ndarray"),
+    # keywords that a function does not take
+    (lambda: solve(modulus=1.0), TypeError, "solve() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
+    (lambda: solve(pressure=1.0), TypeError, "'pressure'. Did you mean mean_pressure=...?"),
+    (lambda: solve(hardness=1.0), TypeError, "'hardness'. Did you mean law={'hardness': ...}?"),
+    (lambda: solve(toleranse=1.0), TypeError, "'toleranse'. Did you mean 'tolerance'?"),
+    (lambda: problem().solve(masses="uniform"), TypeError, "'masses'. Did you mean solver={'masses': ...}?"),
+    (lambda: problem().with_load(pressure=1.0), TypeError, "with_load() got an unexpected keyword argument 'pressure'. Did you mean mean_pressure=...?"),
+    (lambda: asp.Problem(asp.Surface(HEIGHT, 1.0), modulus=1.0), TypeError, "Problem() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
+    (lambda: setup(modulus=1.0), TypeError, "Setup() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
+    (lambda: asp.Study(surface=SINE, grid=GRID, load=P, modulus=1.0), TypeError,
+        "Study() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
+    (lambda: asp.Surface(HEIGHT, 1.0, channel=1), TypeError, f"Surface() got an unexpected keyword argument 'channel'. It takes {OF_GRID}"),
+    (lambda: rough(rolloff=1.0), TypeError, "rough() got an unexpected keyword argument 'rolloff'. Did you mean rolloff_wavelength=...?"),
+    (lambda: rough(short_cutof=1.0), TypeError, "'short_cutof'. Did you mean 'short_cutoff'?"),
+    (lambda: read(unit="1 um"), TypeError, "read() got an unexpected keyword argument 'unit'. Did you mean 'file_unit'?"),
+    (lambda: asp.Surface.indenter("punch", 64, 1.0, half_widht=1), TypeError, "'half_widht'. Did you mean 'half_width'?"),
+    # values of another type
+    (lambda: solve(callback=3), TypeError, "callback must be a callable that takes a Step, not int"),
+    (lambda: solve(callback=3, progress=True), TypeError, "callback must be a callable that takes a Step, not int"),
+    (lambda: solve(stream=3), TypeError, "stream must be a callable that takes bytes, not int"),
+    (lambda: solve(live=3), TypeError, "live must be True or False, not int"),
+    (lambda: solve(diagnose="x"), TypeError, "diagnose must be True or False, not str"),
+    (lambda: solve(record=3), TypeError, "record must be the name of a file, not int"),
+    (lambda: asp.Surface.indenter(64, 1.0, "sine"), TypeError, "shape must be the name of an indenter, not int"),
+    (lambda: asp.Surface.read(3), TypeError, "path must be the name of a file, not int"),
+    (lambda: asp.Recorder(HEIGHT), TypeError, "problem must be a Problem, not ndarray"),
+    (lambda: solve().leakage(0), TypeError, "axis must be 'x' or 'y', not int"),
+    (lambda: solve().stress(depths=1.0), TypeError, "depths must be a list of lengths, numbers or texts such as '1 um', not float"),
+    (lambda: solve().stress(depths=["1 s"]), asp.AsperityError, "a depth is '1 s': give a length, a number or one with a unit such as '1 um'"),
+    (lambda: asp.show(3), TypeError, "what must be a Contact, a LoadCurve, a Surface or the name of a file, not int"),
+    # sections
+    (lambda: solve(law=1.0), asp.AsperityError, "law is 1.0: give a dictionary of hardness"),
+    (lambda: solve(friction=0.3), asp.AsperityError, "friction is 0.3: give a dictionary of coefficient, tangential"),
+    (lambda: solve(path="x"), asp.AsperityError, "path is 'x': give a dictionary of file, time, load, tangential, steps, time_tolerance"),
+    (lambda: solve(solver=3), asp.AsperityError, "solver is 3: give a name, or a dictionary of method, masses, dynamics, time_step, damping"),
+    (lambda: solve(solid=True), asp.AsperityError, "solid is True: give a number, or a dictionary of contact_modulus, young, poisson, layer, base"),
+    (lambda: solve(solid={"modulus": 1.0}), asp.AsperityError,
+        "solid: unknown key 'modulus', expected one of 'contact_modulus', 'young', 'poisson', 'layer', 'base': did you mean 'contact_modulus'?"),
+    (lambda: solve(path={"tme": [1.0]}), asp.AsperityError, "path: unknown key 'tme', expected one of 'time', 'load', 'tangential', 'steps', 'time_tolerance'"),
+    (lambda: solve(solver={"method": "gfmd", "timestep": 1}), asp.AsperityError, "did you mean 'time_step'?"),
+    (lambda: solve(solver={"masses": "stiffness"}), asp.AsperityError,
+        "solver: 'masses' is a setting of the method gfmd, but the method is multilevel: give the method gfmd, or leave 'masses' out"),
+    (lambda: setup(stop={"max_iteration": 1}), asp.AsperityError, "stop: unknown key 'max_iteration', expected one of 'tolerance', 'pressure_tolerance', "),
+    (lambda: setup(load=3), asp.AsperityError, "load: expected a name and a number, such as {'mean_pressure': 0.01}"),
+    (lambda: setup(load={"pressure": 3}), asp.AsperityError, "load is 'pressure', expected one of 'mean_pressure', 'reduced_pressure', "),
+    (lambda: solve(solid={"young": [1, 2], "poisson": 0.3}), asp.AsperityError, "solid: 2 Young's moduli and 1 Poisson's ratio are given: give one of each"),
+    (lambda: asp.Surface.indenter("sphere", (64, 64), 1.0), asp.AsperityError, "indenter: 'radius' is missing: give it"),
+    # numbers and names
+    (lambda: solve(tolerance="small"), asp.AsperityError, "tolerance is 'small': give a number"),
+    (lambda: solve(max_iterations=-1), asp.AsperityError, "max_iterations is -1: give a whole number, 0 or more"),
+    (lambda: solve(max_iterations=10**30), asp.AsperityError, "give a whole number of less than 64 bits"),
+    (lambda: setup(stop={"max_iterations": 1.5}), asp.AsperityError, "max_iterations is 1.5: give a whole number, 0 or more"),
+    (lambda: solve(HEIGHT, "x"), asp.AsperityError, "size is 'x': give a length: a number, or one with a unit such as"),
+    (lambda: solve(boundary="fre"), asp.AsperityError, "boundary is 'fre', expected 'periodic' or 'free': did you mean 'free'?"),
+    (lambda: solve(boundary=3), asp.AsperityError, "boundary is 3: give 'periodic' or 'free'"),
+    (lambda: solve(solver="multigrid"), asp.AsperityError, "solver is 'multigrid', expected one of 'multilevel', 'polonsky-keer', 'gfmd'"),
+    (lambda: solve(refine=2), asp.AsperityError, "refine is 2: give 'auto' here, or a number to the surface"),
+    (lambda: read(refine="auto"), asp.AsperityError, "refine is 'auto': give a whole number here, or refine='auto' to solve"),
+    (lambda: read(refine=0), asp.AsperityError, "refine is 0: give 1 or more"),
+    (lambda: read(prepare="best"), asp.AsperityError, "prepare: \"best\" is not a preparation: give \"auto\", or the individual steps"),
+    (lambda: read(prepare=["auto"]), asp.AsperityError, "prepare: [\"auto\"] is not a preparation"),
+    (lambda: read(prepare={"fil": "harmonic"}), asp.AsperityError, "prepare: unknown key 'fil', expected one of 'resample', "),
+    (lambda: asp.Surface.rough("auto", 1.0, hurst=0.8), asp.AsperityError, "points is 'auto': give whole numbers here, or grid={'points': 'auto', ...} to Setup"),
+    (lambda: solve(area_tolerance=0.1), asp.AsperityError, "an area tolerance needs refine='auto' or points='auto'"),
+    (lambda: rough(beta=[2]), asp.AsperityError, "beta has the length 1: give 2 values"),
+    (lambda: rough(hurst="a"), asp.AsperityError, "hurst is 'a': give a number"),
+    (lambda: asp.Surface.rough(64, 1.0, hurst=0.8), asp.AsperityError, "spectrum: 'rolloff_wavelength' is missing: give it"),
+    (lambda: asp.Surface.from_sections({**SINE, "joined": "lower"}, GRID), asp.AsperityError,
+        "joined needs two spectra: give surface={'second_spectrum': ...} as well, or leave it out"),
+    (lambda: solve(mean_pressure=1.0), asp.AsperityError, "load: both 'mean_pressure' and 'reduced_pressure' are given: give one of them"),
+    (lambda: solve(reduced_pressure=float("nan")), asp.AsperityError, "reduced_pressure is nan: give a finite number"),
+    (lambda: solve(reduced_pressure=1j), asp.AsperityError, "reduced_pressure is 1j: give a number, a text, a list or a dictionary"),
+    (lambda: solve(reduced_pressure="x"), asp.AsperityError, "reduced_pressure is 'x': give a number"),
+    (lambda: solve(reduced_pressure={}), asp.AsperityError, "reduced_pressure is a dictionary: give a number"),
+    (lambda: solve(solid={"young": "1 um", "poisson": 0.3}), asp.AsperityError, "solid['young'] is '1 um': give a pressure: a number, or one with a unit"),
+    (lambda: solve(solid="x"), asp.AsperityError, "solid is 'x': give a pressure"),
+    (lambda: solve(law={"hardness": "x"}), asp.AsperityError, "law['hardness'] is 'x': give a pressure"),
+    (lambda: solve(solver={"method": "gfmd", "masses": "x"}), asp.AsperityError, "solver['masses'] is 'x', expected 'uniform' or 'stiffness'"),
+    (lambda: solve(sliding={"speed": True}), asp.AsperityError, "sliding['speed'] is True: give one value, or a list of them"),
+    (lambda: solve(adhesion={"table": [[0, 1]]}), asp.AsperityError, "adhesion['table'] is a list: give the name of a file"),
+    # recordings
+    (lambda: solve(live=True), asp.AsperityError, "or write a file (record)"),
+    (lambda: with_steps(live=True), asp.AsperityError, "or write a file (record)"),
+    (lambda: solve(recording={"what": ["traces"]}), asp.AsperityError,
+        "recording says what is recorded, but nothing is recorded: give a file (record), live or stream as well, or leave it out"),
+    (lambda: with_steps(recording={"what": ["traces"]}), asp.AsperityError, "recording says what is recorded, but nothing is recorded"),
+    (lambda: recorded(unit="m"), asp.AsperityError, "recording: unknown key 'unit', expected one of 'what', 'every', 'length_unit', 'raster_at', 'theme'"),
+    (lambda: recorded(record_what="mesh"), asp.AsperityError, "recording: unknown key 'record_what'"),
+    (lambda: recorded(what="traces"), asp.AsperityError, "recording['what'] is 'traces': give a list"),
+    (lambda: recorded(what=["meshes"]), asp.AsperityError, "recording['what'] is 'meshes', expected one of 'traces', "),
+    (lambda: solve(diagnose=True, **CREEP), asp.AsperityError, "diagnose is for one contact: leave it out of a history"),
+    (lambda: with_steps((HEIGHT, -1.0)), asp.AsperityError, "seconds is -1: give the seconds since the start, 0 or more"),
+    (lambda: with_steps((HEIGHT, 1.0), (HEIGHT, 0.5)), asp.AsperityError, "seconds is 0.5: give the seconds since the start, 1 or more"),
+    (lambda: with_steps().contact, asp.AsperityError, "the recorder has no results: record steps in its `with` block"),
+    (lambda: with_steps().diagnosis, asp.AsperityError, "the recorder has no results"),
+    (lambda: with_steps(("x",)), TypeError, "values must be an array of numbers, not str"),
+    # files, rows and names
+    (lambda: setup().write("scene.txt"), asp.AsperityError, "cannot write scene.txt: give a name that ends in .toml"),
+    (lambda: asp.show("nowhere.rrd"), FileNotFoundError, "cannot read nowhere.rrd"),
+    (lambda: asp.Setup.from_json("{"), asp.AsperityError, "this is not a setup in JSON: the text ends too early, in line 1"),
+    (lambda: asp.Setup.from_toml("grid.size = .1"), asp.AsperityError, "line 1: a number has no digits before its point: write 0.1 for .1"),
+    (lambda: asp.Setup.read(text_file("heights.npy", b"\x93NUMPY")), asp.AsperityError,
+        "heights.npy is not a valid setup file: it is not text: give a scene (.toml or .json), or a result (.npz)"),
+    (lambda: continued(), asp.AsperityError, "study.csv holds 2 rows of other setups, loads or versions: give another file, or delete this one"),
+    (lambda: study().setup(2), IndexError, "there is no row 2: give one from 0 to 1"),
+    (lambda: study().setup(-3), IndexError, "there is no row -3: give one from 0 to 1"),
+    (lambda: study().solve([1]), IndexError, "there is no realisation 1: give one from 0 to 0"),
+    (lambda: asp.History.explain("frictoin"), KeyError, "there is no number \"frictoin\": did you mean \"friction\"?"),
+]
+
+
+def keys_of(sections: Mapping[str, Any]) -> set[str]:
+    """All keys with a `-` in dictionaries of dictionaries."""
+    below = (keys_of(it) for it in sections.values() if isinstance(it, Mapping))
+    return {key for key in sections if "-" in key}.union(*below)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PATH", str(tmp_path))  # where no viewer is installed
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize(("call", "kind", "sentence"), REFUSALS)
+def test_an_error_is_one_of_python(call: Callable[[], Any], kind: type[Exception], sentence: str) -> None:
+    with pytest.raises(kind) as refusal:
+        call()
+    said = str(refusal.value.args[0])
+    assert type(refusal.value) is kind and sentence in said and "\n" not in said, said
+
+
+@pytest.mark.usefixtures("folder")
+def test_no_error_has_flags_or_words_of_a_parser_or_keys_of_a_scene() -> None:
+    keys = keys_of(setup(solid={"contact_modulus": 1.0}, solver={"method": "gfmd"}).to_dict())
+    assert {"contact-modulus", "max-iterations", "reduced-pressure", "time-step", "length-unit"} <= keys
+    keys |= {"rolloff-wavelength", "short-cutoff", "mean-pressure", "pressure-tolerance", "half-width", "file-unit", "raster-at", "time-tolerance"}
+    for call, _, _ in REFUSALS:
+        with pytest.raises(Exception) as refusal:
+            call()
+        said = str(refusal.value.args[0])
+        assert not re.search(r"--|\bfields? |\bvariant|\benum\b|\bmap\b|invalid (type|value)|boolean", said), said
+        assert not any(key in said for key in keys), said
+
+
+@pytest.mark.parametrize("solver", ["polonsky_keer", "polonsky-keer", {"method": "polonsky_keer"}])
+def test_a_method_may_be_written_like_a_name_of_python(solver: Any) -> None:
+    assert solve(solver=solver).solver == "polonsky-keer"
+    assert setup(solver=solver).solve().solver == "polonsky-keer"
+
+
+def test_rows_count_from_0_and_from_the_end() -> None:
+    assert study().setup(-1) == study().setup(1) != study().setup(0) == study().setup(-2)
+    surface = asp.Surface.indenter("crossed-sine", (16, 16), 1.0, amplitude=0.01)
+    stress = asp.solve(surface, reduced_pressure=0.1).stress
+    assert stress(row=-1, poisson=0.3)["row"] == 15
+
+
+def test_depths_have_units() -> None:
+    contact = asp.solve(asp.Surface(1e-3 * HEIGHT, "1 mm"), reduced_pressure=0.1)
+    by_text, by_number = (contact.stress(depths=depths, poisson=0.3) for depths in (["1 um", 2e-5], [1e-6, 2e-5]))
+    assert np.array_equal(by_text["depth"], [1e-6, 2e-5]) and np.array_equal(by_text["sigma_zz"], by_number["sigma_zz"])
+
+
+def test_a_recorder_without_a_reference_has_no_diagnosis() -> None:
+    recorder = with_steps((np.full(64, 0.01), 0.0), (np.full(64, 0.01), 1.0), reference=False)
+    assert recorder.diagnosis is None and recorder.contact.diagnosis is None

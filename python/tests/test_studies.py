@@ -54,7 +54,7 @@ def same(out: Path, alone: Path) -> bool:
 
 def test_a_study_has_rows_and_setups_and_says_what_they_take() -> None:
     assert (STUDY.rows, STUDY.realisations) == (80, 40)
-    setup = STUDY.setup(80)
+    setup = STUDY.setup(79)
     assert setup.to_dict()["surface"]["seed"] == 10 and setup.to_dict()["load"] == {"reduced-pressure": 0.1}
     expenses = STUDY.expenses()
     assert [it["values"] for it in expenses] == [
@@ -137,8 +137,11 @@ def test_a_table_speaks_numpy_pandas_and_arrow(alone: Path) -> None:
     assert set(table["surface.seed"]) == set(range(1, 11)) and set(table["load.reduced-pressure"]) == {0.01, 0.1}
     setup = asp.Setup.from_toml(table["scene"][5])
     assert setup.solve().measures["kappa_r"] == pytest.approx(table["kappa_r"][5], rel=1e-7)
-    with pytest.raises(KeyError, match="there is no column \"kapa\": the columns are row, "):
+    with pytest.raises(KeyError, match="there is no column .kapa.: did you mean .kappa."):
         table["kapa"]
+    with pytest.raises(KeyError, match="there is no column .zzz.: give one of row, "):
+        table["zzz"]
+    assert asp.Setup.from_toml(table["scene"][5]) == STUDY.setup(5) and table["row"][5] == 6
     pyarrow, pandas = pytest.importorskip("pyarrow"), pytest.importorskip("pandas")
     arrow, frame, read = pyarrow.table(table), table.to_pandas(), pandas.read_parquet(alone.with_suffix(".parquet"))
     assert arrow.num_rows == 80 and arrow.column_names == table.columns == list(frame.columns) == list(read.columns)
@@ -181,9 +184,9 @@ def test_what_cannot_be_solved_is_refused_before_anything_is(tmp_path: Path) -> 
     assert not list(tmp_path.iterdir())
     with pytest.raises(asp.AsperityError, match="line 1, surface.seed: `9-3` is not a range"):
         asp.Study.from_toml("surface = { spectrum = { hurst = 0.5, rolloff-wavelength = 1, rms-gradient = 1 }, seed = '9-3' }\ngrid = { points = 64, size = 1 }")
-    with pytest.raises(asp.AsperityError, match="there is no row 81: give a number from 1 to 80"):
-        STUDY.setup(81)
-    with pytest.raises(asp.AsperityError, match="there is no row"):
+    with pytest.raises(IndexError, match="there is no row 80: give one from 0 to 79"):
+        STUDY.setup(80)
+    with pytest.raises(IndexError, match="there is no realisation 40: give one from 0 to 39"):
         STUDY.solve([40])
     ledger = asp.Ledger(STUDY)
     with pytest.raises(asp.AsperityError, match="points of .* were returned for hurst 0.3, points 256, seed 1"):

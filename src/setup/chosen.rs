@@ -20,7 +20,7 @@ impl SetupTable {
     /// # Errors
     /// For other words in its place, for no height file, and for one that cannot be read.
     pub fn choose_preparation(&mut self) -> Result<Vec<String>, SetupError> {
-        if let Some(word) = self.find(PREPARE).filter(|it| it.is_str()).cloned() {
+        if let Some(word) = self.find(PREPARE).filter(|it| !it.is_table()).cloned() {
             self.lay(STEPS, word);
         }
         match self.find(STEPS) {

@@ -104,7 +104,7 @@ pub fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> 
 
 /// A number, or a text.
 #[derive(serde::Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "give a speed: a number, or one with a unit such as \"1 m/s\"")]
 enum Word {
     Number(f64),
     Text(String),

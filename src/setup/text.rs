@@ -4,10 +4,13 @@ use super::{Cell, FLAGS, Flag, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
 use crate::files::write_beside;
 use crate::surface::{HeightFile, read_fields, read_text};
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Unexpected};
 use serde::{Deserialize, Serialize};
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
+
+/// The only method that has settings.
+const GFMD: &str = "gfmd";
 
 /// A setup that is not checked yet: sections and keys with any values, which can be overridden before it is read.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -25,7 +28,7 @@ impl SetupTable {
         };
         parsed.map(Self).map_err(|error: toml::de::Error| {
             let line = error.span().map_or(1, |span| text[..span.start.min(text.len())].lines().count().max(1));
-            SetupError::Text { place: format!("line {line}: "), reason: one_line(error.message()) }
+            SetupError::Text { place: format!("line {line}: "), reason: parser_words(error.message()) }
         })
     }
 
@@ -39,7 +42,10 @@ impl SetupTable {
             place: String::new(),
             reason: format!("this is not a setup in JSON: {why}"),
         };
-        let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| wrong(error.to_string()))?;
+        let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| match error.is_eof() {
+            true => wrong(format!("the text ends too early, in line {}", error.line())),
+            false => wrong(error.to_string()),
+        })?;
         let setup = value.get_mut("setup").map(serde_json::Value::take).unwrap_or(value);
         let shape = "give an object with sections such as `surface` and `load`, and no value that is null";
         toml::Table::try_from(setup).map(Self).map_err(|_| wrong(shape.into()))
@@ -63,7 +69,13 @@ impl SetupTable {
     }
 
     fn read_scene(path: &Path) -> Result<Self, SetupError> {
-        let text = std::fs::read_to_string(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+        let text = std::fs::read_to_string(path).map_err(|source| match source.kind() {
+            ErrorKind::InvalidData => {
+                let reason = "it is not text: give a scene (.toml or .json), or a result (.npz)".into();
+                FileError::Format { path: path.into(), what: "setup", reason }
+            }
+            _ => FileError::Read { path: path.into(), source },
+        })?;
         let is_json = text.trim_start().strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
         let table = match is_json {
             #[cfg(feature = "units")]
@@ -196,9 +208,7 @@ impl SetupTable {
     pub fn setup(mut self) -> Result<Setup, SetupError> {
         self.check_surface()?;
         self.choose_preparation()?;
-        if let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") {
-            solver.entry("method").or_insert(Method::default().name().into());
-        }
+        self.complete_solver()?;
         let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());
         // an unknown key, such as a misspelt load, is said first
         self.read_as().and_then(|setup| loads.map(|()| setup))
@@ -210,6 +220,23 @@ impl SetupTable {
         if self.0.get("surface").is_none_or(is_empty) { Err(SetupError::NoSurface) } else { Ok(()) }
     }
 
+    /// Inserts the usual method where none is given, and refuses settings of another method.
+    fn complete_solver(&mut self) -> Result<(), SetupError> {
+        let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") else { return Ok(()) };
+        let method = solver.entry("method").or_insert(Method::default().name().into()).clone();
+        let is_setting = |key: &&String| FLAGS.iter().any(|it| it.path == format!("solver.{key}")) && *key != "method";
+        match (solver.keys().find(is_setting), method.as_str()) {
+            (Some(key), Some(method)) if method != GFMD => {
+                let reason = format!(
+                    "`{key}` is a setting of the method {GFMD}, but the method is {method}: give the method {GFMD} (--solver {GFMD}), or \
+                     leave `{key}` out"
+                );
+                Err(SetupError::Text { place: "solver: ".into(), reason })
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Checks that there is one load, and inserts one if there is none, so that the rest can be read.
     fn check_load(&mut self) -> Result<(), SetupError> {
         let load = self.0.entry("load").or_insert_with(|| toml::Table::new().into());
@@ -218,7 +245,7 @@ impl SetupTable {
             [_] => return Ok(()),
             [] if load.is_table() => Err(SetupError::NoLoad),
             [] => Err(wrong_load("expected a name and a number, such as { mean-pressure = 0.01 }".into())),
-            [one, other, ..] => Err(wrong_load(format!("both {one} and {other} are given: give one of them"))),
+            [one, other, ..] => Err(wrong_load(format!("both `{one}` and `{other}` are given: give one of them"))),
         };
         *load = toml::Table::from_iter([("mean-pressure".to_owned(), toml::Value::Float(1.0))]).into();
         checked
@@ -244,11 +271,37 @@ impl SetupTable {
     /// Reads it with a section for the grid, be it empty.
     pub(super) fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
         self.0.entry("grid").or_insert_with(|| toml::Table::new().into());
-        self.0.try_into().map_err(|error: toml::de::Error| {
-            let keys = keys(&error.to_string());
+        self.0.clone().try_into().map_err(|error: toml::de::Error| {
+            let keys = self.keys_of_value(keys(&error.to_string()), error.message());
             let place = if keys.is_empty() { keys.clone() } else { format!("{keys}: ") };
             SetupError::Text { place, reason: explained(error.message(), &keys) }
         })
+    }
+
+    /// The keys of the value that a message of serde calls invalid or unknown, where `keys` lead to the section of the value alone.
+    fn keys_of_value(&self, keys: String, message: &str) -> String {
+        let is_named = |value: &toml::Value| match value {
+            toml::Value::String(name) if message.starts_with(&format!("unknown variant `{name}`")) => true,
+            it => ["type", "value"].iter().any(|of| message.starts_with(&format!("invalid {of}: {},", unexpected(it)))),
+        };
+        let section = self.find(&keys).and_then(toml::Value::as_table);
+        let mut found = section.into_iter().flatten().filter(|(_, value)| is_named(value));
+        match (found.next(), found.next()) {
+            (Some((key, _)), None) => format!("{keys}.{key}"),
+            _ => keys,
+        }
+    }
+}
+
+/// What the messages of serde call a value.
+fn unexpected(value: &toml::Value) -> String {
+    match value {
+        toml::Value::String(text) => Unexpected::Str(text).to_string(),
+        toml::Value::Integer(number) => Unexpected::Signed(*number).to_string(),
+        toml::Value::Float(number) => Unexpected::Float(*number).to_string(),
+        toml::Value::Boolean(is_so) => Unexpected::Bool(*is_so).to_string(),
+        toml::Value::Array(_) => Unexpected::Seq.to_string(),
+        toml::Value::Table(_) | toml::Value::Datetime(_) => Unexpected::Map.to_string(),
     }
 }
 
@@ -262,12 +315,23 @@ fn keys(text: &str) -> String {
     keys.unwrap_or_default().into()
 }
 
+/// The message of the parser of TOML, in plain words where it has none.
+fn parser_words(message: &str) -> String {
+    match one_line(message) {
+        it if it.starts_with("invalid mantissa") => "a number has no digits before its point: write 0.1 for .1".into(),
+        it => it,
+    }
+}
+
 fn one_line(message: &str) -> String {
     message.lines().map(str::trim).collect::<Vec<_>>().join(" ")
 }
 
 /// Names of types in the messages of serde, and plain words for them.
-const PLAIN: [(&str, &str); 12] = [
+const PLAIN: [(&str, &str); 15] = [
+    ("unknown field", "unknown key"),
+    ("missing field", "missing key"),
+    ("unknown variant", "unknown value"),
     ("floating point `", "number `"),
     ("integer `", "number `"),
     ("string \"", "text \""),

@@ -45,7 +45,7 @@ fn every_name_that_can_be_chosen_can_be_read() {
     let is_unknown = |flag: &Flag, name: &str| {
         let mut table = setup.to_table();
         lay(&[(flag, vec![name.into()])], &mut table);
-        let says = |error: String| error.contains("unknown variant") || error.contains("is not a preparation");
+        let says = |error: String| error.contains("unknown value") || error.contains("is not a preparation");
         table.setup().is_err_and(|error| says(error.to_string()))
     };
     let mut chosen = 0;

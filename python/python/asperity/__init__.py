@@ -47,6 +47,7 @@ from asperity._asperity import (
     Work,
     load,
     observables,
+    unexpected_keyword,
 )
 
 # type checkers read this name as true; importing `typing` would take as long as all the rest
@@ -204,6 +205,7 @@ def solve(
     live: bool = False,
     stream: Callable[[bytes], object] | None = None,
     diagnose: bool = False,
+    **unknown: Any,
 ) -> Contact | LoadCurve | History:
     """Presses heights on an elastic solid, and returns the contact.
 
@@ -248,9 +250,11 @@ def solve(
         in the installed viewer. stream: a callable that takes the recording as bytes, piece by piece, such as `asperity.notebook.Viewer()`.
     diagnose: solves twice; Contact.diagnosis then states why the solver is slow.
 
-    Raises AsperityError, a ValueError, for invalid input, and FileNotFoundError for a missing file. Doubtful results
-    give an AsperityWarning. Ctrl-C ends the run.
+    Raises AsperityError, a ValueError, for invalid input, TypeError for an argument of another type or a keyword that does not exist, and
+    FileNotFoundError for a missing file. Doubtful results give an AsperityWarning. Ctrl-C ends the run.
     """
+    for name in unknown:
+        raise unexpected_keyword("solve", name, list(solve.__kwdefaults__ or ()))
     keys: dict[str, Any] = {
         "solid": solid,
         "law": law,
@@ -318,10 +322,15 @@ def certify(
     mean of the pressure or of the gap is the load. The result holds if its certificate meets the tolerance (1e-8). The other keywords are those of
     `solve`.
     """
+    results = (pressure, gap, displacement)
+    if sum(result is not None for result in results) != 1:
+        raise AsperityError("give one result to certify: a pressure, a gap or a displacement")
     loads = (mean_pressure, reduced_pressure, mean_gap, force, approach)
     if all(load is None for load in loads):
-        mean_pressure = None if pressure is None else abs(_mean(pressure))
-        mean_gap = None if gap is None else _mean(gap)
+        mean_pressure = None if pressure is None else abs(_mean("pressure", pressure))
+        mean_gap = None if gap is None else _mean("gap", gap)
+        if displacement is not None:
+            raise AsperityError("a displacement does not say its load: give one (mean_pressure, reduced_pressure, mean_gap, force, approach)")
     problem = Problem(
         _surface(height, size, boundary, datum),
         solid=solid,
@@ -345,7 +354,14 @@ def _surface(
             raise AsperityError(f"a Surface has its own {named[0]}: give {named[0]} to the Surface")
         return height
     if isinstance(height, str) or hasattr(height, "__fspath__"):
+        if str(height).endswith((".toml", ".json")):
+            raise AsperityError(f"{height} is a scene and not a file of heights: use Setup.read({str(height)!r}).solve()")
         return Surface.read(height, size=size, boundary=boundary, datum=datum, prepare=prepare, **(of_file or {}))
+    if isinstance(height, (Setup, Problem)):
+        name = type(height).__name__
+        raise TypeError(f"height must be an array, a Surface or the name of a file, not {name}: solve a {name} by its own method solve()")
+    if height is None:
+        raise TypeError("height must be an array, a Surface or the name of a file, not None")
     if named := [name for name, value in (of_file or {}).items() if value is not None]:
         raise AsperityError(f"{named[0]} is for a file of heights, but the heights are an array: leave {named[0]} out")
     if size is None:
@@ -353,7 +369,12 @@ def _surface(
     return Surface(height, size, boundary=boundary, datum=datum, prepare=prepare)
 
 
-def _mean(field: ArrayLike) -> float:
+def _mean(name: str, field: ArrayLike) -> float:
     import numpy as np
 
-    return float(np.mean(np.asarray(field, dtype=float)))
+    if np.iscomplexobj(field):
+        raise TypeError(f"{name} is complex: give real numbers, such as its real part")
+    try:
+        return float(np.mean(np.asarray(field), dtype=float))
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be an array of numbers, not {type(field).__name__}") from None

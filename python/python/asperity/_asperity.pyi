@@ -121,6 +121,7 @@ def threads() -> int: ...
 def free_memory() -> float | None: ...
 def observables() -> list[Observable]: ...
 def load(path: Path) -> Contact | LoadCurve | History: ...
+def unexpected_keyword(function: str, name: str, known: Sequence[str]) -> TypeError: ...
 
 @final
 class Certificate:
@@ -319,7 +320,7 @@ class Setup:
         surface: Keys,
         grid: Keys,
         load: Keys,
-        solid: Keys | None = None,
+        solid: Pressure | Keys | None = None,
         law: Keys | None = None,
         friction: Keys | None = None,
         adhesion: Keys | None = None,
@@ -328,7 +329,7 @@ class Setup:
         sliding: Keys | None = None,
         rolling: Keys | None = None,
         flow: Keys | None = None,
-        solver: Keys | None = None,
+        solver: str | Keys | None = None,
         stop: Keys | None = None,
         record: Keys | None = None,
     ) -> Setup: ...
@@ -364,14 +365,14 @@ class Study:
         surface: Keys,
         grid: Keys,
         load: Keys,
-        solid: Keys | None = None,
+        solid: Pressure | Keys | None = None,
         law: Keys | None = None,
         adhesion: Keys | None = None,
         viscoelastic: Keys | None = None,
         path: Keys | None = None,
         sliding: Keys | None = None,
         flow: Keys | None = None,
-        solver: Keys | None = None,
+        solver: str | Keys | None = None,
         stop: Keys | None = None,
         record: Keys | None = None,
     ) -> Study: ...
@@ -517,7 +518,7 @@ class Contact:
     def gap_distribution(self, bins: int = 64, largest: float | None = None) -> tuple[Array, Array]: ...
     def pressure_spectrum(self) -> tuple[Array, Array]: ...
     def stress(
-        self, *, row: int | None = None, depths: Numbers | None = None, poisson: float | None = None
+        self, *, row: int | None = None, depths: Sequence[float | str] | NDArray[Any] | None = None, poisson: float | None = None
     ) -> dict[str, Any]: ...
     def save(self, path: Path) -> None: ...
     def to_xarray(self) -> Any: ...
@@ -640,7 +641,7 @@ class Recorder:
     @property
     def distances(self) -> dict[str, Array]: ...
     @property
-    def diagnosis(self) -> str: ...
+    def diagnosis(self) -> str | None: ...
 
 @final
 class PowerLaw:

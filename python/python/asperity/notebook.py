@@ -18,7 +18,11 @@ def show(what: Contact | LoadCurve | History | Surface | os.PathLike[str] | str,
     """
     if isinstance(what, (Contact, LoadCurve, History, Surface)):
         return what.plot()
+    if not isinstance(what, (str, os.PathLike)):
+        raise TypeError(f"what must be a Contact, a LoadCurve, a Surface or the name of a file, not {type(what).__name__}")
     path = os.fspath(what)
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"cannot read {path}: there is no such file")
     if not has_viewer():
         return path
     widget = _widget(width, height)

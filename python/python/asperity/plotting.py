@@ -106,7 +106,7 @@ def contact_as_html(contact: Contact) -> str:
     """A small picture and the main numbers of a contact, for notebooks."""
     rows = {
         "load": ", ".join(f"{name.replace('-', ' ')} {value:g}" for name, value in contact.setup.to_dict()["load"].items()),
-        "status": f"{contact.status} by {contact.solver}",
+        "status": f"{contact.solver}: {contact.status}",
         "mean pressure": f"{contact.mean_pressure:.6g}",
         "largest pressure": f"{contact.measures['max_pressure']:.6g}",
         "relative contact area": f"{contact.measures['relative_area']:.6g}",

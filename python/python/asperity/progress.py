@@ -39,6 +39,8 @@ def show_steps(
 
     Where there are several solves, as for a list of loads and in histories, the bar begins again with each, and shows its number.
     """
+    if callback is not None and not callable(callback):
+        raise TypeError(f"callback must be a callable that takes a Step, not {type(callback).__name__}")
     first: list[float] = []
     last, solve = -1, 1
     goal = log10(tolerance or 1e-8)

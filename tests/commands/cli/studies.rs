@@ -189,7 +189,7 @@ fn wrong_studies_are_refused_with_line_and_value() {
         ("[0.3, 0.8]", "[0.3, \"rough\"]", "line 2, surface.spectrum.hurst: invalid type: text \"rough\""),
         ("[0.01, 0.1]", "[0.01, -0.1]", "reduced pressure is -0.1"),
         ("[0.01, 0.1]", "\"1e-3..1e-1:4000000000\"", "line 4, load: `1e-3..1e-1:4000000000` has too many values"),
-        ("size = 1.0", "size = 1.0, pionts = [1, 2]", "grid: unknown field `pionts`"),
+        ("size = 1.0", "size = 1.0, pionts = [1, 2]", "grid: unknown key `pionts`"),
         ("[[1024], [2048]]", "[[1024], [2]]", "2 points along x are too few"),
         (
             "load =",

@@ -327,9 +327,12 @@ fn settings_out_of_range_are_refused() {
 #[test]
 fn arguments_that_do_not_belong_are_refused() {
     refuse_all(&[
-        (&format!("{CYLINDER} --amplitude 3 {LOAD}"), "unknown field `amplitude`"),
-        (&format!("{CYLINDER} --solver polonsky-keer --masses stiffness {LOAD}"), "unknown field `masses`"),
-        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "unknown field `damping`"),
+        (&format!("{CYLINDER} --amplitude 3 {LOAD}"), "unknown key `amplitude`"),
+        (
+            &format!("{CYLINDER} --solver polonsky-keer --masses stiffness {LOAD}"),
+            "`masses` is a setting of the method gfmd, but the method is polonsky-keer",
+        ),
+        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "give the method gfmd (--solver gfmd), or leave `damping` out"),
     ]);
     let folder = folder();
     for (arguments, offence) in [("--rolloff 0.1", "--hurst"), ("--seed 3", "Hurst exponent")] {
@@ -454,7 +457,7 @@ fn height_files_that_are_no_surface_are_not_described() {
         assert!(output.status.success() && text(&output.stderr).contains(words), "{output:?}");
     }
     refuse_in_one_sentence(&folder, "surface", "no surface");
-    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "missing field `rolloff-wavelength`");
+    refuse_in_one_sentence(&folder, "surface --height missing.npy --hurst 1", "missing key `rolloff-wavelength`");
 }
 
 #[test]
