@@ -120,7 +120,8 @@ fn in_quotes(word: &str) -> String {
     let is_key = |flag: &Flag| flag.path.split('.').any(|key| key == word);
     match word {
         _ if FLAGS.iter().any(is_key) => word.replace('-', "_"),
-        "second-spectrum" => "second_spectrum".into(),
+        // keys without a flag
+        "second-spectrum" | "uniform-stiffness" => word.replace('-', "_"),
         _ => word.to_owned(),
     }
 }

@@ -14,7 +14,7 @@ import pytest
 
 GUIDE = Path(__file__).parents[2] / "assets" / "guide"
 
-NEEDS = {".plot(": "matplotlib", ".to_pandas(": "pandas", "import tamaas": "tamaas", "import ContactMechanics": "ContactMechanics"}
+NEEDS = {".plot(": "matplotlib", ".to_pandas(": "pandas", "import tamaas": "tamaas", "from ContactMechanics": "ContactMechanics"}
 """What a program needs besides numpy, by the call that needs it."""
 
 WITHOUT_PROGRAMS = {"explorer", "gallery", "how-it-works", "words"}

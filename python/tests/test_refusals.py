@@ -234,11 +234,11 @@ REFUSALS: list[Refusal] = [
     # sections
     (lambda: solve(law=1.0), asp.AsperityError, "law is 1.0: give a dictionary of hardness"),
     (lambda: solve(friction=0.3), asp.AsperityError, "friction is 0.3: give a dictionary of coefficient, tangential"),
-    (lambda: solve(path="x"), asp.AsperityError, "path is 'x': give a dictionary of file, time, load, tangential, steps, time_tolerance"),
+    (lambda: solve(path=1.5), asp.AsperityError, "path is 1.5: give a dictionary of file, time, load, tangential, steps, time_tolerance"),
     (lambda: solve(solver=3), asp.AsperityError, "solver is 3: give a name, or a dictionary of method, masses, dynamics, time_step, damping"),
     (lambda: solve(solid=True), asp.AsperityError, "solid is True: give a number, or a dictionary of contact_modulus, young, poisson, layer, base"),
     (lambda: solve(solid={"modulus": 1.0}), asp.AsperityError,
-        "solid: unknown key 'modulus', expected one of 'contact_modulus', 'young', 'poisson', 'layer', 'base': did you mean 'contact_modulus'?"),
+        "solid: unknown key 'modulus', expected one of 'contact_modulus', 'young', 'poisson', 'layer', 'base', 'wavenumber', 'stiffness', 'uniform_stiffness': did you mean 'contact_modulus'?"),
     (lambda: solve(path={"tme": [1.0]}), asp.AsperityError, "path: unknown key 'tme', expected one of 'time', 'load', 'tangential', 'steps', 'time_tolerance'"),
     (lambda: solve(solver={"method": "gfmd", "timestep": 1}), asp.AsperityError, "did you mean 'time_step'?"),
     (lambda: solve(solver={"masses": "stiffness"}), asp.AsperityError,
