@@ -10,7 +10,7 @@ const NEAREST: usize = 4;
 /// A solid given by the stiffness of its waves: rows of a wavenumber `q` and the stiffness `k(q) = p_q / u_q`.
 ///
 /// At a row the stiffness is that of the row. Between two rows `ln k` is the polynomial of third order in `ln q` through the
-/// four nearest rows, of lower order if there are fewer rows. For a smooth `k` with 100 rows per decade its relative error is about 1e-8.
+/// four nearest rows, of lower order if there are fewer rows. For the smooth `k` of a layer with 100 rows per decade its relative error is at most 4e-8.
 ///
 /// The contact modulus is that of the half-space with the same stiffness at the last row, `E* = 2 k / q`. Solvers need all
 /// waves of a grid: see [`ElasticSolid::known_waves`]. The boundary is periodic.
