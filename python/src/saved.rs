@@ -167,7 +167,8 @@ impl SavedContact {
         let is_same = displacement.iter().zip(&self.displacement).all(|(u, saved)| (u - saved).abs() <= SAME * largest);
         let is_met = stop.is_met(&certificate);
         let (status, doubt) = match (self.status, is_met, is_same) {
-            (status, _, false) => {
+            (status, is_met, false) => {
+                let status = if is_met { status } else { Status::Ended };
                 (status, Some("does not cause the displacement in it: one of them was changed".to_owned()))
             }
             (Status::Converged, false, true) => {

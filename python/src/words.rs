@@ -46,6 +46,9 @@ pub fn at_place(place: &str, reason: &str) -> String {
         };
         return format!("{name} is {}: give {}", value(found), in_python(&wanted));
     }
+    if reason.contains("unit variant") {
+        return format!("{name} is not the name of a choice: give a str");
+    }
     if let Some((length, expected)) = reason.strip_prefix("invalid length ").and_then(|it| it.split_once(", expected "))
     {
         return format!("{name} has the length {length}: give {}", in_python(&wanted(keys, expected)));

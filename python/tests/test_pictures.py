@@ -116,3 +116,18 @@ def test_notebooks_show_curves_histories_and_tables(tmp_path: Path) -> None:
 def test_an_empty_cell_is_drawn_as_a_whole() -> None:
     contact = asp.solve(CYLINDER, LENGTH, solid=1.0, mean_pressure=0.01, callback=lambda step: False)
     assert contact.plot() is not None
+
+
+def test_a_notebook_shows_a_picture_without_pyplot() -> None:
+    pytest.importorskip("matplotlib")
+    contact = asp.solve(asp.Surface.rough(256, 1.0, hurst=0.8, rolloff_wavelength=0.3, short_cutoff=0.05, rms_gradient=0.1), reduced_pressure=0.1)
+    assert contact.plot()._repr_png_().startswith(b"\x89PNG")
+
+
+def test_a_single_peak_does_not_set_the_scale_of_a_map() -> None:
+    pytest.importorskip("matplotlib")
+    surface = asp.Surface.rough((64, 64), 1.0, hurst=0.8, rolloff_wavelength=0.3, short_cutoff=0.1, rms_gradient=0.1)
+    contact = asp.solve(surface, reduced_pressure=0.1)
+    image = contact.plot().axes[0].images[0]
+    assert 0.5 * contact.pressure.max() < image.get_clim()[1] < contact.pressure.max()
+    assert (np.ma.getmaskarray(image.get_array()) == ~contact.contact).all()

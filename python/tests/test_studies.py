@@ -235,3 +235,14 @@ def test_a_study_with_adhesion_has_the_pull_off_of_each_history() -> None:
     assert table["lowest_pressure"].tolist() == [history.adhesion["lowest_pressure"] for history in alone]
     assert table["lowest_pressure"][1] < table["lowest_pressure"][0] < 0
     assert "relative_area" not in table.columns
+
+
+def test_rows_on_a_grid_that_is_too_coarse_give_one_warning() -> None:
+    coarse = {
+        "surface": {"spectrum": {"hurst": 0.8, "rolloff_wavelength": 0.25, "short_cutoff": 0.05, "rms_gradient": 0.1}, "seed": "1-3"},
+        "grid": {"points": [48, 48], "size": 1.0},
+        "load": {"reduced_pressure": [0.001, 0.01]},
+    }
+    with pytest.warns(asp.AsperityWarning, match=r"too coarse for \d of 6 rows") as warned:
+        asp.study(coarse)
+    assert len(warned) == 1

@@ -77,15 +77,8 @@ fn loose(found: &[&Observables]) -> Option<Warning> {
     Some(
         Warning::new(
             match largest < 1.0 {
-                true => {
-                    format!(
-                        "The relative error of the pressure may be {:.0} %, although the certificate is small{under}",
-                        100.0 * largest
-                    )
-                }
-                false => format!(
-                    "The relative error of the pressure may be 100 % or more, although the certificate is small{under}"
-                ),
+                true => format!("The relative error of the pressure may be {:.0} %{under}", 100.0 * largest),
+                false => format!("The relative error of the pressure may be 100 % or more{under}"),
             },
             "Set a tolerance for the pressure",
         )

@@ -1,6 +1,6 @@
 //! Errors of surface parameters against the scatter of samples.
 
-use asperity::surface::{SpectralMoments, Spectrum, SurfaceParameter, SurfaceParameters};
+use asperity::surface::{Mirror, Scan, SpectralMoments, Spectrum, SurfaceParameter, SurfaceParameters};
 use asperity::{Grid, Surface};
 use ndarray::Array2;
 
@@ -14,8 +14,9 @@ fn samples(whole: &Surface, points: [usize; 2]) -> Vec<Surface> {
         let heights = Array2::from_shape_fn(points, |(row, column)| whole.height()[[y + row, x + column]]);
         Surface::new(cell, heights).unwrap()
     };
-    let rows = (0..ny).step_by(points[0]);
-    rows.flat_map(|y| (0..nx).step_by(points[1]).map(move |x| (y, x))).map(|(y, x)| part(y, x)).collect()
+    let rows = (0..ny / points[0]).map(|row| row * points[0]);
+    let columns = || (0..nx / points[1]).map(|column| column * points[1]);
+    rows.flat_map(|y| columns().map(move |x| (y, x))).map(|(y, x)| part(y, x)).collect()
 }
 
 /// The standard deviation of the values of a parameter, and the root mean square of its errors.
@@ -70,6 +71,26 @@ fn the_error_of_nayaks_parameter_is_its_scatter_over_seeds() {
         let (scatter, error) = scatter_and_error(&(1..=200).map(of).collect::<Vec<_>>());
         println!("error over scatter {:.2}", error / scatter);
         assert!((0.8..1.25).contains(&(error / scatter)), "an error of {error} at a scatter of {scatter}");
+    }
+}
+
+/// A patch and its mirror images are one sample: its errors are those of the patch.
+#[test]
+fn mirror_images_are_no_further_samples() {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.05, short_cutoff: 0.02, rms_gradient: 0.1 };
+    let whole = Surface::rough(Grid::surface([256, 256], [1.0, 1.0]).unwrap(), &spectrum, 3).unwrap();
+    let patch = &samples(&whole, [128, 128])[0];
+    let scan = Mirror::Both.apply(&Scan::from_surface(patch, 1));
+    let size = [0, 1].map(|axis| scan.shape()[axis] as f64 * scan.spacing[axis]);
+    let mirrored = Surface::new(Grid::surface(scan.shape(), size).unwrap(), scan.height).unwrap();
+    // the last row and column of the patch have no image
+    let original = &samples(&whole, [127, 127])[0];
+    let [one, both] = [original, &mirrored].map(SurfaceParameters::new);
+    for key in ["Sq", "Sdq", "Ssk", "m0", "m2", "nayak"] {
+        let error = |it: &SurfaceParameters| {
+            it.texture.iter().chain(&it.moments).find(|it| it.key == key).unwrap().error.unwrap()
+        };
+        assert!((error(&both) / error(&one) - 1.0).abs() < 1e-6, "{key}: {} and {}", error(&both), error(&one));
     }
 }
 

@@ -154,6 +154,10 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module 'asperity' has no attribute {name!r}")
 
 
+def __dir__() -> list[str]:
+    return [*globals(), *__all__]
+
+
 if TYPE_CHECKING:
     @overload
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[Press]) -> Contact: ...

@@ -21,7 +21,20 @@ def _figure(width: float, height: float) -> Figure:
         from matplotlib.figure import Figure
     except ImportError as error:
         raise AsperityError("plot needs matplotlib: install it with `pip install matplotlib`") from error
-    return Figure(figsize=(width, height), layout="constrained")
+
+    class Picture(Figure):
+        """A figure that notebooks show, also where pyplot has not been imported."""
+
+        def _repr_png_(self) -> bytes:
+            return _png(self, self.dpi)
+
+    return Picture(figsize=(width, height), layout="constrained")
+
+
+def _png(figure: Figure, dpi: float) -> bytes:
+    image = BytesIO()
+    figure.savefig(image, format="png", dpi=dpi)
+    return image.getvalue()
 
 
 def plot_surface(surface: Surface) -> Figure:
@@ -55,7 +68,9 @@ def plot_contact(contact: Contact) -> Figure:
             right.legend()
         return figure
     size = contact.problem.surface.size
-    _map(left, contact.pressure, size, "pressure")
+    pressure = contact.pressure[contact.contact]
+    largest = float(np.percentile(pressure, LIGHTEST)) if pressure.size else None
+    _map(left, np.where(contact.contact, contact.pressure, np.nan), size, "pressure, white without contact", largest)
     _map(right, contact.gap, size, "gap")
     return figure
 
@@ -170,21 +185,24 @@ def _html(title: str, rows: dict[str, str], plot: Any) -> str:
     cells = "".join(f"<tr><th>{escape(name)}</th><td>{escape(value)}</td></tr>" for name, value in rows.items())
     table = f"<table><caption>{title}</caption>{cells}</table>"
     try:
-        image = BytesIO()
-        plot().savefig(image, format="png", dpi=60)
+        data = b64encode(_png(plot(), 60)).decode()
     except AsperityError:
         return table
-    data = b64encode(image.getvalue()).decode()
     return f'<div style="display: flex; align-items: center">{table}<img alt="{title}" src="data:image/png;base64,{data}"></div>'
 
 
-def _map(axes: Any, field: Any, size: tuple[float, ...], name: str) -> None:
-    """A map of a field, its first row at the top."""
-    image = axes.imshow(np.asarray(field), extent=(0.0, size[1], size[0], 0.0))
+LIGHTEST = 99.0
+"""The percentile of the pressures in contact that has the lightest colour: single peaks do not set the scale."""
+
+
+def _map(axes: Any, field: Any, size: tuple[float, ...], name: str, largest: float | None = None) -> None:
+    """A map of a field, its first row at the top. Values above the largest have its colour."""
+    image = axes.imshow(np.asarray(field), extent=(0.0, size[1], size[0], 0.0), vmin=None if largest is None else 0.0, vmax=largest)
     axes.set(xlabel="x", ylabel="y", title=name)
     axes.ticklabel_format(scilimits=(-3, 4))
     axes.locator_params(nbins=5)
-    axes.figure.colorbar(image, ax=axes, shrink=min(max(size[0] / size[1], 0.3), 1.0))
+    is_above = largest is not None and np.nanmax(field) > largest
+    axes.figure.colorbar(image, ax=axes, shrink=min(max(size[0] / size[1], 0.3), 1.0), extend="max" if is_above else "neither")
 
 
 def _near_contact(contact: Contact) -> slice:

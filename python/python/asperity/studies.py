@@ -46,7 +46,7 @@ def study(
     progress: called with the numbers of solved rows and of all rows after each batch; True shows a bar by tqdm.
 
     Raises AsperityError for an invalid study, and for a realisation that no worker has the memory for. Rows that did not converge stay in the
-    table with their status, and an AsperityWarning gives their number. Ctrl-C stops the study.
+    table with their status, and an AsperityWarning gives their number, as another does of rows whose grid is too coarse. Ctrl-C stops the study.
     """
     if not isinstance(study, Study):
         study = Study(**study) if isinstance(study, Mapping) else Study.read(study)
@@ -63,7 +63,22 @@ def study(
     table = ledger.finish()
     if unsettled := sum(status != "converged" for status in table["status"]):
         warnings.warn(f"{unsettled} of {len(table)} rows did not converge. See their status.", AsperityWarning, stacklevel=2)
+    if coarse := _coarse(table):
+        warnings.warn(
+            f"The grid is too coarse for {coarse} of {len(table)} rows: kappa_r_error is above {LARGEST_ERROR:.0%}. Give more points.",
+            AsperityWarning,
+            stacklevel=2,
+        )
     return table
+
+
+LARGEST_ERROR = 0.1
+"""Estimated errors of kappa_r above this one give a warning."""
+
+
+def _coarse(table: Table) -> int:
+    """The number of rows whose kappa_r is not known well on their grid."""
+    return sum(error > LARGEST_ERROR for error in table["kappa_r_error"]) if "kappa_r_error" in table else 0
 
 
 class _Place:

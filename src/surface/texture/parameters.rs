@@ -8,6 +8,8 @@ use crate::surface::{Field, MomentErrors, SpectralMoments, Surface};
 const PARTS: [[usize; 2]; 2] = [[1, 4], [2, 2]];
 /// The smallest number of nodes along an axis of a part.
 const SMALLEST: usize = 8;
+/// Relative difference of heights that are the same.
+const ROUNDING: f64 = 1e-12;
 
 /// A parameter of a surface with its standard error.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +33,7 @@ pub struct SurfaceParameter {
 /// quarters of a line. The error is the standard deviation of the parameter over the parts, divided by `sqrt 4`. From four values it
 /// is known to about 40 %. It is none if the parameter is not defined in each part, if a part has fewer than 8 nodes along an axis,
 /// and for extreme heights (Sp, Sv, Sz), which grow with the size of the sample. The errors of moments are those
-/// of [`SpectralMoments::with_errors`].
+/// of [`SpectralMoments::with_errors`]. Of a surface that is its own mirror image, as after a preparation, only the original half is a sample.
 ///
 /// ```
 /// use asperity::surface::{Spectrum, SurfaceParameters};
@@ -57,13 +59,16 @@ impl SurfaceParameters {
     /// The parameters of `surface`.
     pub fn new(surface: &Surface) -> Self {
         let surface = surface.with_jumps_free();
+        let sample = unmirrored(&surface);
         let mut texture = of_texture(&Texture::new(&surface));
-        let parts: Vec<_> = parts(&surface).iter().map(|part| of_texture(&Texture::new(part))).collect();
+        let parts: Vec<_> = parts(&sample).iter().map(|part| of_texture(&Texture::new(part))).collect();
         for (i, parameter) in texture.iter_mut().enumerate().filter(|(_, it)| !is_extreme(&it.key)) {
             parameter.error =
                 parts.iter().map(|part| part[i].value).collect::<Option<Vec<_>>>().and_then(standard_error);
         }
-        Self { boundary: surface.grid().boundary(), texture, moments: of_moments(&surface) }
+        let moments =
+            of_moments(&SpectralMoments::new(&surface), &SpectralMoments::with_errors(&sample).1, surface.grid());
+        Self { boundary: surface.grid().boundary(), texture, moments }
     }
 }
 
@@ -80,23 +85,44 @@ fn standard_error(values: Vec<f64>) -> Option<f64> {
     (values.len() > 1).then(|| (square / (n - 1.0) / n).sqrt())
 }
 
+/// What a surface is a sample by: half of it along an axis along which it is its own mirror image, as after [`Mirror`](crate::surface::Mirror),
+/// with a free boundary there.
+fn unmirrored(surface: &Surface) -> Surface {
+    let grid = surface.grid();
+    let is_cut = [0, 1].map(|axis| grid.shape()[axis] >= 2 * SMALLEST && is_mirrored(surface, axis));
+    let points = [0, 1].map(|axis| grid.shape()[axis] / if is_cut[axis] { 2 } else { 1 });
+    let periodic = [0, 1].map(|axis| grid.periodic()[axis] && !is_cut[axis]);
+    let half = is_cut.contains(&true).then(|| part(surface, [0, 0], points, periodic));
+    half.flatten().unwrap_or_else(|| surface.clone())
+}
+
+/// Whether a surface is its own mirror image along an axis, but for rounding.
+fn is_mirrored(surface: &Surface, axis: usize) -> bool {
+    let (h, points) = (surface.height(), surface.grid().shape()[axis]);
+    let tolerance = ROUNDING * h.iter().fold(0.0, |most: f64, height| most.max(height.abs()));
+    let across = |i: usize| (points - i) % points;
+    let image = |(y, x): (usize, usize)| if axis == 0 { [across(y), x] } else { [y, across(x)] };
+    h.indexed_iter().all(|(node, height)| (height - h[image(node)]).abs() <= tolerance)
+}
+
 /// The parts of a surface, each with free boundaries along the axes that are cut; none if they are too small.
 fn parts(surface: &Surface) -> Vec<Surface> {
-    let grid = surface.grid();
-    let cut = PARTS[if grid.is_line() { 0 } else { 1 }];
-    let points = [0, 1].map(|axis| grid.shape()[axis] / cut[axis]);
-    let size = [0, 1].map(|axis| points[axis] as f64 * grid.spacing()[axis]);
-    if points[0].max(SMALLEST * usize::from(grid.is_line())).min(points[1]) < SMALLEST {
+    let (shape, is_line) = (surface.grid().shape(), surface.grid().is_line());
+    let cut = PARTS[if is_line { 0 } else { 1 }];
+    let points = [0, 1].map(|axis| shape[axis] / cut[axis]);
+    if points[1] < SMALLEST || !is_line && points[0] < SMALLEST {
         return Vec::new();
     }
-    let cell = if grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) };
-    let Ok(cell) = cell.map(|it| it.with_periodic([grid.is_line(), false])) else { return Vec::new() };
-    let part = |i: usize| {
-        let [y, x] = [i / cut[1] * points[0], i % cut[1] * points[1]];
-        let heights = Field::from_shape_fn(points, |(row, column)| surface.height()[[y + row, x + column]]);
-        Surface::new(cell, heights).ok()
-    };
-    (0..cut[0] * cut[1]).filter_map(part).collect()
+    let origin = |i: usize| [i / cut[1] * points[0], i % cut[1] * points[1]];
+    (0..cut[0] * cut[1]).filter_map(|i| part(surface, origin(i), points, [is_line, false])).collect()
+}
+
+/// Some points of a surface from an origin on.
+fn part(surface: &Surface, [y, x]: [usize; 2], points: [usize; 2], periodic: [bool; 2]) -> Option<Surface> {
+    let size = [0, 1].map(|axis| points[axis] as f64 * surface.grid().spacing()[axis]);
+    let cell = if surface.grid().is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) };
+    let heights = Field::from_shape_fn(points, |(row, column)| surface.height()[[y + row, x + column]]);
+    Surface::new(cell.ok()?.with_periodic(periodic), heights).ok()
 }
 
 fn of_texture(texture: &Texture) -> Vec<SurfaceParameter> {
@@ -115,10 +141,9 @@ fn of_texture(texture: &Texture) -> Vec<SurfaceParameter> {
     texture.parameters().into_iter().map(standard).chain(lengths).collect()
 }
 
-fn of_moments(surface: &Surface) -> Vec<SurfaceParameter> {
-    let (moments, errors) = SpectralMoments::with_errors(surface);
-    let SpectralMoments { m0, m2, m4, m2_along, m4_along } = moments;
-    let MomentErrors { m0: of_m0, m2: of_m2, m4: of_m4, m2_along: of_m2_along, m4_along: of_m4_along, nayak } = errors;
+fn of_moments(moments: &SpectralMoments, errors: &MomentErrors, grid: &Grid) -> Vec<SurfaceParameter> {
+    let SpectralMoments { m0, m2, m4, m2_along, m4_along } = *moments;
+    let MomentErrors { m0: of_m0, m2: of_m2, m4: of_m4, m2_along: of_m2_along, m4_along: of_m4_along, nayak } = *errors;
     let all = [
         ("m0", "m0 of the spectrum", m0, of_m0),
         ("m2", "m2 of the spectrum", m2, of_m2),
@@ -129,7 +154,7 @@ fn of_moments(surface: &Surface) -> Vec<SurfaceParameter> {
         ("m4_y", "m4 along y", m4_along[0], of_m4_along[0]),
         ("m4_x", "m4 along x", m4_along[1], of_m4_along[1]),
     ];
-    let defined = if surface.grid().is_line() { 4 } else { all.len() };
+    let defined = if grid.is_line() { 4 } else { all.len() };
     all.into_iter()
         .take(defined)
         .map(|(key, name, value, error)| parameter(key, name, Some(value), Some(error)))
