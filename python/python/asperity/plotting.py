@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64encode
+from functools import partial
 from html import escape
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
@@ -21,14 +22,10 @@ def _figure(width: float, height: float) -> Figure:
         from matplotlib.figure import Figure
     except ImportError as error:
         raise AsperityError("plot needs matplotlib: install it with `pip install matplotlib`") from error
-
-    class Picture(Figure):
-        """A figure that notebooks show, also where pyplot has not been imported."""
-
-        def _repr_png_(self) -> bytes:
-            return _png(self, self.dpi)
-
-    return Picture(figsize=(width, height), layout="constrained")
+    figure = Figure(figsize=(width, height), layout="constrained")
+    # notebooks show it, also where pyplot has not been imported
+    setattr(figure, "_repr_png_", partial(_png, figure, figure.dpi))
+    return figure
 
 
 def _png(figure: Figure, dpi: float) -> bytes:

@@ -63,7 +63,7 @@ def study(
     table = ledger.finish()
     if unsettled := sum(status != "converged" for status in table["status"]):
         warnings.warn(f"{unsettled} of {len(table)} rows did not converge. See their status.", AsperityWarning, stacklevel=2)
-    if coarse := _coarse(table):
+    if (coarse := _coarse(table)) > LARGEST_SHARE * len(table):
         warnings.warn(
             f"The grid is too coarse for {coarse} of {len(table)} rows: kappa_r_error is above {LARGEST_ERROR:.0%}. Give more points.",
             AsperityWarning,
@@ -73,7 +73,10 @@ def study(
 
 
 LARGEST_ERROR = 0.1
-"""Estimated errors of kappa_r above this one give a warning."""
+"""Estimated errors of kappa_r above this one are large."""
+
+LARGEST_SHARE = 0.1
+"""A share of rows with large errors above this one gives a warning."""
 
 
 def _coarse(table: Table) -> int:
