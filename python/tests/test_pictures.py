@@ -132,3 +132,13 @@ def test_a_single_peak_does_not_set_the_scale_of_a_map() -> None:
     image = contact.plot().axes[0].images[0]
     assert 0.5 * contact.pressure.max() < image.get_clim()[1] < contact.pressure.max()
     assert (np.ma.getmaskarray(image.get_array()) == ~contact.contact).all()
+
+
+def test_a_recording_is_shown_as_a_picture_without_a_viewer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("asperity.notebook.has_viewer", lambda: False)
+    surface = asp.Surface.rough(256, 1.0, hurst=0.8, rolloff_wavelength=0.3, short_cutoff=0.1, rms_gradient=0.1)
+    contact = asp.solve(surface, reduced_pressure=0.1, record=tmp_path / "run.rrd")
+    shown = asp.show(tmp_path / "run.rrd").axes[1].lines[0].get_ydata()
+    assert np.array_equal(shown, contact.plot().axes[1].lines[0].get_ydata())
+    asp.solve(asp.Surface(np.array(surface.height), 1.0), reduced_pressure=0.1, record=tmp_path / "array.rrd")
+    assert asp.show(tmp_path / "array.rrd") == str(tmp_path / "array.rrd")

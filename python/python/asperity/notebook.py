@@ -7,14 +7,15 @@ from importlib.util import find_spec
 from time import monotonic
 from typing import Any
 
-from asperity._asperity import Contact, History, LoadCurve, Surface
+from asperity._asperity import AsperityError, Contact, History, LoadCurve, Setup, Surface
 
 
 def show(what: Contact | LoadCurve | History | Surface | os.PathLike[str] | str, *, width: int = 1000, height: int = 700) -> Any:
     """Shows a recording in the viewer inside a notebook, or a figure of a contact, a load curve, a history or a surface.
 
-    what: the file of a recording (.rrd), a contact, a load curve, a history or a surface. The package `rerun-notebook` shows recordings; without it the
-    path of the recording is returned, which `asperity view` or any Rerun viewer opens.
+    what: the file of a recording (.rrd), a contact, a load curve, a history or a surface. The package `rerun-notebook` shows recordings. Without
+        it the setup in the recording is solved again, to the last bit, and its figure is shown. A recording without a whole setup, such as that of
+        heights given as an array, returns its path, which `asperity view` or any Rerun viewer opens.
     """
     if isinstance(what, (Contact, LoadCurve, History, Surface)):
         return what.plot()
@@ -24,11 +25,20 @@ def show(what: Contact | LoadCurve | History | Surface | os.PathLike[str] | str,
     if not os.path.exists(path):
         raise FileNotFoundError(f"cannot read {path}: there is no such file")
     if not has_viewer():
-        return path
+        return _picture(path)
     widget = _widget(width, height)
     with open(path, "rb") as recording:
         widget.send_rrd(recording.read())
     return widget
+
+
+def _picture(path: str) -> Any:
+    """A figure of what a recording shows at its end, or its path if that is not known."""
+    try:
+        solved = Setup.read(path).solve()
+    except (AsperityError, FileNotFoundError):
+        return path
+    return solved.plot()
 
 
 class Viewer:
