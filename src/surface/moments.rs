@@ -139,17 +139,17 @@ impl SpectralMoments {
 /// Standard errors of the moments of a surface, in their units, see [`SpectralMoments::with_errors`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MomentErrors {
-    /// Of `m0`.
+    /// Standard error of `m0`, a length squared.
     pub m0: f64,
-    /// Of `m2`.
+    /// Standard error of `m2`, without a dimension.
     pub m2: f64,
-    /// Of `m4`.
+    /// Standard error of `m4`, 1/length squared.
     pub m4: f64,
-    /// Of `<h_y^2>` (0 for a line) and `<h_x^2>`.
+    /// Standard errors of the mean squares of the slopes along y (0 for a line) and x, without a dimension.
     pub m2_along: [f64; 2],
-    /// Of `<h_yy^2>` (0 for a line) and `<h_xx^2>`.
+    /// Standard errors of the mean squares of the curvatures along y (0 for a line) and x, 1/length squared.
     pub m4_along: [f64; 2],
-    /// Of Nayak's parameter.
+    /// Standard error of Nayak's parameter, without a dimension.
     pub nayak: f64,
 }
 

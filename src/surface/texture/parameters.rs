@@ -85,8 +85,8 @@ fn standard_error(values: Vec<f64>) -> Option<f64> {
     (values.len() > 1).then(|| (square / (n - 1.0) / n).sqrt())
 }
 
-/// What a surface is a sample by: half of it along an axis along which it is its own mirror image, as after [`Mirror`](crate::surface::Mirror),
-/// with a free boundary there.
+/// A surface without its mirror images, as [`Mirror`](crate::surface::Mirror) adds them: along an axis along which a surface is its own mirror
+/// image, the first half of it remains, with a free boundary there. A surface without images is returned as it is.
 fn unmirrored(surface: &Surface) -> Surface {
     let grid = surface.grid();
     let is_cut = [0, 1].map(|axis| grid.shape()[axis] >= 2 * SMALLEST && is_mirrored(surface, axis));
