@@ -1,11 +1,12 @@
 //! The contact of a viscoelastic solid, step by step in time.
 
 use super::creep_state::{Carried, CreepEnergy, CreepState, ErrorBounds};
-use super::kelvin::{CreepRule, KelvinProducts, KelvinStep};
+use super::maxwell::MaxwellStep;
+use super::profile::{MeanStrain, StepProfile};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{Certificate, Contact, Law, Load, Observer, Problem, Solver, Status, Stop, Work};
-use crate::elastic::{Prony, Response};
+use crate::elastic::{Prony, PronyTerm, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
 
@@ -14,27 +15,41 @@ const GAP_STIFFNESS: f64 = 0.5;
 
 /// The contact of a viscoelastic solid in time: a process that makes the next state from the last one.
 ///
-/// The solid is that of the problem, whose modulus is the glassy one, with the memory of a [`Prony`] series. Over a step `dt`
-/// with `e_j = exp(-dt/tau_j)` under a constant pressure,
+/// The solid is that of the problem, whose modulus is the glassy one, with the memory of a [`Prony`] series. In relaxation form, with
+/// `g_k`, `rho_k` and `g = 1 - sum g_k`, the effective pressure `p_e` displaces the glassy solid, `u = A p_e`, and
 ///
 /// ```text
-/// eps_j <- e_j eps_j + f_j (1 - e_j) p
-/// u      = A [m p + hist],    hist = sum e_j eps_j,    m = 1 + sum f_j (1 - e_j)
+/// p = g p_e + sum_k y_k,    rho_k dy_k/dt + y_k = g_k rho_k d p_e/dt
+/// ```
+///
+/// The fields `y_k` are the memory: what each element still holds. Over a step, `p_e` goes from its old value to the new one by one profile
+/// `phi(s)` in all nodes, and everything else is integrated exactly. With `e_k = exp(-dt/rho_k)` and
+/// `psi_k = int exp(-(dt - s)/rho_k) phi'(s) ds`,
+///
+/// ```text
+/// y_k <- e_k y_k + g_k psi_k (p_e - p_e0),    p_e = m p + hist,
+/// m = 1 / (g + sum g_k psi_k),    hist = m sum (g_k psi_k p_e0 - e_k y_k)
 /// ```
 ///
 /// So a step is an elastic contact: the heights are `h - A hist`, the pressure is `p' = m p` on the same solid under the
 /// load `m P`, or at the same mean gap or approach, with the hardness `m H_c`. It is convex, and its certificate bounds the error
-/// of the pressure. Compliance and plans are those of the problem for all steps. Each solve starts where the last states point to. With
-/// several terms, or linear pressures, a step costs one transform pair besides.
+/// of the pressure. Compliance and plans are those of the problem for all steps. Each solve starts where the last states point to. The
+/// displacements `A y_k` follow from those of the states, without transforms.
+///
+/// **The profile.** At a mean gap or an approach it is a straight line. Under a load it is the course of the mean effective pressure,
+/// which follows from the load alone; where that turns within the step, it is a straight line too. So a step of any length is exact
+/// where the contact keeps its shape, `p_e(t) = p_e0 + phi(t) D`: at a held gap, in full contact, and where only the mean matters. The
+/// effective pressure is exact under any load that never falls (Lee & Radok, J. Appl. Mech. 27, 438, 1960). Everything else has an error of
+/// second order in the step.
 ///
 /// A hardness limits the pressure, but the surface does not keep what has yielded: its heights recover when the load
 /// falls.
 ///
-/// Storage: a field for each term, and about five fields for the contact and the start of the next one.
+/// Storage: two fields for each term, and about six fields for the contact and the start of the next one.
 ///
 /// # Source
-/// The equations follow from the exact integral of the Kelvin elements over a step (Taylor, Pister & Goudreau, Int. J. Numer. Meth. Eng. 2,
-/// 45, 1970); as a contact problem with other heights they are this crate's own.
+/// The integration of elements over a step is that of Taylor, Pister & Goudreau, Int. J. Numer. Meth. Eng. 2, 45 (1970); as a contact problem
+/// with other heights, and with the profile of the load, it is this crate's own.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
@@ -63,21 +78,27 @@ pub struct Creep {
     problem: Problem,
     law: Law,
     prony: Prony,
-    rule: CreepRule,
+    /// The same solid in relaxation form.
+    relaxation: Vec<PronyTerm>,
     response: Response,
 }
 
+/// A step in time: what its elements do, and what follows for the contact.
+struct TimeStep {
+    dt: f64,
+    elements: Vec<MaxwellStep>,
+    /// `g = 1 - sum g_k`.
+    left: f64,
+    /// `m`.
+    compliance: f64,
+}
+
 impl Creep {
-    /// The contact of a problem on a solid with a memory, under the rule of constant pressure. The load of the problem is not
-    /// used, but its law is.
+    /// The contact of a problem on a solid with a memory. The load of the problem is not used, but its law is.
     pub fn new(problem: Problem, prony: Prony) -> Self {
         let (law, response) = (problem.law(), problem.response());
-        Self { problem: without_law(problem), law, prony, rule: CreepRule::default(), response }
-    }
-
-    /// The same contact with another rule for the steps.
-    pub fn with_rule(self, rule: CreepRule) -> Self {
-        Self { rule, ..self }
+        let relaxation = prony.to_relaxation();
+        Self { problem: without_law(problem), law, prony, relaxation, response }
     }
 
     /// The memory of the solid.
@@ -88,31 +109,29 @@ impl Creep {
     /// The state at time 0 without load and without memory. The highest peak just touches.
     pub fn start(&self) -> CreepState {
         let zero = || Field::zeros(self.problem.surface().grid().shape());
-        let terms = self.prony.terms().len();
+        let terms = self.relaxation.len();
+        let contact = self.apart(zero(), Work::default(), None);
         let carried = Carried {
-            products: vec![[0.0; 2]; terms],
-            square: 0.0,
-            moved: 0.0,
-            has_jumped: true,
+            effective: zero(),
+            displaced: vec![zero(); terms],
+            flowed: 0.0,
+            moved: self.moved(&contact, 0.0),
             bounds: ErrorBounds::default(),
-            remembered: None,
             before: None,
         };
-        let (contact, energy) = (self.apart(zero(), Work::default(), None), CreepEnergy::default());
-        let moved = self.moved(&contact, 0.0);
-        let carried = Carried { moved, ..carried };
         CreepState {
             time: 0.0,
             load: None,
             contact,
             memory: vec![zero(); terms],
-            energy,
-            time_error: f64::NAN,
+            energy: CreepEnergy::default(),
+            time_errors: None,
             carried,
         }
     }
 
-    /// The state after a step `dt` under a load. A step of length zero is a sudden change of the load. Where the load is a pressure or a force
+    /// The state after a step `dt`, over which the load changes linearly from that of the last state. A step of length zero is a sudden
+    /// change of the load. Where the load is a pressure or a force
     /// of zero, and where a mean gap or an approach leaves the surfaces apart, there is no pressure and the solid recovers.
     /// Mean gaps above the highest peak and approaches that are not positive are allowed.
     ///
@@ -152,113 +171,160 @@ impl Creep {
         }
         let clock = Instant::now();
         let placed = self.place(load)?;
-        let is_constant = dt == 0.0 || state.carried.has_jumped;
-        let rule = if is_constant { CreepRule::ConstantPressure } else { self.rule };
-        let steps: Vec<_> = self.prony.terms().iter().map(|term| KelvinStep::new(term, dt, rule)).collect();
-        let m = 1.0 + steps.iter().map(|step| step.after).sum::<f64>();
-        let old = &state.contact.pressure;
-        let mut memory = carried_on(&steps, &state.memory, old);
-        let hist = memory.iter().fold(Field::zeros(old.dim()), |sum, eps| sum + eps);
         let counted = self.response.transforms();
-        let remembered = self.remembered(&steps, state).unwrap_or_else(|| self.displacement(&hist));
+        let before = self.displaced(state);
         let extra = self.response.transforms() - counted;
-
-        // the displacement by the memory of a single term, at the end of the step
-        let mut own = (steps.len() == 1).then(|| remembered.clone());
-        let contact = self.posed(&placed, &remembered, m)?.map(|problem| {
+        let (step, posed) = self.posed_step(state, &before, dt, &placed)?;
+        let hist = step.history(&state.carried.effective, &state.memory);
+        let remembered = step.history(&before.effective, &before.memory);
+        let solved = posed.map(|problem| {
             let start = match near {
                 Some(near) => Some(near - &hist),
                 None => warm_start(state, &hist, dt),
             };
             solver.solve_from(start.as_ref(), &problem, stop, observer)
         });
-        let solved = contact.transpose()?;
+        let solved = solved.transpose()?;
         let work =
             |work: Work| Work { transforms: work.transforms + extra, seconds: clock.elapsed().as_secs_f64(), ..work };
-        let (contact, direct) = match solved {
-            None => (self.apart(remembered, work(Work::default()), placed.datum), None),
+        let (contact, effective, error) = match solved {
+            None => (self.apart(remembered, work(Work::default()), placed.datum), hist, 0.0),
             Some(solved) => {
+                // the bound is that of m p, in the norm of the certificate
+                let bound = solved.certificate.pressure_error_bound;
+                let size = mean_product(&solved.pressure, &solved.displacement).max(0.0).sqrt();
+                let error = if bound.is_finite() { bound * size } else { f64::INFINITY };
                 let ceiling = self.law.ceiling();
-                let pressure = solved.pressure.mapv(|p| (p / m).min(ceiling));
-                let direct = solved.displacement.mapv(|u| u / m);
+                let pressure = solved.pressure.mapv(|p| (p / step.compliance).min(ceiling));
+                let effective = &solved.pressure + &hist;
                 let fields = [pressure, solved.displacement + remembered, solved.gap];
                 let parts = (solved.certificate, work(solved.work), solved.status);
                 let problem = self.problem.clone().with_law(self.law)?;
                 let mut contact = Contact::from_parts(problem, fields, parts, solved.solver, solved.coarser)?;
                 contact.failure = solved.failure;
-                (contact, Some(direct))
+                (contact, effective, error)
             }
         };
-        if let (Some(own), Some(direct)) = (&mut own, &direct) {
-            own.scaled_add(steps[0].after, direct);
-        }
-        for (eps, step) in memory.iter_mut().zip(&steps) {
-            eps.zip_mut_with(&contact.pressure, |eps, p| *eps += step.after * p);
-        }
-        let mut next = self.next_state(state, dt, load, &steps, contact, direct, memory);
-        next.carried.remembered = own;
-        Ok(next)
+        Ok(self.next_state(state, &before, &step, load, contact, effective, error))
     }
 
-    /// The state with its energies and bounds, from the contact and the displacement `A p`, none without contact.
+    /// The state with its memory, energies and bounds, from the contact and the effective pressure.
     #[expect(clippy::too_many_arguments, reason = "the parts of a state")]
     fn next_state(
         &self,
         state: &CreepState,
-        dt: f64,
+        before: &Displaced,
+        step: &TimeStep,
         load: Load,
-        steps: &[KelvinStep],
         contact: Contact,
-        direct: Option<Field>,
-        memory: Vec<Field>,
+        effective: Field,
+        error: f64,
     ) -> CreepState {
-        let pressure = &contact.pressure;
-        let (own, uniform) = (|x: &Field| direct.as_ref().map_or(0.0, |u| mean_product(x, u)), self.uniform());
-        let mean = contact.mean_pressure();
-        let product = |x: &Field| own(x) + uniform * x.mean().unwrap_or(0.0) * mean;
-        let pressures = [state.carried.square, product(&state.contact.pressure), product(pressure)];
-        let (mut products, mut lost) = (Vec::new(), state.energy.lost);
-        let mut stored = 0.5 * pressures[2];
-        let terms = self.prony.terms();
-        for (((step, eps), term), &[square, with0]) in
-            steps.iter().zip(&state.memory).zip(terms).zip(&state.carried.products)
-        {
-            let old = KelvinProducts { square, with: [with0, product(eps)] };
-            lost += step.dissipated(old, pressures);
-            let next = step.next(old, pressures);
-            stored += 0.5 * next[0] / term.ratio;
-            products.push(next);
+        let uniform = self.uniform();
+        let mean = |x: &Field| x.mean().unwrap_or(0.0);
+        let product = |x: &Field, pressure: &Field, u: &Field| mean_product(x, u) + uniform * mean(x) * mean(pressure);
+        let change = &effective - &state.carried.effective;
+        let moved_by = &contact.displacement - &before.effective;
+        let square = product(&change, &change, &moved_by);
+        let effective_square = product(&effective, &effective, &contact.displacement);
+        let (mut lost, mut stored) = (state.energy.lost, 0.5 * step.left * effective_square);
+        let mean_change = mean(&change);
+        let mut pressure = step.left * (mean(&state.carried.effective) + 0.5 * mean_change);
+        let (mut memory, mut displaced) = (Vec::new(), Vec::new());
+        for (element, (old, old_u)) in step.elements.iter().zip(state.memory.iter().zip(&before.memory)) {
+            let products = [product(old, old, old_u), product(old, &change, &moved_by), square];
+            lost += element.dissipated(products);
+            pressure += element.weighted(mean(old), mean_change);
+            let next = |old: &Field, change: &Field| element.keep * old + element.share() * change;
+            let (held, held_u) = (next(old, &change), next(old_u, &moved_by));
+            stored += 0.5 * product(&held, &held, &held_u).max(0.0) / element.ratio;
+            memory.push(held);
+            displaced.push(held_u);
         }
-        let effective_mean = mean + memory.iter().map(|eps| eps.mean().unwrap_or(0.0)).sum::<f64>();
-        let moved = self.moved(&contact, effective_mean);
-        let added = match dt {
+        let moved = self.moved(&contact, mean(&effective));
+        let added = match step.dt {
             0.0 => stored - state.energy.stored,
-            _ => 0.5 * (state.contact.mean_pressure() + mean) * (moved - state.carried.moved),
-        };
-        let error = match (&direct, contact.certificate.pressure_error_bound) {
-            (None, _) => 0.0,
-            // the bound is that of m p, in the norm of the certificate
-            (_, bound) if bound.is_finite() => bound * own(pressure).max(0.0).sqrt(),
-            _ => f64::INFINITY,
+            _ => pressure * (moved - state.carried.moved),
         };
         let carried = Carried {
-            products,
-            square: pressures[2],
+            displaced,
+            flowed: 1.0 - 1.0 / step.compliance,
             moved,
-            has_jumped: dt == 0.0,
-            bounds: state.carried.bounds.next(steps, error),
-            remembered: None,
-            before: (dt > 0.0).then(|| (signed_pressure(state), dt)),
+            bounds: state.carried.bounds.next(&step.elements, step.compliance, error),
+            before: (step.dt > 0.0).then(|| (signed_pressure(state), step.dt)),
+            effective,
         };
         CreepState {
-            time: state.time + dt,
+            time: state.time + step.dt,
             load: Some(load),
             contact,
             memory,
             energy: CreepEnergy { stored, lost, work: state.energy.work + added },
-            time_error: f64::NAN,
+            time_errors: None,
             carried,
         }
+    }
+
+    /// The step and the problem of its contact, none where nothing touches. Surfaces that stay apart carry no load, and the solid recovers
+    /// by the profile of that.
+    fn posed_step(
+        &self,
+        state: &CreepState,
+        before: &Displaced,
+        dt: f64,
+        placed: &PlacedLoad,
+    ) -> Result<(TimeStep, Option<Problem>), CreepError> {
+        let first = state.contact.mean_pressure();
+        let last = match placed.load {
+            None => Some(0.0),
+            Some(_) => self.problem.mean_pressure(),
+        };
+        let pose = |profile: &StepProfile| {
+            let step = TimeStep::new(&self.relaxation, self.prony.relaxed_ratio(), profile);
+            let remembered = step.history(&before.effective, &before.memory);
+            let posed = self.posed(placed, &remembered, step.compliance)?;
+            Ok::<_, CreepError>((step, posed))
+        };
+        let straight = StepProfile::straight(dt);
+        let of_load = |last: f64| match dt {
+            0.0 => None,
+            _ => StepProfile::of_load(dt, [first, last], &self.mean_strains(state)),
+        };
+        if last.is_none()
+            && first == 0.0
+            && let Some(profile) = of_load(0.0)
+        {
+            let (step, posed) = pose(&profile)?;
+            if posed.is_none() {
+                return Ok((step, None));
+            }
+        }
+        pose(&last.and_then(of_load).unwrap_or(straight))
+    }
+
+    /// The mean strains of the Kelvin elements, from what the Maxwell elements hold:
+    /// `eps_j = sum_k f_j rho_k/(tau_j - rho_k) (g_k p_e - y_k)`.
+    fn mean_strains(&self, state: &CreepState) -> Vec<MeanStrain> {
+        let effective = state.carried.effective.mean().unwrap_or(0.0);
+        let held = state.memory.iter().map(|it| it.mean().unwrap_or(0.0));
+        let flowed: Vec<f64> = held.zip(&self.relaxation).map(|(held, term)| term.ratio * effective - held).collect();
+        let strain = |kelvin: &PronyTerm| {
+            let share = |term: &PronyTerm| kelvin.ratio * term.time / (kelvin.time - term.time);
+            self.relaxation.iter().zip(&flowed).map(|(term, flowed)| share(term) * flowed).sum()
+        };
+        let of = |kelvin: &PronyTerm| MeanStrain { ratio: kelvin.ratio, time: kelvin.time, strain: strain(kelvin) };
+        self.prony.terms().iter().map(of).collect()
+    }
+
+    /// The displacements of a state's effective pressure and memory, in the convention of the present load.
+    fn displaced(&mut self, state: &CreepState) -> Displaced {
+        let has_uniform = |problem: &Problem| problem.compliance().has_uniform();
+        if has_uniform(&self.problem) == has_uniform(&state.contact.problem) {
+            let (effective, memory) = (state.contact.displacement.clone(), state.carried.displaced.clone());
+            return Displaced { effective, memory };
+        }
+        let memory = state.memory.iter().map(|held| self.displacement(held)).collect();
+        Displaced { effective: self.displacement(&state.carried.effective), memory }
     }
 
     /// Poses the problem under a load. A mean gap or an approach out of reach of the highest peak is brought into reach together with
@@ -303,17 +369,6 @@ impl Creep {
         let load = self.problem.mean_pressure().map_or(load, |mean| Load::MeanPressure(m * mean));
         let law = self.law.hardness().map_or(Law::HardWall, |hardness| Law::Hardness(m * hardness));
         Ok(Some(problem.with_load(load)?.with_law(law)?))
-    }
-
-    /// The displacement by what is left of the memory, from that of the last state, if it is known and nothing is added to it.
-    fn remembered(&self, steps: &[KelvinStep], state: &CreepState) -> Option<Field> {
-        let has_uniform = |problem: &Problem| problem.compliance().has_uniform();
-        match (steps, &state.carried.remembered) {
-            ([step], Some(before)) if step.before == 0.0 => {
-                (has_uniform(&self.problem) == has_uniform(&state.contact.problem)).then(|| before * step.keep)
-            }
-            _ => None,
-        }
     }
 
     /// The displacement by a pressure: one transform pair, or none for no pressure.
@@ -382,13 +437,29 @@ fn without_law(problem: Problem) -> Problem {
     problem.with_law(Law::HardWall).expect("a hard wall bears any load")
 }
 
-/// What is left of the memory at the end of a step, without what the pressure of the end adds.
-fn carried_on(steps: &[KelvinStep], memory: &[Field], old: &Field) -> Vec<Field> {
-    let carry = |(step, eps): (&KelvinStep, &Field)| match step.before {
-        0.0 => eps * step.keep,
-        before => eps * step.keep + old * before,
-    };
-    steps.iter().zip(memory).map(carry).collect()
+/// The displacements by a state's effective pressure and by its memory.
+struct Displaced {
+    effective: Field,
+    memory: Vec<Field>,
+}
+
+impl TimeStep {
+    fn new(relaxation: &[PronyTerm], relaxed_ratio: f64, profile: &StepProfile) -> Self {
+        let elements: Vec<_> = relaxation.iter().map(|term| MaxwellStep::new(term, profile)).collect();
+        let left = 1.0 / relaxed_ratio;
+        let compliance = 1.0 / (left + elements.iter().map(MaxwellStep::share).sum::<f64>());
+        Self { dt: profile.dt(), elements, left, compliance }
+    }
+
+    /// `hist = m sum (g_k psi_k p_e0 - e_k y_k)` of fields or of their displacements.
+    fn history(&self, effective: &Field, memory: &[Field]) -> Field {
+        let share: f64 = self.elements.iter().map(MaxwellStep::share).sum();
+        let mut hist = effective * (self.compliance * share);
+        for (element, held) in self.elements.iter().zip(memory) {
+            hist.scaled_add(-self.compliance * element.keep, held);
+        }
+        hist
+    }
 }
 
 /// The pressure `m p` to start from: the signed pressure, as it went from the state before to this one, goes on for the step.
@@ -402,7 +473,7 @@ fn warm_start(state: &CreepState, hist: &Field, dt: f64) -> Option<Field> {
             start.zip_mut_with(before, |now, before| *now = further(now, before));
             start - hist
         }
-        _ => state.effective_pressure() - hist,
+        _ => &state.carried.effective - hist,
     })
 }
 
@@ -410,7 +481,7 @@ fn warm_start(state: &CreepState, hist: &Field, dt: f64) -> Option<Field> {
 /// through zero where a contact grows, so that it tells which nodes will touch and about how much they will carry. On lines
 /// it is the effective pressure alone, since few nodes at a time come into contact.
 fn signed_pressure(state: &CreepState) -> Field {
-    let (mut field, problem) = (state.effective_pressure(), &state.contact.problem);
+    let (mut field, problem) = (state.carried.effective.clone(), &state.contact.problem);
     if !problem.surface().grid().is_line() {
         let [_, stiffest] = problem.compliance().stiffness_range();
         let pairs = state.contact.pressure.iter().zip(&state.contact.gap);

@@ -1,7 +1,7 @@
 //! The process of a viscoelastic solid along a path of loads and times.
 
 use super::process::{EachState, PathPoint, Process};
-use super::{Creep, CreepPath, CreepRule, CreepState, CreepSteps, HistoryField, HistoryNumbers, HistoryState};
+use super::{Creep, CreepPath, CreepState, CreepSteps, HistoryField, HistoryNumbers, HistoryState, TimeErrors};
 use crate::contact::{Load, Observer, Problem, ResultClaim, Solver, Stop};
 use crate::elastic::Prony;
 use crate::error::{CreepError, HistoryError};
@@ -21,7 +21,7 @@ impl<'s> CreepProcess<'s> {
     /// # Errors
     /// The errors of [`CreepPath::new`], [`CreepSteps::fixed`] and [`CreepSteps::adaptive`].
     pub fn new(
-        (problem, prony, rule): (Problem, Prony, CreepRule),
+        (problem, prony): (Problem, Prony),
         path: &[PathPoint],
         (steps, tolerance): (Option<usize>, f64),
         (solver, stop): (&'s dyn Solver, Stop),
@@ -29,7 +29,7 @@ impl<'s> CreepProcess<'s> {
         let mut points: Vec<(f64, Load)> = path.iter().map(|it| (it.time.unwrap_or(0.0), it.load)).collect();
         let begin = points.first().filter(|(time, _)| *time > 0.0).map(|(_, load)| (0.0, *load));
         points.splice(0..0, begin);
-        let (creep, path) = (Creep::new(problem, prony).with_rule(rule), CreepPath::new(points)?);
+        let (creep, path) = (Creep::new(problem, prony), CreepPath::new(points)?);
         let points = path.points().to_vec();
         let steps = match steps {
             Some(count) => CreepSteps::fixed(creep, path, count, solver, stop)?,
@@ -57,9 +57,10 @@ impl Process for CreepProcess<'_> {
 impl CreepState {
     /// The state as one of any history.
     pub fn into_history(self, point: Option<usize>) -> HistoryState {
-        let effective = self.effective_pressure();
-        let resolved = self.resolved();
+        let effective = self.effective_pressure().clone();
         let is_pressed = self.contact.mean_pressure() > 0.0;
+        let resolved = self.resolved();
+        let error = |of: fn(&TimeErrors) -> f64| self.time_errors.as_ref().map(of);
         let numbers = HistoryNumbers {
             time: Some(self.time),
             effective_pressure: effective.mean(),
@@ -68,7 +69,12 @@ impl CreepState {
             dissipated: Some(self.energy.lost),
             stored: Some(self.energy.stored),
             work_done: Some(self.energy.work),
-            time_error: self.time_error.is_finite().then_some(self.time_error),
+            time_error: is_pressed.then(|| self.time_error()).flatten(),
+            mean_pressure_time_error: error(|it| it.mean_pressure),
+            mean_gap_time_error: error(|it| it.mean_gap),
+            relative_area_time_error: error(|it| it.relative_area),
+            dissipated_time_error: error(|it| it.lost),
+            work_time_error: error(|it| it.work),
             history_bound: Some(self.error_bound()),
             ..HistoryNumbers::default()
         };

@@ -1,5 +1,6 @@
 //! Steps in time along a path of loads.
 
+use super::time_errors::{Difference, TimeErrors, rms};
 use super::{Creep, CreepPath, CreepState};
 use crate::contact::{Load, Observer, Solver, Stop};
 use crate::error::CreepError;
@@ -12,20 +13,30 @@ const FIRST: f64 = 0.05;
 const LEAST: f64 = 1e-4;
 /// The part of the largest step that the tolerance allows which is tried.
 const SAFETY: f64 = 0.9;
-/// The least part to which a step shrinks at once, and the most by which the next one grows.
+/// The least part to which a step shrinks at once, the most if it shrinks, and the most by which the next one grows.
 const SHRINK: f64 = 0.1;
+const SHORTER: f64 = 0.5;
 const GROW: f64 = 2.0;
 /// Without a memory each way from point to point is as many steps.
 const ELASTIC_STEPS: f64 = 2.0;
+/// The part of the tolerance up to which a step may cause any error.
+const SHARED: f64 = 0.5;
+/// The least part of that which a step may add beyond, however short it is.
+const LEAST_SHARE: f64 = 1.0 / 16.0;
+/// Errors are divided by pressure and gap, or by this part of the largest pressure so far and of the rms height.
+const SMALL: f64 = 1e-2;
+/// A shorter step that does not lower the error to this part is kept: the error is that of the solver.
+const LOWERED: f64 = 0.8;
 
 /// The states of a viscoelastic contact along a path of loads, one after the other: an iterator. The path begins with the solid
 /// at rest. There is a state at each point of the path; a jump of the load is a step of length zero.
 ///
-/// **Adaptive steps.** Each step is solved once, and again as two halves, whose states are kept. The error of the
-/// halves is estimated by the difference of both effective pressures `p + sum_j eps_j` (root mean square), divided by the
-/// effective pressure. The error of one step is of second order in its length. A step with an error above the tolerance is
-/// repeated with a shorter one. The first step after a jump is a twentieth of the shortest time of the solid, and steps at most double. Errors of earlier steps fade
-/// as the slowest term of the solid does; [`CreepState::time_error`] is the sum of what is left of them.
+/// **Adaptive steps.** The history is solved twice: in steps, and beside them in steps of twice the length, each from its own states. The
+/// difference at the ends of these is the error in time of everything that can be read of a state: pressure, mean pressure, gap, area and energies, see
+/// [`TimeErrors`]. The tolerance limits the relative errors of the contact pressure, the mean gap and the lost energy. A pair of steps is repeated
+/// with shorter ones where such an error is above half of it and grows by more than the share of the step. The state between the two steps is
+/// not shown, since nothing is compared with it. The first step after a jump is a twentieth of
+/// the shortest time of the solid, and steps at most double.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
@@ -54,8 +65,10 @@ pub struct CreepSteps<'a> {
     point: usize,
     /// The next step; none after a jump.
     step: Option<f64>,
-    /// The error in time of the effective pressure, root mean square, a pressure.
-    error: f64,
+    /// The state in doubled steps, where steps are adaptive.
+    doubled: CreepState,
+    errors: TimeErrors,
+    largest: f64,
     pending: VecDeque<CreepState>,
     rejected: usize,
     transforms: u64,
@@ -72,7 +85,7 @@ enum CreepPace {
 }
 
 impl<'a> CreepSteps<'a> {
-    /// Steps whose estimated errors are at most the tolerance each, dimensionless; 1e-3 is a good value.
+    /// Steps that keep the estimated relative error of the contact pressure below the tolerance, dimensionless; 1e-3 is a good value.
     ///
     /// # Errors
     /// [`CreepError::NotPositive`] for a tolerance that is not positive and finite.
@@ -136,10 +149,12 @@ impl<'a> CreepSteps<'a> {
             solver,
             stop,
             pace,
-            state,
             point: 0,
             step: None,
-            error: 0.0,
+            doubled: state.clone(),
+            state,
+            errors: TimeErrors::default(),
+            largest: 0.0,
             pending,
             rejected,
             transforms: 0,
@@ -203,8 +218,18 @@ impl<'a> CreepSteps<'a> {
         let from = self.state.clone();
         let next = self.solve(None, &from, from.time, load, observer)?;
         self.step = None;
+        if self.is_adaptive() {
+            let goal = next.effective_pressure().clone();
+            let doubled = self.doubled.clone();
+            self.doubled = self.solve(Some(&goal), &doubled, doubled.time, load, observer)?;
+            self.errors = Difference::new(&self.doubled, &next, &next).errors(&self.errors, from.energy.lost);
+        }
         self.keep(next);
         Ok(())
+    }
+
+    fn is_adaptive(&self) -> bool {
+        matches!(self.pace, CreepPace::Adaptive(_))
     }
 
     /// A given step.
@@ -216,50 +241,77 @@ impl<'a> CreepSteps<'a> {
         Ok(())
     }
 
-    /// A step and two halves, until the error is within the tolerance.
+    /// Two steps beside a doubled one, until the error is within the tolerance.
     fn adapt(&mut self, tolerance: f64, end: f64, observer: &mut dyn Observer) -> Result<(), CreepError> {
-        let (from, left) = (self.state.clone(), end - self.state.time);
+        let (from, coarse, left) = (self.state.clone(), self.doubled.clone(), end - self.state.time);
         let shortest = self.creep.prony().shortest_time();
         let first = shortest.map_or(left / ELASTIC_STEPS, |time| FIRST * time);
         let wanted = self.step.unwrap_or(first);
+        let before = Difference::new(&coarse, &from, &from);
         // the last two steps before a point are of equal length
         let mut step = if left <= wanted { left } else { wanted.min(0.5 * left) };
+        let mut repeated = f64::INFINITY;
         loop {
             let is_last = step == left;
             let times = [from.time + 0.5 * step, if is_last { end } else { from.time + step }];
             let loads = times.map(|time| self.path.load(self.point, time));
-            let whole = self.solve(None, &from, times[1], loads[1], observer)?;
-            let goal = whole.effective_pressure();
-            let between = 0.5 * (&from.effective_pressure() + &goal);
+            let whole = self.solve(None, &coarse, times[1], loads[1], observer)?;
+            let goal = whole.effective_pressure().clone();
+            let between = 0.5 * (from.effective_pressure() + &goal);
             let half = self.solve(Some(&between), &from, times[0], loads[0], observer)?;
             let next = self.solve(Some(&goal), &half, times[1], loads[1], observer)?;
-            let found = next.effective_pressure();
-            let (error, size) = (rms(&(&goal - &found)), rms(&found));
-            let relative = if error > 0.0 { error / size } else { 0.0 };
-            let factor = (SAFETY * (tolerance / relative).sqrt()).clamp(SHRINK, GROW);
+            let after = Difference::new(&whole, &next, &half);
+            let excess = self.excess(tolerance, [&before, &after], [&from, &next], end);
+            let factor = (SAFETY * (tolerance / excess).sqrt()).clamp(SHRINK, GROW);
             // the error of what is not solved says nothing about the step
             let is_solved = [&whole, &half, &next].iter().all(|state| state.contact.is_converged());
             let factor = if is_solved { factor } else { GROW };
-            if relative <= tolerance || step <= LEAST * first || !is_solved {
+            if excess <= tolerance || step <= LEAST * first || !is_solved || after.pressure() > LOWERED * repeated {
                 // a step that was cut off by a point does not shorten the next one, unless its error asks for that
                 let further = step * factor;
                 self.step = Some(if factor < GROW { further } else { further.max(wanted) });
-                let fading = self.fading(0.5 * step);
-                self.error = fading * self.error + 0.5 * error;
-                self.keep(half);
-                self.error = fading * self.error + 0.5 * error;
+                self.errors = after.errors(&self.errors, from.energy.lost);
+                self.doubled = whole;
                 self.keep(next);
                 return Ok(());
             }
             self.rejected += 1;
-            step *= factor.min(SAFETY);
+            repeated = after.pressure();
+            step *= factor.min(SHORTER);
         }
     }
 
-    /// The part of an error that is left after a time.
-    fn fading(&self, time: f64) -> f64 {
+    /// The relative error after a step, over what the step may cause: the largest of those of the contact pressure, the mean gap and the lost
+    /// energy. A step may cause an error that leaves room for others, and else its share. The energy is compared with that until the next point.
+    fn excess(
+        &self,
+        tolerance: f64,
+        [before, after]: [&Difference; 2],
+        [from, next]: [&CreepState; 2],
+        end: f64,
+    ) -> f64 {
+        let pressure = rms(&next.contact.pressure).max(SMALL * self.largest);
+        let gap = next.contact.mean_gap().max(SMALL * next.contact.problem.rms_height());
+        let lost = next.energy.lost - from.energy.lost;
+        let to_lose = next.energy.lost + lost * (end - next.time) / (next.time - from.time);
+        let share = self.share(next.time - from.time);
+        let [before, after] = [before, after].map(|it| [it.pressure(), it.mean_gap(), it.lost()]);
+        let excess = |i: usize, size: f64| {
+            let least = (after[i] / SHARED).min((after[i] - before[i]) / share);
+            // an error that is there already cannot be lowered by short steps
+            if least > 0.0 { least / size.max(before[i] / tolerance) } else { 0.0 }
+        };
+        [pressure, gap, to_lose].into_iter().enumerate().map(|(i, size)| excess(i, size)).fold(0.0, f64::max)
+    }
+
+    /// The part of the tolerance that a step may use: that of the time for which the solid remembers, or for which the path lasts.
+    fn share(&self, step: f64) -> f64 {
         let slowest = self.creep.prony().terms().iter().map(|term| term.time).fold(0.0, f64::max);
-        if slowest > 0.0 { (-time / slowest).exp() } else { 0.0 }
+        let points = self.path.points();
+        let lasting = points[points.len() - 1].0 - points[0].0;
+        let time = slowest.min(lasting);
+        let part = if time > 0.0 { -(-step / time).exp_m1() } else { 1.0 };
+        SHARED * part.max(LEAST_SHARE)
     }
 
     fn solve(
@@ -277,14 +329,11 @@ impl<'a> CreepSteps<'a> {
         Ok(CreepState { time, ..next })
     }
 
-    /// Keeps a state of an adaptive step, with its error in time.
+    /// Keeps a state, with its error in time where steps are adaptive.
     fn keep(&mut self, state: CreepState) {
-        let time_error = match self.pace {
-            CreepPace::Adaptive(_) if self.error == 0.0 => 0.0,
-            CreepPace::Adaptive(_) => self.error / rms(&state.effective_pressure()),
-            _ => f64::NAN,
-        };
-        self.state = CreepState { time_error, ..state };
+        self.largest = self.largest.max(rms(&state.contact.pressure));
+        let time_errors = self.is_adaptive().then_some(self.errors);
+        self.state = CreepState { time_errors, ..state };
         self.pending.push_back(self.state.clone());
     }
 }
@@ -295,8 +344,4 @@ impl Iterator for CreepSteps<'_> {
     fn next(&mut self) -> Option<Self::Item> {
         self.next_watched(&mut ())
     }
-}
-
-fn rms(field: &Field) -> f64 {
-    (field.iter().map(|p| p * p).sum::<f64>() / field.len() as f64).sqrt()
 }

@@ -97,8 +97,18 @@ pub struct HistoryNumbers {
     pub stored: Option<f64>,
     /// Work of the load since the beginning, per area of the cell.
     pub work_done: Option<f64>,
-    /// Estimated relative error of the effective pressure that the length of the steps in time causes.
+    /// Estimated relative error of the contact pressure, root mean square, that the length of the steps in time causes.
     pub time_error: Option<f64>,
+    /// Estimated error in time of the mean pressure, a pressure.
+    pub mean_pressure_time_error: Option<f64>,
+    /// Estimated error in time of the mean gap, a length.
+    pub mean_gap_time_error: Option<f64>,
+    /// Estimated error in time of the relative area.
+    pub relative_area_time_error: Option<f64>,
+    /// Estimated error in time of the dissipated energy, per area of the cell.
+    pub dissipated_time_error: Option<f64>,
+    /// Estimated error in time of the work of the load and of the stored energy, per area of the cell.
+    pub work_time_error: Option<f64>,
     /// Bound of the relative error of the effective pressure that the solver caused in all steps so far.
     pub history_bound: Option<f64>,
     /// Certificate of the traction.

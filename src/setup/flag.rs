@@ -4,7 +4,6 @@ use super::{Boundary, Method, Part, Theme};
 use crate::adhesion::{AdhesiveMethod, AttractionForm};
 use crate::contact::{Dynamics, Masses};
 use crate::elastic::Base;
-use crate::history::CreepRule;
 use crate::surface::{
     Detrend, ExactPart, Fill, Form, Indenter, Mirror, Preparation, Resample, RolloffForm, SpectrumConvention,
 };
@@ -126,7 +125,6 @@ pub const FLAGS: &[Flag] = &[
     flag("adhesion-method", "adhesion.method", FlagValue::Choice(choices::<AdhesiveMethod>), "METHOD", "Method that finds states with adhesion; gfmd is a motion, in which jumps can be watched [default: fast]"),
     flag("creep", "viscoelastic.creep", FlagValue::List, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is the one at once after loading; needs --path-time, --path or --speed"),
     flag("relaxation", "viscoelastic.relaxation", FlagValue::List, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time"),
-    flag("time-rule", "viscoelastic.rule", FlagValue::Choice(choices::<CreepRule>), "RULE", "How the pressure varies within a step in time [default: constant-pressure]"),
     flag("speed", "sliding.speed", FlagValue::List, "V[,V]", "Speed at which the surface slides steadily over a viscoelastic solid along x; 1e-3..1e3:13 for 13 speeds with equal ratios"),
     flag("creepage", "rolling.creepage", FlagValue::List, "XI[,XI]", "Steady rolling along x of a line with friction, at this creepage; a negative creepage (--creepage=-1e-4) pulls the solid towards +x; needs --friction"),
     flag("rolling", "rolling.tangential", FlagValue::List, "Q[,Q]", "Steady rolling under this tangential load, of the same kind as the normal one; 0 for free rolling; needs --friction"),
@@ -136,7 +134,7 @@ pub const FLAGS: &[Flag] = &[
     flag("path-load", "path.load", FlagValue::List, "P[,P]", "Normal loads of the path, of the same kind as the load [default: the load at all points]"),
     flag("path-tangential", "path.tangential", FlagValue::List, "Q[,Q]", "Tangential loads of the path, of the same kind as the load; if the first one is negative, write --path-tangential=-1,1; needs --friction"),
     flag("path-steps", "path.steps", FlagValue::One, "N", "Number of equal steps between two points of the path [default: with friction 1; with adhesion 20; in time as many as --time-tolerance needs]"),
-    flag("time-tolerance", "path.time-tolerance", FlagValue::One, "ERROR", "Largest estimated relative error of a step in time [default: 1e-3]"),
+    flag("time-tolerance", "path.time-tolerance", FlagValue::One, "ERROR", "Largest estimated relative error in time, of pressure, mean gap and lost energy [default: 1e-2]"),
     flag("force", "load.force", FlagValue::List, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),
     flag("approach", "load.approach", FlagValue::List, "D[,D]", "Approach of the bodies after the first contact, for a layer or a free boundary; not with --solver gfmd"),
     flag("flow", "flow.leakage", FlagValue::Switch, "", "Also compute what leaks through the gap along each axis, with bounds, and whether the contact seals; a recording shows the flux"),

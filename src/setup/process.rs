@@ -12,8 +12,8 @@ use crate::history::{
 };
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// The estimated relative error of a step in time, if none is given.
-const TIME_TOLERANCE: f64 = 1e-3;
+/// The estimated relative error in time, if none is given.
+const TIME_TOLERANCE: f64 = 1e-2;
 
 /// Steps between two points of a path in time that are expected where the error in time chooses them.
 const STEPS_OF_TIME: usize = 32;
@@ -346,11 +346,10 @@ impl Setup {
     /// # Errors
     /// The errors of [`Viscoelastic::prony`](super::Viscoelastic::prony) and of [`CreepProcess::new`].
     pub fn creep(&self, problem: Problem) -> Result<CreepProcess<'_>, SetupError> {
-        let rule = self.viscoelastic.as_ref().map_or_else(Default::default, |it| it.rule);
         let (steps, tolerance) = self.path.as_ref().map_or((None, None), |path| (path.steps, path.time_tolerance));
         let (points, solver) = (self.path_points(), self.solver.solver());
         let steps = (steps, tolerance.unwrap_or(TIME_TOLERANCE));
-        Ok(CreepProcess::new((problem, self.prony()?, rule), &points, steps, (solver, self.stop))?)
+        Ok(CreepProcess::new((problem, self.prony()?), &points, steps, (solver, self.stop))?)
     }
 
     /// The conditions of rolling, one for each creepage or tangential load.

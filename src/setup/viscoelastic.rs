@@ -3,7 +3,6 @@
 use super::one_or_more;
 use crate::elastic::{Prony, PronyTerm};
 use crate::error::{SetupError, SolidError};
-use crate::history::CreepRule;
 use crate::quantity;
 use serde::{Deserialize, Serialize};
 
@@ -20,13 +19,6 @@ pub struct Viscoelastic {
     /// Relaxation form: ratios `g_j` and relaxation times, `E(t)/E_0 = 1 - sum g_j (1 - exp(-t/tau_j))`.
     #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::times")]
     pub relaxation: Vec<f64>,
-    /// The rule of a step in time.
-    #[serde(skip_serializing_if = "is_default")]
-    pub rule: CreepRule,
-}
-
-fn is_default(rule: &CreepRule) -> bool {
-    *rule == CreepRule::default()
 }
 
 impl Viscoelastic {

@@ -11,7 +11,7 @@ pub mod hertz;
 pub mod periodic;
 pub mod persson;
 mod power_law;
-mod quadrature;
+pub(crate) mod quadrature;
 mod westergaard;
 
 pub use bush_gibson_thomas::BushGibsonThomas;

@@ -3,6 +3,7 @@
 mod bounds;
 mod cost;
 mod energy;
+mod errors_in_time;
 mod lee_radok;
 mod relaxation;
 mod stability;
