@@ -110,13 +110,16 @@ fn finer<'a>(history: &RandomHistory, states: &[CreepState], stop: Stop) -> Cree
     CreepSteps::at_times(history.creep(), history.path.clone(), times, &Multilevel, stop).unwrap()
 }
 
-/// The true errors of a state beside the stated ones; the size of each quantity in the history so far decides what is rounding.
-fn compared(state: &CreepState, exact: &CreepState, sizes: &mut [f64; 5]) -> Vec<Ratio> {
+/// The size of each quantity in a state: pressure, mean pressure, mean gap, area and energy.
+fn sizes(state: &CreepState) -> [f64; 5] {
+    let turnover = state.energy.stored.max(state.energy.lost);
+    [rms(&state.contact.pressure), state.contact.mean_pressure(), state.contact.mean_gap(), 1.0, turnover]
+}
+
+/// The true errors of a state beside the stated ones; the sizes in the whole history decide what is rounding.
+fn compared(state: &CreepState, exact: &CreepState, sizes: &[f64; 5]) -> Vec<Ratio> {
     let stated = state.time_errors.expect("steps are adaptive");
     let [energy, true_energy] = [state.energy, exact.energy];
-    let turnover = true_energy.stored.max(true_energy.lost);
-    let now = [rms(&exact.contact.pressure), exact.contact.mean_pressure(), exact.contact.mean_gap(), 1.0, turnover];
-    sizes.iter_mut().zip(now).for_each(|(size, now)| *size = size.max(now));
     let off = |of: fn(&CreepState) -> f64| (of(state) - of(exact)).abs();
     let work = (energy.work - true_energy.work).abs().max((energy.stored - true_energy.stored).abs());
     let balance = (energy.work - energy.stored - energy.lost).abs();
@@ -140,20 +143,20 @@ fn compared(state: &CreepState, exact: &CreepState, sizes: &mut [f64; 5]) -> Vec
 fn findings(history: &RandomHistory) -> Findings {
     let stop = Stop::new(1e-11, 20_000).unwrap();
     let states = adaptive(history, stop);
-    let mut exact = finer(history, &states, stop).map(Result::unwrap);
+    let mut finer = finer(history, &states, stop).map(Result::unwrap);
+    let mut at = |state: &CreepState| finer.find(|it| it.time == state.time && it.load == state.load).expect("a state");
+    let exact: Vec<CreepState> = states.iter().map(&mut at).collect();
+    let largest_of = |i: usize| exact.iter().map(|it| sizes(it)[i]).fold(0.0, f64::max);
+    let sizes = std::array::from_fn(largest_of);
     let largest = states.iter().map(|it| rms(&it.contact.pressure)).fold(0.0, f64::max);
     let misses =
         |it: &&CreepState| it.time_errors.unwrap().pressure > TOLERANCE * rms(&it.contact.pressure).max(1e-2 * largest);
     let missed = states.iter().filter(misses).count();
-    let mut sizes = [0.0; 5];
-    let mut at = |state: &CreepState| {
-        let exact = exact.find(|it| it.time == state.time && it.load == state.load);
-        compared(state, &exact.expect("a state at each time"), &mut sizes)
-    };
-    Findings { ratios: states.iter().flat_map(&mut at).collect(), states: states.len(), missed }
+    let ratios = states.iter().zip(&exact).flat_map(|(state, exact)| compared(state, exact, &sizes)).collect();
+    Findings { ratios, states: states.len(), missed }
 }
 
-/// Asserts that true errors are below three times the stated ones in 99 % of the states, and above ten times in none of ten thousand.
+/// Asserts that true errors are below three times the stated ones in 99 % of the states, and never above ten times.
 fn survey(seeds: std::ops::Range<u64>) {
     let found: Vec<Findings> = seeds.map(|seed| findings(&RandomHistory::new(seed))).collect();
     let [states, missed] =
@@ -167,8 +170,7 @@ fn survey(seeds: std::ops::Range<u64>) {
         let [median, most, worst] = [at(0.5), at(0.99), at(1.0)];
         println!("true over stated {quantity:>14}: median {median:.2}, 99 % below {most:.2}, largest {worst:.1}");
         assert!(most < 3.0, "{quantity}: {most}");
-        let far = values.iter().filter(|value| **value > 10.0).count();
-        assert!(far * 10_000 <= values.len(), "{quantity}: {far} of {} above 10", values.len());
+        assert!(worst <= 10.0, "{quantity}: {worst}");
     }
 }
 
