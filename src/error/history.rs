@@ -1,6 +1,7 @@
 //! Contacts with friction, and histories of contacts, that cannot be solved.
 
 use super::{AdhesionError, CreepError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
+use crate::quantity::number_in_words;
 
 /// A tangential load that cannot be carried or solved.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -16,6 +17,13 @@ pub enum SlipError {
     /// A quantity that must be positive and finite is not.
     #[error("the {name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },
+    /// A coefficient of friction that is not positive and finite.
+    #[error(
+        "the coefficient of friction is {}: give a {}number above 0",
+        number_in_words(*value),
+        if *value == f64::INFINITY { "finite " } else { "" }
+    )]
+    Coefficient { value: f64 },
     /// A tangential load that is at the limit of friction, or above it.
     #[error(
         "the tangential load {tangential:?} makes everything slide, since friction carries less than {limit:?}: give \
@@ -33,12 +41,6 @@ pub enum SlipError {
     /// Dundurs' constant out of its range.
     #[error("Dundurs' constant beta is {value:?}: it must lie between -0.5 and 0.5")]
     Beta { value: f64 },
-    /// The rounds between pressure and traction did not converge.
-    #[error(
-        "pressure and traction do not converge together: after {rounds} rounds the certificate of the pressure is \
-         {certificate:.1e}; take smaller steps, or lower the friction"
-    )]
-    Rounds { rounds: usize, certificate: f64 },
 }
 
 /// A history that cannot go on.
