@@ -263,7 +263,10 @@ impl Setup {
                 motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"))
             }
             ProcessKind::Rolling if !grid.is_line() => motion("rolling is solved on lines only: give a line".into()),
-            ProcessKind::Rolling => Ok(()),
+            ProcessKind::Rolling if self.solver != super::Method::default() => {
+                motion(format!("rolling has solvers of its own, not {}: leave the solver out", self.solver.name()))
+            }
+            ProcessKind::Rolling => self.check_rolling_step(grid),
             ProcessKind::Slip => self.check_slip(),
         }
     }
@@ -295,6 +298,20 @@ impl Setup {
         let limit = self.friction.map_or(0.0, |friction| friction.coefficient) * first.load.value();
         let tangential = first.tangential.unwrap_or(0.0) / self.slip_steps() as f64;
         if tangential.abs() >= limit { Err(SlipError::Sliding { tangential, limit }.into()) } else { Ok(()) }
+    }
+
+    /// Refuses a step of rolling that is longer than the line.
+    fn check_rolling_step(&self, grid: &Grid) -> Result<(), SetupError> {
+        let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
+        match self.rolling.as_ref().and_then(|it| it.step).filter(|step| *step > length) {
+            Some(step) => Err(SetupError::Motion {
+                reason: format!(
+                    "the step of rolling is {step:?}, longer than the line of {length:?}: give a shorter one, such as the \
+                     spacing of the grid, {spacing:?}"
+                ),
+            }),
+            None => Ok(()),
+        }
     }
 
     /// The number of steps from one point of a path of slip to the next.
