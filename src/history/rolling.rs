@@ -171,7 +171,7 @@ impl Rolling {
             if contact.is_converged() && !fits {
                 contact.status = Status::Stalled;
             }
-            if let Some(raised) = raised.as_ref().and_then(Field::as_slice) {
+            if let Some(raised) = raised.as_ref().and_then(|raised| raised.as_slice()) {
                 contact = contact.displaced_by(problem.clone(), raised, certificate);
             }
             let field = |values| Field::from_shape_vec((1, pressure.len()), values).expect("one value per node");

@@ -124,6 +124,11 @@ fn displaced(values: &[f64], spacing: f64, is_across: bool) -> Vec<f64> {
     (0..values.len()).map(at).collect()
 }
 
+fn spread(values: impl Iterator<Item = f64>) -> f64 {
+    let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], it| [low.min(it), high.max(it)]);
+    high - low
+}
+
 /// Random bodies and loads on free rough lines: the pressure fits the heights that the traction displaces, and Coulomb's law holds with the
 /// slip that both cause.
 #[test]
@@ -159,6 +164,12 @@ fn random_coupled_histories_obey_contact_and_coulombs_law_by_direct_sums() {
             let tau: Vec<f64> = found.traction.iter().copied().collect();
             let [under_p, by_tau] = [displaced(&p, spacing, false), displaced(&tau, spacing, true)];
             let depth: Vec<f64> = (0..points).map(|i| under_p[i] + beta * by_tau[i] - heights[[0, i]]).collect();
+            // the contact has the heights as they are given, and its displacement is the whole one
+            assert!(found.contact.problem.surface().height() == &heights, "case {case}");
+            let whole = found.contact.displacement.iter().zip(&depth).zip(&heights).map(|((u, depth), h)| u - h - depth);
+            let gap = found.contact.gap.iter().zip(&depth).map(|(gap, depth)| gap - depth);
+            let deepest = under_p.iter().fold(0.0f64, |most, u| most.max(u.abs()));
+            assert!(spread(whole) < 1e-10 * deepest && spread(gap) < 1e-10 * deepest, "case {case}");
             // the deepest node lies where the pressure lies, on average
             let level = depth.iter().copied().fold(f64::INFINITY, f64::min);
             let apart: f64 = p.iter().zip(&depth).map(|(p, depth)| p * (depth - level)).sum();

@@ -44,7 +44,7 @@ impl RandomPath {
     /// The path of a number. `is_like_failed` restricts it to the kind that once did not converge: free surfaces with a bump.
     fn new(number: u64, is_like_failed: bool) -> Self {
         let mut random = Uniform(number.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5bd1_e995);
-        (0..8).for_each(|_| drop(random.next()));
+        (0..8).for_each(|_| _ = random.next());
         let is_free = is_like_failed || random.next() < 0.6;
         let is_line = !is_like_failed && random.next() < 0.25;
         let side = |random: &mut Uniform| 3 + random.below(22);
@@ -93,6 +93,7 @@ fn heights(shape: [usize; 2], kind: usize, random: &mut Uniform) -> Field {
             1 => random.next(),
             2 => (-6.0 * random.next()).exp(),
             3 => bump + 0.1 * wavy() + 0.02 * random.next(),
+            _ if [row, column] == [1.min(shape[0] - 1), 1] => 1.0,
             _ => f64::from(u8::from(random.next() < 0.2)) * random.next(),
         }
     })
@@ -127,7 +128,7 @@ impl Found {
             let is_sound = errors[0] < 1e-11 && errors[1] < 1e-13 && etas[0] <= 1.0 && etas[1] <= 1.01;
             if !(state.is_converged() && is_sound) {
                 let status = state.contact.status;
-                self.open.push(format!("{}, state {number}: {status:?}, {etas:.2?} {errors:.1e?}", path.name));
+                self.open.push(format!("{}, state {number}: {status:?}, {etas:?} {errors:?}", path.name));
             }
             for (most, new) in self.worst.iter_mut().zip(etas).chain(self.missed.iter_mut().zip(errors)) {
                 *most = most.max(new);
