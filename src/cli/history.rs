@@ -138,7 +138,8 @@ pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Resu
     let is_stopped = matches!(ended, Some(HistoryError::Stopped));
     let failure = ended.filter(|_| !is_stopped);
     // where everything slides, no state in equilibrium follows: the history ends there, and no solver has failed
-    let has_failed = failure.as_ref().is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
+    let has_failed =
+        failure.as_ref().is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
     let failed = failure.map(|error| format!("The history ended after {}: {error}", counted(outcome.states.len())));
     if is_stopped {
         warnings::print(&[format!("interrupted: {} solved and written", counted(outcome.states.len()))]);

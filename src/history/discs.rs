@@ -143,7 +143,9 @@ impl Discs {
         let inverse = if along > 0.0 { room / (along + root) } else { (root - along) / square };
         let part = inverse.max(1.0).recip();
         let q = nearest(scaled(add(sum, part.recip(), missed), all.recip()));
-        tau.iter_mut().zip(&self.radii).for_each(|(tau, radius)| *tau = add(scaled(*tau, 1.0 - part), part * radius, q));
+        tau.iter_mut()
+            .zip(&self.radii)
+            .for_each(|(tau, radius)| *tau = add(scaled(*tau, 1.0 - part), part * radius, q));
     }
 
     /// The sum over the nodes of `tau (w - l) + radius |w - l|` with a shift `l`: never negative, and zero where Coulomb's law holds.

@@ -255,7 +255,8 @@ fn check(problem: &Problem, conditions: RollingConditions) -> Result<(), MotionE
 fn check_step(contact: &Contact, step: f64) -> Result<(), MotionError> {
     let touches: Vec<bool> = contact.pressure.iter().map(|p| *p > 0.0).collect();
     let ends = touches.iter().position(|it| *it).zip(touches.iter().rposition(|it| *it));
-    let length = ends.map_or(0.0, |(first, last)| (last - first + 1) as f64 * contact.problem.surface().grid().spacing()[1]);
+    let length =
+        ends.map_or(0.0, |(first, last)| (last - first + 1) as f64 * contact.problem.surface().grid().spacing()[1]);
     if step > length { Err(MotionError::LongStep { step, length }) } else { Ok(()) }
 }
 

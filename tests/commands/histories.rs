@@ -137,7 +137,10 @@ fn archives_of_different_bodies_have_the_whole_displacement() {
             let datum = &u - &height - gap;
             let [low, high] = [f64::min, f64::max].map(|of| datum.iter().copied().fold(datum[0], of));
             let deepest = gap.iter().copied().fold(0.0, f64::max);
-            assert!(high - low < 1e-12 * deepest && gap.iter().all(|gap| *gap > -1e-6 * deepest), "{motion}: {low} {high}");
+            assert!(
+                high - low < 1e-12 * deepest && gap.iter().all(|gap| *gap > -1e-6 * deepest),
+                "{motion}: {low} {high}"
+            );
         }
     }
 }

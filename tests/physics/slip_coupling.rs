@@ -166,7 +166,8 @@ fn random_coupled_histories_obey_contact_and_coulombs_law_by_direct_sums() {
             let depth: Vec<f64> = (0..points).map(|i| under_p[i] + beta * by_tau[i] - heights[[0, i]]).collect();
             // the contact has the heights as they are given, and its displacement is the whole one
             assert!(found.contact.problem.surface().height() == &heights, "case {case}");
-            let whole = found.contact.displacement.iter().zip(&depth).zip(&heights).map(|((u, depth), h)| u - h - depth);
+            let whole =
+                found.contact.displacement.iter().zip(&depth).zip(&heights).map(|((u, depth), h)| u - h - depth);
             let gap = found.contact.gap.iter().zip(&depth).map(|(gap, depth)| gap - depth);
             let deepest = under_p.iter().fold(0.0f64, |most, u| most.max(u.abs()));
             assert!(spread(whole) < 1e-10 * deepest && spread(gap) < 1e-10 * deepest, "case {case}");

@@ -47,7 +47,7 @@ impl RandomPath {
         (0..8).for_each(|_| _ = random.next());
         let is_free = is_like_failed || random.next() < 0.6;
         let is_line = !is_like_failed && random.next() < 0.25;
-        let side = |random: &mut Uniform| 3 + random.below(22);
+        let side = |random: &mut Uniform| Grid::MIN_POINTS + random.below(21);
         let shape = [if is_line { 1 } else { side(&mut random) }, side(&mut random)];
         let size = [random.between(0.7, 1.4), 1.0];
         let grid = if is_line { Grid::line(shape[1], 1.0) } else { Grid::surface(shape, size) };
@@ -55,8 +55,8 @@ impl RandomPath {
         let kind = if is_like_failed { 3 } else { random.below(5) };
         let heights = heights(shape, kind, &mut random);
         let surface = Surface::new(grid, heights).unwrap();
-        let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(1.0)).unwrap();
-        let mean = problem.rms_gradient() * random.scale(3e-3, 0.5);
+        let mean = surface.rms_gradient() * random.scale(3e-3, 0.5);
+        let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(mean)).unwrap();
         let (mu, nu) = (random.scale(0.01, 1.0), 0.05 * random.below(11) as f64);
         let tolerance = if random.next() < 0.5 { 1e-8 } else { 1e-11 };
         let reach = random.scale(1.0, 10.0);
@@ -161,7 +161,8 @@ impl Checked {
     fn new(direct: &DirectSum, state: &SlipState, [tau, before]: [&[[f64; 2]]; 2], mu: f64) -> Self {
         let p: Vec<f64> = state.contact.pressure.iter().copied().collect();
         let change: Vec<[f64; 2]> = tau.iter().zip(before).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
-        let pressed: Vec<f64> = direct.displaced(&p.iter().map(|p| [*p, 0.0]).collect::<Vec<_>>()).iter().map(|u| u[0]).collect();
+        let pressed: Vec<f64> =
+            direct.displaced(&p.iter().map(|p| [*p, 0.0]).collect::<Vec<_>>()).iter().map(|u| u[0]).collect();
         let level = mean(pressed.iter().copied());
         let length = mu * mean(pressed.iter().map(|u| (u - level).powi(2))).sqrt();
         let slips = direct.displaced(&change).into_iter().map(|[x, y]| [x - state.shift, y - state.shift_across]);
