@@ -65,8 +65,9 @@ pub struct RollingConditions {
 /// # The error
 /// With `v = B t - h_t`, `G = <t max(v - l, 0)> + <(2 mu p - t) max(l - v, 0)>` bounds `<(tau - tau*) B (tau - tau*)>`, in which only the
 /// symmetric part of `B` counts, for the given pressure. `traction_certificate` is `G` over `mu <p>`, over the largest magnitude of `h_t`,
-/// the displacement in a step of a contact that slips everywhere, and over the square of the *drive*. This is the ratio of the force, or
-/// the creepage over that of this displacement, at most 1; and 1 with coupling. So tractions far below `mu p` are as exact as others.
+/// the displacement in a step of a contact that slips everywhere, and over the square of the *drive*. This is the ratio of the force; with a
+/// given creepage at least the creepage over that of this displacement; at most 1, and 1 with coupling. So tractions far below `mu p` are as
+/// exact as others.
 ///
 /// In doubles, `t` would lose the digits of a traction far below `mu p`. So the bounds are narrower than `mu p` where the drive is weak:
 /// a traction that reaches none of the narrow bounds but those of `mu p` is the solution within `mu p` as well. If it reaches them, they
@@ -305,8 +306,7 @@ impl Shifts {
         stop: &Stop,
     ) -> Result<SolvedTraction, MotionError> {
         let limit: Vec<f64> = pressure.iter().map(|p| self.conditions.friction * p).collect();
-        let sliding = self.displacement(&limit);
-        let largest = sliding.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+        let largest = self.height(pressure, &limit).iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         let drive = match self.conditions.drive {
             _ if self.coupling.is_some() => 1.0,
             RollingDrive::Creepage(creepage) => (creepage * self.conditions.step / largest).abs(),
@@ -314,14 +314,14 @@ impl Shifts {
         };
         // without a drive there is no traction, and with a strong one all bounds are reached
         let drive = if drive > 0.0 && drive < 1.0 { drive } else { 1.0 };
-        let unit = limit.iter().sum::<f64>() / limit.len() as f64 * largest * drive * drive;
+        let unit = limit.iter().sum::<f64>() / limit.len() as f64 * largest;
         let touching = limit.iter().filter(|limit| **limit > 0.0).count();
         let highest = limit.iter().copied().fold(0.0, f64::max);
         let mut reach = REACH * (touching as f64).sqrt() * drive * highest;
         let (mut updates, mut inner_steps, mut transforms) = (0, 0, 0);
         loop {
             let narrow: Vec<f64> = limit.iter().map(|limit| limit.min(reach)).collect();
-            let task = TractionTask { pressure, limit: &limit, narrow: &narrow, unit };
+            let task = TractionTask { pressure, limit: &limit, narrow: &narrow, unit, drive };
             let mut found = self.traction_within(&task, before.as_deref(), stop)?;
             updates += found.updates;
             inner_steps += found.inner_steps;
@@ -335,11 +335,16 @@ impl Shifts {
         }
     }
 
-    /// The displacement in a step by a traction.
-    fn displacement(&self, traction: &[f64]) -> Vec<f64> {
-        let mut displacement = vec![0.0; traction.len()];
-        Response::from_compliance(self.rolling.clone()).displacement(traction, &mut displacement);
-        displacement
+    /// `h_t`: the displacement in a step by tractions at their bounds and by the pressure.
+    fn height(&mut self, pressure: &[f64], bounds: &[f64]) -> Vec<f64> {
+        let mut height = vec![0.0; bounds.len()];
+        Response::from_compliance(self.rolling.clone()).displacement(bounds, &mut height);
+        if let Some([ahead, _]) = &mut self.coupling {
+            let mut shift = vec![0.0; pressure.len()];
+            ahead.by_pressure(pressure, [&mut shift, &mut []]);
+            height.iter_mut().zip(shift).for_each(|(h, shift)| *h += self.conditions.beta * shift);
+        }
+        height
     }
 
     /// The traction within narrow bounds.
@@ -349,15 +354,10 @@ impl Shifts {
         before: Option<&[f64]>,
         stop: &Stop,
     ) -> Result<SolvedTraction, MotionError> {
-        let &TractionTask { pressure, limit, narrow, unit } = task;
-        let RollingConditions { step, beta, drive, .. } = self.conditions;
+        let &TractionTask { pressure, limit, narrow, unit, drive: least } = task;
+        let RollingConditions { step, drive, .. } = self.conditions;
         let ceilings: Arc<[f64]> = narrow.iter().map(|limit| 2.0 * limit).collect();
-        let mut height = self.displacement(narrow);
-        if let Some([ahead, _]) = &mut self.coupling {
-            let mut shift = vec![0.0; pressure.len()];
-            ahead.by_pressure(pressure, [&mut shift, &mut []]);
-            height.iter_mut().zip(shift).for_each(|(h, shift)| *h += beta * shift);
-        }
+        let height = self.height(pressure, narrow);
         let [load, carried]: [f64; 2] = [narrow, limit].map(|it| it.iter().sum());
         let (goal, share) = match drive {
             RollingDrive::Creepage(creepage) => (LoadOrDatum::Datum(creepage * step), 0.0),
@@ -374,7 +374,8 @@ impl Shifts {
         let most = UPDATES.min(stop.max_iterations());
         for updates in 0.. {
             let (gap, level) = state.gap();
-            let certificate = gap / unit;
+            let carries = (state.p.iter().sum::<f64>() - load).abs() / carried;
+            let certificate = gap / (unit * carries.max(least).powi(2));
             let is_converged = certificate <= stop.tolerance();
             if !is_converged && updates < most {
                 state.advance(certificate, &mut |_| true);
@@ -410,6 +411,8 @@ struct TractionTask<'a> {
     limit: &'a [f64],
     /// The bounds of the traction, at most `mu p`.
     narrow: &'a [f64],
-    /// What `G` is divided by.
+    /// What `G` is divided by, besides the square of the drive.
     unit: f64,
+    /// The drive, at least.
+    drive: f64,
 }
