@@ -1,7 +1,6 @@
 //! Contacts with friction, and histories of contacts, that cannot be solved.
 
 use super::{AdhesionError, CreepError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
-use crate::quantity::number_in_words;
 
 /// A tangential load that cannot be carried or solved.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -19,8 +18,7 @@ pub enum SlipError {
     NotPositive { name: &'static str, value: f64 },
     /// A coefficient of friction that is not positive and finite.
     #[error(
-        "the coefficient of friction is {}: give a {}number above 0",
-        number_in_words(*value),
+        "the coefficient of friction is {value}: give a {}number above 0",
         if *value == f64::INFINITY { "finite " } else { "" }
     )]
     Coefficient { value: f64 },
