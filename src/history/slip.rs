@@ -194,7 +194,8 @@ impl<'s> SlipHistory<'s> {
     ///
     /// # Errors
     /// [`SlipError::NeedsPressure`] for a normal load that is no pressure, [`SlipError::Sliding`] for a tangential load that friction cannot
-    /// carry, the errors of [`ShearCompliance::new`] for a load along `y` on a line, and those of [`Problem::with_load`] and of [`Solver::solve_from`]. After an error the history is as it was before the step.
+    /// carry, the errors of [`ShearCompliance::new`] for a load along `y` on a line, and those of [`Problem::with_load`] and of
+    /// [`Solver::solve_from`]. After an error the history is as it was before the step.
     ///
     /// ```
     /// use asperity::contact::{ContactModulus, Load, Multilevel};
