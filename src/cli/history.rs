@@ -14,7 +14,7 @@ use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Problem, Status};
-use asperity::error::HistoryError;
+use asperity::error::{HistoryError, SlipError};
 use asperity::files::write_beside;
 use asperity::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history};
 use asperity::job::{AdhesionOutcome, HistoryOutcome};
@@ -137,7 +137,9 @@ pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Resu
     let ended = outcome.ended.take();
     let is_stopped = matches!(ended, Some(HistoryError::Stopped));
     let failure = ended.filter(|_| !is_stopped);
-    let has_failed = failure.is_some();
+    // where everything slides, no state in equilibrium follows: the history ends there, and no solver has failed
+    let has_failed =
+        failure.as_ref().is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
     let failed = failure.map(|error| format!("The history ended after {}: {error}", counted(outcome.states.len())));
     if is_stopped {
         warnings::print(&[format!("interrupted: {} solved and written", counted(outcome.states.len()))]);

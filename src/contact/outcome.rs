@@ -108,6 +108,18 @@ impl Contact {
         })
     }
 
+    /// The contact on the heights of `problem`, whose surface tractions displace into the solid by `added` besides. The displacement is the
+    /// whole one, and the gap follows from it.
+    pub(crate) fn displaced_by(self, problem: Problem, added: &[f64], certificate: Certificate) -> Self {
+        let mut whole = self.displacement.clone();
+        whole.iter_mut().zip(added).for_each(|(u, added)| *u += added);
+        let displacement = whole.as_slice().expect("results are made in standard layout");
+        let datum = certificate::datum(&problem, self.pressures(), displacement);
+        let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
+        let gap = Field::from_shape_vec(whole.raw_dim(), gap).expect("one value per node");
+        Self { problem, displacement: whole, gap, certificate, ..self }
+    }
+
     /// Whether the certificate met the tolerance.
     pub fn is_converged(&self) -> bool {
         self.status == Status::Converged

@@ -34,14 +34,23 @@ impl Friction {
     /// Checks that both are positive and finite.
     ///
     /// # Errors
-    /// [`SlipError::NotPositive`].
+    /// [`SlipError::Coefficient`] and [`SlipError::NotPositive`].
     pub fn check(&self) -> Result<(), SlipError> {
-        for (name, value) in [("coefficient of friction", self.coefficient), ("tangential load", self.tangential)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(SlipError::NotPositive { name, value });
-            }
+        self.check_coefficient()?;
+        let value = self.tangential;
+        if value > 0.0 && value.is_finite() {
+            return Ok(());
         }
-        Ok(())
+        Err(SlipError::NotPositive { name: "tangential load", value })
+    }
+
+    /// Checks that the coefficient is positive and finite.
+    ///
+    /// # Errors
+    /// [`SlipError::Coefficient`].
+    pub fn check_coefficient(&self) -> Result<(), SlipError> {
+        let value = self.coefficient;
+        if value > 0.0 && value.is_finite() { Ok(()) } else { Err(SlipError::Coefficient { value }) }
     }
 
     /// The ratio `Q/(mu P)` of the tangential load to that at which everything slides.

@@ -16,6 +16,12 @@ pub enum SlipError {
     /// A quantity that must be positive and finite is not.
     #[error("the {name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },
+    /// A coefficient of friction that is not positive and finite.
+    #[error(
+        "the coefficient of friction is {value}: give a {}number above 0",
+        if *value == f64::INFINITY { "finite " } else { "" }
+    )]
+    Coefficient { value: f64 },
     /// A tangential load that is at the limit of friction, or above it.
     #[error(
         "the tangential load {tangential:?} makes everything slide, since friction carries less than {limit:?}: give \
@@ -33,12 +39,6 @@ pub enum SlipError {
     /// Dundurs' constant out of its range.
     #[error("Dundurs' constant beta is {value:?}: it must lie between -0.5 and 0.5")]
     Beta { value: f64 },
-    /// The rounds between pressure and traction did not converge.
-    #[error(
-        "pressure and traction do not converge together: after {rounds} rounds the certificate of the pressure is \
-         {certificate:.1e}; take smaller steps, or lower the friction"
-    )]
-    Rounds { rounds: usize, certificate: f64 },
 }
 
 /// A history that cannot go on.

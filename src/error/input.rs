@@ -58,7 +58,6 @@ impl MotionError {
     pub fn is_input(&self) -> bool {
         match self {
             Self::Solve(error) => error.is_input(),
-            Self::Traction { .. } | Self::Rounds { .. } => false,
             _ => true,
         }
     }

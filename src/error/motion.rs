@@ -37,13 +37,9 @@ pub enum MotionError {
     /// A problem at rest, or that rolls, where one that slides is needed.
     #[error("the problem does not slide: give it a speed and the terms of a viscoelastic solid")]
     NeedsSliding,
-    /// The traction did not reach its goal.
-    #[error("the traction did not converge in {updates} updates: it reached a certificate of {certificate:.1e}")]
-    Traction { updates: usize, certificate: f64 },
-    /// The rounds between pressure and traction did not converge.
+    /// A step of rolling in which material would cross the contact.
     #[error(
-        "pressure and traction do not converge together: after {rounds} rounds the certificate of the pressure is \
-         {normal:.1e} and that of the traction {tangential:.1e}; lower the friction or beta"
+        "the step of rolling is {step:?}, longer than the contact of {length:?}: give a shorter one, such as the spacing of the grid"
     )]
-    Rounds { rounds: usize, normal: f64, tangential: f64 },
+    LongStep { step: f64, length: f64 },
 }

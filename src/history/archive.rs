@@ -8,6 +8,7 @@ use ndarray_npy::WriteNpzError;
 /// The states of a history as `.npz`: as [`archive_of_loads`](crate::contact::archive_of_loads), with the states in place of the loads, and
 /// with arrays of the `quantities` and of the further fields of the states by their names, along a first axis of states. Two texts have a line for
 /// each state: its claim (`claim`), and the point of the path that it has reached (`point`), from 0, or `-` between two points.
+/// Where tractions of different bodies displace the surface into the solid, `displacement` includes it.
 ///
 /// # Errors
 /// [`WriteNpzError`] if there are no states; fields of doubles cause none.

@@ -3,9 +3,12 @@
 /// A vector in the plane of the surface, along `x` and `y`.
 pub(super) type Pair = [f64; 2];
 
-/// Newton steps for the shift that gives a sum, and halvings of each.
+/// Newton steps for the shift that gives a sum, and trials of the length of each.
 const CARRY_STEPS: usize = 200;
-const HALVINGS: usize = 60;
+const TRIALS: usize = 100;
+
+/// A step counts if it leaves at most this part of the slope along it, or of the whole slope.
+const LEFT: f64 = 0.5;
 
 /// Newton steps for the best shift of a certificate.
 const SHIFT_STEPS: usize = 12;
@@ -65,54 +68,84 @@ impl Discs {
     /// Makes of `u`, tractions over the radii, the nearest tractions in the discs with the given sum, where the squares of distances are
     /// weighted by `1/radius`: they are `radius P(u + c)`, with the point `P` of the unit disc that is nearest.
     ///
-    /// The shift `c` minimises the convex `sum radius H(u + c) - total c`, with `H(z) = z^2/2` in the disc and `|z| - 1/2` outside.
+    /// The shift `c` minimises the convex `sum radius H(u + c) - total c`, with `H(z) = z^2/2` in the disc and `|z| - 1/2` outside. Newton
+    /// steps with a search along each of them for where the slope is small find it: unlike the value, the slope keeps its digits where `u`
+    /// is large. What rounding leaves of the sum is taken up by [`Discs::balance`], and so the sum is right in any case.
     pub fn carry(&self, u: &mut [Pair]) {
         let mut shift = [0.0; 2];
-        let (mut value, mut slope, mut hessian) = self.potential(u, shift);
+        let (mut slope, mut hessian) = self.slope(u, shift);
         let limit = ROUNDING * self.radii.iter().sum::<f64>();
-        'steps: for _ in 0..CARRY_STEPS {
+        for _ in 0..CARRY_STEPS {
             if length(slope) <= limit {
                 break;
             }
             let step = solve(hessian, slope);
-            let fall = dot(step, slope);
-            let mut part = 1.0;
-            for _ in 0..HALVINGS {
-                let trial = add(shift, -part, step);
-                let next = self.potential(u, trial);
-                // near the minimum the value is lost in rounding, and the slope decides
-                if next.0 <= value - 1e-4 * part * fall || length(next.1) < 0.5 * length(slope) {
-                    shift = trial;
-                    (value, slope, hessian) = next;
-                    continue 'steps;
-                }
-                part *= 0.5;
-            }
-            break;
+            let Some(part) = self.part(u, shift, step, slope) else { break };
+            shift = add(shift, -part, step);
+            (slope, hessian) = self.slope(u, shift);
         }
         u.iter_mut().zip(&self.radii).for_each(|(u, radius)| *u = scaled(nearest(add(*u, 1.0, shift)), *radius));
+        self.balance(u);
     }
 
-    /// The potential of a shift, its slope and its Hessian.
-    fn potential(&self, u: &[Pair], shift: Pair) -> (f64, Pair, [f64; 3]) {
-        let (mut value, mut slope, mut hessian) = (-dot(self.total, shift), scaled(self.total, -1.0), [0.0; 3]);
+    /// The part of a step, to be taken away from a shift, that leaves little of the slope. Along the step the slope rises steadily, and so
+    /// the part where it is zero lies between two that were tried, or beyond all of them.
+    fn part(&self, u: &[Pair], shift: Pair, step: Pair, slope: Pair) -> Option<f64> {
+        let whole = dot(step, slope);
+        let (mut part, mut low, mut high) = (1.0, 0.0, f64::INFINITY);
+        for _ in 0..TRIALS {
+            let (rest, _) = self.slope(u, add(shift, -part, step));
+            let along = dot(step, rest);
+            if along.abs() <= LEFT * whole || length(rest) <= LEFT * length(slope) {
+                return Some(part);
+            }
+            if along > 0.0 {
+                low = part;
+            } else {
+                high = part;
+            }
+            part = if high.is_finite() { 0.5 * (low + high) } else { 4.0 * part };
+        }
+        None
+    }
+
+    /// The slope of the potential of a shift, and its Hessian.
+    fn slope(&self, u: &[Pair], shift: Pair) -> (Pair, [f64; 3]) {
+        let (mut slope, mut hessian) = (scaled(self.total, -1.0), [0.0; 3]);
         for (u, &radius) in u.iter().zip(&self.radii) {
             let z = add(*u, 1.0, shift);
             let r = length(z);
             if r <= 1.0 {
-                value += 0.5 * radius * r * r;
                 slope = add(slope, radius, z);
                 hessian = [hessian[0] + radius, hessian[1], hessian[2] + radius];
             } else {
                 let (e, stiffness) = (scaled(z, r.recip()), radius / r);
-                value += radius * (r - 0.5);
                 slope = add(slope, radius, e);
                 hessian[0] += stiffness * e[1] * e[1];
                 hessian[1] -= stiffness * e[0] * e[1];
                 hessian[2] += stiffness * e[0] * e[0];
             }
         }
-        (value, slope, hessian)
+        (slope, hessian)
+    }
+
+    /// Gives tractions in the discs the given sum `T`: with their sum `S`, `(1 - a) tau + a radius q` lies in the discs for `|q| <= 1`, and has
+    /// the sum `T` if `q sum(radius) = S + (T - S)/a`. The least `a` makes `|q| = 1`. It is at most 1, since `|T| <= sum(radius)`.
+    fn balance(&self, tau: &mut [Pair]) {
+        let all: f64 = self.radii.iter().sum();
+        let sum = tau.iter().fold([0.0; 2], |sum, tau| add(sum, 1.0, *tau));
+        let missed = add(self.total, -1.0, sum);
+        if length(missed) <= 4.0 * ROUNDING * all {
+            return;
+        }
+        let (square, along, room) = (dot(missed, missed), dot(sum, missed), (all * all - dot(sum, sum)).max(0.0));
+        let root = (along * along + square * room).sqrt();
+        let inverse = if along > 0.0 { room / (along + root) } else { (root - along) / square };
+        let part = inverse.max(1.0).recip();
+        let q = nearest(scaled(add(sum, part.recip(), missed), all.recip()));
+        tau.iter_mut()
+            .zip(&self.radii)
+            .for_each(|(tau, radius)| *tau = add(scaled(*tau, 1.0 - part), part * radius, q));
     }
 
     /// The sum over the nodes of `tau (w - l) + radius |w - l|` with a shift `l`: never negative, and zero where Coulomb's law holds.
@@ -212,6 +245,29 @@ mod tests {
             let sum = tau.iter().fold([0.0; 2], |sum, tau| add(sum, 1.0, *tau));
             assert!(length(add(sum, -1.0, discs.total)) < 1e-12 * most, "{share}: {sum:?}");
             assert!(tau.iter().zip(&discs.radii).all(|(tau, radius)| length(*tau) <= radius * (1.0 + 1e-15)));
+        }
+    }
+
+    /// Tractions may lie far outside of their discs, as where the pressure has fallen.
+    #[test]
+    fn tractions_far_outside_are_carried_to_their_sum() {
+        let mut state = 7u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        for case in 0..2000 {
+            let count = 1 + case % 40;
+            let radii: Vec<f64> = (0..count).map(|_| 10f64.powf(-6.0 * random())).collect();
+            let most: f64 = radii.iter().sum();
+            let (share, far) = (0.9999 * random(), 12.0 * random());
+            let mut tau: Vec<Pair> = (0..count).map(|_| [random() - 0.5, random() - 0.3]).collect();
+            tau.iter_mut().for_each(|u| *u = scaled(*u, 10f64.powf(far * random())));
+            let discs = Discs { radii, total: [-0.6 * share * most, 0.8 * share * most] };
+            discs.carry(&mut tau);
+            let sum = tau.iter().fold([0.0; 2], |sum, tau| add(sum, 1.0, *tau));
+            assert!(length(add(sum, -1.0, discs.total)) < 1e-14 * most, "{case}: {sum:?} for {:?}", discs.total);
+            assert!(tau.iter().zip(&discs.radii).all(|(tau, radius)| length(*tau) <= radius * (1.0 + 1e-15)), "{case}");
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::contact::{
     BoxInequality, Ceiling, Certificate, Contact, LoadOrDatum, Multilevel, Observer, Problem, SetIteration, Solver,
-    Stop,
+    Status, Stop,
 };
 use crate::elastic::{Compliance, Coupling, Response};
 use crate::error::{MotionError, ProblemError};
@@ -12,6 +12,11 @@ use std::sync::Arc;
 /// Largest number of updates of the traction, and of rounds between pressure and traction.
 const UPDATES: usize = 400;
 const ROUNDS: usize = 60;
+
+/// The largest traction that is expected under a weak drive, over the drive and the square root of the number of nodes that touch: where
+/// all of them stick, it grows like the inverse root of the distance from the edge. If it is too small, it is multiplied by the second one.
+const REACH: f64 = 2.0;
+const WIDER: f64 = 4.0;
 
 /// What drives a contact that rolls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,8 +64,14 @@ pub struct RollingConditions {
 ///
 /// # The error
 /// With `v = B t - h_t`, `G = <t max(v - l, 0)> + <(2 mu p - t) max(l - v, 0)>` bounds `<(tau - tau*) B (tau - tau*)>`, in which only the
-/// symmetric part of `B` counts, for the given pressure. `traction_certificate` is `G` over `mu <p>` and the largest magnitude of `h_t`,
-/// the displacement in a step of a contact that slips everywhere.
+/// symmetric part of `B` counts, for the given pressure. `traction_certificate` is `G` over `mu <p>`, over the largest magnitude of `h_t`,
+/// the displacement in a step of a contact that slips everywhere, and over the square of the *drive*. This is the ratio of the force; with a
+/// given creepage at least the creepage over that of this displacement; at most 1, and 1 with coupling. So tractions far below `mu p` are as
+/// exact as others.
+///
+/// In doubles, `t` would lose the digits of a traction far below `mu p`. So the bounds are narrower than `mu p` where the drive is weak:
+/// a traction that reaches none of the narrow bounds but those of `mu p` is the solution within `mu p` as well. If it reaches them, they
+/// are widened.
 ///
 /// # Source
 /// Carter, Proc. R. Soc. A 112, 151 (1926); Bentall & Johnson, Int. J. Mech. Sci. 9, 389 (1967); Kalker, *Three-Dimensional Elastic Bodies
@@ -83,7 +94,8 @@ pub struct RollingConditions {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Rolling {
-    /// The normal contact; with coupling, that of the heights less what the traction displaces.
+    /// The normal contact. With coupling its displacement is the whole one, by pressure and traction. It has not converged if the traction
+    /// has not, or if both do not converge together.
     pub contact: Contact,
     /// The conditions.
     pub conditions: RollingConditions,
@@ -109,11 +121,13 @@ pub struct Rolling {
 impl Rolling {
     /// Solves the contact that `problem` describes at rest, rolling. `observer` watches the normal contact, in each round.
     ///
+    /// What does not converge comes back as it is, with the status of its contact.
+    ///
     /// # Errors
     /// [`MotionError::NotPositive`], [`MotionError::NotFinite`], [`MotionError::Beta`] and [`MotionError::Slides`] for conditions out of
-    /// range; [`MotionError::NeedsHalfSpace`], [`MotionError::NeedsHardWall`] and [`MotionError::NeedsRest`] for a problem that cannot
-    /// roll; [`MotionError::Problem`] for a surface; [`MotionError::Solve`] for a pressure that did not converge, [`MotionError::Traction`]
-    /// for such a traction, and [`MotionError::Rounds`] if both do not converge together.
+    /// range; [`MotionError::LongStep`] for a step longer than the contact; [`MotionError::NeedsHalfSpace`], [`MotionError::NeedsHardWall`]
+    /// and [`MotionError::NeedsRest`] for a problem that cannot roll; [`MotionError::Problem`] for a surface, and [`MotionError::Solve`] for
+    /// an observer that failed.
     pub fn solve(
         problem: &Problem,
         conditions: RollingConditions,
@@ -125,9 +139,13 @@ impl Rolling {
         let mut posed = problem.clone();
         let mut last: Option<(Contact, Vec<f64>)> = None;
         let (mut updates, mut inner_steps, mut transforms) = (0, 0, 0);
-        for rounds in 1..=ROUNDS {
+        for rounds in 1.. {
             let start = last.as_ref().map(|(contact, _)| &contact.pressure);
-            let contact = Multilevel.solve_from(start, &posed, stop, observer)?.converged()?;
+            let mut contact = Multilevel.solve_from(start, &posed, stop, observer)?;
+            if contact.failure.is_some() {
+                contact = contact.converged()?;
+            }
+            check_step(&contact, conditions.step)?;
             transforms += contact.work.transforms;
             let pressure = contact.pressure.as_slice().expect("results are made in standard layout").to_vec();
             let before = last.take().map(|(_, traction)| traction);
@@ -135,33 +153,42 @@ impl Rolling {
             updates += solved.updates;
             inner_steps += solved.inner_steps;
             transforms += solved.transforms;
-            let pressure_certificate = if conditions.beta == 0.0 {
-                contact.certificate.eta
-            } else {
-                posed = problem.with_heights(shifts.heights(problem, &solved.traction))?;
-                Certificate::new(&posed, &pressure).eta
+            if contact.is_converged() {
+                contact.status = solved.status;
+            }
+            let raised = shifts.raised(&solved.traction);
+            let certificate = match &raised {
+                Some(raised) => {
+                    posed = problem.with_heights(problem.surface().height() - raised)?;
+                    Certificate::new(&posed, &pressure)
+                }
+                None => contact.certificate,
             };
-            if pressure_certificate <= stop.tolerance() {
-                let field = |values| Field::from_shape_vec((1, pressure.len()), values).expect("one value per node");
-                return Ok(Self {
-                    contact,
-                    conditions,
-                    traction: field(solved.traction),
-                    slip: field(solved.slip),
-                    traction_certificate: solved.certificate,
-                    pressure_certificate,
-                    rounds,
-                    updates,
-                    inner_steps,
-                    transforms,
-                    creepage: solved.datum / conditions.step,
-                });
+            let fits = certificate.eta <= stop.tolerance();
+            if contact.is_converged() && !fits && rounds < ROUNDS {
+                last = Some((contact, solved.traction));
+                continue;
             }
-            if rounds == ROUNDS {
-                let (normal, tangential) = (pressure_certificate, solved.certificate);
-                return Err(MotionError::Rounds { rounds, normal, tangential });
+            if contact.is_converged() && !fits {
+                contact.status = Status::Stalled;
             }
-            last = Some((contact, solved.traction));
+            if let Some(raised) = raised.as_ref().and_then(|raised| raised.as_slice()) {
+                contact = contact.displaced_by(problem.clone(), raised, certificate);
+            }
+            let field = |values| Field::from_shape_vec((1, pressure.len()), values).expect("one value per node");
+            return Ok(Self {
+                contact,
+                conditions,
+                traction: field(solved.traction),
+                slip: field(solved.slip),
+                traction_certificate: solved.certificate,
+                pressure_certificate: certificate.eta,
+                rounds,
+                updates,
+                inner_steps,
+                transforms,
+                creepage: solved.datum / conditions.step,
+            });
         }
         unreachable!("the last round returns")
     }
@@ -225,6 +252,15 @@ fn check(problem: &Problem, conditions: RollingConditions) -> Result<(), MotionE
     }
 }
 
+/// Refuses a step that is longer than the contact: in it material would cross the contact without touching.
+fn check_step(contact: &Contact, step: f64) -> Result<(), MotionError> {
+    let touches: Vec<bool> = contact.pressure.iter().map(|p| *p > 0.0).collect();
+    let ends = touches.iter().position(|it| *it).zip(touches.iter().rposition(|it| *it));
+    let length =
+        ends.map_or(0.0, |(first, last)| (last - first + 1) as f64 * contact.problem.surface().grid().spacing()[1]);
+    if step > length { Err(MotionError::LongStep { step, length }) } else { Ok(()) }
+}
+
 /// What pressures and tractions displace.
 struct Shifts {
     conditions: RollingConditions,
@@ -236,6 +272,7 @@ struct Shifts {
 
 /// A solved traction.
 struct SolvedTraction {
+    status: Status,
     traction: Vec<f64>,
     slip: Vec<f64>,
     /// `xi dq`.
@@ -268,66 +305,114 @@ impl Shifts {
         before: Option<Vec<f64>>,
         stop: &Stop,
     ) -> Result<SolvedTraction, MotionError> {
-        let RollingConditions { friction, step, beta, drive } = self.conditions;
-        let n = pressure.len();
-        let limit: Vec<f64> = pressure.iter().map(|p| friction * p).collect();
-        let ceilings: Arc<[f64]> = limit.iter().map(|limit| 2.0 * limit).collect();
-        let mut height = vec![0.0; n];
-        Response::from_compliance(self.rolling.clone()).displacement(&limit, &mut height);
-        if let Some([ahead, _]) = &mut self.coupling {
-            let mut shift = vec![0.0; n];
-            ahead.by_pressure(pressure, [&mut shift, &mut []]);
-            height.iter_mut().zip(shift).for_each(|(h, shift)| *h += beta * shift);
-        }
-        let load: f64 = limit.iter().sum();
-        let goal = match drive {
-            RollingDrive::Creepage(creepage) => LoadOrDatum::Datum(creepage * step),
-            RollingDrive::Ratio(ratio) => LoadOrDatum::Sum(load * (1.0 + ratio)),
+        let limit: Vec<f64> = pressure.iter().map(|p| self.conditions.friction * p).collect();
+        let largest = self.height(pressure, &limit).iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+        let drive = match self.conditions.drive {
+            _ if self.coupling.is_some() => 1.0,
+            RollingDrive::Creepage(creepage) => (creepage * self.conditions.step / largest).abs(),
+            RollingDrive::Ratio(ratio) => ratio.abs(),
         };
-        let share = if let RollingDrive::Ratio(ratio) = drive { 1.0 + ratio } else { 1.0 };
+        // without a drive there is no traction, and with a strong one all bounds are reached
+        let drive = if drive > 0.0 && drive < 1.0 { drive } else { 1.0 };
+        let unit = limit.iter().sum::<f64>() / limit.len() as f64 * largest;
+        let touching = limit.iter().filter(|limit| **limit > 0.0).count();
+        let highest = limit.iter().copied().fold(0.0, f64::max);
+        let mut reach = REACH * (touching as f64).sqrt() * drive * highest;
+        let (mut updates, mut inner_steps, mut transforms) = (0, 0, 0);
+        loop {
+            let narrow: Vec<f64> = limit.iter().map(|limit| limit.min(reach)).collect();
+            let task = TractionTask { pressure, limit: &limit, narrow: &narrow, unit, drive };
+            let mut found = self.traction_within(&task, before.as_deref(), stop)?;
+            updates += found.updates;
+            inner_steps += found.inner_steps;
+            transforms += found.transforms;
+            let reaches = |i: usize| narrow[i] < limit[i] && found.traction[i].abs() >= narrow[i] * (1.0 - 1e-9);
+            if found.status != Status::Converged || !(0..limit.len()).any(reaches) {
+                (found.updates, found.inner_steps, found.transforms) = (updates, inner_steps, transforms);
+                return Ok(found);
+            }
+            reach *= WIDER;
+        }
+    }
+
+    /// `h_t`: the displacement in a step by tractions at their bounds and by the pressure.
+    fn height(&mut self, pressure: &[f64], bounds: &[f64]) -> Vec<f64> {
+        let mut height = vec![0.0; bounds.len()];
+        Response::from_compliance(self.rolling.clone()).displacement(bounds, &mut height);
+        if let Some([ahead, _]) = &mut self.coupling {
+            let mut shift = vec![0.0; pressure.len()];
+            ahead.by_pressure(pressure, [&mut shift, &mut []]);
+            height.iter_mut().zip(shift).for_each(|(h, shift)| *h += self.conditions.beta * shift);
+        }
+        height
+    }
+
+    /// The traction within narrow bounds.
+    fn traction_within(
+        &mut self,
+        task: &TractionTask<'_>,
+        before: Option<&[f64]>,
+        stop: &Stop,
+    ) -> Result<SolvedTraction, MotionError> {
+        let &TractionTask { pressure, limit, narrow, unit, drive: least } = task;
+        let RollingConditions { step, drive, .. } = self.conditions;
+        let ceilings: Arc<[f64]> = narrow.iter().map(|limit| 2.0 * limit).collect();
+        let height = self.height(pressure, narrow);
+        let [load, carried]: [f64; 2] = [narrow, limit].map(|it| it.iter().sum());
+        let (goal, share) = match drive {
+            RollingDrive::Creepage(creepage) => (LoadOrDatum::Datum(creepage * step), 0.0),
+            RollingDrive::Ratio(ratio) => (LoadOrDatum::Sum(load + ratio * carried), ratio * carried / load),
+        };
         let first = match before {
             Some(traction) => {
-                traction.iter().zip(&limit).map(|(tau, limit)| (tau + limit).clamp(0.0, 2.0 * limit)).collect()
+                traction.iter().zip(narrow).map(|(tau, limit)| (tau + limit).clamp(0.0, 2.0 * limit)).collect()
             }
-            None => limit.iter().map(|limit| share * limit).collect(),
+            None => narrow.iter().map(|limit| (1.0 + share) * limit).collect(),
         };
-        let largest = height.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         let task = BoxInequality { height: &height, ceilings: Ceiling::Field(ceilings), goal };
         let mut state = SetIteration::new(task, &self.rolling, &self.grid, first);
-        let unit = load / n as f64 * largest;
-        for updates in 0..=UPDATES {
+        let most = UPDATES.min(stop.max_iterations());
+        for updates in 0.. {
             let (gap, level) = state.gap();
-            let certificate = gap / unit;
-            if certificate <= stop.tolerance() {
-                let traction = state.p.iter().zip(&limit).map(|(t, limit)| t - limit).collect();
-                let slip = state.u.iter().zip(&height).map(|(u, h)| u - h - level).collect();
-                let (inner_steps, transforms) = (state.inner, state.transforms());
-                return Ok(SolvedTraction {
-                    traction,
-                    slip,
-                    datum: -level,
-                    certificate,
-                    updates,
-                    inner_steps,
-                    transforms,
-                });
+            let carries = (state.p.iter().sum::<f64>() - load).abs() / carried;
+            let certificate = gap / (unit * carries.max(least).powi(2));
+            let is_converged = certificate <= stop.tolerance();
+            if !is_converged && updates < most {
+                state.advance(certificate, &mut |_| true);
+                continue;
             }
-            if updates == UPDATES {
-                return Err(MotionError::Traction { updates, certificate });
-            }
-            state.advance(certificate, &mut |_| true);
+            let status = match is_converged {
+                true => Status::Converged,
+                false if most < UPDATES => Status::IterationCap,
+                false => Status::Stalled,
+            };
+            let traction = state.p.iter().zip(narrow).map(|(t, limit)| t - limit).collect();
+            let slip = state.u.iter().zip(&height).map(|(u, h)| u - h - level).collect();
+            let (inner_steps, transforms, datum) = (state.inner, state.transforms(), -level);
+            return Ok(SolvedTraction { status, traction, slip, datum, certificate, updates, inner_steps, transforms });
         }
         unreachable!("the last update returns")
     }
 
-    /// The heights of a surface less what a traction displaces.
-    fn heights(&mut self, problem: &Problem, traction: &[f64]) -> Field {
-        let mut height = problem.surface().height().clone();
-        if let Some([_, sign]) = &mut self.coupling {
-            let mut shift = vec![0.0; traction.len()];
-            sign.by_traction([traction, &[]], &mut shift);
-            height.iter_mut().zip(shift).for_each(|(h, shift)| *h -= self.conditions.beta * shift);
-        }
-        height
+    /// What a traction displaces into the solid, where there is coupling.
+    fn raised(&mut self, traction: &[f64]) -> Option<Field> {
+        let [_, sign] = self.coupling.as_mut()?;
+        let mut shift = vec![0.0; traction.len()];
+        sign.by_traction([traction, &[]], &mut shift);
+        shift.iter_mut().for_each(|u| *u *= self.conditions.beta);
+        Some(Field::from_shape_vec((1, shift.len()), shift).expect("one value per node"))
     }
+}
+
+/// The traction that a round asks for.
+struct TractionTask<'a> {
+    pressure: &'a [f64],
+    /// `mu p`.
+    limit: &'a [f64],
+    /// The bounds of the traction, at most `mu p`.
+    narrow: &'a [f64],
+    /// What `G` is divided by, besides the square of the drive.
+    unit: f64,
+    /// The drive, at least.
+    drive: f64,
 }

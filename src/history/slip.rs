@@ -97,7 +97,7 @@ impl<'s> SlipHistory<'s> {
     /// A history that begins without any load. The load of `problem` is not used. The coefficient of friction `mu` may be zero.
     ///
     /// # Errors
-    /// [`SlipError::NotPositive`] for a coefficient that is negative or not finite, [`SlipError::Yielding`] for a problem with a hardness,
+    /// [`SlipError::Coefficient`] for a coefficient that is negative or not finite, [`SlipError::Yielding`] for a problem with a hardness,
     /// and the errors of [`Compliance::tangential`].
     pub fn new(problem: Problem, coefficient: f64, solver: &'s dyn Solver, stop: Stop) -> Result<Self, SlipError> {
         Self::sheared(problem, coefficient, 0.0, solver, stop)
@@ -116,7 +116,7 @@ impl<'s> SlipHistory<'s> {
         stop: Stop,
     ) -> Result<Self, SlipError> {
         if !(coefficient >= 0.0 && coefficient.is_finite()) {
-            return Err(SlipError::NotPositive { name: "coefficient of friction", value: coefficient });
+            return Err(SlipError::Coefficient { value: coefficient });
         }
         if !problem.law().is_hard_wall() {
             return Err(SlipError::Yielding);
@@ -194,8 +194,8 @@ impl<'s> SlipHistory<'s> {
     ///
     /// # Errors
     /// [`SlipError::NeedsPressure`] for a normal load that is no pressure, [`SlipError::Sliding`] for a tangential load that friction cannot
-    /// carry, [`SlipError::Rounds`] if pressure and traction do not converge together, the errors of [`ShearCompliance::new`] for a load along
-    /// `y` on a line, and those of [`Problem::with_load`] and of [`Solver::solve_from`]. After an error the history is as it was before the step.
+    /// carry, the errors of [`ShearCompliance::new`] for a load along `y` on a line, and those of [`Problem::with_load`] and of
+    /// [`Solver::solve_from`]. After an error the history is as it was before the step.
     ///
     /// ```
     /// use asperity::contact::{ContactModulus, Load, Multilevel};
@@ -226,21 +226,21 @@ impl<'s> SlipHistory<'s> {
         let mut last: Option<SlipRound> = None;
         let mut work = Work::default();
         loop {
-            let round = self.round(load, share, (&rounds, last.as_ref()), observer)?;
+            let mut round = self.round(load, share, (&rounds, last.as_ref()), observer)?;
             work = sum(work, round.work);
-            let raised = self.coupling.as_mut().map(|coupling| coupling.by_traction(&round.found.values));
-            let eta = match &raised {
-                Some(raised) => {
-                    Certificate::new(&posed(&self.problem, raised, load)?, values(&round.contact.pressure)).eta
+            let Some(coupling) = &mut self.coupling else { return Ok(self.take(round, (rounds.number(), work))) };
+            let raised = coupling.by_traction(&round.found.values);
+            let problem = self.problem.clone().with_load(load)?;
+            let certificate = Certificate::new(&posed(&problem, &raised)?, values(&round.contact.pressure));
+            let number = rounds.number();
+            let fits = certificate.eta <= self.stop.tolerance() || !round.contact.is_converged();
+            if fits || !rounds.advance(&raised) {
+                round.contact = round.contact.displaced_by(problem, &raised, certificate);
+                if !fits {
+                    round.contact.status = Status::Stalled;
                 }
-                None => round.contact.certificate.eta,
-            };
-            let is_last = raised.is_none() || eta <= self.stop.tolerance() || !round.contact.is_converged();
-            if is_last {
-                return Ok(self.take(round, raised, (eta, rounds.number(), work)));
-            }
-            if !rounds.advance(raised.as_deref().unwrap_or_default()) {
-                return Err(SlipError::Rounds { rounds: rounds.number() - 1, certificate: eta });
+                coupling.keep(raised);
+                return Ok(self.take(round, (number, work)));
             }
             last = Some(round);
         }
@@ -281,20 +281,14 @@ impl<'s> SlipHistory<'s> {
     }
 
     /// Ends a step with its last round, after which this history goes on from it.
-    fn take(
-        &mut self,
-        round: SlipRound,
-        raised: Option<Vec<f64>>,
-        (eta, rounds, mut work): (f64, usize, Work),
-    ) -> SlipState {
+    fn take(&mut self, round: SlipRound, (rounds, mut work): (usize, Work)) -> SlipState {
         work.transforms += self.coupling.as_mut().map_or(0, SlipCoupling::transforms);
         let earlier = self.pressed.as_ref().map(|(contact, _)| contact);
-        let claim = if raised.is_some() { ResultClaim::RoundsConverged } else { ResultClaim::Solution };
-        let state = round.state(self.coefficient, earlier, claim, (eta, rounds, work));
+        let claim = if self.coupling.is_some() { ResultClaim::RoundsConverged } else { ResultClaim::Solution };
+        let state = round.state(self.coefficient, earlier, claim, (rounds, work));
         self.displaced = round.found.displacement;
-        if let (Some(coupling), Some(raised)) = (&mut self.coupling, raised) {
+        if let Some(coupling) = &mut self.coupling {
             coupling.add_by_pressure(values(&round.contact.pressure), &mut self.displaced, -1.0);
-            coupling.keep(raised);
         }
         self.traction = round.found.values;
         self.pressed = Some((round.contact, round.pressed));
@@ -330,7 +324,7 @@ impl<'s> SlipHistory<'s> {
             contact.work = Work::default();
             return Ok((contact, pressed.clone(), Work::default()));
         }
-        let problem = posed(&self.problem, rounds.raised(), load)?;
+        let problem = posed(&self.problem.clone().with_load(load)?, rounds.raised())?;
         let start = last.map(|round| &round.contact).or(before.map(|(contact, _)| contact));
         let start = start.map(|contact| &contact.pressure);
         let contact = self.solver.solve_from(start, &problem, &self.round_stop(), observer)?;
@@ -419,14 +413,14 @@ fn finer(stop: Stop, part: f64) -> Stop {
     Stop::new((part * tolerance).max(FINEST).min(tolerance), stop.max_iterations()).unwrap_or(stop)
 }
 
-/// The problem under a load, with heights that are less by what a traction displaces.
-fn posed(problem: &Problem, raised: &[f64], load: Load) -> Result<Problem, SlipError> {
+/// The problem with heights that are less by what a traction displaces.
+fn posed(problem: &Problem, raised: &[f64]) -> Result<Problem, SlipError> {
     if raised.iter().all(|u| *u == 0.0) {
-        return Ok(problem.clone().with_load(load)?);
+        return Ok(problem.clone());
     }
     let mut height = problem.surface().height().clone();
     height.iter_mut().zip(raised).for_each(|(h, u)| *h -= u);
-    Ok(problem.with_heights(height)?.with_load(load)?)
+    Ok(problem.with_heights(height)?)
 }
 
 /// The datum of the gap of a contact, by one node: `g - (u - h)`.

@@ -39,7 +39,7 @@ impl SlipRound {
         mu: f64,
         earlier: Option<&Contact>,
         claim: ResultClaim,
-        (pressure_certificate, rounds, work): (f64, usize, Work),
+        (rounds, work): (usize, Work),
     ) -> SlipState {
         let Self { contact, pressed, before, found, target, .. } = self;
         let (shape, p) = (contact.pressure.raw_dim(), values(&contact.pressure));
@@ -89,7 +89,7 @@ impl SlipRound {
             dissipated,
             stored,
             certificate,
-            pressure_certificate,
+            pressure_certificate: contact.certificate.eta,
             rounds,
             claim,
             work,

@@ -19,7 +19,7 @@ use serde::Serialize;
 /// The fields along `y` are none on lines, and on surfaces where the step was along `x` alone, see [`crate::history::SlipHistory`].
 #[derive(Debug, Clone)]
 pub struct SlipState {
-    /// The contact under the normal load; with coupling, that of the heights less what the traction displaces.
+    /// The contact under the normal load. With coupling its displacement is the whole one, by pressure and traction.
     pub contact: Contact,
     /// The mean traction along `x`, a pressure.
     pub tangential: f64,

@@ -23,6 +23,9 @@ const SURPLUS: f64 = 0.1;
 /// Relative distance from the rim of its disc up to which a node may slip. Steps along a chord take nodes off the rim.
 const RIM: f64 = 1e-3;
 
+/// Bounds of the pace of gradient steps, over the inverse of the length of `eta`.
+const PACES: [f64; 2] = [1e-4, 1e4];
+
 /// Rounding of the energy, over the sum of `mu p |s|`: a traction at the rim of its disc is there except for rounding.
 const NOISE: f64 = 2e-15;
 
@@ -109,9 +112,17 @@ impl<'a> VectorStep<'a> {
     /// Solves from a traction, which need not lie in its discs.
     ///
     /// An outer step exchanges the sets of nodes that stick and slip as a whole, takes a Newton step for them, and carries the result
-    /// back into the discs. It counts if the energy falls. Else, and where the certificate falls too slowly, the next step is along
-    /// the projected gradient, with the least energy on the chord if the energy does not fall along all of it: these steps alone converge,
-    /// as `f` is convex. Where rounding hides whether the energy falls, steps count, and the traction with the best certificate is kept.
+    /// back into the discs. It counts if the energy `f` falls. Else, and where the certificate `G` does not fall by a tenth, the next step is
+    /// along the projected gradient, with the least energy on the chord if the energy does not fall along all of it. Where rounding hides
+    /// whether the energy falls, steps count, and the traction with the best certificate is kept.
+    ///
+    /// # Convergence
+    /// No step raises `f`, and [`Discs::carry`] keeps all tractions in the discs and their sum as given. Let `|x|^2 = sum x^2/radius`, and `d`
+    /// the change to the nearest point of `tau - a radius w`, so that `(a w + d/radius) (s - tau - d) >= 0` for any allowed `s`. With `s = tau` it
+    /// says `w d <= -|d|^2/a`. If `d A d <= L |d|^2`, a gradient step lowers `f` by a fixed part of `|d|^2/a` times the lower of 1 and `1/(a L)`. As `f`
+    /// is bounded below and `a` has bounds, `d` vanishes if gradient steps never end. By duality the least `G` of all shifts is
+    /// `max w (tau - s) <= |w d| + |d| max|s - tau - d|/a`, and vanishes with `d`. If they end, `G` falls by a tenth in each further step. So `G`
+    /// reaches any tolerance above rounding. A solve has stalled if the best `G` does not fall by a tenth in many steps.
     pub fn solve(&mut self, start: &[Pair], stop: &Stop) -> VectorFound {
         let mut tau: Vec<Pair> = start.iter().zip(&self.discs.radii).map(|(t, r)| scaled(*t, r.recip())).collect();
         self.discs.carry(&mut tau);
@@ -136,6 +147,7 @@ impl<'a> VectorStep<'a> {
             if is_guarded {
                 iterations += 1;
                 pace *= self.gradient_step(&mut at, shift, pace);
+                pace = pace.clamp(PACES[0] / self.length, PACES[1] / self.length);
                 is_guarded = self.gradient_only;
                 (shift, missed) = self.discs.best_shift(&at.tau, &at.w, shift);
             } else {
@@ -291,7 +303,8 @@ impl<'a> VectorStep<'a> {
     /// the pace for the next one.
     fn gradient_step(&mut self, at: &mut SlipIterate, shift: Pair, pace: f64) -> f64 {
         let nodes = at.tau.iter().zip(&at.w).zip(&self.discs.radii);
-        let mut trial: Vec<Pair> = nodes.map(|((tau, w), r)| add(scaled(*tau, r.recip()), -pace, *w)).collect();
+        let against = |w: &Pair| add(shift, -1.0, *w);
+        let mut trial: Vec<Pair> = nodes.map(|((tau, w), r)| add(scaled(*tau, r.recip()), pace, against(w))).collect();
         self.discs.carry(&mut trial);
         let chord = self.compare(at, trial, shift);
         let part = chord.part();

@@ -240,6 +240,7 @@ impl Setup {
             self.check_stress(grid)?;
         }
         self.elastic()?;
+        self.friction.map_or(Ok(()), |friction| friction.check_coefficient())?;
         match self.process()? {
             None => self.check_friction()?,
             Some(process) => self.check_process(process, grid)?,

@@ -263,7 +263,10 @@ impl Setup {
                 motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"))
             }
             ProcessKind::Rolling if !grid.is_line() => motion("rolling is solved on lines only: give a line".into()),
-            ProcessKind::Rolling => Ok(()),
+            ProcessKind::Rolling if self.solver != super::Method::default() => {
+                motion(format!("rolling has solvers of its own, not {}: leave the solver out", self.solver.name()))
+            }
+            ProcessKind::Rolling => self.check_rolling_step(grid),
             ProcessKind::Slip => self.check_slip(),
         }
     }
@@ -283,21 +286,37 @@ impl Setup {
         }
     }
 
-    /// Refuses points of a path at which everything would slide, or nothing touches.
+    /// Refuses points of a path at which nothing touches, and a first step at which everything would slide. Where everything slides later,
+    /// the history ends there.
     fn check_slip(&self) -> Result<(), SetupError> {
-        let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
-        for point in self.path_points() {
-            let (load, tangential) = (point.load.value(), point.tangential.unwrap_or(0.0));
-            if load == 0.0 {
-                let reason = "a normal load of the path is 0, which friction cannot follow: give positive loads".into();
-                return Err(SetupError::Path { reason });
-            }
-            let limit = mu * load;
-            if !(tangential.abs() < limit || tangential == 0.0) {
-                return Err(SlipError::Sliding { tangential, limit }.into());
-            }
+        let points = self.path_points();
+        if points.iter().any(|point| point.load.value() == 0.0) {
+            let reason = "a normal load of the path is 0, which friction cannot follow: give positive loads".into();
+            return Err(SetupError::Path { reason });
         }
-        Ok(())
+        let Some(first) = points.first() else { return Ok(()) };
+        let limit = self.friction.map_or(0.0, |friction| friction.coefficient) * first.load.value();
+        let tangential = first.tangential.unwrap_or(0.0) / self.slip_steps() as f64;
+        if tangential.abs() >= limit { Err(SlipError::Sliding { tangential, limit }.into()) } else { Ok(()) }
+    }
+
+    /// Refuses a step of rolling that is longer than the line.
+    fn check_rolling_step(&self, grid: &Grid) -> Result<(), SetupError> {
+        let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
+        match self.rolling.as_ref().and_then(|it| it.step).filter(|step| *step > length) {
+            Some(step) => Err(SetupError::Motion {
+                reason: format!(
+                    "the step of rolling is {step:?}, longer than the line of {length:?}: give a shorter one, such as the \
+                     spacing of the grid, {spacing:?}"
+                ),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// The number of steps from one point of a path of slip to the next.
+    fn slip_steps(&self) -> usize {
+        self.path.as_ref().and_then(|path| path.steps).unwrap_or(1)
     }
 
     /// What makes the history of a problem, which is that of this setup; none for a contact without a history.
@@ -314,8 +333,7 @@ impl Setup {
             ProcessKind::Slip => {
                 let history = SlipHistory::sheared(problem, mu, self.shear_ratio(), solver, stop)?;
                 let history = history.with_coupling(self.dundurs_beta())?;
-                let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
-                Box::new(SlipProcess::new(history, self.path_points(), steps))
+                Box::new(SlipProcess::new(history, self.path_points(), self.slip_steps()))
             }
             ProcessKind::Sliding => {
                 let speeds = self.sliding.clone().map_or(Vec::new(), |it| it.speed);

@@ -100,6 +100,65 @@ fn a_slip_cycle_writes_its_loop() {
 }
 
 #[test]
+fn a_path_ends_where_everything_slides_and_keeps_its_states() {
+    let folder = Folder::new();
+    // friction carries less than 0.003
+    for (path, states) in [("0.0015,0.003,0", 1), ("0.0015,-0.01 --path-steps 8", 11), ("0.005 --path-steps 4", 2)] {
+        let output = folder.run(&format!("{CYLINDER} --path-tangential {path} --json --out states.npz"));
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{path}: {error}");
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(found["states"].as_array().unwrap().len(), states, "{path}");
+        assert!(error.contains("makes everything slide") && error.contains("The history ended after"), "{error}");
+        assert!(found["warnings"][0].as_str().unwrap().contains("makes everything slide"));
+        let mut npz = ndarray_npy::NpzReader::new(std::fs::File::open(folder.join("states.npz")).unwrap()).unwrap();
+        let traction: ndarray::Array2<f64> = npz.by_name("traction").unwrap();
+        assert_eq!(traction.nrows(), states);
+        std::fs::remove_file(folder.join("states.npz")).unwrap();
+    }
+}
+
+/// The heights of the archive are those given, and displacement less height is the gap, up to the datum.
+#[test]
+fn archives_of_different_bodies_have_the_whole_displacement() {
+    let folder = Folder::new();
+    let bodies = CYLINDER.replace("--modulus 1", "--young 1 --poisson 0.2");
+    for motion in ["--path-load 0.005,0.01 --path-tangential 0.0005,0.002", "--rolling 0,0.001"] {
+        folder.run(&format!("{CYLINDER} {motion} --out equal.npz"));
+        let output = folder.run(&format!("{bodies} {motion} --out states.npz"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let open = |name: &str| ndarray_npy::NpzReader::new(std::fs::File::open(folder.join(name)).unwrap()).unwrap();
+        let (mut npz, mut equal) = (open("states.npz"), open("equal.npz"));
+        let height: ndarray::Array1<f64> = npz.by_name("height").unwrap();
+        assert_eq!(height, equal.by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix1>("height").unwrap());
+        let [displacement, gap]: [ndarray::Array2<f64>; 2] = ["displacement", "gap"].map(|it| npz.by_name(it).unwrap());
+        assert_eq!(gap.nrows(), 2);
+        for (u, gap) in displacement.rows().into_iter().zip(gap.rows()) {
+            let datum = &u - &height - &gap;
+            let [low, high] = [f64::min, f64::max].map(|of| datum.iter().copied().fold(datum[0], of));
+            let deepest = gap.iter().copied().fold(0.0, f64::max);
+            assert!(
+                high - low < 1e-12 * deepest && gap.iter().all(|gap| *gap > -1e-6 * deepest),
+                "{motion}: {low} {high}"
+            );
+        }
+    }
+}
+
+#[test]
+fn rolling_that_does_not_converge_comes_back_as_it_is() {
+    let folder = Folder::new();
+    for motion in ["--rolling 0.001", "--path-tangential 0.001"] {
+        let output = folder.run(&format!("{CYLINDER} {motion} --max-iterations 1 --json --out rolling.npz"));
+        assert_eq!(output.status.code(), Some(3), "{motion}: {}", text(&output.stderr));
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_ne!(found["states"][0]["status"], "converged");
+        assert!(text(&output.stderr).contains("1 of 1 states did not reach"), "{}", text(&output.stderr));
+        std::fs::remove_file(folder.join("rolling.npz")).unwrap();
+    }
+}
+
+#[test]
 fn rolling_goes_from_force_to_creepage_and_back() {
     let folder = Folder::new();
     let there = json(&folder, &format!("{CYLINDER} --rolling 0,0.001,0.002 --json"));
@@ -128,6 +187,9 @@ fn what_cannot_be_is_refused_in_one_sentence() {
     std::fs::write(folder.join("empty.csv"), "time,load\n").unwrap();
     let rough = |rest: &str| format!("{ROUGH} {rest}");
     let cylinder = |rest: &str| format!("{CYLINDER} {rest}");
+    let coefficient = |value: &str, rest: &str| {
+        format!("{} {rest}", CYLINDER.replace("--friction 0.3", &format!("--friction={value}")))
+    };
     let cases = [
         (rough("--creep 9,1"), "needs a time or a speed"),
         (rough("--creep 9 --path-time 1"), "give pairs of a ratio and a time"),
@@ -152,6 +214,13 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--path-load 0.1,0.2"), "no tangential loads"),
         (cylinder("--path-tangential 0.01"), "slide"),
         (cylinder("--rolling 0.01"), "slide"),
+        (cylinder("--rolling 1e-3 --solver polonsky-keer"), "rolling has solvers of its own, not polonsky-keer"),
+        (cylinder("--rolling 1e-3 --rolling-step 1"), "the step of rolling is 1.0, longer than the line of 0.5"),
+        (cylinder("--rolling 1e-3 --rolling-step 0.4"), "the step of rolling is 0.4, longer than the contact of 0.2"),
+        (coefficient("-1", "--path-tangential=-1e-3,1e-3"), "the coefficient of friction is -1: give a number above 0"),
+        (coefficient("0", "--path-tangential 0,0"), "the coefficient of friction is 0: give a number above 0"),
+        (coefficient("nan", "--tangential 1e-3"), "the coefficient of friction is NaN: give a number above 0"),
+        (coefficient("inf", "--creepage=-1e-4"), "the coefficient of friction is inf: give a finite number above 0"),
         (cylinder("--rolling 0 --creepage 1e-3"), "give one of them"),
         (cylinder("--rolling 0 --creep 9,1"), "elastic"),
         (cylinder("--path-tangential 1e-3 --path-time 1"), "does not depend on time"),

@@ -85,6 +85,36 @@ fn dissimilar_cylinders_creep_as_bentall_and_johnson_and_contact_say() {
     }
 }
 
+/// The heights are those given, and the displacement is that by pressure and traction, by sums over strips.
+#[test]
+fn different_bodies_have_their_heights_and_the_whole_displacement() {
+    let (n, dx, beta) = (300, 0.6 / 300.0, 0.2);
+    let problem = cylinder(n, false);
+    let conditions = RollingConditions { beta, ..conditions(&problem, RollingDrive::Ratio(0.4)) };
+    let rolling = Rolling::solve(&problem, conditions, &stop(), &mut ()).unwrap();
+    assert!(rolling.rounds > 1 && rolling.contact.is_converged());
+    assert!(rolling.contact.problem.surface().height() == problem.surface().height());
+    let primitive = |x: f64| if x == 0.0 { 0.0 } else { x * x.abs().ln() - x };
+    let displaced = |i: usize| -> f64 {
+        let at = |j: usize| {
+            let x = (i as f64 - j as f64) * dx;
+            let across = if i == j { 0.0 } else { dx * x.signum() };
+            let along = -2.0 / PI * (primitive(x + 0.5 * dx) - primitive(x - 0.5 * dx));
+            rolling.contact.pressure[[0, j]] * along + beta * rolling.traction[[0, j]] * across
+        };
+        (0..n).map(at).sum()
+    };
+    let whole: Vec<f64> = (0..n).map(displaced).collect();
+    let spread = |of: &dyn Fn(usize) -> f64| {
+        let values: Vec<f64> = (0..n).map(of).collect();
+        values.iter().copied().fold(f64::MIN, f64::max) - values.iter().copied().fold(f64::MAX, f64::min)
+    };
+    let (contact, deepest) = (&rolling.contact, spread(&|i| whole[i]));
+    let apart = spread(&|i| contact.displacement[[0, i]] - whole[i]);
+    let gap = spread(&|i| contact.gap[[0, i]] - (contact.displacement[[0, i]] - problem.height()[i]));
+    assert!(apart < 1e-10 * deepest && gap < 1e-12 * deepest, "{apart:e} {gap:e} of {deepest:e}");
+}
+
 fn cylinder(points: usize, is_periodic: bool) -> Problem {
     let grid = Grid::line(points, 0.6).unwrap().with_periodic([is_periodic; 2]);
     let surface = Indenter::Cylinder { radius: 1.0 }.surface(grid).unwrap();
@@ -116,6 +146,32 @@ fn the_creepage_of_a_force_is_that_of_carter_and_goes_back_to_the_force() {
         let directions = back.slip_directions();
         assert!(touching.iter().all(|&i| sticks[i] || f64::from(directions[i]) == -ratio.signum()));
     }
+}
+
+/// Carter's `xi = -(mu a/R) x/(1 + sqrt(1 - x))` with `x = Fx/(mu Fn)`: the relative error does not depend on how weak the drive is.
+#[test]
+fn weak_drives_are_as_exact_as_strong_ones() {
+    let a = (4.0 * 0.01 / PI).sqrt();
+    let mut slopes = Vec::new();
+    for ratio in [1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.6, 0.9, 0.999] {
+        let exact = -0.3 * a * ratio / (1.0 + (1.0f64 - ratio).sqrt());
+        let found = [600, 1200].map(|points| {
+            let problem = cylinder(points, false);
+            let by_force = Rolling::solve(&problem, conditions(&problem, RollingDrive::Ratio(ratio)), &stop(), &mut ());
+            let by_force = by_force.unwrap();
+            assert!(by_force.contact.is_converged() && (by_force.ratio() / ratio - 1.0).abs() < 1e-9, "{ratio}");
+            let drive = RollingDrive::Creepage(by_force.creepage());
+            let back = Rolling::solve(&problem, conditions(&problem, drive), &stop(), &mut ()).unwrap();
+            assert!((back.ratio() / ratio - 1.0).abs() < 1e-4, "{} against {ratio}", back.ratio());
+            by_force.creepage() / exact
+        });
+        println!("{ratio:e}: {found:?} of the creepage of Carter");
+        // where the edge lies between two nodes matters: 426 nodes touch
+        assert!((found[1] - 1.0).abs() < 1e-2, "{ratio}: {found:?}");
+        slopes.push(found[1]);
+    }
+    // as long as no node slips, the creepage is proportional to the force
+    assert!((slopes[0] / slopes[1] - 1.0).abs() < 1e-8 && (slopes[0] / slopes[2] - 1.0).abs() < 1e-5, "{slopes:?}");
 }
 
 /// Coulomb's law and the slip, both by sums over the elements that share no code with the solver.

@@ -159,8 +159,8 @@ fn a_normal_load_that_varies_keeps_coulombs_law() {
 fn what_friction_cannot_carry_is_refused_and_leaves_the_history_as_it_was() {
     let (problem, load) = (rough(256, 0.5, 3), Load::MeanPressure(0.01));
     let history = |mu| SlipHistory::new(problem.clone(), mu, &Multilevel, stop(1e-10));
-    assert!(matches!(history(f64::NAN), Err(SlipError::NotPositive { .. })));
-    assert!(matches!(history(-0.1), Err(SlipError::NotPositive { .. })));
+    assert!(matches!(history(f64::NAN), Err(SlipError::Coefficient { .. })));
+    assert!(matches!(history(-0.1), Err(SlipError::Coefficient { .. })));
     let mut slip = history(0.2).unwrap();
     let first = slip.step(load, 1e-3, &mut ()).unwrap();
     assert!(matches!(slip.step(load, 2e-3, &mut ()), Err(SlipError::Sliding { .. })));

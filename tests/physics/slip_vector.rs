@@ -1,11 +1,12 @@
 //! Partial slip of surfaces with tractions along both axes.
 
+use crate::direct_sum::DirectSum;
 use asperity::contact::{ContactModulus, Load, Multilevel, Problem, Stop};
 use asperity::error::SlipError;
 use asperity::history::{SlipHistory, SlipState, Zone};
 use asperity::surface::{Field, Indenter, Spectrum};
 use asperity::{Grid, Surface};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 fn stop(tolerance: f64) -> Stop {
     Stop::new(tolerance, 100_000).unwrap()
@@ -166,74 +167,6 @@ fn a_turned_surface_has_the_turned_traction() {
     }
 }
 
-/// Displacements by sums over all pairs of nodes, with no transform and nothing of the solver: of rectangles, by the four corners of the
-/// antiderivatives with logarithms; on a periodic surface by the sum over all waves.
-struct Direct {
-    shape: [usize; 2],
-    /// The terms `xx`, `xy`, `yy` at each distance, whose numbers of rows and columns are counted from `1 - n`.
-    kernel: Vec<[f64; 3]>,
-}
-
-impl Direct {
-    fn new(grid: &Grid, m: f64) -> Self {
-        let [ny, nx] = grid.shape();
-        let [dy, dx] = grid.spacing();
-        let free = |x: f64, y: f64| {
-            let corner = |x: f64, y: f64| {
-                let r = x.hypot(y);
-                let [a, b] = [y * (x + r).ln(), x * (y + r).ln()];
-                [a + b + m * a, -m * r, a + b + m * b]
-            };
-            let ends = [(0.5, 0.5, 1.0), (0.5, -0.5, -1.0), (-0.5, 0.5, -1.0), (-0.5, -0.5, 1.0)];
-            ends.iter().fold([0.0; 3], |sum, (a, b, sign)| {
-                let at = corner(x + a * dx, y + b * dy);
-                [0, 1, 2].map(|i| sum[i] + sign * at[i] / PI)
-            })
-        };
-        let [ly, lx] = grid.size();
-        let periodic = |x: f64, y: f64| {
-            let half = |n: usize| (n as isize - 1) / 2;
-            let mut sum = [0.0; 3];
-            for ky in -half(ny)..=(ny / 2) as isize {
-                for kx in -half(nx)..=(nx / 2) as isize {
-                    let (qx, qy) = (TAU * kx as f64 / lx, TAU * ky as f64 / ly);
-                    let square = qx * qx + qy * qy;
-                    if square == 0.0 {
-                        continue;
-                    }
-                    let wave = 2.0 / square.sqrt() * (qx * x + qy * y).cos() / (nx * ny) as f64;
-                    let is_nyquist = 2 * kx == nx as isize || 2 * ky == ny as isize;
-                    sum[0] += wave * (1.0 + m - m * qx * qx / square);
-                    sum[1] -= if is_nyquist { 0.0 } else { wave * m * qx * qy / square };
-                    sum[2] += wave * (1.0 + m - m * qy * qy / square);
-                }
-            }
-            sum
-        };
-        let signed = |i: usize, n: usize| i as f64 - (n as f64 - 1.0);
-        let places = (0..2 * ny - 1).flat_map(|y| (0..2 * nx - 1).map(move |x| (y, x)));
-        let at = |(y, x): (usize, usize)| {
-            let (x, y) = (signed(x, nx) * dx, signed(y, ny) * dy);
-            if grid.is_periodic() { periodic(x, y) } else { free(x, y) }
-        };
-        Self { shape: [ny, nx], kernel: places.map(at).collect() }
-    }
-
-    fn displaced(&self, tau: &[[f64; 2]]) -> Vec<[f64; 2]> {
-        let [ny, nx] = self.shape;
-        let at = |i: usize| {
-            let mut u = [0.0; 2];
-            for (j, [x, y]) in tau.iter().enumerate() {
-                let (rows, columns) = (i / nx + ny - 1 - j / nx, i % nx + nx - 1 - j % nx);
-                let [xx, xy, yy] = self.kernel[rows * (2 * nx - 1) + columns];
-                u = [u[0] + xx * x + xy * y, u[1] + xy * x + yy * y];
-            }
-            u
-        };
-        (0..ny * nx).map(at).collect()
-    }
-}
-
 fn vectors(state: &SlipState) -> Vec<[f64; 2]> {
     let across = state.traction_across.as_ref().unwrap();
     state.traction.iter().zip(across).map(|(x, y)| [*x, *y]).collect()
@@ -256,7 +189,7 @@ fn random_histories_obey_equilibrium_bounds_and_coulombs_law() {
         let grid = Grid::surface(shape, [1.2, 1.0]).unwrap();
         let heights = Surface::rough(grid, &spectrum, case as u64).unwrap().height().clone();
         let grid = grid.with_periodic([case % 4 < 2; 2]);
-        let (direct, n) = (Direct::new(&grid, m), grid.len());
+        let (direct, n) = (DirectSum::new(&grid, m), grid.len());
         let surface = Surface::new(grid, heights).unwrap();
         let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(0.01)).unwrap();
         let mut history = SlipHistory::sheared(problem, mu, m, &Multilevel, stop(1e-11)).unwrap();
