@@ -26,6 +26,9 @@ mod history_recording;
 mod outcome;
 mod ready;
 mod run;
+mod saved;
+mod saved_states;
+mod state_check;
 mod tables;
 mod watch;
 
@@ -35,6 +38,7 @@ pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;
+pub use saved::{SavedFound, SavedResult};
 pub use tables::{write_loads, write_nodes};
 pub use watch::{Pass, ShowSteps, Watcher};
 

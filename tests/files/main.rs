@@ -14,6 +14,8 @@ mod kinds;
 mod measured;
 #[cfg(all(feature = "cli", feature = "record"))]
 mod recording;
+mod named_files;
+mod saved;
 mod setup;
 mod study;
 #[cfg(all(unix, feature = "cli", feature = "record"))]
