@@ -2,10 +2,10 @@
 
 use crate::conversion::{Sections, sections_from_keywords, sections_of, table_from_sections, to_python};
 use crate::error::{bail, error_in_text, error_of_keywords, py_error};
+use crate::output::check_output;
 use crate::surface::Surface;
 use asperity::contact::Load;
 use asperity::error::SetupError;
-use asperity::files::check_named;
 use asperity::setup::{self, Auto, SetupTable};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -119,7 +119,7 @@ impl Setup {
 
     /// Writes the setup as a scene, to a file whose name ends in .toml.
     fn write(&self, path: PathBuf) -> PyResult<()> {
-        check_named(&path, &["toml"]).map_err(py_error)?;
+        check_output(&path, &["toml"], &self.setup)?;
         self.table().write(&path).map_err(py_error)
     }
 
