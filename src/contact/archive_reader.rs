@@ -100,7 +100,9 @@ impl ArchiveReader {
         let [array, pressure] = [name, "pressure"].map(|name| read_fields_shape(&self.path, name));
         let (found, expected) = (array?, pressure?);
         if found != expected {
-            return Err(self.wrong(format!("its array `{name}` has the shape {found:?}, but its pressure has {expected:?}")));
+            return Err(
+                self.wrong(format!("its array `{name}` has the shape {found:?}, but its pressure has {expected:?}"))
+            );
         }
         let array = read_fields(&self.path, name)?;
         match self.list {

@@ -97,7 +97,9 @@ impl SavedDoubt {
                 format!("The pressure of a node is negative, {lowest:.1e} of the largest pressure, {not}")
             }
             Self::Tension { nodes, lowest } => {
-                format!("The pressures of {nodes} nodes are negative, down to {lowest:.1e} of the largest pressure, {not}")
+                format!(
+                    "The pressures of {nodes} nodes are negative, down to {lowest:.1e} of the largest pressure, {not}"
+                )
             }
             Self::AboveHardness { excess } => {
                 format!("The pressures exceed the hardness by {:.2} %, {not}", 100.0 * excess)
@@ -114,15 +116,21 @@ impl SavedDoubt {
                 "The pressure in {place} does not meet the tolerance of its setup: its certificate is {eta:.1e}"
             ),
             Self::Coarser => {
-                format!("The contact on the next coarser grid in {place} is not that of its setup: the array `coarser` was changed")
+                format!(
+                    "The contact on the next coarser grid in {place} is not that of its setup: the array `coarser` was changed"
+                )
             }
             Self::Heights { difference } => {
-                format!("The heights in {place} are not those of its setup: they differ by up to {difference:.1e} of the largest height")
+                format!(
+                    "The heights in {place} are not those of its setup: they differ by up to {difference:.1e} of the largest height"
+                )
             }
             Self::UnknownHeights { reason } => {
                 format!("The heights in {place} cannot be compared with those of its setup: {reason}")
             }
-            Self::Attraction => format!("The attraction in {place} is not that of the gap in it: one of them was changed"),
+            Self::Attraction => {
+                format!("The attraction in {place} is not that of the gap in it: one of them was changed")
+            }
             Self::Equilibrium { residual } => {
                 format!("The nodes are not in equilibrium, by up to {residual:.1e} of the largest attraction, {not}")
             }
@@ -132,9 +140,9 @@ impl SavedDoubt {
             Self::Tangential { found, prescribed } => {
                 format!("The mean traction is {found:.4e}, but {prescribed:.4e} is prescribed, {not}")
             }
-            Self::Slip { eta } => format!(
-                "The traction in {place} does not follow from the state before: its certificate is {eta:.1e}"
-            ),
+            Self::Slip { eta } => {
+                format!("The traction in {place} does not follow from the state before: its certificate is {eta:.1e}")
+            }
             Self::Place { name, found } => format!("The setup has no {name} {found:?}, {not}"),
             Self::Missing { name } => {
                 format!("There is no array `{name}`, without which the result in {place} cannot be checked")

@@ -113,7 +113,12 @@ impl<'a> StateCheck<'a> {
         let found = self.found(state);
         let values = loads.iter().map(|load| self.prescribed(*load));
         let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], it| [a.min(it), b.max(it)]);
-        let slack = SAME * least.abs().max(most.abs()).max(if self.setup.load.is_pressure() { 0.0 } else { self.problem.rms_height() });
+        let slack = SAME
+            * least.abs().max(most.abs()).max(if self.setup.load.is_pressure() {
+                0.0
+            } else {
+                self.problem.rms_height()
+            });
         if found >= least - slack && found <= most + slack {
             return None;
         }
@@ -303,7 +308,9 @@ impl<'a> StateCheck<'a> {
 
     /// Doubts whether the traction is one that friction carries, and that follows from the state before.
     fn friction_doubts(&self, state: &HistoryState) -> Result<Vec<SavedDoubt>, StudyError> {
-        let (Some(along), Some(friction)) = (field(state, "traction"), self.setup.friction) else { return Ok(Vec::new()) };
+        let (Some(along), Some(friction)) = (field(state, "traction"), self.setup.friction) else {
+            return Ok(Vec::new());
+        };
         let (pressure, mu) = (&state.contact.pressure, friction.coefficient);
         let across = field(state, "traction_across");
         let length = |i: usize| values(along)[i].hypot(across.map_or(0.0, |it| values(it)[i]));
@@ -341,7 +348,8 @@ impl<'a> StateCheck<'a> {
         };
         let over = |value: f64| self.prescribed(self.setup.load.with_value(value));
         let slack = SAME * self.setup.friction?.coefficient * state.contact.mean_pressure();
-        let nearest = prescribed.into_iter().map(over).min_by(|a, b| (a - found).abs().total_cmp(&(b - found).abs()))?;
+        let nearest =
+            prescribed.into_iter().map(over).min_by(|a, b| (a - found).abs().total_cmp(&(b - found).abs()))?;
         ((nearest - found).abs() > slack).then_some(SavedDoubt::Tangential { found, prescribed: nearest })
     }
 

@@ -12,9 +12,9 @@ mod hostile_input;
 mod kinds;
 #[cfg(feature = "instruments")]
 mod measured;
+mod named_files;
 #[cfg(all(feature = "cli", feature = "record"))]
 mod recording;
-mod named_files;
 mod saved;
 mod setup;
 mod study;

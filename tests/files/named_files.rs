@@ -6,12 +6,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-const ROUGH: &str = "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.05, rms-gradient = 0.1 } }
+const ROUGH: &str =
+    "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.05, rms-gradient = 0.1 } }
 grid = { points = 128, size = 1.0 }
 load = { reduced-pressure = 0.05 }
 ";
 
-const SPECTRUM: &str = "surface = { spectrum = { table = \"psd.txt\", heights-like = \"like.txt\", convention = \"profile\" } }
+const SPECTRUM: &str =
+    "surface = { spectrum = { table = \"psd.txt\", heights-like = \"like.txt\", convention = \"profile\" } }
 grid = { points = 128, size = 1.0 }
 load = { reduced-pressure = 0.05 }
 ";
@@ -143,12 +145,18 @@ fn no_key_takes_a_device() {
             table.lay("surface.height", folder.path().join("h.npy").to_string_lossy().into_owned().into());
         }
         if let Some(second) = key.strip_prefix("surface.second-spectrum.") {
-            table.lay("surface.second-spectrum.table", folder.path().join("psd.txt").to_string_lossy().into_owned().into());
+            table.lay(
+                "surface.second-spectrum.table",
+                folder.path().join("psd.txt").to_string_lossy().into_owned().into(),
+            );
             assert!(!second.is_empty());
         }
         table.lay(key, "/dev/zero".into());
         let refused = table.setup().and_then(|setup| setup.problem().map(drop)).unwrap_err().to_string();
-        assert!(refused.contains("/dev/zero") && refused.ends_with("it is a directory or a device: give a file"), "{key}: {refused}");
+        assert!(
+            refused.contains("/dev/zero") && refused.ends_with("it is a directory or a device: give a file"),
+            "{key}: {refused}"
+        );
     }
     let scene = SetupTable::read(Path::new("/dev/zero")).unwrap_err().to_string();
     assert_eq!(scene, "cannot read /dev/zero: it is a directory or a device: give a file");

@@ -1,10 +1,10 @@
 //! Results that are read again: what holds comes back as it was, and what does not is said in a sentence.
 
 use asperity::contact::{ResultClaim, Status, archive, archive_of_loads, archive_of_slip};
+use asperity::error::StudyError;
 use asperity::history::archive_of_history;
 use asperity::job::{HistoryOutcome, Job, SavedFound, SavedResult};
 use asperity::setup::{Setup, SetupTable};
-use asperity::error::StudyError;
 use asperity::study::LoadCurve;
 use ndarray::{ArrayD, ArrayView1, IxDyn, OwnedRepr};
 use ndarray_npy::{NpzReader, NpzWriter};
@@ -12,7 +12,8 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::path::PathBuf;
 
-const ROUGH: &str = "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.02, rms-gradient = 0.1 } }
+const ROUGH: &str =
+    "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.02, rms-gradient = 0.1 } }
 grid = { points = 256, size = 1.0 }
 solid = { contact-modulus = 1.0 }
 ";
@@ -181,7 +182,11 @@ fn a_contact_that_does_not_hold_says_why() {
         let last = p.len() - 1;
         (0..last).for_each(|i| p.swap(i, i + 1));
     };
-    check_doubted("moved", &part.with("pressure", moved).with("displacement", moved).with("gap", moved), "does not cause");
+    check_doubted(
+        "moved",
+        &part.with("pressure", moved).with("displacement", moved).with("gap", moved),
+        "does not cause",
+    );
     check_doubted("coarse", &part.with("coarser", |it| it[0] *= 2.0), "next coarser grid");
     let gap = Parts::of(&scenes["gap"]);
     let other = |text: &str| text.replace("mean-gap = 0.012", "mean-gap = 0.011");
@@ -209,7 +214,8 @@ fn states_that_do_not_hold_say_why_and_claim_nothing() {
         let is_claimed = |it: &asperity::history::HistoryState| it.claim != ResultClaim::Unchecked;
         assert!(outcome.states.iter().all(|it| is_claimed(it) == (it.contact.status == Status::Converged)), "{name}");
     };
-    let text = |from: &'static str, to: &'static str| move |parts: &Parts| parts.with_text("setup", |it| it.replace(from, to));
+    let text =
+        |from: &'static str, to: &'static str| move |parts: &Parts| parts.with_text("setup", |it| it.replace(from, to));
     let last = |name: &'static str, by: f64| {
         move |parts: &Parts| {
             parts.with(name, |it| {
@@ -248,7 +254,11 @@ fn what_cannot_be_checked_claims_nothing() {
     for (name, field) in [("creep", "stored_strain"), ("slip", "traction"), ("adhesion", "attraction")] {
         let read = Parts::of(&scenes[name]).without(field).read().unwrap();
         assert_eq!(read.doubts.len(), 1, "{:?}", read.doubts);
-        assert!(read.doubts[0].starts_with(&format!("There is no array `{field}`, without which")), "{:?}", read.doubts);
+        assert!(
+            read.doubts[0].starts_with(&format!("There is no array `{field}`, without which")),
+            "{:?}",
+            read.doubts
+        );
         let SavedFound::History(outcome) = read.found else { panic!("{name} is a history") };
         assert!(outcome.states.iter().all(|state| state.claim == ResultClaim::Unchecked));
     }
@@ -272,7 +282,8 @@ fn mutants_are_doubted_or_refused_and_never_panic() {
             mutants.push(change("negative", &|it| *it *= -1.0));
             mutants.push(change("zero", &|it| it.fill(0.0)));
             mutants.push(change("longer", &|it| {
-                *it = ArrayD::from_shape_vec(IxDyn(&[it.len() + 1]), it.iter().copied().chain([1.0]).collect()).unwrap();
+                *it =
+                    ArrayD::from_shape_vec(IxDyn(&[it.len() + 1]), it.iter().copied().chain([1.0]).collect()).unwrap();
             }));
             mutants.push(change("empty", &|it| *it = ArrayD::zeros(IxDyn(&[0]))));
             mutants.push(change("deep", &|it| *it = ArrayD::zeros(IxDyn(&[2, 2, 2]))));

@@ -12,7 +12,8 @@ adhesion = { table = \"att.csv\" }
 path = { file = \"path.csv\" }
 ";
 
-const ROUGH: &str = "surface = { spectrum = { table = \"psd.csv\", heights-like = \"like.csv\", convention = \"profile\" } }
+const ROUGH: &str =
+    "surface = { spectrum = { table = \"psd.csv\", heights-like = \"like.csv\", convention = \"profile\" } }
 grid = { points = 64, size = 1.0 }
 load = { reduced-pressure = 0.05 }
 ";

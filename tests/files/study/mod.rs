@@ -149,7 +149,15 @@ fn a_finished_table_is_not_solved_again_and_grows_by_what_is_new() {
 /// The words of a table in which two names of columns have changed places.
 fn swapped_names(table: &str, one: &str, other: &str) -> String {
     let (head, rows) = table.split_once('\n').unwrap();
-    let swapped = |name| if name == one { other } else if name == other { one } else { name };
+    let swapped = |name| {
+        if name == one {
+            other
+        } else if name == other {
+            one
+        } else {
+            name
+        }
+    };
     format!("{}\n{rows}", head.split(',').map(swapped).collect::<Vec<_>>().join(","))
 }
 
@@ -168,7 +176,10 @@ fn numbers_under_names_that_were_swapped_are_solved_again() {
 
 /// A table whose check sums cover the fields alone, as tables had them before.
 fn with_older_check_sums(table: &str) -> String {
-    let fnv = |line: &str| line.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
+    let fnv = |line: &str| {
+        line.bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+    };
     let (head, rows) = table.split_once('\n').unwrap();
     let older = |row: &str| {
         let (fields, _) = row.rsplit_once(',').unwrap();
