@@ -245,7 +245,7 @@ impl SavedArchive<'_> {
         let stuck = Contact::from_pressure(&lighter, stick, pressed.work, &pressed.solver);
         let mut stuck = stuck.map_err(SetupError::from)?;
         if found.is_empty() && pressed.is_converged() && !is_met(&self.setup.stop, &stuck.certificate) {
-            found.push(SavedDoubt::Slip { eta: stuck.certificate.eta });
+            found.push(SavedDoubt::Certificate { eta: stuck.certificate.eta });
         }
         stuck.status = if found.is_empty() { pressed.status } else { Status::Unconfirmed };
         doubts.add(Some(0), found);

@@ -2,7 +2,7 @@
 
 use super::saved::Doubts;
 use super::state_check::StateCheck;
-use crate::contact::{ArchiveReader, Contact, Problem, ResultClaim, SavedContact, SavedDoubt, Status};
+use crate::contact::{ArchiveReader, Contact, Problem, ResultClaim, SavedContact, Status};
 use crate::error::{FileError, SetupError, StudyError};
 use crate::history::{HISTORY_QUANTITIES, HistoryField, HistoryState};
 use crate::setup::Setup;
@@ -76,10 +76,7 @@ pub(super) fn certified_states(
         let found = check.doubts(&mut state)?;
         if !found.is_empty() {
             state.claim = ResultClaim::Unchecked;
-            let is_missing = |doubt: &SavedDoubt| matches!(doubt, SavedDoubt::Missing { .. });
-            if !found.iter().all(is_missing) {
-                state.contact.status = Status::Unconfirmed;
-            }
+            state.contact.status = Status::Unconfirmed;
         }
         doubts.add(Some(number), found);
         states.push(state);

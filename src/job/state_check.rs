@@ -113,12 +113,8 @@ impl<'a> StateCheck<'a> {
         let found = self.found(state);
         let values = loads.iter().map(|load| self.prescribed(*load));
         let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], it| [a.min(it), b.max(it)]);
-        let slack = SAME
-            * least.abs().max(most.abs()).max(if self.setup.load.is_pressure() {
-                0.0
-            } else {
-                self.problem.rms_height()
-            });
+        let scale = if self.setup.load.is_pressure() { 0.0 } else { self.problem.rms_height() };
+        let slack = SAME * least.abs().max(most.abs()).max(scale) + self.residual_goal() * self.strength();
         if found >= least - slack && found <= most + slack {
             return None;
         }
@@ -241,8 +237,12 @@ impl<'a> StateCheck<'a> {
     /// The displacement by a violation of equilibrium within the tolerance, over [`SAME`].
     fn violation(&self, problem: &Problem) -> f64 {
         let [softest, _] = problem.compliance().stiffness_range();
-        let strength = self.attraction.as_ref().map_or(0.0, Attraction::strength);
-        self.residual_goal() * strength / softest / SAME
+        self.residual_goal() * self.strength() / softest / SAME
+    }
+
+    /// The largest attraction, a pressure; 0 without adhesion.
+    fn strength(&self) -> f64 {
+        self.attraction.as_ref().map_or(0.0, Attraction::strength)
     }
 
     fn residual_goal(&self) -> f64 {
@@ -258,15 +258,17 @@ impl<'a> StateCheck<'a> {
         let further = self.further(problem, state)?;
         let load = Load::MeanPressure(state.contact.mean_pressure());
         let load = if self.setup.load.is_pressure() { load } else { state.contact.problem.load() };
-        let posed = problem.with_heights(problem.surface().height() - &further);
-        let posed = posed.map_err(SetupError::from)?.with_load(load).map_err(SetupError::from)?;
+        let posed = problem.with_heights(problem.surface().height() - &further).map_err(SetupError::from)?;
+        let Ok(posed) = posed.with_load(load) else {
+            return Ok(Some(SavedDoubt::Certificate { eta: f64::INFINITY })); // nothing touches under such a load
+        };
         let found = Certificate::new(&posed, values(pressure));
         // the goal of the pressure is that of the whole step in time
         let eta_alone = Certificate { pressure_error_bound: 0.0, ..found };
         let is_solved = state.contact.status != Status::Converged || is_met(&self.setup.stop, &eta_alone);
-        if !is_near(state.contact.certificate.eta, &found) {
-            state.contact.certificate = found;
-        }
+        let saved = state.contact.certificate.eta;
+        let is_near = (saved - found.eta).abs() <= 0.1 * found.eta + found.rounding;
+        state.contact.certificate = Certificate { eta: if is_near { saved } else { found.eta }, ..found };
         Ok((!is_solved).then_some(SavedDoubt::Certificate { eta: found.eta }))
     }
 
@@ -336,7 +338,7 @@ impl<'a> StateCheck<'a> {
                 let rolling = self.setup.rolling.as_ref()?;
                 if rolling.tangential.is_empty() {
                     let creepage = state.numbers.creepage.unwrap_or(f64::NAN);
-                    let is_known = rolling.creepage.contains(&creepage);
+                    let is_known = rolling.creepage.iter().any(|it| (it - creepage).abs() <= SAME * it.abs());
                     return (!is_known).then_some(SavedDoubt::Place { name: "creepage", found: creepage });
                 }
                 rolling.tangential.clone()
@@ -390,11 +392,6 @@ impl<'a> StateCheck<'a> {
 /// Whether a doubt concerns single nodes.
 fn is_of_nodes(doubt: &SavedDoubt) -> bool {
     matches!(doubt, SavedDoubt::Tension { .. } | SavedDoubt::AboveHardness { .. })
-}
-
-/// Whether a certificate that was saved is the one that was computed again, but for rounding.
-fn is_near(saved: f64, found: &Certificate) -> bool {
-    (saved - found.eta).abs() <= 0.1 * found.eta + found.rounding
 }
 
 /// A further field of a state.
