@@ -20,6 +20,7 @@
 
 #[cfg(feature = "record")]
 mod curve;
+mod doubts;
 mod history;
 #[cfg(feature = "record")]
 mod history_recording;

@@ -1,6 +1,7 @@
 //! Results that are read again from their archives, and certified again.
 
 use super::HistoryOutcome;
+use super::doubts::Doubts;
 use super::saved_states::certified_states;
 use crate::contact::{
     ArchiveReader, CertifiedContact, Contact, Friction, Load, PartialSlip, SavedDoubt, Status, is_met, pressure_doubts,
@@ -66,7 +67,7 @@ impl SavedResult {
         table.take_auto().map_err(in_file)?;
         let setup = table.setup().map_err(in_file)?;
         let name = path.display().to_string();
-        let mut doubts = Doubts { name: &name, count: reader.count(), found: Vec::new() };
+        let mut doubts = Doubts::new(&name, reader.count());
         let surface = surface(&reader, &setup, &mut doubts)?;
         let archive = SavedArchive { reader: &reader, setup: &setup, surface: &surface };
         let found = match (reader.is_list(), setup.is_history()?) {
@@ -85,40 +86,6 @@ impl SavedResult {
 
 fn unfit(path: &Path, reason: String) -> FileError {
     FileError::Format { path: path.into(), what: "result", reason }
-}
-
-/// What is wrong with the contacts of a file.
-pub(super) struct Doubts<'a> {
-    name: &'a str,
-    count: usize,
-    /// The number of a contact, from 0, none for all of them, and what is wrong with it.
-    found: Vec<(Option<usize>, SavedDoubt)>,
-}
-
-impl Doubts<'_> {
-    /// Adds what is wrong with a contact.
-    pub fn add(&mut self, number: Option<usize>, doubts: Vec<SavedDoubt>) {
-        self.found.extend(doubts.into_iter().map(|doubt| (number, doubt)));
-    }
-
-    /// A sentence for each kind, about the first contact that it concerns.
-    fn in_words(&self) -> Vec<String> {
-        let is_first = |i: usize| !self.found[..i].iter().any(|(_, other)| other.is_like(&self.found[i].1));
-        let firsts = self.found.iter().enumerate().filter(|(i, _)| is_first(*i));
-        let sentence = |(_, (number, doubt)): (usize, &(Option<usize>, SavedDoubt))| {
-            let place = match number {
-                Some(number) if self.count > 1 => format!("{} (number {} of {})", self.name, number + 1, self.count),
-                _ => self.name.to_owned(),
-            };
-            let others = self.found.iter().filter(|(_, other)| other.is_like(doubt)).count() - 1;
-            match others {
-                0 => format!("{}.", doubt.in_words(&place)),
-                1 => format!("{}; the same is true of another one.", doubt.in_words(&place)),
-                _ => format!("{}; the same is true of {others} others.", doubt.in_words(&place)),
-            }
-        };
-        firsts.map(sentence).collect()
-    }
 }
 
 /// The surface of a result: made again, or that of the heights in the file where other files or an array gave them.

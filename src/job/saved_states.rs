@@ -1,6 +1,6 @@
 //! States of histories that are read from a file, certified as far as their fields allow.
 
-use super::saved::Doubts;
+use super::doubts::Doubts;
 use super::state_check::StateCheck;
 use crate::contact::{ArchiveReader, Contact, Problem, ResultClaim, SavedContact, Status};
 use crate::error::{FileError, SetupError, StudyError};
