@@ -4,6 +4,7 @@ use crate::contact::Contact;
 use crate::error::{BoxedError, bail, py_error};
 use crate::flow::flow_fields;
 use crate::output::{check_not_read, check_output};
+use crate::setup::Setup;
 use asperity::contact::{archive_of_slip, archive_with};
 use asperity::files::write_beside;
 use asperity::job::write_nodes;
@@ -54,7 +55,7 @@ impl Contact {
 impl Contact {
     /// Writes fields, distributions, spectra, numbers and setup.
     fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
-        let text = self.setup.to_toml();
+        let text = Setup::new(self.setup.clone()).with_full_path().to_toml();
         let bytes = match &self.slip {
             Some(slip) => archive_of_slip(slip, self.rank, Some(&text)),
             None => {

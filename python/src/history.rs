@@ -50,7 +50,12 @@ impl History {
     /// Writes the fields and numbers of all states.
     fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
         let quantities = self.outcome.quantities();
-        let bytes = archive_of_history(self.outcome.states.clone(), &quantities, self.rank, &self.setup.to_toml());
+        let bytes = archive_of_history(
+            self.outcome.states.clone(),
+            &quantities,
+            self.rank,
+            &self.setup.with_full_path().to_toml(),
+        );
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
 }

@@ -150,7 +150,7 @@ fn write_archive(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result
     let flow = flow_fields(contacts.iter().map(Py::get))?;
     let fields: Vec<_> = flow.iter().map(|(name, fields)| (name.as_str(), fields.iter().collect())).collect();
     let contacts: Vec<_> = contacts.iter().map(|it| it.get().contact.clone()).collect();
-    let bytes = archive_of_loads_with(&contacts, &fields, rank, &setup.to_toml());
+    let bytes = archive_of_loads_with(&contacts, &fields, rank, &setup.with_full_path().to_toml());
     Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
 }
 
