@@ -98,7 +98,10 @@ fn surface(reader: &ArchiveReader, setup: &Setup, doubts: &mut Doubts<'_>) -> Re
             return Err(unfit(reader.path(), reason).into());
         }
         let made = setup.surface()?;
-        doubts.add(None, difference(&saved, &made.heights_as_given()).into_iter().collect());
+        // with coupling, a traction raises the heights of the contacts of a history
+        let is_raised = setup.friction.is_some() && setup.dundurs_beta() != 0.0 && reader.is_list();
+        let difference = difference(&saved, &made.heights_as_given()).filter(|_| !is_raised);
+        doubts.add(None, difference.into_iter().collect());
         return Ok(made.into());
     }
     let shape = saved.dim();

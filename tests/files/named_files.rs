@@ -78,7 +78,9 @@ fn every_key_and_every_flag_whose_value_is_a_file_is_in_the_list() {
 fn a_setup_lists_the_files_of_all_its_keys_and_names_them_by_their_full_paths() {
     let folder = tempfile::tempdir().unwrap();
     write_files(folder.path());
-    let scene = "surface = { height = \"h.npy\", against = \"h.npy\", spectrum = { table = \"psd.txt\", heights-like = \"like.txt\" } }
+    let scene = "surface.height = \"h.npy\"
+surface.against = \"h.npy\"
+surface.spectrum = { table = \"psd.txt\", heights-like = \"like.txt\" }
 surface.second-spectrum = { table = \"psd.txt\", heights-like = \"like.txt\" }
 load = { mean-pressure = 0.001 }
 solid = { contact-modulus = 1.0 }

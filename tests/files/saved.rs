@@ -25,20 +25,20 @@ fn scenes() -> Vec<(&'static str, String)> {
     let creeps = "viscoelastic = { creep = [9.0, 1.0] }\n";
     vec![
         ("contact", with("load = { mean-pressure = 2e-3 }\n")),
-        ("gap", with("load = { mean-gap = 0.012 }\n")),
+        ("gap", with("load = { mean-gap = 0.002 }\n")),
         ("hard", with("load = { mean-pressure = 2e-3 }\nlaw = { hardness = 0.05 }\n")),
         ("moving", with(&format!("load = {{ mean-pressure = 2e-3 }}\n{creeps}sliding = {{ speed = 0.01 }}\n"))),
         ("stuck", with("load = { mean-pressure = 2e-3 }\nfriction = { coefficient = 0.5, tangential = 5e-4 }\n")),
         ("curve", with("load = { mean-pressure = [1e-3, 4e-3, 2e-3] }\n")),
         ("hard curve", with("load = { mean-pressure = [1e-3, 4e-3, 2e-3] }\nlaw = { hardness = 0.06 }\n")),
         ("creep", with(&format!("load = {{ mean-pressure = 2e-3 }}\n{creeps}path = {{ time = [0.0, 1.0, 2.0], load = [0.0, 5e-3, 0.0] }}\n"))),
-        ("held", with(&format!("load = {{ mean-gap = 0.012 }}\n{creeps}path = {{ time = [3.0], steps = 4 }}\n"))),
+        ("held", with(&format!("load = {{ mean-gap = 0.002 }}\n{creeps}path = {{ time = [3.0], steps = 4 }}\n"))),
         ("slip", with("load = { mean-pressure = 2e-3 }\nfriction = { coefficient = 0.5 }\npath = { tangential = [5e-4, -5e-4, 5e-4], steps = 2 }\n")),
         ("coupled slip", with("load = { mean-pressure = 2e-3 }\nfriction = { coefficient = 0.2 }\npath = { tangential = [2e-4, -1e-4] }\n").replace("contact-modulus = 1.0", "young = 1.0, poisson = 0.2")),
         ("sliding", with(&format!("load = {{ mean-pressure = 2e-3 }}\n{creeps}sliding = {{ speed = [0.01, 0.1] }}\n"))),
         ("rolling", with("load = { mean-pressure = 2e-3 }\nfriction = { coefficient = 0.5 }\nrolling = { creepage = [1e-4, 2e-4] }\n")),
         ("adhesion", with(&format!("load = {{ mean-pressure = 2e-3 }}\n{sticky}"))),
-        ("safe adhesion", with(&format!("load = {{ mean-gap = 0.02 }}\n{}", sticky.replace("range = 1e-3", "range = 1e-3, method = \"safe\"").replace("[2e-3, 0.0]", "[0.02, 0.015]")))),
+        ("safe adhesion", with(&format!("load = {{ mean-gap = 0.004 }}\n{}", sticky.replace("range = 1e-3", "range = 1e-3, method = \"safe\"").replace("[2e-3, 0.0]", "[0.004, 0.003]")))),
     ]
 }
 
@@ -189,7 +189,7 @@ fn a_contact_that_does_not_hold_says_why() {
     );
     check_doubted("coarse", &part.with("coarser", |it| it.as_slice_mut().unwrap()[0] *= 2.0), "next coarser grid");
     let gap = Parts::of(&scenes["gap"]);
-    let other = |text: &str| text.replace("mean-gap = 0.012", "mean-gap = 0.011");
+    let other = |text: &str| text.replace("mean-gap = 0.002", "mean-gap = 0.0019");
     check_doubted("mean gap", &gap.with_text("setup", other), "does not meet the tolerance");
     let hard = Parts::of(&scenes["hard"]);
     let softer = |text: &str| text.replace("hardness = 0.05", "hardness = 0.04");
@@ -228,7 +228,7 @@ fn states_that_do_not_hold_say_why_and_claim_nothing() {
     changed("creep", "of the prescribed load", &text("0.005", "0.004"));
     changed("creep", "does not cause the displacement", &last("stored_strain", 0.9));
     changed("creep", "of the prescribed load", &last("time", 0.9));
-    changed("held", "The mean gap is ", &text("mean-gap = 0.012", "mean-gap = 0.013"));
+    changed("held", "The mean gap is ", &text("mean-gap = 0.002", "mean-gap = 0.0022"));
     changed("held", "is not that of the pressure", &last("gap", 0.0));
     changed("slip", "exceed the limit of friction", &text("coefficient = 0.5", "coefficient = 0.4"));
     changed("slip", "The mean traction is ", &last("traction", 0.5));
@@ -241,7 +241,7 @@ fn states_that_do_not_hold_say_why_and_claim_nothing() {
     });
     changed("sliding", "The setup has no speed", &last("speed", 2.0));
     changed("sliding", "does not cause the displacement", &text("creep = [9.0, 1.0]", "creep = [8.0, 1.0]"));
-    changed("rolling", "exceed the limit of friction", &last("traction", 1.5));
+    changed("rolling", "exceed the limit of friction", &last("traction", 1e3));
     changed("rolling", "The setup has no creepage", &last("creepage", 1.1));
     changed("adhesion", "The attraction in ", &text("work = 0.00001", "work = 0.000011"));
     changed("adhesion", "does not cause the displacement", &last("attraction", 0.0));
@@ -264,16 +264,36 @@ fn what_cannot_be_checked_claims_nothing() {
     }
 }
 
+/// The scenes whose archives are changed in all ways, and the arrays that are read of them.
+const MUTATED: [&str; 6] = ["contact", "stuck", "curve", "creep", "slip", "adhesion"];
+const READ: [&str; 14] = [
+    "height",
+    "pressure",
+    "gap",
+    "displacement",
+    "coarser",
+    "iterations",
+    "certificate",
+    "stiffness",
+    "stick_pressure",
+    "time",
+    "stored_strain",
+    "traction",
+    "attraction",
+    "relative_area",
+];
+
 /// Whatever an archive holds, it is read or refused in one sentence; and what is certified is not left converged if it was changed.
 #[test]
 fn mutants_are_doubted_or_refused_and_never_panic() {
-    for (name, scene) in scenes() {
+    for (name, scene) in scenes().into_iter().filter(|(name, _)| MUTATED.contains(name)) {
         let parts = Parts::of(&scene);
         let mut mutants: Vec<(String, Parts)> = Vec::new();
-        for array in parts.numbers.keys().chain(parts.texts.keys()) {
+        let is_read = |array: &&String| READ.contains(&array.as_str()) || parts.texts.contains_key(*array);
+        for array in parts.numbers.keys().chain(parts.texts.keys()).filter(is_read) {
             mutants.push((format!("without {array}"), parts.without(array)));
         }
-        for array in parts.numbers.keys() {
+        for array in parts.numbers.keys().filter(|array| READ.contains(&array.as_str())) {
             let change = |what: &str, change: &dyn Fn(&mut ArrayD<f64>)| {
                 (format!("{what} {array}"), parts.with(array, |it| change(it)))
             };
