@@ -24,6 +24,9 @@ use std::sync::Arc;
 /// histories are certified for the memory, the traction or the attraction in the file, and these for the state. What does not hold raises an
 /// AsperityWarning, and its status is "unconfirmed": it is not converged.
 ///
+/// The traction of rolling, and tractions with coupling or along both axes, are held against the limit of friction and the load alone. The
+/// stability of a state with adhesion is not computed again.
+///
 /// Numbers that belong to the way to a state of a history are as they were saved: energies, shifts and errors in time. The seconds of the work
 /// are 0, since files do not hold them.
 #[pyfunction]

@@ -27,6 +27,8 @@ const LEVEL: f64 = 1e-12;
 ///
 /// States of histories are certified as far as their files allow: the pressure for the memory, the attraction or the traction in the file, and
 /// these for the state. Numbers that belong to the way to a state are as they were saved: energies, shifts, errors in time.
+/// The traction of rolling, and tractions with coupling or along both axes, are held against the limit of friction and the load alone. The stability of a
+/// state with adhesion is not computed again.
 #[derive(Debug)]
 pub struct SavedResult {
     /// The text of the setup.
