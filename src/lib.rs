@@ -46,7 +46,7 @@
 //! | 0 | [`clock`] | the clock of solves, also in a browser | |
 //! | 0 | [`error`] | what can go wrong, one enum for each concern | |
 //! | 0 | [`warning`] | reasons to doubt a result, with what to do about them | |
-//! | 0 | [`files`] | output files that appear completely or not at all; CSV | |
+//! | 0 | [`files`] | input files; output files that appear completely or not at all; CSV | |
 //! | 0 | [`quantity`] | lengths and pressures with units | (`units`) |
 //! | 1 | [`grid`] | grids of lines and surfaces, periodic or free along each axis | |
 //! | 1 | [`fourier`] | pairs of real Fourier transforms | |
@@ -63,7 +63,7 @@
 //! | 5 | [`study`] | many contacts in one table that an interrupted run continues | (`parquet`) |
 //! | 5 | `plot` | figures as data, written as SVG and PNG | `figures` |
 //! | 6 | `record` | an observer that writes recordings for the Rerun viewer | `record` |
-//! | 7 | [`job`] | one run of a setup: cost, solve, record, diagnose, warn | |
+//! | 7 | [`job`] | one run of a setup: cost, solve, record, diagnose, warn; saved results, certified again | |
 //! | 8 | `lab` | experiments on the solvers: accuracy, stability, speed | `figures` |
 //! | 8 | `paper` | the tables and figures of van Dokkum et al. (2018) | `figures` |
 //! | 8 | `explore` | what the page in the browser does: knobs, lessons, and sessions that solve; it runs without a server too | `explore` |
@@ -78,6 +78,7 @@
 //! - The simplest complete solver: `examples/minimal_polonsky_keer.rs`. A solver outside the crate can do all that those of the crate do.
 //! - What is measured on a contact: [`contact::OBSERVABLES`]. A new observable is one row of this table.
 //! - The flags of the command line and the keys of a scene: [`setup::FLAGS`]. A new flag is one row of this table.
+//! - The files that a setup names: [`setup::FILE_KEYS`]. All that a setup reads follows from this list.
 //!
 //! # Conventions
 //! - *Signs.* Heights `h` of the rigid surface are positive towards the solid. Pressure `p` is positive in compression. The displacement `u` of the surface of the solid is

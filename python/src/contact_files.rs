@@ -3,8 +3,10 @@
 use crate::contact::Contact;
 use crate::error::{BoxedError, bail, py_error};
 use crate::flow::flow_fields;
+use crate::output::{check_not_read, check_output};
+use crate::setup::Setup;
 use asperity::contact::{archive_of_slip, archive_with};
-use asperity::files::{check_named, write_beside};
+use asperity::files::write_beside;
 use asperity::job::write_nodes;
 use pyo3::prelude::*;
 use std::io::{self, Write};
@@ -16,8 +18,8 @@ impl Contact {
     /// line, .svg or .png for the figure of `plot`. asperity.load reads a .npz again; Setup.read and the command line read the setup in it, with the
     /// heights.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
-        check_named(&path, &["npz", "csv", "svg", "png"]).map_err(py_error)?;
         let it = slf.get();
+        check_output(&path, &["npz", "csv", "svg", "png"], &it.setup)?;
         match ending(&path).as_str() {
             "npz" => slf.py().detach(|| it.write_archive(&path)).map_err(py_error),
             "csv" if it.rank > 1 => {
@@ -35,6 +37,8 @@ impl Contact {
 
     /// Writes the Dataset of to_xarray to a NetCDF file.
     fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        check_not_read(&path, &slf.get().setup)?;
+        check_not_read(&path, &slf.get().setup)?;
         slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
     }
 
@@ -51,7 +55,7 @@ impl Contact {
 impl Contact {
     /// Writes fields, distributions, spectra, numbers and setup.
     fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
-        let text = self.setup.to_toml();
+        let text = Setup::new(self.setup.clone()).with_full_path().to_toml();
         let bytes = match &self.slip {
             Some(slip) => archive_of_slip(slip, self.rank, Some(&text)),
             None => {

@@ -5,9 +5,10 @@ use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::to_python;
 use crate::error::{BoxedError, bail, py_error, unknown_name};
+use crate::output::{check_not_read, check_output};
 use crate::problem::Problem;
 use crate::setup::Setup;
-use asperity::files::{check_named, write_beside};
+use asperity::files::write_beside;
 use asperity::history::{HISTORY_QUANTITIES, HistoryField, HistoryState, HistoryUnit, archive_of_history};
 use asperity::job::HistoryOutcome;
 use numpy::ndarray::{ArrayD, Axis, stack};
@@ -49,7 +50,12 @@ impl History {
     /// Writes the fields and numbers of all states.
     fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
         let quantities = self.outcome.quantities();
-        let bytes = archive_of_history(self.outcome.states.clone(), &quantities, self.rank, &self.setup.to_toml());
+        let bytes = archive_of_history(
+            self.outcome.states.clone(),
+            &quantities,
+            self.rank,
+            &self.setup.with_full_path().to_toml(),
+        );
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
 }
@@ -165,8 +171,8 @@ impl History {
     /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the
     /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
-        check_named(&path, &["npz", "csv", "svg", "png"]).map_err(py_error)?;
         let it = slf.get();
+        check_output(&path, &["npz", "csv", "svg", "png"], &it.setup.setup)?;
         if it.outcome.states.is_empty() {
             return bail("the history has no states: nothing is saved");
         }
@@ -189,6 +195,7 @@ impl History {
 
     /// Writes the Dataset of to_xarray to a NetCDF file.
     fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        check_not_read(&path, &slf.get().setup.setup)?;
         slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
     }
 

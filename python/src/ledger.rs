@@ -3,7 +3,7 @@
 use crate::error::{bail, py_error};
 use crate::study::Study;
 use crate::table::Table;
-use asperity::files::{check_named, check_target};
+use asperity::files::{check_apart, check_named, check_target};
 use asperity::study::{self, Plan, Point};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -39,6 +39,8 @@ impl Ledger {
     fn new(py: Python<'_>, study: &Study, out: Option<PathBuf>) -> PyResult<Self> {
         if let Some(path) = &out {
             check_named(path, &["csv"]).and_then(|()| check_target(path)).map_err(py_error)?;
+            let table = study::Table::new(path);
+            check_apart(table.files().into_iter().chain(table.views()), study.plan.files()).map_err(py_error)?;
         }
         let plan = study.plan.clone();
         let table = out.as_ref().map(study::Table::new);

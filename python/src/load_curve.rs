@@ -7,9 +7,10 @@ use crate::conversion::sections_of;
 use crate::error::{BoxedError, py_error};
 use crate::flow::flow_fields;
 use crate::measures::columns;
+use crate::output::{check_not_read, check_output};
 use crate::setup::Setup;
 use asperity::contact::{Observables, archive_of_loads_with};
-use asperity::files::{check_named, write_beside};
+use asperity::files::write_beside;
 use asperity::job::write_loads;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyTuple};
@@ -70,8 +71,8 @@ impl LoadCurve {
     /// Writes the curve to a file whose ending says what: .npz for the fields and numbers under all loads, with the setup, .csv for the table that the
     /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
-        check_named(&path, &["npz", "csv", "svg", "png"]).map_err(py_error)?;
         let (py, it) = (slf.py(), slf.get());
+        check_output(&path, &["npz", "csv", "svg", "png"], &it.setup.setup)?;
         let contacts: Vec<Py<Contact>> = it.contacts(py)?.into_iter().map(Into::into).collect();
         match ending(&path).as_str() {
             "npz" => py.detach(|| write_archive(&path, &contacts, &it.setup)).map_err(py_error),
@@ -92,6 +93,7 @@ impl LoadCurve {
 
     /// Writes the Dataset of to_xarray to a NetCDF file.
     fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        check_not_read(&path, &slf.get().setup.setup)?;
         slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
     }
 
@@ -148,7 +150,7 @@ fn write_archive(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result
     let flow = flow_fields(contacts.iter().map(Py::get))?;
     let fields: Vec<_> = flow.iter().map(|(name, fields)| (name.as_str(), fields.iter().collect())).collect();
     let contacts: Vec<_> = contacts.iter().map(|it| it.get().contact.clone()).collect();
-    let bytes = archive_of_loads_with(&contacts, &fields, rank, &setup.to_toml());
+    let bytes = archive_of_loads_with(&contacts, &fields, rank, &setup.with_full_path().to_toml());
     Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
 }
 

@@ -7,7 +7,6 @@ use crate::conversion::{table_from_sections, value_from_py};
 use crate::error::{BoxedError, bail, error_in_solve, py_error, wrong_type};
 use crate::fork;
 use crate::problem::Problem;
-use crate::saved::of_pressure;
 use crate::setup::Setup;
 use crate::sink::{NOTHING_RECORDED, RecordingSink};
 use asperity::contact::{Multilevel, Solver, Stop};
@@ -195,7 +194,7 @@ impl Recorder {
         let problem = problem.cast::<Problem>().map_err(|_| wrong_type("problem", "a Problem", &problem))?.get();
         let mut sink = RecordingSink::new(path, live);
         stream.map_or(Ok(()), |stream| sink.stream_to(stream))?;
-        sink.check()?;
+        sink.check(&problem.setup.setup)?;
         let Ok(quantity) = quantity.parse::<Quantity>() else {
             return bail(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
         };
@@ -325,4 +324,16 @@ impl Recorder {
     fn diagnosis(&self) -> PyResult<Option<String>> {
         self.result(|it| Ok(it.findings.clone()))
     }
+}
+
+/// The contact of a problem that has a pressure.
+fn of_pressure(
+    problem: &asperity::Problem,
+    pressure: Field,
+    stop: &Stop,
+    solver: &str,
+) -> Result<asperity::Contact, BoxedError> {
+    let frame = Frame { values: pressure.into_iter().collect(), seconds: None };
+    let replay = Replay::new(solver, Quantity::Pressure, [Ok(frame)].into_iter());
+    Ok(replay.solve(problem, stop, &mut ())?)
 }

@@ -2,15 +2,17 @@
 
 use crate::conversion::{Sections, sections_from_keywords, sections_of, table_from_sections, to_python};
 use crate::error::{bail, error_in_text, error_of_keywords, py_error};
+use crate::output::check_output;
+use crate::prepared_array::ARRAY;
 use crate::surface::Surface;
 use asperity::contact::Load;
 use asperity::error::SetupError;
-use asperity::files::check_named;
+use asperity::files::InputFile;
 use asperity::setup::{self, Auto, SetupTable};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///
@@ -45,6 +47,14 @@ impl Setup {
     /// The setup that some sections describe.
     pub fn from_sections(sections: &Sections) -> PyResult<Self> {
         Self::from_table(table_from_sections(sections)?).map_err(py_error)
+    }
+
+    /// The setup whose files are named by their full paths. An array of heights has none.
+    pub fn with_full_path(&self) -> Self {
+        let mut full = self.clone();
+        let files = full.setup.files_mut().filter(|file| file.path() != Path::new(ARRAY));
+        files.for_each(InputFile::make_absolute);
+        full
     }
 
     /// The table with its list of loads and its request for a grid.
@@ -117,10 +127,10 @@ impl Setup {
         to_python(py, &self.sections())
     }
 
-    /// Writes the setup as a scene, to a file whose name ends in .toml.
+    /// Writes the setup as a scene with the full paths of its files, to a file whose name ends in .toml.
     fn write(&self, path: PathBuf) -> PyResult<()> {
-        check_named(&path, &["toml"]).map_err(py_error)?;
-        self.table().write(&path).map_err(py_error)
+        check_output(&path, &["toml"], &self.setup)?;
+        self.with_full_path().table().write(&path).map_err(py_error)
     }
 
     /// The command that repeats the solve under the first load, without a recording.

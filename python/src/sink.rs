@@ -1,9 +1,10 @@
 //! Where a recording goes.
 
 use crate::error::{bail, py_error};
+use crate::output::check_output;
 use asperity::error::FileError;
-use asperity::files::check_named;
 use asperity::record::{Options, Pieces, Recording, Scene};
+use asperity::setup;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -61,12 +62,12 @@ impl RecordingSink {
         Ok(())
     }
 
-    /// Refuses a wrong file name, and a stream beside the viewer.
-    pub fn check(&self) -> PyResult<()> {
+    /// Refuses a wrong file name, a file that the setup reads, and a stream beside the viewer.
+    pub fn check(&self, setup: &setup::Setup) -> PyResult<()> {
         if self.is_live && self.stream.is_some() {
             return bail("a recording is shown in the installed viewer or streamed: give live or stream, not both");
         }
-        self.path.as_deref().map_or(Ok(()), |path| check_named(path, &["rrd"])).map_err(py_error)
+        self.path.as_deref().map_or(Ok(()), |path| check_output(path, &["rrd"], setup))
     }
 
     /// Whether anything is recorded.

@@ -53,9 +53,13 @@ impl SolveOptions {
         for (key, it) in keywords.into_iter().flatten().filter(|(_, it)| !it.is_none()) {
             options.read(&key.extract::<String>()?, &it, &mut sections, grid.shape())?;
         }
-        let setup = Setup::from_table(table_from_sections(&sections)?).map_err(error_in_solve)?;
+        let given = setup.setup.path.as_ref().and_then(|path| path.file.clone());
+        let mut setup = Setup::from_table(table_from_sections(&sections)?).map_err(error_in_solve)?;
+        if let Some(path) = &mut setup.setup.path {
+            path.file = given; // the sections have its lists instead
+        }
         setup.setup.check_on(grid).map_err(py_error)?;
-        options.sink.check()?;
+        options.sink.check(&setup.setup)?;
         if options.has_recording && !options.sink.is_active() {
             return bail(NOTHING_RECORDED);
         }

@@ -1,17 +1,19 @@
 //! Surfaces as files, datasets and figures.
 
+use crate::conversion::table_from_sections;
 use crate::error::{BoxedError, py_error};
 use crate::surface::Surface;
 use crate::surface_numbers::convention_of;
-use asperity::files::check_named;
+use asperity::files::{check_apart, check_named};
 use asperity::surface::{Scan, SpectrumConvention, SpectrumTable};
 use pyo3::prelude::*;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[pymethods]
 impl Surface {
     /// Writes the heights, in metres, to a file whose ending gives the format: .npy, .sdf, .x3p or .xyz.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        self.check_not_read(&path)?;
         py.detach(|| Scan::from_surface(&self.surface, 1).write(&path)).map_err(py_error)
     }
 
@@ -19,6 +21,7 @@ impl Surface {
     /// "surface-two-pi", "profile" or "profile-two-pi"; without it "surface", of a line "profile".
     #[pyo3(signature = (path, convention=None))]
     fn save_spectrum(&self, py: Python<'_>, path: PathBuf, convention: Option<&str>) -> PyResult<()> {
+        self.check_not_read(&path)?;
         let usual =
             if self.surface.grid().is_line() { SpectrumConvention::Profile } else { SpectrumConvention::Surface };
         let convention = convention.map_or(Ok(usual), convention_of)?;
@@ -36,6 +39,7 @@ impl Surface {
 
     /// Writes the DataArray of to_xarray to a NetCDF file.
     fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
+        slf.get().check_not_read(&path)?;
         slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
     }
 
@@ -46,5 +50,13 @@ impl Surface {
 
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("asperity.plotting")?.call_method1("surface_as_html", (slf,))
+    }
+}
+
+impl Surface {
+    /// Refuses a file that the surface was made of.
+    fn check_not_read(&self, path: &Path) -> PyResult<()> {
+        let read = if self.sections.is_empty() { Vec::new() } else { table_from_sections(&self.sections)?.files() };
+        check_apart([path], read).map_err(py_error)
     }
 }

@@ -113,6 +113,59 @@ def test_a_pressure_that_was_changed_is_recognised(tmp_path: Path) -> None:
     assert changed.certificate.eta > 1e-4 > contact.certificate.eta
 
 
+def changed(contact: Any, folder: Path, **arrays: Any) -> Any:
+    """The result that is read from a file in which some arrays are other ones."""
+    contact.save(folder / "it.npz")
+    with np.load(folder / "it.npz") as archive:
+        all_arrays = {**archive, **{name: np.asarray(array) for name, array in arrays.items()}}
+    np.savez(folder / "changed.npz", **all_arrays)
+    return asp.load(folder / "changed.npz")
+
+
+def test_what_does_not_hold_is_not_converged(tmp_path: Path) -> None:
+    light, heavy = (asp.solve(ROUGH, solid=1.0, mean_pressure=p) for p in (1e-3, 3e-3))
+    setup = np.frombuffer(heavy.setup.to_toml().encode(), dtype=np.uint8)
+    with pytest.warns(asp.AsperityWarning, match=r"The pressures carry 0.333 of the prescribed load"):
+        other = changed(light, tmp_path, setup=setup)
+    assert not other.converged and other.status == "unconfirmed"
+    with pytest.raises(asp.NotConverged, match="not confirmed by its file"):
+        other.raise_if_not_converged()
+    with pytest.warns(asp.AsperityWarning, match="The gap in .* is not that of the pressure in it"):
+        closed = changed(light, tmp_path, gap=0 * light.gap)
+    assert not closed.converged and np.allclose(closed.gap, light.gap, atol=1e-12)
+    with pytest.warns(asp.AsperityWarning, match="The heights in .* are not those of its setup"):
+        changed(light, tmp_path, height=1.1 * light.height)
+    history = asp.solve(ROUGH, solid=1.0, mean_pressure=2e-3, **HISTORIES["creep"])
+    with pytest.warns(asp.AsperityWarning, match="does not cause the displacement"):
+        creep = changed(history, tmp_path, stored_strain=0.9 * history.fields["stored_strain"])
+    assert not creep.converged and "unchecked" in creep.claims
+
+
+def test_a_height_file_that_was_edited_is_told(tmp_path: Path) -> None:
+    np.save(tmp_path / "h.npy", WAVES)
+    contact = asp.solve(asp.Surface.read(tmp_path / "h.npy", size=1.0), reduced_pressure=0.05)
+    contact.save(tmp_path / "it.npz")
+    assert asp.load(tmp_path / "it.npz").converged
+    np.save(tmp_path / "h.npy", 1.01 * WAVES)
+    with pytest.warns(asp.AsperityWarning, match="The heights in .* are not those of its setup"):
+        assert asp.load(tmp_path / "it.npz").converged
+
+
+def test_files_that_are_read_are_not_written_over(tmp_path: Path) -> None:
+    (tmp_path / "att.csv").write_text("gap,traction\n0,0.02\n0.002,0.01\n0.008,0\n")
+    (tmp_path / "path.csv").write_text("load\n0.002\n0.001\n")
+    before = {name: (tmp_path / name).read_bytes() for name in ("att.csv", "path.csv")}
+    history = asp.solve(
+        WAVES, 1.0, solid=1.0, mean_pressure=2e-3, adhesion={"table": str(tmp_path / "att.csv")}, path=str(tmp_path / "path.csv")
+    )
+    (tmp_path / "link.csv").hardlink_to(tmp_path / "att.csv")
+    for name in ("att.csv", "path.csv", "link.csv"):
+        with pytest.raises(asp.AsperityError, match="it is also an input file and would be lost"):
+            history.save(tmp_path / name)
+    assert all((tmp_path / name).read_bytes() == content for name, content in before.items())
+    history.save(tmp_path / "own.csv")
+
+
 def test_other_files_are_refused(tmp_path: Path) -> None:
     np.save(tmp_path / "h.npy", WAVES)
     with pytest.raises(asp.AsperityError, match="is not a saved result"):

@@ -70,13 +70,13 @@ impl Certify {
         let field = rows(read_field(path, quantity.name())?)?;
         let mut table = self.scene.table()?;
         let is_loaded = lay_load(&mut table, quantity, &field)?;
-        let setup = table.setup()?;
         #[cfg(feature = "record")]
         let recorded = self.shown.record.as_deref();
         #[cfg(not(feature = "record"))]
         let recorded = None;
-        let read = self.scene.files(&setup.surface).chain([path]);
+        let read = self.scene.files(&table).into_iter().chain([path.into()]);
         check_apart(self.out.as_deref().into_iter().chain(recorded), read)?;
+        let setup = table.setup()?;
         let grid = setup.check()?;
         Cost::from_fields(&grid, FIELDS).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {

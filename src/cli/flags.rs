@@ -105,9 +105,9 @@ impl<E: Extent> SceneArgs<E> {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
     }
 
-    /// The files that are read for a surface in it, and its own.
-    pub fn files<'a>(&'a self, surface: &'a Recipe) -> impl Iterator<Item = &'a Path> {
-        self.file.as_deref().into_iter().chain(surface.paths())
+    /// All files that are read for the setup in `table`, and its own.
+    pub fn files(&self, table: &SetupTable) -> Vec<PathBuf> {
+        self.file.iter().cloned().chain(table.files()).collect()
     }
 
     /// The setup as it was given, its sections and keys apart.

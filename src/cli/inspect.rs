@@ -19,7 +19,7 @@ use asperity::error::{ClaimError, StepsError};
 #[cfg(feature = "record")]
 use asperity::files::check_apart;
 use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
-use asperity::setup::{Cost, Setup};
+use asperity::setup::{Cost, Setup, SetupTable};
 use asperity::surface::{read_field, read_fields, read_fields_shape};
 use clap::Args;
 use std::io::stdout;
@@ -85,9 +85,9 @@ impl Inspect {
         if !table.has_load() {
             return Err(ClaimError::NoLoad.into());
         }
-        let setup = table.setup()?;
         #[cfg(feature = "record")]
-        check_apart(self.shown.record.as_deref(), self.read(&setup))?;
+        check_apart(self.shown.record.as_deref(), self.read(&table)?)?;
+        let setup = table.setup()?;
         Cost::from_fields(&setup.check()?, FIELDS).check("an iteration")?;
         let problem = setup.problem()?;
         match &self.follow {
@@ -98,9 +98,9 @@ impl Inspect {
 
     /// The files that are read.
     #[cfg(feature = "record")]
-    fn read<'a>(&'a self, setup: &'a Setup) -> impl Iterator<Item = &'a Path> {
-        let steps = self.steps.iter().chain(&self.times).chain(&self.reference);
-        self.scene.files(&setup.surface).chain(steps.map(PathBuf::as_path))
+    fn read(&self, table: &SetupTable) -> Result<Vec<PathBuf>> {
+        let steps = step_files(&self.steps)?.into_iter().chain(self.times.clone()).chain(self.reference.clone());
+        Ok(self.scene.files(table).into_iter().chain(steps).collect())
     }
 
     /// Replays steps that are all there.

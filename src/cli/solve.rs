@@ -57,10 +57,10 @@ pub struct Solve {
 impl Solve {
     pub fn run(&self) -> Result<ExitStatus> {
         let mut table = self.scene.table()?;
+        check_apart(self.outputs.files(), self.scene.files(&table))?;
         refuse_study(&table)?;
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
-        check_apart(self.outputs.files(), self.scene.files(&setup.surface))?;
         let units = self.scene.units(&setup.surface);
         if setup.is_history()? {
             return match loads {

@@ -73,7 +73,7 @@ impl Study {
         let plan = Plan::read(&self.study)?;
         #[cfg(feature = "record")]
         if let (Some(row), Some(path)) = (self.record_row, &self.record) {
-            check_apart([path.as_path()], [self.study.as_path()])?;
+            check_apart([path], [self.study.as_path()].into_iter().chain(plan.files()))?;
             return study_row::record(&plan, row, path);
         }
         let campaign = self.campaign();
@@ -82,7 +82,7 @@ impl Study {
             return Ok(ExitStatus::Done);
         }
         let table = Table::new(self.table()?);
-        check_outputs(&table, [self.study.as_path()])?;
+        check_outputs(&table, [self.study.as_path()].into_iter().chain(plan.files()))?;
         plan.check()?;
         if self.fresh {
             table.read()?; // what is no table of a study is not ours to replace
@@ -129,10 +129,9 @@ pub fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
     Ok(path)
 }
 
-/// Refuses a table that is, or whose drawings are, one of the files that are read.
-fn check_outputs<'a>(table: &Table, read: impl IntoIterator<Item = &'a Path>) -> Result<()> {
-    let views = table.views();
-    Ok(check_apart([table.path()].into_iter().chain(views.iter().map(PathBuf::as_path)), read)?)
+/// Refuses a table of which a file, or a drawing, is one of the files that are read.
+fn check_outputs<R: AsRef<Path>>(table: &Table, read: impl IntoIterator<Item = R>) -> Result<()> {
+    Ok(check_apart(table.files().into_iter().chain(table.views()), read)?)
 }
 
 /// Writes the files of a whole study except its table, and prints the means.
@@ -202,8 +201,9 @@ impl Merge {
                 Usage(format!("there is no table {}: solve this share, or leave it out", share.display())).into()
             );
         }
-        check_outputs(&Table::new(&path), self.shares.iter().chain([&self.study]).map(PathBuf::as_path))?;
         let tables: Vec<Table> = self.shares.iter().map(Table::new).collect();
+        let named = [self.study.as_path()].into_iter().chain(plan.files()).map(Path::to_path_buf);
+        check_outputs(&Table::new(&path), named.chain(tables.iter().flat_map(Table::files)))?;
         let points = plan.merge(&tables)?;
         let all: Vec<usize> = (0..plan.realisations()).collect();
         plan.finish(&Table::new(&path), &all, &points)?;

@@ -122,12 +122,13 @@ impl Describe {
         if let Some(path) = &self.psd {
             check_named(path, &["csv"])?;
         }
-        let (mut recipe, cell) = self.scene.table()?.surface()?;
+        let table = self.scene.table()?;
         #[cfg(feature = "record")]
         let written = self.out.iter().chain(&self.psd).chain(&self.record);
         #[cfg(not(feature = "record"))]
         let written = self.out.iter().chain(&self.psd);
-        check_apart(written.map(PathBuf::as_path), self.scene.files(&recipe))?;
+        check_apart(written, self.scene.files(&table))?;
+        let (mut recipe, cell) = table.surface()?;
         let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;

@@ -52,6 +52,9 @@ pub enum ResultClaim {
     /// The attraction does not hold the load, and the surfaces have parted.
     #[strum(message = "separated: the attraction does not hold this load, and the surfaces have parted")]
     Separated,
+    /// Nothing is claimed of a state that was read from a file, which does not confirm it or does not have what a check needs.
+    #[strum(message = "unchecked: the state was read from a file that does not confirm it")]
+    Unchecked,
 }
 
 impl ResultClaim {

@@ -74,6 +74,22 @@ impl Contact {
         }
     }
 
+    /// The contact with a pressure that was found elsewhere: displacement, gap and certificate are computed from it. Nothing is said of how its
+    /// solver stopped: its status is [`Status::Stalled`].
+    ///
+    /// # Errors
+    /// [`SurfaceError::Shape`] for a pressure that does not fit the grid of the problem.
+    pub fn from_pressure(problem: &Problem, pressure: Field, work: Work, solver: &str) -> Result<Self, SurfaceError> {
+        let expected = problem.surface().grid().shape();
+        if pressure.shape() != expected {
+            return Err(SurfaceError::Shape { found: pressure.shape().to_vec(), expected });
+        }
+        let pressure: Vec<f64> = pressure.into_iter().collect();
+        let mut displacement = vec![0.0; pressure.len()];
+        problem.response().displacement(&pressure, &mut displacement);
+        Ok(Self::new(problem, pressure, displacement, work, solver))
+    }
+
     /// The contact with the parts of another contact: fields (pressure, displacement and gap), certificate, work,
     /// status, solver and the state on the next coarser grid. Nothing is computed again. This moves a contact to
     /// another process.

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use strum::IntoStaticStr;
+use strum::{EnumString, IntoStaticStr};
 
 /// How a solver stopped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Status {
@@ -21,6 +21,8 @@ pub enum Status {
     StoppedByObserver,
     /// The observer failed.
     ObserverFailed,
+    /// The contact was read from a file, whose fields do not confirm what it says.
+    Unconfirmed,
 }
 
 impl Status {
@@ -39,6 +41,7 @@ impl fmt::Display for Status {
             Self::Ended => "no more steps",
             Self::StoppedByObserver => "stopped by the observer",
             Self::ObserverFailed => "the observer failed",
+            Self::Unconfirmed => "not confirmed by its file",
         })
     }
 }

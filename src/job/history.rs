@@ -12,6 +12,7 @@ use serde::Serialize;
 const FEW_SPACINGS: f64 = 4.0;
 
 /// The states of a history, and what they add up to.
+#[derive(Debug)]
 pub struct HistoryOutcome {
     /// The process.
     pub kind: ProcessKind,

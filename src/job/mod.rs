@@ -20,12 +20,16 @@
 
 #[cfg(feature = "record")]
 mod curve;
+mod doubts;
 mod history;
 #[cfg(feature = "record")]
 mod history_recording;
 mod outcome;
 mod ready;
 mod run;
+mod saved;
+mod saved_states;
+mod state_check;
 mod tables;
 mod watch;
 
@@ -35,6 +39,7 @@ pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;
+pub use saved::{SavedFound, SavedResult};
 pub use tables::{write_loads, write_nodes};
 pub use watch::{Pass, ShowSteps, Watcher};
 

@@ -1,6 +1,7 @@
 //! Setups out of recordings.
 
 use crate::error::FileError;
+use crate::files::open_regular;
 use rerun::{ChunkStore, ChunkStoreConfig, StoreKind, TextDocument};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
@@ -49,7 +50,7 @@ pub fn setups(path: &Path) -> Result<Option<Vec<String>>, FileError> {
 pub fn is_recording(path: &Path) -> Result<bool, FileError> {
     let unreadable = |source| FileError::Read { path: path.into(), source };
     let mut first = Vec::new();
-    let file = File::open(path).map_err(unreadable)?;
+    let file = open_regular(path).map_err(unreadable)?;
     file.take(MAGIC.len() as u64).read_to_end(&mut first).map_err(unreadable)?;
     Ok(first == MAGIC)
 }

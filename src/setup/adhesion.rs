@@ -1,11 +1,10 @@
 //! Adhesion between surface and solid.
 
 use crate::adhesion::{AdhesiveMethod, Attraction, AttractionForm};
-use crate::error::SetupError;
-use crate::files::read_columns;
+use crate::error::{FileError, SetupError};
+use crate::files::{InputFile, columns_of};
 use crate::quantity;
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
 
 /// The attraction between surface and solid, and the method that finds its states.
 ///
@@ -24,7 +23,7 @@ pub struct Adhesion {
     pub form: AttractionForm,
     /// A file of comma-separated values with the columns `gap` and `traction`, instead of work, range and form.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub table: Option<PathBuf>,
+    pub table: Option<InputFile>,
     /// The method.
     #[serde(skip_serializing_if = "is_default")]
     pub method: AdhesiveMethod,
@@ -55,9 +54,11 @@ impl Adhesion {
 }
 
 /// Reads the table of an attraction. Its gaps and tractions may have units.
-fn read_table(file: &Path) -> Result<Attraction, SetupError> {
-    let wrong = |reason: String| SetupError::Adhesion { reason: format!("{}: {reason}", file.display()) };
-    let columns = read_columns(file)?;
+fn read_table(file: &InputFile) -> Result<Attraction, SetupError> {
+    let path = file.path();
+    let wrong = |reason: String| SetupError::Adhesion { reason: format!("{}: {reason}", path.display()) };
+    let columns = columns_of(&file.bytes()?);
+    let columns = columns.map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })?;
     let column = |name: &str, read: fn(&str) -> Option<f64>| {
         let found = columns.iter().find(|(header, _)| header.eq_ignore_ascii_case(name));
         let (_, words) =

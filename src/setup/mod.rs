@@ -39,6 +39,7 @@ mod chosen;
 mod command;
 mod cost;
 mod expected_area;
+mod files;
 mod flag;
 mod flow;
 mod line;
@@ -65,6 +66,7 @@ pub use axis::{ParameterAxis, Scalar};
 pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, Extras, available_bytes};
+pub use files::FILE_KEYS;
 pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
 pub use flow::Flow;
 pub use method::Method;
@@ -82,7 +84,7 @@ use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
 use crate::error::{FlowError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
-use crate::surface::{HeightFile, Surface};
+use crate::surface::Surface;
 use crate::theory::Exact;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -347,18 +349,15 @@ impl Setup {
     }
 
     /// Sixteen hexadecimal digits that identify all setups with the same contact under the same load. They depend on
-    /// everything in the setup except the load, the friction and the recording, and by the bytes of a height file in
-    /// place of its name.
+    /// everything in the setup except the load, the friction and the recording, and on the contents of the files that it names in place of
+    /// their names.
     ///
     /// # Errors
-    /// For a height file that cannot be read.
+    /// For a file that cannot be read.
     pub fn fingerprint(&self) -> Result<String, SetupError> {
         let (load, record) = (Load::ReducedPressure(1.0), Record::default());
-        let mut rest = Self { load, friction: None, record, ..self.clone() };
-        let files = [rest.surface.height.take(), rest.surface.against.take()];
-        let read = files.iter().flatten().map(HeightFile::bytes).collect::<Result<Vec<_>, _>>()?;
-        let text = rest.to_toml();
-        Ok(format!("{:016x}", fnv1a(std::iter::once(text.as_bytes()).chain(read.iter().map(AsRef::as_ref)))))
+        let rest = Self { load, friction: None, record, ..self.clone() }.with_names_by_content()?;
+        Ok(format!("{:016x}", fnv1a([rest.to_toml().as_bytes()])))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::one_or_more;
 use crate::contact::Load;
 use crate::error::SetupError;
+use crate::files::InputFile;
 use crate::history::PathPoint;
 use serde::{Deserialize, Serialize};
 
@@ -16,9 +17,12 @@ pub(super) const COLUMNS: [&str; 3] = ["time", "load", "tangential"];
 ///
 /// In a scene it is the section `path`; a file of comma-separated values whose first row names the columns `time`, `load` and
 /// `tangential`, of which some may be missing, takes the place of the lists as `path.file`.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct LoadPath {
+    /// The file that the lists were read from. It is read once, so a setup that is written has the lists in its place.
+    #[serde(skip_serializing)]
+    pub file: Option<InputFile>,
     /// Times, 0 or later and in ascending order; two equal ones are a sudden change of the load. Needed for a solid that creeps. The
     /// load of the first point is applied at time 0.
     #[serde(
@@ -40,6 +44,15 @@ pub struct LoadPath {
     /// The largest estimated relative error of a step in time; 1e-3 if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_tolerance: Option<f64>,
+}
+
+/// Two paths are equal if their points and steps are, wherever these were read from.
+impl PartialEq for LoadPath {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { file: _, time, load, tangential, steps, time_tolerance } = self;
+        (time, load, tangential) == (&other.time, &other.load, &other.tangential)
+            && (steps, time_tolerance) == (&other.steps, &other.time_tolerance)
+    }
 }
 
 impl LoadPath {

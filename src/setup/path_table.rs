@@ -15,7 +15,6 @@ impl SetupTable {
     /// [`SetupError::Path`], [`SetupError::Text`] for a load of another kind, and those of reading the file.
     pub(super) fn read_path(&mut self) -> Result<(), SetupError> {
         if let Some(file) = self.find("path.file").and_then(toml::Value::as_str).map(str::to_owned) {
-            self.remove("path.file");
             for (name, values) in columns(Path::new(&file))? {
                 let path = format!("path.{name}");
                 if self.find(&path).is_some() {

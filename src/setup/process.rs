@@ -205,7 +205,7 @@ impl Setup {
     }
 
     /// The terms of a solid that creeps, a ratio and a time each.
-    pub(super) fn memory(&self) -> Result<Vec<(f64, f64)>, SetupError> {
+    pub(crate) fn memory(&self) -> Result<Vec<(f64, f64)>, SetupError> {
         Ok(self.prony()?.terms().iter().map(|term| (term.ratio, term.time)).collect())
     }
 
@@ -386,7 +386,7 @@ impl Setup {
     }
 
     /// Dundurs' constant; 0 for a solid of which only the contact modulus is known.
-    fn dundurs_beta(&self) -> f64 {
+    pub(crate) fn dundurs_beta(&self) -> f64 {
         self.solid.as_ref().and_then(Solid::dundurs_beta).unwrap_or(0.0)
     }
 

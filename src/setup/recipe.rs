@@ -2,6 +2,7 @@
 
 use super::Cell;
 use crate::error::{SetupError, SurfaceError};
+use crate::files::InputFile;
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::surface::{
@@ -9,7 +10,6 @@ use crate::surface::{
     Surface,
 };
 use serde::{Deserialize, Deserializer, Serialize};
-use std::path::Path;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// How a second random roughness is joined with the first.
@@ -102,9 +102,11 @@ impl Recipe {
         [&self.height, &self.against].into_iter().flatten()
     }
 
-    /// The paths of all files that it reads.
-    pub fn paths(&self) -> impl Iterator<Item = &Path> {
-        self.files().map(HeightFile::path).chain(self.spectra().flat_map(RandomRoughness::paths))
+    /// All files that it names, in the order of their keys.
+    pub(super) fn files_mut(&mut self) -> impl Iterator<Item = &mut InputFile> {
+        let heights = [&mut self.height, &mut self.against].into_iter().flatten().map(HeightFile::file_mut);
+        let spectra = [&mut self.spectrum, &mut self.second_spectrum].into_iter().flatten();
+        heights.chain(spectra.flat_map(RandomRoughness::files_mut))
     }
 
     /// The layout of the first file of heights.

@@ -2,11 +2,11 @@
 
 use super::{Cell, FLAGS, Flag, Method, Recipe, Setup};
 use crate::error::{FileError, SetupError};
-use crate::files::write_beside;
-use crate::surface::{HeightFile, read_fields, read_text};
+use crate::files::{read_bytes, write_beside};
+use crate::surface::{read_fields, read_text};
 use serde::de::{DeserializeOwned, Unexpected};
 use serde::{Deserialize, Serialize};
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::path::Path;
 
 /// The only method that has settings.
@@ -51,8 +51,8 @@ impl SetupTable {
         toml::Table::try_from(setup).map(Self).map_err(|_| wrong(shape.into()))
     }
 
-    /// The sections and keys of a file: a scene, or a result in JSON or `.npz`. A height file is found beside a scene; that of
-    /// an `.npz` result is the result itself, which holds the heights.
+    /// The sections and keys of a file: a scene, or a result in JSON or `.npz`. The files that a scene names are found beside it; the height file
+    /// of an `.npz` result is the result itself, which holds the heights.
     ///
     /// # Errors
     /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that holds no setup.
@@ -69,12 +69,9 @@ impl SetupTable {
     }
 
     fn read_scene(path: &Path) -> Result<Self, SetupError> {
-        let text = std::fs::read_to_string(path).map_err(|source| match source.kind() {
-            ErrorKind::InvalidData => {
-                let reason = "it is not text: give a scene (.toml or .json), or a result (.npz)".into();
-                FileError::Format { path: path.into(), what: "setup", reason }
-            }
-            _ => FileError::Read { path: path.into(), source },
+        let text = String::from_utf8(read_bytes(path)?).map_err(|_| {
+            let reason = "it is not text: give a scene (.toml or .json), or a result (.npz)".into();
+            FileError::Format { path: path.into(), what: "setup", reason }
         })?;
         let is_json = text.trim_start().strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with(['"', '}']));
         let table = match is_json {
@@ -83,26 +80,6 @@ impl SetupTable {
             _ => Self::from_toml(&text),
         };
         Ok(table.map_err(|error| error.in_file(path))?.beside(path))
-    }
-
-    /// The sections and keys with the height files that lie in the folder of the file `path`.
-    pub fn beside(mut self, path: &Path) -> Self {
-        for key in ["height", "against"] {
-            let files = self.0.get_mut("surface").and_then(|it| it.get_mut(key));
-            let files = files.map_or(&mut [][..], |it| match it {
-                toml::Value::Array(files) => files,
-                one => std::slice::from_mut(one),
-            });
-            for file in files {
-                if let toml::Value::String(file) = file {
-                    *file = path.with_file_name(&*file).to_string_lossy().into_owned();
-                }
-            }
-        }
-        if let Some(toml::Value::String(file)) = self.0.get_mut("path").and_then(|it| it.get_mut("file")) {
-            *file = path.with_file_name(&*file).to_string_lossy().into_owned();
-        }
-        self
     }
 
     /// The setup whose surface, if it was made with a height file, is the one that a result holds.
@@ -172,6 +149,13 @@ impl SetupTable {
     /// The sections with what is in them, by their names.
     pub(super) fn sections(&self) -> impl Iterator<Item = (&String, &toml::Value)> {
         self.0.iter()
+    }
+
+    /// The value at a path of keys, to be changed.
+    pub(super) fn find_mut(&mut self, path: &str) -> Option<&mut toml::Value> {
+        let mut keys = path.split('.');
+        let first = self.0.get_mut(keys.next()?);
+        keys.try_fold(first?, |value, key| value.get_mut(key))
     }
 
     /// The value at a path of keys.
@@ -405,21 +389,11 @@ impl Setup {
         SetupTable(toml::Table::try_from(self).expect("a setup has a form in TOML"))
     }
 
-    /// Writes the setup as a scene, whose height files are named by their full paths.
+    /// Writes the setup as a scene, whose files are named by their full paths.
     ///
     /// # Errors
     /// The errors of [`write_beside`].
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
         self.clone().with_full_path().to_table().write(path)
-    }
-
-    /// The setup whose files are named by their full paths.
-    pub fn with_full_path(mut self) -> Self {
-        for roughness in [&mut self.surface.spectrum, &mut self.surface.second_spectrum].into_iter().flatten() {
-            *roughness = roughness.clone().with_full_path();
-        }
-        self.surface.height = self.surface.height.map(HeightFile::with_full_path);
-        self.surface.against = self.surface.against.map(HeightFile::with_full_path);
-        self
     }
 }

@@ -151,12 +151,14 @@ impl Plan {
         write_beside(path, |file| {
             let mut csv = csv::Writer::from_writer(file);
             self.in_columns(share, points, |columns, is_first| {
+                let names = || columns.iter().map(|column| column.name.clone());
                 if is_first {
-                    csv.write_record(columns.iter().map(|column| column.name.as_str()).chain([Checksum::NAME]))?;
+                    csv.write_record(names().chain([Checksum::NAME.into()]))?;
                 }
                 let rows = columns.first().map_or(0, |column| column.values.len());
-                let words = |i| columns.iter().map(|column| column.values.word(i)).collect();
-                (0..rows).try_for_each(|i| csv.write_record(Checksum::add_to(words(i))))?;
+                let words = |i| columns.iter().map(move |column| column.values.word(i));
+                let check = |i| Checksum::from_words(names(), words(i));
+                (0..rows).try_for_each(|i| csv.write_record(words(i).chain([check(i)])))?;
                 Ok(())
             })?;
             csv.flush()

@@ -1,10 +1,14 @@
-//! The check sum of a row, which shows whether a row was changed after it was written.
+//! The check sum of a row, which shows whether a row, or the names of its columns, were changed after it was written.
 
 use crate::setup::fnv1a;
 use csv::{StringRecord, WriterBuilder};
 use serde::Serialize;
 
-/// The last column `check` of a row: the hash FNV-1a of the other fields, as a line of comma-separated values, in hexadecimal digits.
+/// What check sums begin with that cover the names of the columns. Older ones have no such mark, and cover the fields of the row alone.
+const NAMED: &str = "named-";
+
+/// The last column `check` of a row: the hash FNV-1a of the names of the other columns and of their fields, as lines of comma-separated values, in
+/// hexadecimal digits.
 #[derive(Debug, Serialize)]
 pub struct Checksum {
     check: String,
@@ -14,27 +18,55 @@ impl Checksum {
     /// The name of the column.
     pub const NAME: &str = "check";
 
-    /// The check sum of a row that is written with it.
+    /// The check sum of a row that is written under the names of its fields.
     pub fn from_row(row: impl Serialize) -> Self {
-        Self { check: format!("{:016x}", fnv1a([line(row).as_slice()])) }
+        Self::from_lines(&lines(row))
     }
 
-    /// The words of a row, with its check sum as the last.
-    pub fn add_to(mut words: Vec<String>) -> Vec<String> {
-        words.push(Self::from_row(&words).check);
-        words
+    /// The names of the fields of a row that is written with its check sum.
+    pub fn names(row: impl Serialize) -> StringRecord {
+        let lines = lines(row);
+        let mut names = csv::Reader::from_reader(lines.as_slice()).headers().cloned().unwrap_or_default();
+        names.push_field(Self::NAME);
+        names
     }
 
-    /// Whether a row has not changed since it was written.
-    pub fn holds(record: &StringRecord) -> bool {
-        let mut fields: Vec<&str> = record.iter().collect();
-        fields.pop().is_some_and(|last| last == Self::from_row(fields).check)
+    /// The check sum of a row of words under the names of their columns.
+    pub fn from_words<T: AsRef<[u8]>>(
+        names: impl IntoIterator<Item = T>,
+        words: impl IntoIterator<Item = T>,
+    ) -> String {
+        let mut csv = WriterBuilder::new().flexible(true).from_writer(Vec::new());
+        let written = csv.write_record(names).and_then(|()| csv.write_record(words));
+        written.expect("words have a form in lines");
+        Self::from_lines(&csv.into_inner().expect("lines fit in memory")).check
+    }
+
+    fn from_lines(lines: &[u8]) -> Self {
+        Self { check: format!("{NAMED}{:016x}", fnv1a([lines])) }
+    }
+
+    /// Whether a row and the names of its columns, with that of the check sum as the last, have not changed since they were written.
+    pub fn holds(names: &StringRecord, record: &StringRecord) -> bool {
+        let (mut names, mut fields): (Vec<&str>, Vec<&str>) = (names.iter().collect(), record.iter().collect());
+        names.pop();
+        fields.pop().is_some_and(|last| match last.starts_with(NAMED) {
+            true => last == Self::from_words(names, fields),
+            false => last == of_fields(fields),
+        })
     }
 }
 
-/// A row as a line of comma-separated values.
-fn line(row: impl Serialize) -> Vec<u8> {
-    let mut csv = WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+/// A row below the names of its fields.
+fn lines(row: impl Serialize) -> Vec<u8> {
+    let mut csv = WriterBuilder::new().from_writer(Vec::new());
     csv.serialize(row).expect("numbers and texts have a form in lines");
-    csv.into_inner().expect("a line fits in memory")
+    csv.into_inner().expect("lines fit in memory")
+}
+
+/// The check sum of tables that were written before check sums covered the names of the columns.
+fn of_fields(fields: Vec<&str>) -> String {
+    let mut csv = WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    csv.write_record(fields).expect("words have a form in lines");
+    format!("{:016x}", fnv1a([csv.into_inner().expect("a line fits in memory").as_slice()]))
 }

@@ -9,10 +9,17 @@ use crate::error::{SetupError, StudyError};
 use crate::setup::fnv1a;
 use crate::surface::RandomRoughness;
 
-/// Version of the program.
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// Revision of the numerics. It is raised with every change that changes results by more than their tolerances, and with every mended result, so that
+/// tables of studies do not mix results of both.
+pub const NUMERICS: u32 = 1;
 
-/// The identity of a realisation: tables recognise its points by its name, its setup and the version of the program.
+/// Version of the program, with the revision of its numerics.
+fn version() -> String {
+    format!("{}+numerics.{NUMERICS}", env!("CARGO_PKG_VERSION"))
+}
+
+/// The identity of a realisation: tables recognise its points by its name, its setup, and the version of the program with the revision of its
+/// numerics.
 pub(super) struct Identity<'a> {
     realisation: &'a Realisation,
     /// Fingerprint of the setup; it includes the loads if these are not reduced pressures, since the points do not
@@ -20,7 +27,7 @@ pub(super) struct Identity<'a> {
     setup: String,
 }
 
-/// What the points of a realisation share: its name, the fingerprint of its setup and the version of the program.
+/// What the points of a realisation share: its name, the fingerprint of its setup, and the version with the revision of the numerics.
 pub(super) type Key = [String; 3];
 
 /// What the realisation of a point is known by.
@@ -44,7 +51,7 @@ impl<'a> Identity<'a> {
 
     /// What the realisation is known by.
     pub fn key(&self) -> Key {
-        [self.realisation.name.clone(), self.setup.clone(), VERSION.into()]
+        [self.realisation.name.clone(), self.setup.clone(), version()]
     }
 
     /// Whether a point with the key of the realisation is under one of its loads.
@@ -123,7 +130,7 @@ impl<'a> Identity<'a> {
             tolerance: setup.stop.tolerance(),
             status: contact.status,
             setup: self.setup.clone(),
-            version: VERSION.into(),
+            version: version(),
             observables: Observables::new(contact),
             adhesion: AdhesionRow::default(),
             flow: FlowRow::default(),

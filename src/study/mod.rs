@@ -49,6 +49,7 @@ pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;
 pub use flow_row::{FLOW_COLUMNS, FlowColumn, FlowRow};
+pub use identity::NUMERICS;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::{LoadCurve, Loading};

@@ -6,7 +6,7 @@ use super::shard::Shard;
 use crate::contact::Load;
 use crate::error::{SetupError, StudyError};
 use crate::setup::{ParameterAxis, Setup, SetupTable};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Name of the realisations in tables.
 const NAME: &str = "study";
@@ -46,6 +46,8 @@ pub struct Plan {
     realisations: usize,
     has_adhesion: bool,
     has_flow: bool,
+    /// The files that it names.
+    files: Vec<PathBuf>,
     /// The text that it was read from, to name lines of.
     text: String,
 }
@@ -81,7 +83,7 @@ impl Plan {
         Self::new(table, "")
     }
 
-    /// The study in a file. Paths of height files are relative to it.
+    /// The study in a file. The files that it names are found beside it.
     ///
     /// # Errors
     /// The errors of [`SetupTable::read`] and [`Plan::from_toml`].
@@ -96,6 +98,7 @@ impl Plan {
 
     fn new(mut table: SetupTable, text: &str) -> Result<Self, StudyError> {
         let located = |error: SetupError| error.in_text(text);
+        let files = table.files();
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
         let first = table.clone().setup().map_err(located)?;
@@ -116,7 +119,7 @@ impl Plan {
         axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
         let (has_adhesion, has_flow) = (first.adhesion.is_some(), !first.flow.is_none());
         let realisations = rows as usize / loads.len();
-        Ok(Self { table, axes, realisations, has_adhesion, has_flow, loads, text: text.into() })
+        Ok(Self { table, axes, realisations, has_adhesion, has_flow, loads, files, text: text.into() })
     }
 
     /// Whether each row is the history of a setup with adhesion.
@@ -127,6 +130,11 @@ impl Plan {
     /// Whether each row has what flows through its contact.
     pub(super) fn has_flow(&self) -> bool {
         self.has_flow
+    }
+
+    /// The paths of all files that it names, those in lists as well.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        self.files.iter().map(PathBuf::as_path)
     }
 
     /// The lists, without that of the loads; the last list varies fastest.

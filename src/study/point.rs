@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// A solved point: a realisation under one of its loads, the status of the solver, and the results.
 ///
 /// The fields are columns of a table, and so are those of its observables. What distinguishes the points of one
-/// realisation from those of others is its name, the fingerprint of its setup, and the version of the program.
+/// realisation from those of others is its name, the fingerprint of its setup, and the version of the program with the revision of its numerics.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the realisation.
@@ -38,7 +38,7 @@ pub struct Point {
     pub status: Status,
     /// Fingerprint of the setup.
     pub setup: String,
-    /// Version of the program.
+    /// Version of the program, with the revision of its numerics.
     pub version: String,
     /// The numbers that were found.
     #[serde(skip)]
@@ -54,12 +54,18 @@ pub struct Point {
     pub seconds: f64,
 }
 
+/// What a point took.
+#[derive(Serialize)]
+struct Spent {
+    seconds: f64,
+}
+
 impl Point {
     /// Points as lines of comma-separated values without a head, all numbers to the last bit, each line with its check sum.
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-        let rows = points.into_iter().map(|it| (it, it.observables, it.adhesion, it.flow, it.seconds));
-        let written = rows.into_iter().try_for_each(|row| csv.serialize((row, Checksum::from_row(row))));
+        let mut rows = points.into_iter().map(Self::row);
+        let written = rows.try_for_each(|row| csv.serialize((&row, Checksum::from_row(&row))));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
     }
@@ -67,13 +73,19 @@ impl Point {
     /// The points in such lines, as far as these are whole and as they were written.
     pub fn from_lines(text: &[u8]) -> Vec<Self> {
         let csv = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text);
-        csv.into_records().flatten().filter(Checksum::holds).filter_map(|record| Self::from_record(&record)).collect()
+        csv.into_records().flatten().filter_map(|record| Self::from_record(&record)).collect()
+    }
+
+    /// All that is written of the point.
+    fn row(&self) -> impl Serialize {
+        (self, self.observables, self.adhesion, self.flow, Spent { seconds: self.seconds })
     }
 
     fn from_record(record: &StringRecord) -> Option<Self> {
         let (point, observables, adhesion, flow, seconds, _): (Self, Observables, AdhesionRow, FlowRow, f64, String) =
             record.deserialize(None).ok()?;
-        Some(Self { observables, adhesion, flow, seconds, ..point })
+        let point = Self { observables, adhesion, flow, seconds, ..point };
+        Checksum::holds(&Checksum::names(point.row()), record).then_some(point)
     }
 
     /// Whether the certificate met the tolerance. Other points are kept in tables, but left out of means.

@@ -18,8 +18,8 @@ use std::path::{Path, PathBuf};
 /// | `NAME.seconds.csv`   | the seconds that each of them took, row by row                                 |
 /// | `NAME.unfinished`    | the points of a study that runs, or was killed, in the order of their coming    |
 ///
-/// The last column of a row of points is its check sum: a row that was changed after it was written is treated as
-/// missing, and is solved again.
+/// The last column of a row of points is its check sum, which covers the names of the columns: a row that was changed after it was written is
+/// treated as missing, and is solved again, and so are all rows if names were changed.
 #[derive(Debug, Clone)]
 pub struct Table {
     path: PathBuf,
@@ -69,7 +69,7 @@ impl Table {
             let adhesion = record.deserialize(Some(names))?;
             let flow = record.deserialize(Some(names))?;
             let point = Point { observables, adhesion, flow, seconds, ..record.deserialize(Some(names))? };
-            Ok(Checksum::holds(record).then_some(point))
+            Ok(Checksum::holds(names, record).then_some(point))
         })?;
         let mut points: Vec<Point> = points.into_iter().flatten().collect();
         points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
@@ -122,12 +122,17 @@ impl Table {
     /// [`FileError::Write`].
     pub fn clear(&self) -> Result<(), FileError> {
         let views = self.views().into_iter();
-        [self.path.clone(), self.seconds_path(), self.unfinished_path()].into_iter().chain(views).try_for_each(remove)
+        self.files().into_iter().chain(views).try_for_each(remove)
     }
 
     /// The paths of the files beside the table of a whole study.
     pub fn views(&self) -> [PathBuf; 3] {
         ["parquet", "svg", "png"].map(|ending| self.path.with_extension(ending))
+    }
+
+    /// The paths of all files that it is read from.
+    pub fn files(&self) -> [PathBuf; 3] {
+        [self.path.clone(), self.seconds_path(), self.unfinished_path()]
     }
 
     fn seconds_path(&self) -> PathBuf {

@@ -12,8 +12,10 @@ mod hostile_input;
 mod kinds;
 #[cfg(feature = "instruments")]
 mod measured;
+mod named_files;
 #[cfg(all(feature = "cli", feature = "record"))]
 mod recording;
+mod saved;
 mod setup;
 mod study;
 #[cfg(all(unix, feature = "cli", feature = "record"))]

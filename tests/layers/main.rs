@@ -53,7 +53,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("clap_complete", &["cli/completions.rs"]),
     ("clap_mangen", &["cli/man.rs"]),
     ("colorgrad", &["record/"]),
-    ("csv", &["files.rs", "study/", "paper/"]),
+    ("csv", &["files/", "study/", "paper/"]),
     ("dejavu", &["plot/"]),
     ("futures_util", &["serve/"]),
     ("glam", &["record/"]),

@@ -2,6 +2,7 @@
 
 use super::{Layout, Measurement, explained};
 use crate::error::FileError;
+use crate::files::InputFile;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
@@ -21,9 +22,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(from = "PathBuf", into = "PathBuf")]
 pub struct HeightFile {
-    path: PathBuf,
-    /// Its bytes, if it is not on disk.
-    bytes: Option<Arc<[u8]>>,
+    file: InputFile,
     kept: Arc<Mutex<Kept>>,
 }
 
@@ -36,24 +35,29 @@ struct Kept {
 
 impl PartialEq for HeightFile {
     fn eq(&self, other: &Self) -> bool {
-        (&self.path, &self.bytes) == (&other.path, &other.bytes)
+        self.file == other.file
     }
 }
 
 impl HeightFile {
     /// A file of some name that is not on disk.
     pub fn in_memory(name: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) -> Self {
-        Self { path: name.into(), bytes: Some(bytes.into()), kept: Arc::default() }
+        Self { file: InputFile::in_memory(name, bytes), kept: Arc::default() }
     }
 
     /// The path, or the name of one in memory.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.file.path()
+    }
+
+    /// The file as any other that a setup names.
+    pub(crate) fn file_mut(&mut self) -> &mut InputFile {
+        &mut self.file
     }
 
     /// The path or the name, as text.
     pub fn display(&self) -> Display<'_> {
-        self.path.display()
+        self.path().display()
     }
 
     /// Reads it, see [`Measurement::read`].
@@ -65,10 +69,10 @@ impl HeightFile {
         if let Some((_, measurement)) = kept.measurement.as_ref().filter(|it| it.0.as_deref() == channel) {
             return Ok(measurement.clone());
         }
-        let measurement = match &self.bytes {
-            None => Measurement::read(&self.path, channel)?,
+        let measurement = match self.file.kept() {
+            None => Measurement::read(self.path(), channel)?,
             Some(bytes) => {
-                Measurement::from_bytes(bytes, channel).map_err(|error| explained(&self.path, "height", error))?
+                Measurement::from_bytes(bytes, channel).map_err(|error| explained(self.path(), "height", error))?
             }
         };
         kept.layout = Some((channel.map(str::to_owned), measurement.layout()));
@@ -85,10 +89,10 @@ impl HeightFile {
         if let Some((_, layout)) = kept.layout.as_ref().filter(|it| it.0.as_deref() == channel) {
             return Ok(layout.clone());
         }
-        let layout = match &self.bytes {
-            None => Measurement::read_layout(&self.path, channel)?,
+        let layout = match self.file.kept() {
+            None => Measurement::read_layout(self.path(), channel)?,
             Some(bytes) => {
-                Measurement::layout_of(bytes, channel).map_err(|error| explained(&self.path, "height", error))?
+                Measurement::layout_of(bytes, channel).map_err(|error| explained(self.path(), "height", error))?
             }
         };
         kept.layout = Some((channel.map(str::to_owned), layout.clone()));
@@ -100,37 +104,30 @@ impl HeightFile {
     /// # Errors
     /// [`FileError::Read`].
     pub fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
-        match &self.bytes {
-            None => std::fs::read(&self.path)
-                .map(Cow::Owned)
-                .map_err(|source| FileError::Read { path: self.path.clone(), source }),
-            Some(bytes) => Ok(Cow::Borrowed(bytes)),
-        }
+        self.file.bytes()
     }
 
     /// The same file by its full path; one in memory has none.
-    pub fn with_full_path(self) -> Self {
-        match std::path::absolute(&self.path) {
-            Ok(full) if self.bytes.is_none() && full.to_str().is_some() => full.into(),
-            _ => self,
-        }
+    pub fn with_full_path(mut self) -> Self {
+        self.file.make_absolute();
+        self
     }
 }
 
 impl From<PathBuf> for HeightFile {
     fn from(path: PathBuf) -> Self {
-        Self { path, bytes: None, kept: Arc::default() }
+        Self { file: path.into(), kept: Arc::default() }
     }
 }
 
 impl From<HeightFile> for PathBuf {
     fn from(file: HeightFile) -> Self {
-        file.path
+        file.file.into()
     }
 }
 
 impl fmt::Debug for HeightFile {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.path.fmt(f)
+        self.path().fmt(f)
     }
 }

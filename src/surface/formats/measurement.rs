@@ -4,8 +4,9 @@ use super::channel::{Channel, choose};
 use super::format::{ReadSeek, malformed};
 use super::instrument::Instrument;
 use super::layout::Layout;
-use super::{HEIGHTS, INSTRUMENTS, npy, npz, open, profile_of, shape_of};
+use super::{HEIGHTS, INSTRUMENTS, npy, npz, profile_of, shape_of};
 use crate::error::FileError;
+use crate::files::open_regular;
 use crate::surface::Field;
 use crate::warning::Warning;
 use ndarray::Axis;
@@ -51,7 +52,7 @@ impl Measurement {
     pub fn read(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let read = || {
-            let mut file = open(path)?;
+            let mut file = open_regular(path)?;
             if is_array(&mut file) {
                 Self::from_arrays(&mut file, channel)
             } else {
@@ -81,7 +82,7 @@ impl Measurement {
     pub fn read_layout(path: impl AsRef<Path>, channel: Option<&str>) -> Result<Layout, FileError> {
         let path = path.as_ref();
         let read = || {
-            let mut file = open(path)?;
+            let mut file = open_regular(path)?;
             if is_array(&mut file) {
                 layout_of_arrays(&mut file, channel)
             } else {

@@ -37,11 +37,10 @@ pub use layout::Layout;
 pub use measurement::Measurement;
 
 use crate::error::FileError;
-use crate::files::write_beside;
-use format::{ArrayRequest, Format, ReadSeek, malformed};
+use crate::files::{open_regular, write_beside};
+use format::{ArrayRequest, Format, ReadSeek};
 use instrument::Instrument;
 use ndarray::{Array1, ArrayD, ArrayViewD};
-use std::fs::File;
 use std::io;
 use std::path::Path;
 
@@ -140,7 +139,7 @@ pub fn read_shape(path: impl AsRef<Path>) -> Result<Vec<usize>, FileError> {
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] with the reason for an archive without that text.
 pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, FileError> {
     let path = path.as_ref();
-    let mut file = File::open(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+    let mut file = open_regular(path).map_err(|source| FileError::Read { path: path.into(), source })?;
     npz::is_archive(&mut file)
         .then(|| npz::text(&mut file, name))
         .transpose()
@@ -153,19 +152,11 @@ fn with_file<T>(
     wanted: &ArrayRequest<'static>,
     read: impl FnOnce(&mut dyn ReadSeek, &Format) -> io::Result<T>,
 ) -> Result<T, FileError> {
-    let opened = open(path).and_then(|mut file| {
+    let opened = open_regular(path).and_then(|mut file| {
         let format = format(&mut file);
         read(&mut file, format)
     });
     opened.map_err(|error| explained(path, wanted.name, error))
-}
-
-/// Opens a file, and nothing else that has a path.
-fn open(path: &Path) -> io::Result<File> {
-    match std::fs::metadata(path)?.is_file() {
-        true => File::open(path),
-        false => Err(malformed("it is a directory or a device: give a file")),
-    }
 }
 
 /// The format of arrays.

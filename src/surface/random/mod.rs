@@ -26,11 +26,11 @@ pub use spectrum_table::{SpectrumKind, SpectrumTable};
 
 use super::{Field, Surface};
 use crate::error::RoughnessError;
+use crate::files::InputFile;
 use crate::grid::Grid;
 use keys::RoughnessKeys;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
-use std::path::Path;
 use synthesis::WaveSource;
 
 /// Wavenumbers at which a spectrum is integrated.
@@ -135,28 +135,17 @@ impl RandomRoughness {
         Ok(waves)
     }
 
-    /// The paths of the files of its spectrum and of its heights.
-    pub fn paths(&self) -> impl Iterator<Item = &Path> {
-        let spectrum = match &self.spectrum {
+    /// The files of its spectrum and of its heights.
+    pub(crate) fn files_mut(&mut self) -> impl Iterator<Item = &mut InputFile> {
+        let spectrum = match &mut self.spectrum {
             SpectralDensity::SelfAffine(_) => None,
-            SpectralDensity::Measured(measured) => Some(measured.file.path()),
+            SpectralDensity::Measured(measured) => Some(measured.file.file_mut()),
         };
-        let heights = self.heights.as_ref().and_then(|heights| match &heights.distribution {
-            HeightDistribution::Like(file) => Some(file.path()),
+        let heights = self.heights.as_mut().and_then(|heights| match &mut heights.distribution {
+            HeightDistribution::Like(file) => Some(file.file_mut()),
             _ => None,
         });
         spectrum.into_iter().chain(heights)
-    }
-
-    /// The same roughness, with its files named by their full paths.
-    pub fn with_full_path(mut self) -> Self {
-        if let SpectralDensity::Measured(measured) = &mut self.spectrum {
-            measured.file = measured.file.clone().with_full_path();
-        }
-        if let Some(TargetHeights { distribution: HeightDistribution::Like(file), .. }) = &mut self.heights {
-            *file = file.clone().with_full_path();
-        }
-        self
     }
 
     /// The self-affine spectrum, if it has one.

@@ -2,9 +2,8 @@
 
 use super::spectrum_table::{SpectrumKind, SpectrumTable};
 use crate::error::{FileError, SurfaceError};
-use crate::files::{columns_of, write_beside};
+use crate::files::{InputFile, columns_of, write_beside};
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -68,9 +67,7 @@ impl SpectrumConvention {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(from = "PathBuf", into = "PathBuf")]
 pub struct SpectrumFile {
-    path: PathBuf,
-    /// Its bytes, if it is not on disk.
-    bytes: Option<Arc<[u8]>>,
+    file: InputFile,
 }
 
 /// A spectrum in a file, and how it is read.
@@ -96,20 +93,17 @@ const OF_PROFILE: DataSeries = ("1D PSD along x", SpectrumConvention::ProfileTwo
 impl SpectrumFile {
     /// A file of some name that is not on disk.
     pub fn in_memory(name: impl Into<PathBuf>, bytes: impl Into<Arc<[u8]>>) -> Self {
-        Self { path: name.into(), bytes: Some(bytes.into()) }
+        Self { file: InputFile::in_memory(name, bytes) }
     }
 
     /// The path, or the name of one in memory.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.file.path()
     }
 
-    /// The same file by its full path; one in memory has none.
-    pub fn with_full_path(self) -> Self {
-        match std::path::absolute(&self.path) {
-            Ok(full) if self.bytes.is_none() && full.to_str().is_some() => full.into(),
-            _ => self,
-        }
+    /// The file as any other that a setup names.
+    pub(crate) fn file_mut(&mut self) -> &mut InputFile {
+        &mut self.file
     }
 
     /// Its spectrum, for a line or else a surface. Two columns have the convention `convention`, or else that which the file names, or else
@@ -118,8 +112,8 @@ impl SpectrumFile {
     /// # Errors
     /// For a file that cannot be read, or that has no spectrum in it.
     pub fn read(&self, convention: Option<SpectrumConvention>, is_line: bool) -> Result<SpectrumTable, FileError> {
-        let bytes = self.bytes()?;
-        let wrong = |reason: String| FileError::Format { path: self.path.clone(), what: "spectrum", reason };
+        let bytes = self.file.bytes()?;
+        let wrong = |reason: String| FileError::Format { path: self.path().into(), what: "spectrum", reason };
         let text = std::str::from_utf8(&bytes).map_err(|_| wrong("it is not a text".into()))?;
         let (pairs, convention) = match text.lines().any(|line| line.contains("Data series")) {
             true => named(text, is_line).map_err(wrong)?,
@@ -133,26 +127,17 @@ impl SpectrumFile {
         let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
         table.converted(kind).map_err(|it| wrong(fault(it)))
     }
-
-    fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
-        match &self.bytes {
-            Some(bytes) => Ok(Cow::Borrowed(bytes)),
-            None => std::fs::read(&self.path)
-                .map(Cow::Owned)
-                .map_err(|source| FileError::Read { path: self.path.clone(), source }),
-        }
-    }
 }
 
 impl From<PathBuf> for SpectrumFile {
     fn from(path: PathBuf) -> Self {
-        Self { path, bytes: None }
+        Self { file: path.into() }
     }
 }
 
 impl From<SpectrumFile> for PathBuf {
     fn from(file: SpectrumFile) -> Self {
-        file.path
+        file.file.into()
     }
 }
 

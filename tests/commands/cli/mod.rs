@@ -8,6 +8,7 @@ mod interruption;
 mod load_curves;
 mod measured;
 mod memory;
+mod overwriting;
 mod pictures;
 mod plain_names;
 mod refine;

@@ -7,7 +7,7 @@ use asperity::Stop;
 use asperity::contact::{Dynamics, Gfmd, Load, Masses};
 use asperity::error::StudyError;
 use asperity::setup::{Cell as Size, Method, Recipe, Setup, Solid};
-use asperity::study::{Point, Realisation, Sweep, Table};
+use asperity::study::{NUMERICS, Point, Realisation, Sweep, Table};
 use asperity::surface::{Indenter, Spectrum};
 use std::cell::Cell;
 use std::fs;
@@ -144,6 +144,74 @@ fn a_finished_table_is_not_solved_again_and_grows_by_what_is_new() {
     let seconds = fs::read_to_string(folder.path().join("x.seconds.csv")).unwrap();
     assert_eq!(seconds.lines().count(), 25);
     assert!(seconds.lines().skip(1).all(|line| line.rsplit(',').next().unwrap().parse::<f64>().unwrap() > 0.0));
+}
+
+/// The words of a table in which two names of columns have changed places.
+fn swapped_names(table: &str, one: &str, other: &str) -> String {
+    let (head, rows) = table.split_once('\n').unwrap();
+    let swapped = |name| {
+        if name == one {
+            other
+        } else if name == other {
+            one
+        } else {
+            name
+        }
+    };
+    format!("{}\n{rows}", head.split(',').map(swapped).collect::<Vec<_>>().join(","))
+}
+
+#[test]
+fn numbers_under_names_that_were_swapped_are_solved_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, _] = paths(folder.path(), "named");
+    let (table, expected) = (Table::new(&path), String::from_utf8(table_of(&sweep(2), &path)).unwrap());
+    for (one, other) in [("kappa", "kappa_r"), ("relative_area", "mean_gap")] {
+        fs::write(&path, swapped_names(&expected, one, other)).unwrap();
+        assert_eq!(table.read().unwrap().len(), 0);
+        sweep(2).run(&table, &|_| ()).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), expected);
+    }
+}
+
+/// A table whose check sums cover the fields alone, as tables had them before.
+fn with_older_check_sums(table: &str) -> String {
+    let fnv = |line: &str| {
+        line.bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+    };
+    let (head, rows) = table.split_once('\n').unwrap();
+    let older = |row: &str| {
+        let (fields, _) = row.rsplit_once(',').unwrap();
+        format!("{fields},{:016x}\n", fnv(&format!("{fields}\n")))
+    };
+    format!("{head}\n{}", rows.lines().map(older).collect::<String>())
+}
+
+#[test]
+fn tables_with_older_check_sums_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, _] = paths(folder.path(), "older");
+    let (table, now) = (Table::new(&path), String::from_utf8(table_of(&sweep(2), &path)).unwrap());
+    let older = with_older_check_sums(&now);
+    fs::write(&path, &older).unwrap();
+    let points = table.read().unwrap();
+    assert_eq!(points.len(), sweep(1).points());
+    fs::write(&path, one_digit_changed(older.as_bytes(), older.find('\n').unwrap())).unwrap();
+    assert_eq!(table.read().unwrap().len(), points.len() - 1);
+}
+
+/// Rows of another revision of the numerics are not mixed with those of this one.
+#[test]
+fn points_of_another_revision_are_those_of_another_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, _] = paths(folder.path(), "revision");
+    let (table, first) = (Table::new(&path), Sweep { realisations: sweep(1).realisations[..1].to_vec(), ..sweep(1) });
+    let points = first.run(&table, &|_| ()).unwrap();
+    assert!(points.iter().all(|it| it.version.ends_with(&format!("+numerics.{NUMERICS}"))), "{}", points[0].version);
+    let before = points.into_iter().map(|point| Point { version: "0.1.0".into(), ..point }).collect::<Vec<_>>();
+    table.finish(&before).unwrap();
+    assert!(matches!(first.run(&table, &|_| ()), Err(StudyError::OtherStudy { points: 4, .. })));
 }
 
 #[test]

@@ -1,10 +1,16 @@
-//! Output files that appear completely or not at all.
+//! Input files, and output files that appear completely or not at all.
+
+mod apart;
+mod input_file;
+
+pub use apart::check_apart;
+pub use input_file::{InputFile, open_regular, read_bytes};
 
 use crate::error::{Failure, FileError, reason};
 use serde::Serialize;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tempfile::{Builder, NamedTempFile};
 
 /// Checks that a file can be created at `path`, so that a long computation is not lost.
@@ -13,44 +19,6 @@ use tempfile::{Builder, NamedTempFile};
 /// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
 pub fn check_target(path: &Path) -> Result<(), FileError> {
     draft_beside(path).map(drop)
-}
-
-/// Checks that all output files are different, and that none of them is an input file, even under another name.
-///
-/// # Errors
-/// [`FileError::Target`] for the first file that would be lost.
-///
-/// ```
-/// use asperity::files::check_apart;
-/// use std::path::Path;
-/// let [result, same, heights] = ["a.npz", "./a.npz", "h.npy"].map(Path::new);
-/// assert!(check_apart([result], [heights]).is_ok());
-/// let refused = check_apart([result, same], [heights]).unwrap_err();
-/// assert_eq!(refused.to_string(), "cannot write ./a.npz: two outputs have this name: give each its own name");
-/// ```
-pub fn check_apart<'a, 'b>(
-    written: impl IntoIterator<Item = &'a Path>,
-    read: impl IntoIterator<Item = &'b Path>,
-) -> Result<(), FileError> {
-    let mut taken: Vec<(PathBuf, &str)> = read
-        .into_iter()
-        .map(|path| (place(path), "it is also an input file and would be lost: give another name"))
-        .collect();
-    for path in written {
-        let place = place(path);
-        if let Some((_, reason)) = taken.iter().find(|(other, _)| *other == place) {
-            return Err(FileError::Target { path: path.into(), reason: (*reason).into() });
-        }
-        taken.push((place, "two outputs have this name: give each its own name"));
-    }
-    Ok(())
-}
-
-/// The unique path of a file, which need not exist yet.
-fn place(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let beside = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
-    path.canonicalize().ok().or_else(beside).unwrap_or_else(|| path.into())
 }
 
 /// Checks that a file can be created at `path`, and that its name has one of the `endings`, such as `npz`.
@@ -200,8 +168,7 @@ fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Re
 /// # Errors
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for one that is no such table.
 pub fn read_columns(path: &Path) -> Result<Vec<(String, Vec<String>)>, FileError> {
-    let bytes = std::fs::read(path).map_err(|source| FileError::Read { path: path.into(), source })?;
-    columns_of(&bytes).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
+    columns_of(&read_bytes(path)?).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
 }
 
 /// The columns of comma-separated values whose first row names them, as words: the names, and what is in each column. Lines that begin with

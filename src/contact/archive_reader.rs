@@ -1,0 +1,189 @@
+//! Archives of contacts that are read again.
+
+use crate::contact::{Certificate, Resolved, SavedContact, Status, Work};
+use crate::error::FileError;
+use crate::surface::{Field, has_field, read_fields, read_fields_shape, read_text};
+use ndarray::{ArrayD, Axis, Ix2};
+use std::path::{Path, PathBuf};
+
+/// An archive that [`archive`](crate::contact::archive) or one of its kin has written. Arrays are read when they are asked for; nothing in them is
+/// believed but their shapes, which are checked.
+#[derive(Debug)]
+pub struct ArchiveReader {
+    path: PathBuf,
+    setup: String,
+    /// The number of axes of the heights.
+    rank: usize,
+    /// The number of contacts along a first axis, if there is one.
+    list: Option<usize>,
+}
+
+impl ArchiveReader {
+    /// Opens an archive.
+    ///
+    /// # Errors
+    /// [`FileError::Read`] for a file that cannot be read, and [`FileError::Format`] for one that is no result.
+    pub fn open(path: &Path) -> Result<Self, FileError> {
+        let Some(setup) = read_text(path, "setup")? else {
+            return Err(wrong(path, "it is not a saved result: give a file .npz with arrays and a setup"));
+        };
+        let [heights, pressure] = ["height", "pressure"].map(|name| read_fields_shape(path, name));
+        let (rank, axes) = (heights?.len(), pressure?);
+        let list = match axes.len() {
+            _ if !(1..=2).contains(&rank) => {
+                return Err(wrong(path, format!("its heights have {rank} axes: a line has 1, a surface 2")));
+            }
+            found if found == rank => None,
+            found if found == rank + 1 => Some(axes[0]),
+            found => return Err(wrong(path, format!("its pressure has {found} axes, but its heights have {rank}"))),
+        };
+        match list {
+            Some(0) => Err(wrong(path, "it contains no contacts")),
+            _ => Ok(Self { path: path.into(), setup, rank, list }),
+        }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The text of its setup.
+    pub fn setup(&self) -> &str {
+        &self.setup
+    }
+
+    /// The number of axes of its heights: 1 or 2.
+    pub fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Whether fields have a first axis of loads or states.
+    pub fn is_list(&self) -> bool {
+        self.list.is_some()
+    }
+
+    /// The number of contacts.
+    pub fn count(&self) -> usize {
+        self.list.unwrap_or(1)
+    }
+
+    /// Whether there is an array of a name.
+    ///
+    /// # Errors
+    /// [`FileError::Format`] for an archive that is cut short.
+    pub fn has(&self, name: &'static str) -> Result<bool, FileError> {
+        has_field(&self.path, name)
+    }
+
+    /// The heights, shape `(ny, nx)`.
+    ///
+    /// # Errors
+    /// The errors of [`ArchiveReader::fields`].
+    pub fn height(&self) -> Result<Field, FileError> {
+        self.field("height", read_fields(&self.path, "height")?)
+    }
+
+    /// All numbers of an array.
+    ///
+    /// # Errors
+    /// For an array that is not there.
+    pub fn values(&self, name: &'static str) -> Result<Vec<f64>, FileError> {
+        Ok(read_fields(&self.path, name)?.into_iter().collect())
+    }
+
+    /// The fields of a name, one of each contact, shape `(ny, nx)`.
+    ///
+    /// # Errors
+    /// [`FileError::Format`] for an array that is not there, of another shape than the pressure, or with values that are not finite.
+    pub fn fields(&self, name: &'static str) -> Result<Vec<Field>, FileError> {
+        let [array, pressure] = [name, "pressure"].map(|name| read_fields_shape(&self.path, name));
+        let (found, expected) = (array?, pressure?);
+        if found != expected {
+            return Err(
+                self.wrong(format!("its array `{name}` has the shape {found:?}, but its pressure has {expected:?}"))
+            );
+        }
+        let array = read_fields(&self.path, name)?;
+        match self.list {
+            None => Ok(vec![self.field(name, array)?]),
+            Some(_) => array.outer_iter().map(|it| self.field(name, it.to_owned())).collect(),
+        }
+    }
+
+    fn field(&self, name: &str, array: ArrayD<f64>) -> Result<Field, FileError> {
+        let rows = if self.rank == 1 { array.insert_axis(Axis(0)) } else { array };
+        let field = rows.into_dimensionality::<Ix2>();
+        let field = field.map_err(|_| self.wrong(format!("its array `{name}` does not have {} axes", self.rank)))?;
+        match field.iter().find(|value| !value.is_finite()) {
+            Some(value) => Err(self.wrong(format!("its array `{name}` contains the value {value}"))),
+            None => Ok(field.as_standard_layout().into_owned()),
+        }
+    }
+
+    /// The numbers of a name, one of each contact, if there are any.
+    ///
+    /// # Errors
+    /// [`FileError::Format`] for another number of them.
+    pub fn numbers(&self, name: &'static str) -> Result<Option<Vec<f64>>, FileError> {
+        if !self.has(name)? {
+            return Ok(None);
+        }
+        let (values, count) = (self.values(name)?, self.count());
+        match values.len() == count {
+            true => Ok(Some(values)),
+            false => Err(self.wrong(format!("its array `{name}` has {} numbers, not {count}", values.len()))),
+        }
+    }
+
+    /// The words of a name, one of each contact.
+    ///
+    /// # Errors
+    /// [`FileError::Format`] for another number of them.
+    pub fn words(&self, name: &str) -> Result<Vec<String>, FileError> {
+        let (text, count) = (read_text(&self.path, name)?.unwrap_or_default(), self.count());
+        let words: Vec<String> = text.lines().map(str::to_owned).collect();
+        match words.len() == count {
+            true => Ok(words),
+            false => Err(self.wrong(format!("its text `{name}` has {} lines, not {count}", words.len()))),
+        }
+    }
+
+    /// The contacts.
+    ///
+    /// # Errors
+    /// [`FileError::Format`] for arrays that are missing or do not fit each other.
+    pub fn contacts(&self) -> Result<Vec<SavedContact>, FileError> {
+        let [pressures, displacements, gaps] = ["pressure", "displacement", "gap"].map(|name| self.fields(name));
+        let (statuses, solvers) = (self.words("status")?, self.words("solver")?);
+        let nan = vec![f64::NAN; self.count()];
+        let column = |name| Ok::<_, FileError>(self.numbers(name)?.unwrap_or_else(|| nan.clone()));
+        let (iterations, transforms, stiffness) = (column("iterations")?, column("transforms")?, column("stiffness")?);
+        let (eta, coarser) = (column("certificate")?, self.values("coarser")?);
+        let fields = pressures?.into_iter().zip(displacements?).zip(gaps?).enumerate();
+        let contact = |(i, ((pressure, displacement), gap)): (usize, ((Field, Field), Field))| {
+            let status: Status =
+                statuses[i].parse().map_err(|_| self.wrong(format!("its status {:?} is not known", statuses[i])))?;
+            Ok(SavedContact {
+                pressure,
+                displacement,
+                gap,
+                status,
+                solver: solvers[i].clone(),
+                work: Work { iterations: iterations[i] as usize, transforms: transforms[i] as u64, seconds: 0.0 },
+                coarser: coarser.get(6 * i..6 * i + 6).and_then(|it| Resolved::from_numbers(it.try_into().ok()?)),
+                has_stiffness: stiffness[i].is_finite(),
+                certificate: Certificate { eta: eta[i], ..Certificate::UNKNOWN },
+            })
+        };
+        fields.map(contact).collect()
+    }
+
+    fn wrong(&self, reason: impl Into<String>) -> FileError {
+        wrong(&self.path, reason)
+    }
+}
+
+fn wrong(path: &Path, reason: impl Into<String>) -> FileError {
+    FileError::Format { path: path.into(), what: "result", reason: reason.into() }
+}

@@ -1,0 +1,99 @@
+//! The files that a setup names.
+
+use super::{Setup, SetupTable};
+use crate::error::SetupError;
+use crate::files::InputFile;
+use std::path::{Path, PathBuf};
+
+/// The keys of a scene whose values are files, in the order of [`Setup::files`].
+///
+/// What a setup reads follows from this list: files are found beside their scene, belong to the fingerprint of a study by their content, are
+/// named by their full paths in saved setups, and are never overwritten.
+pub const FILE_KEYS: [&str; 8] = [
+    "surface.height",
+    "surface.against",
+    "surface.spectrum.table",
+    "surface.spectrum.heights-like",
+    "surface.second-spectrum.table",
+    "surface.second-spectrum.heights-like",
+    "adhesion.table",
+    "path.file",
+];
+
+impl Setup {
+    /// All files that the setup names, those in memory as well.
+    ///
+    /// ```
+    /// use asperity::setup::Setup;
+    /// let setup = Setup::from_toml(
+    ///     r#"
+    ///     surface = { height = "h.npy", spectrum = { table = "psd.txt" } }
+    ///     load = { reduced-pressure = 0.01 }
+    ///     "#,
+    /// )?;
+    /// let names: Vec<_> = setup.files().map(|file| file.path().display().to_string()).collect();
+    /// assert_eq!(names, ["h.npy", "psd.txt"]);
+    /// # Ok::<(), asperity::error::SetupError>(())
+    /// ```
+    pub fn files(&self) -> impl Iterator<Item = InputFile> + use<> {
+        let files: Vec<InputFile> = self.clone().files_mut().map(|file| file.clone()).collect();
+        files.into_iter()
+    }
+
+    /// All files that the setup names, to be named in another way.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut InputFile> {
+        let adhesion = self.adhesion.as_mut().and_then(|it| it.table.as_mut());
+        let path = self.path.as_mut().and_then(|it| it.file.as_mut());
+        self.surface.files_mut().chain(adhesion).chain(path)
+    }
+
+    /// The setup whose files are named by their full paths.
+    pub fn with_full_path(mut self) -> Self {
+        self.files_mut().for_each(InputFile::make_absolute);
+        self
+    }
+
+    /// The setup whose files have names that their contents alone decide.
+    ///
+    /// # Errors
+    /// For a file that cannot be read.
+    pub(super) fn with_names_by_content(mut self) -> Result<Self, SetupError> {
+        if let Some(path) = &mut self.path {
+            path.file = None; // its lists are in the setup
+        }
+        for file in self.files_mut() {
+            let name = format!("{:016x}", super::fnv1a([file.bytes()?.as_ref()]));
+            *file = PathBuf::from(name).into();
+        }
+        Ok(self)
+    }
+}
+
+impl SetupTable {
+    /// The sections and keys with the files that lie in the folder of the file `path`.
+    pub fn beside(mut self, path: &Path) -> Self {
+        for key in FILE_KEYS {
+            for file in self.find_mut(key).map(list_mut).unwrap_or_default() {
+                if let toml::Value::String(file) = file {
+                    *file = path.with_file_name(&*file).to_string_lossy().into_owned();
+                }
+            }
+        }
+        self
+    }
+
+    /// The paths of all files that the sections and keys name, those in lists as well.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let values = FILE_KEYS.iter().filter_map(|key| self.find(key));
+        let names = values.flat_map(|value| value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice));
+        names.filter_map(|name| name.as_str().map(PathBuf::from)).collect()
+    }
+}
+
+/// The values of a list, or a single one.
+fn list_mut(value: &mut toml::Value) -> &mut [toml::Value] {
+    match value {
+        toml::Value::Array(values) => values,
+        one => std::slice::from_mut(one),
+    }
+}

@@ -1,0 +1,162 @@
+//! The files that a setup names: one list of them, of which all that a setup reads follows.
+
+use asperity::setup::{FILE_KEYS, FLAGS, Setup, SetupTable};
+use asperity::surface::write_heights;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+const ROUGH: &str =
+    "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.05, rms-gradient = 0.1 } }
+grid = { points = 128, size = 1.0 }
+load = { reduced-pressure = 0.05 }
+";
+
+const SPECTRUM: &str =
+    "surface = { spectrum = { table = \"psd.txt\", heights-like = \"like.txt\", convention = \"profile\" } }
+grid = { points = 128, size = 1.0 }
+load = { reduced-pressure = 0.05 }
+";
+
+const STICKY: &str = "surface = { indenter = { shape = \"sine\", amplitude = 0.01 } }
+grid = { points = 128, size = 1.0 }
+solid = { contact-modulus = 1.0 }
+load = { mean-pressure = 0.001 }
+adhesion = { table = \"att.csv\" }
+path = { file = \"path.csv\" }
+";
+
+/// Writes the files that the scenes name.
+fn write_files(folder: &Path) {
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
+    write("psd.txt", "20 1e-6\n100 1e-8\n");
+    write("like.txt", &(0..32).map(|i| format!("{}\n", (i * i) % 37)).collect::<String>());
+    write("att.csv", "gap,traction\n0,0.02\n0.001,0.01\n0.004,0\n");
+    write("path.csv", "load\n0.002\n-0.001\n");
+    let heights: Vec<f64> = (0..64).map(|i| (f64::from(i) * 0.3).sin()).collect();
+    write_heights(folder.join("h.npy"), ndarray::Array1::from(heights).into_dyn().view()).unwrap();
+}
+
+/// The sentence about a value at a path of keys.
+fn sentence(path: &str, value: toml::Value) -> String {
+    let mut table = SetupTable::from_toml(ROUGH).unwrap();
+    table.lay(path, value);
+    table.setup().map_or_else(|error| error.to_string(), |_| String::new())
+}
+
+/// The keys of a section, as its refusal of an unknown one lists them; none where it is no section.
+fn keys_in(section: &str) -> Vec<String> {
+    let unknown = if section.is_empty() { "no-such".to_owned() } else { format!("{section}.no-such") };
+    let refused = sentence(&unknown, 1.into());
+    let Some((_, known)) = refused.split_once("unknown key `no-such`, expected ") else { return Vec::new() };
+    let known = known.split(": did you").next().unwrap_or_default();
+    let of = |key: &str| if section.is_empty() { key.to_owned() } else { format!("{section}.{key}") };
+    known.split('`').skip(1).step_by(2).map(of).collect()
+}
+
+/// All keys at and below a section whose values must be names of files.
+fn keys_of_files(section: &str, depth: usize, found: &mut BTreeSet<String>) {
+    for key in keys_in(section) {
+        if sentence(&key, 1.into()).contains("expected the name of a file") {
+            found.insert(key);
+        } else if depth > 0 {
+            keys_of_files(&key, depth - 1, found);
+        }
+    }
+}
+
+#[test]
+fn every_key_and_every_flag_whose_value_is_a_file_is_in_the_list() {
+    let mut found = BTreeSet::new();
+    keys_of_files("", 3, &mut found);
+    let flags = FLAGS.iter().filter(|flag| flag.placeholder.starts_with("FILE")).map(|flag| flag.path.to_owned());
+    assert!(flags.clone().count() >= 6 && flags.clone().all(|key| found.contains(&key)), "{found:?}");
+    assert_eq!(found, FILE_KEYS.iter().map(|key| (*key).to_owned()).collect());
+}
+
+#[test]
+fn a_setup_lists_the_files_of_all_its_keys_and_names_them_by_their_full_paths() {
+    let folder = tempfile::tempdir().unwrap();
+    write_files(folder.path());
+    let scene = "surface.height = \"h.npy\"
+surface.against = \"h.npy\"
+surface.spectrum = { table = \"psd.txt\", heights-like = \"like.txt\" }
+surface.second-spectrum = { table = \"psd.txt\", heights-like = \"like.txt\" }
+load = { mean-pressure = 0.001 }
+solid = { contact-modulus = 1.0 }
+adhesion = { table = \"att.csv\" }
+path = { file = \"path.csv\" }
+";
+    let table = SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("scene.toml"));
+    assert_eq!(table.files().len(), FILE_KEYS.len());
+    let setup = table.clone().setup().unwrap();
+    let listed: Vec<_> = setup.files().map(|file| file.path().to_path_buf()).collect();
+    assert_eq!(listed, table.files());
+    let full = Setup::from_toml(&setup.with_full_path().to_toml()).unwrap();
+    // the lists of the path are in the setup, and its file is not needed again
+    assert_eq!(full.files().count(), FILE_KEYS.len() - 1);
+    assert!(full.files().all(|file| file.path().is_absolute() && file.bytes().is_ok()));
+    assert_eq!(full.path.unwrap().load, [0.002, -0.001]);
+}
+
+#[test]
+fn files_are_found_beside_their_scene_and_by_a_saved_setup() {
+    let folder = tempfile::tempdir().unwrap();
+    write_files(folder.path());
+    for (name, scene) in [("spectrum.toml", SPECTRUM), ("sticky.toml", STICKY)] {
+        fs::write(folder.path().join(name), scene).unwrap();
+        let setup = SetupTable::read(&folder.path().join(name)).unwrap().setup().unwrap();
+        setup.problem().unwrap();
+        let elsewhere = tempfile::tempdir().unwrap();
+        setup.write(&elsewhere.path().join("saved.toml")).unwrap();
+        let saved = SetupTable::read(&elsewhere.path().join("saved.toml")).unwrap().setup().unwrap();
+        assert_eq!(saved.fingerprint().unwrap(), setup.fingerprint().unwrap());
+        saved.problem().unwrap();
+    }
+}
+
+#[test]
+fn a_fingerprint_depends_on_what_is_in_the_files_and_not_on_their_names() {
+    let folder = tempfile::tempdir().unwrap();
+    write_files(folder.path());
+    let setup = |scene: &str| SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("it")).setup().unwrap();
+    let of = |scene: &str| setup(scene).fingerprint().unwrap();
+    for (scene, name) in [(SPECTRUM, "psd.txt"), (SPECTRUM, "like.txt"), (STICKY, "att.csv"), (STICKY, "path.csv")] {
+        let (before, text) = (of(scene), fs::read_to_string(folder.path().join(name)).unwrap());
+        fs::write(folder.path().join("other"), &text).unwrap();
+        assert_eq!(of(&scene.replace(name, "other")), before, "{name}");
+        fs::write(folder.path().join(name), text.replace('1', "2")).unwrap();
+        assert_ne!(of(scene), before, "{name}");
+    }
+}
+
+/// A device may have no end, and a pipe may never begin.
+#[cfg(unix)]
+#[test]
+fn no_key_takes_a_device() {
+    let folder = tempfile::tempdir().unwrap();
+    write_files(folder.path());
+    for key in FILE_KEYS {
+        let base = match key.split('.').next() {
+            Some("adhesion" | "path") => STICKY,
+            _ => SPECTRUM,
+        };
+        let mut table = SetupTable::from_toml(base).unwrap().beside(&folder.path().join("it"));
+        if key == "surface.against" || key == "surface.height" {
+            table.remove("grid.points");
+            table.lay("surface.height", folder.path().join("h.npy").to_string_lossy().into_owned().into());
+        }
+        if key.starts_with("surface.second-spectrum.") {
+            let spectrum = folder.path().join("psd.txt").to_string_lossy().into_owned();
+            table.lay("surface.second-spectrum.table", spectrum.into());
+        }
+        table.lay(key, "/dev/zero".into());
+        let refused = table.setup().and_then(|setup| setup.problem().map(drop)).unwrap_err().to_string();
+        assert!(
+            refused.contains("/dev/zero") && refused.ends_with("it is a directory or a device: give a file"),
+            "{key}: {refused}"
+        );
+    }
+    let scene = SetupTable::read(Path::new("/dev/zero")).unwrap_err().to_string();
+    assert_eq!(scene, "cannot read /dev/zero: it is a directory or a device: give a file");
+}
