@@ -98,6 +98,11 @@ pub fn pressure_of(text: &str) -> Option<f64> {
     units::pressure(text)
 }
 
+/// The time that a text with a unit means.
+pub fn time_of(text: &str) -> Option<f64> {
+    units::time(text)
+}
+
 /// A length in a list of them, read as [`length`] reads one.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(transparent)]
