@@ -287,7 +287,9 @@ pub fn columns_of(bytes: &[u8]) -> Result<Vec<TextColumn>, String> {
 fn with_point(word: &str) -> String {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     match word.split_once(',') {
-        Some((whole, part)) if is_digit(whole.chars().last()) && is_digit(part.chars().next()) && !part.contains(',') => {
+        Some((whole, part))
+            if is_digit(whole.chars().last()) && is_digit(part.chars().next()) && !part.contains(',') =>
+        {
             format!("{whole}.{part}")
         }
         _ => word.to_owned(),

@@ -110,7 +110,10 @@ impl Attraction {
         let refuse = |point: Option<usize>, reason: String| Err(AdhesionError::Table { point, reason });
         if gaps.len() < 2 || gaps.len() != tractions.len() {
             let [gaps, tractions] = [gaps.len(), tractions.len()];
-            return refuse(None, format!("it has {gaps} gaps and {tractions} tractions, but needs at least two of each"));
+            return refuse(
+                None,
+                format!("it has {gaps} gaps and {tractions} tractions, but needs at least two of each"),
+            );
         }
         if gaps[0] != 0.0 {
             return refuse(Some(0), format!("its first gap is {:?}, but must be 0", gaps[0]));

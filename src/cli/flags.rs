@@ -119,6 +119,7 @@ impl<E: Extent> SceneArgs<E> {
         lay(&self.given, &mut flags);
         flags.check_units()?;
         lay(&self.given, &mut table);
+        table.check_idle()?;
         warnings::print_reasons(&table.choose_preparation()?);
         Ok(table)
     }

@@ -61,8 +61,7 @@ fn read_table(file: &Path) -> Result<Attraction, SetupError> {
     let column = |name: &str, kind: &str, read: fn(&str) -> Option<f64>| {
         let found = columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));
         let missing = || wrong(format!("the column {name} is missing: name columns gap and traction"));
-        let of_word =
-            |word: &str| read(word).ok_or_else(|| format!("`{word}` in the column {name} is not a {kind}"));
+        let of_word = |word: &str| read(word).ok_or_else(|| format!("`{word}` in the column {name} is not a {kind}"));
         found.ok_or_else(missing)?.numbers(of_word).map_err(wrong)
     };
     let gaps = column("gap", "length", quantity::length_of)?;

@@ -41,6 +41,7 @@ mod cost;
 mod expected_area;
 mod flag;
 mod flow;
+mod idle;
 mod line;
 mod loads;
 mod method;

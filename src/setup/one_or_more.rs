@@ -75,7 +75,9 @@ pub fn ratios_and_times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, 
     let time = |text: &str| quantity::time::<value::StrDeserializer<'_, value::Error>>(text.into_deserializer());
     let ratio = |text: &str| match (text.trim().parse(), time(text)) {
         (Ok(ratio), _) => Ok(ratio),
-        (Err(_), Ok(_)) => Err(value::Error::custom(format_args!("`{text}` is a time, but a ratio stands in its place: {PAIRS}"))),
+        (Err(_), Ok(_)) => {
+            Err(value::Error::custom(format_args!("`{text}` is a time, but a ratio stands in its place: {PAIRS}")))
+        }
         (Err(_), Err(_)) => Err(value::Error::custom(format_args!("`{text}` is not a ratio: {PAIRS}"))),
     };
     let read = |(i, word): (usize, Word)| match word {
@@ -89,7 +91,8 @@ pub fn ratios_and_times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, 
 
 /// Reads a list of numbers, or a single one, with ranges like those of [`times`].
 pub fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
-    let number = |word: &str| word.trim().parse().map_err(|_| value::Error::custom(format_args!("`{word}` is not a number")));
+    let number =
+        |word: &str| word.trim().parse().map_err(|_| value::Error::custom(format_args!("`{word}` is not a number")));
     expanded(from, number)
 }
 

@@ -31,11 +31,7 @@ impl<'t> Range<'t> {
 
     /// The values, whose ends `read` reads from their words. Ends between which there are no equal ratios give the error that `wrong` makes
     /// of a sentence.
-    pub fn values<E>(
-        &self,
-        read: impl Fn(&str) -> Result<f64, E>,
-        wrong: impl Fn(String) -> E,
-    ) -> Result<Vec<f64>, E> {
+    pub fn values<E>(&self, read: impl Fn(&str) -> Result<f64, E>, wrong: impl Fn(String) -> E) -> Result<Vec<f64>, E> {
         let [first, last] = [read(self.ends[0])?, read(self.ends[1])?];
         let ratio = last / first;
         if !(ratio.is_finite() && ratio > 0.0) {

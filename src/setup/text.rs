@@ -207,6 +207,7 @@ impl SetupTable {
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
         self.check_surface()?;
+        self.check_sections()?;
         self.choose_preparation()?;
         self.complete_solver()?;
         let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());

@@ -9,6 +9,7 @@ mod pieces;
 mod recorder;
 mod recording;
 mod schedule;
+mod state_times;
 mod survey;
 mod writer;
 mod writer_thread;

@@ -130,7 +130,10 @@ impl SpectrumFile {
         let wrong = |reason: String| FileError::Format { path: self.path.clone(), what: "spectrum", reason };
         let text = std::str::from_utf8(&bytes).map_err(|_| wrong("it is not a text".into()))?;
         let (rows, convention) = match text.lines().any(|line| line.contains("Data series")) {
-            true => named(text, is_line).map_err(wrong)?,
+            true => {
+                let (rows, own) = named(text, is_line).map_err(wrong)?;
+                (rows, chosen(convention, Some(own)).map_err(wrong)?)
+            }
             false => (
                 columns(text).map_err(wrong)?,
                 chosen(convention, own_convention(text).map_err(wrong)?).map_err(wrong)?,

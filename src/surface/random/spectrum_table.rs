@@ -57,13 +57,14 @@ impl SpectrumTable {
     /// [`SurfaceError::SpectrumTable`] unless there are two wavenumbers or more, positive and ascending, with as many densities, all
     /// finite and none negative, and one above zero.
     pub fn new(wavenumber: Vec<f64>, density: Vec<f64>, kind: SpectrumKind) -> Result<Self, SurfaceError> {
-        let wrong =
-            |place: Option<usize>, reason: String| Err(SurfaceError::SpectrumTable { place, reason });
+        let wrong = |place: Option<usize>, reason: String| Err(SurfaceError::SpectrumTable { place, reason });
         if wavenumber.len() < 2 || wavenumber.len() != density.len() {
             let [wavenumbers, densities] = [wavenumber.len(), density.len()];
             return wrong(
                 None,
-                format!("there are {wavenumbers} wavenumbers and {densities} densities: give two of each or more, and as many of both"),
+                format!(
+                    "there are {wavenumbers} wavenumbers and {densities} densities: give two of each or more, and as many of both"
+                ),
             );
         }
         if let Some(i) = wavenumber.iter().position(|q| !(q.is_finite() && *q > 0.0)) {
