@@ -286,12 +286,11 @@ pub fn columns_of(bytes: &[u8]) -> Result<Vec<TextColumn>, String> {
 /// A word whose only comma, between two digits, is a decimal point.
 fn with_point(word: &str) -> String {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
-    match word.split_once(',') {
-        Some((whole, part))
-            if is_digit(whole.chars().last()) && is_digit(part.chars().next()) && !part.contains(',') =>
-        {
-            format!("{whole}.{part}")
-        }
-        _ => word.to_owned(),
+    let is_decimal = |(whole, part): &(&str, &str)| {
+        is_digit(whole.chars().last()) && is_digit(part.chars().next()) && ![whole, part].iter().any(|it| it.contains(['.', ',']))
+    };
+    match word.split_once(',').filter(is_decimal) {
+        Some((whole, part)) => format!("{whole}.{part}"),
+        None => word.to_owned(),
     }
 }

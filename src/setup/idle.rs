@@ -37,11 +37,6 @@ const IDLE: &[IdleKey] = &[
         reason: "it has an effect only on a half-space: leave it out",
     },
     IdleKey {
-        path: "solver.damping",
-        is_idle: |it| it.find("solver.dynamics").and_then(Value::as_str) == Some("fire"),
-        reason: "the dynamics fire have no such damping: leave one of them out",
-    },
-    IdleKey {
         path: "record.raster-at",
         is_idle: |it| !it.has_part("raster"),
         reason: "the part raster is not recorded: name it among the parts, or leave this out",
@@ -90,6 +85,6 @@ pub(super) fn is_list_of_section(path: &str, values: &[Value]) -> bool {
 pub(super) fn list_of_section(path: &str) -> SetupError {
     let keys = FLAGS.iter().filter_map(|flag| flag.path.strip_prefix(path)?.strip_prefix('.'));
     let keys: Vec<String> = keys.filter(|key| !key.contains('.')).map(|key| format!("`{key}`")).collect();
-    let reason = format!("it is a list, but must name its keys: give some of {}", keys.join(", "));
+    let reason = format!("invalid type: list, expected a section for the keys {}", keys.join(", "));
     SetupError::Text { place: format!("{path}: "), reason }
 }

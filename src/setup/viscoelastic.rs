@@ -20,7 +20,7 @@ pub struct Viscoelastic {
     /// Relaxation form: ratios `g_j` and relaxation times, `E(t)/E_0 = 1 - sum g_j (1 - exp(-t/tau_j))`.
     #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::ratios_and_times")]
     pub relaxation: Vec<f64>,
-    /// The rule of a step in time.
+    /// The rule of a step in time. With linear pressures, the first step after a jump of the load takes the pressure as constant.
     #[serde(skip_serializing_if = "is_default")]
     pub rule: CreepRule,
 }

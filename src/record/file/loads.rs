@@ -24,7 +24,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Entity of the value of each load on their axis.
-const VALUE: &str = "/load/value";
+pub const VALUE: &str = "/load/value";
 
 /// Timeline of the states of a history.
 const STEP: &str = "step";

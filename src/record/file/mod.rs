@@ -15,7 +15,7 @@ mod writer;
 mod writer_thread;
 
 pub use comparison::compare;
-pub use loads::{LoadRecording, Loads, Timeline};
+pub use loads::{LoadRecording, Loads, Timeline, VALUE};
 pub use output::Output;
 pub use pieces::Pieces;
 pub use recorder::Recorder;

@@ -4,15 +4,18 @@ mod adhesion;
 mod below;
 mod command_style;
 mod flow;
+mod in_vain;
 mod interruption;
 mod load_curves;
 mod measured;
 mod memory;
+mod negative;
 mod pictures;
 mod plain_names;
 mod refine;
 mod roughness;
 mod studies;
+mod tables;
 mod warnings;
 
 use crate::command::{Folder, text};
