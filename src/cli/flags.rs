@@ -214,8 +214,7 @@ pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap;
 fn arg<E: Extent>(flag: &'static Flag) -> Arg {
     let arg = Arg::new(E::name(flag)).long(E::name(flag)).value_name(flag.placeholder).help(flag.help);
     let arg = arg.help_heading(heading::<E>(flag));
-    let needs_recording = flag.section() == "record" && flag.name != "length-unit";
-    let arg = if needs_recording { arg.requires("recorded") } else { arg };
+    let arg = if flag.section() == "record" { arg.requires("recorded") } else { arg };
     match flag.value {
         FlagValue::One => arg,
         FlagValue::List => arg.value_delimiter(','),
