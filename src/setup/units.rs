@@ -60,14 +60,14 @@ impl SetupTable {
         self.check_conduction()
     }
 
-    /// The quantities at some keys, as they are written; of pairs of a ratio and a time, the times.
+    /// The quantities at some keys, as they are written; of pairs of a ratio and a time, the times. Ratios that have units are refused
+    /// where they are read.
     fn words_of(&self, key: &str) -> Vec<String> {
-        match self.find(key) {
-            Some(Value::Array(pairs)) if key.starts_with(OF_PAIRS) => {
-                pairs.iter().skip(1).step_by(2).flat_map(|time| words(Some(time))).collect()
-            }
-            other => words(other),
-        }
+        let Some(Value::Array(pairs)) = self.find(key).filter(|_| key.starts_with(OF_PAIRS)) else {
+            return words(self.find(key));
+        };
+        let every_second = |from: usize| pairs.iter().skip(from).step_by(2).flat_map(|it| words(Some(it)));
+        if every_second(0).any(|ratio| has_unit(&ratio)) { Vec::new() } else { every_second(1).collect() }
     }
 
     /// Refuses bodies of which one conducts electricity and the other one heat.

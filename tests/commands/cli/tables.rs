@@ -3,7 +3,7 @@
 use crate::command::{Folder, text};
 use serde_json::Value;
 
-const ROUGH: &str = "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 64 --size 1 --reduced-pressure 0.05";
+const ROUGH: &str = "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.04 --rms-gradient 0.1 --points 64 --size 1 --reduced-pressure 0.05";
 const SPECTRUM: &str = "surface --points 256 --size 6.283 --spectrum t.csv";
 const STICKY: &str = "solve --indenter sine --amplitude 1um --points 64 --size 10um --modulus 1MPa --mean-gap 1um --adhesion-table t.csv";
 
@@ -94,8 +94,10 @@ fn ranges_in_paths_have_equal_ratios() {
         assert!(output.status.success(), "{path}: {}", text(&output.stderr));
         serde_json::from_slice::<Value>(&output.stdout).unwrap()["states"].clone()
     };
-    let range = states("--path-time 0,1ms..100ms:3 --path-load 0.01,0.02..0.08:3");
-    assert_eq!(range, states("--path-time 0,1ms,10ms,100ms --path-load 0.01,0.02,0.04,0.08"));
+    let range = states("--path-time 0,1e-3..1e-1:3 --path-load 0.01,0.02..0.08:3");
+    assert_eq!(range, states("--path-time 0,1e-3,1e-2,1e-1 --path-load 0.01,0.02,0.04,0.08"));
+    let timed = folder.run(&format!("{ROUGH} --creep 9,1s --path-time 1ms..4s:3 --path-steps 1"));
+    assert!(timed.status.success(), "{}", text(&timed.stderr));
     let wheel = "solve --indenter cylinder --radius 1 --points 64 --size 0.5 --boundary free --modulus 1 --force 0.01 --friction 0.3";
     for (line, sentence) in [
         (format!("{ROUGH} --creep 9,1 --path-time 0..1:3"), "lead from 0 to 1: give ends of one sign that are not 0"),
