@@ -287,7 +287,9 @@ pub fn columns_of(bytes: &[u8]) -> Result<Vec<TextColumn>, String> {
 fn with_point(word: &str) -> String {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let is_decimal = |(whole, part): &(&str, &str)| {
-        is_digit(whole.chars().last()) && is_digit(part.chars().next()) && ![whole, part].iter().any(|it| it.contains(['.', ',']))
+        is_digit(whole.chars().last())
+            && is_digit(part.chars().next())
+            && ![whole, part].iter().any(|it| it.contains(['.', ',']))
     };
     match word.split_once(',').filter(is_decimal) {
         Some((whole, part)) => format!("{whole}.{part}"),

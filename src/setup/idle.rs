@@ -60,7 +60,8 @@ impl SetupTable {
     /// # Errors
     /// [`SetupError::Text`].
     pub(super) fn check_sections(&self) -> Result<(), SetupError> {
-        let above = |flag: &Flag| Some(flag.path.rsplit_once('.')?.0);
+        // what is wrong with a load is said where loads are read
+        let above = |flag: &Flag| flag.path.rsplit_once('.').map(|(above, _)| above).filter(|above| *above != "load");
         match FLAGS.iter().filter_map(above).find(|path| self.find(path).is_some_and(Value::is_array)) {
             Some(path) => Err(list_of_section(path)),
             None => Ok(()),

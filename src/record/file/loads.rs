@@ -161,7 +161,8 @@ impl LoadRecording {
             if !table.is_empty() {
                 stream.log(TEXT, &self.text(load, &table))?;
             }
-            self.progress().charts.iter_mut().try_for_each(|chart| chart.add(stream, load, values))
+            let turn = |to: &RecordingStream, load| self.set_time(to, load);
+            self.progress().charts.iter_mut().try_for_each(|chart| chart.add(stream, &turn, load, values))
         })
     }
 
@@ -226,7 +227,7 @@ impl LoadRecording {
                 patches.settle(stream, loads.iter().copied())?;
             }
         }
-        charts.iter_mut().try_for_each(|chart| chart.settle(stream))
+        charts.iter_mut().try_for_each(|chart| chart.settle(stream, &|to, load| self.set_time(to, load)))
     }
 
     fn log_static(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
@@ -242,10 +243,15 @@ impl LoadRecording {
         recording.stages.iter().try_for_each(|stage| stage.log_static(stream))
     }
 
-    /// Sets the time to a load; at its first use caption and cursor are recorded.
-    fn turn_to(&self, stream: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
+    /// Sets the time of a stream to that of a load.
+    fn set_time(&self, stream: &RecordingStream, load: usize) {
         stream.set_time_sequence(self.timeline.name(), load as i64 + 1);
         self.times.turn(stream, load);
+    }
+
+    /// Sets the time to a load; at its first use caption and cursor are recorded.
+    fn turn_to(&self, stream: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
+        self.set_time(stream, load);
         if !self.progress().loads.insert(load) {
             return Ok(());
         }

@@ -22,7 +22,10 @@ fn flags_without_an_effect_are_refused() {
     let rough = |rest: &str| format!("{ROUGH} {rest}");
     let cylinder = |rest: &str| format!("{CYLINDER} {rest}");
     for (line, sentence) in [
-        (rough("--creep 9,1 --path-time 1 --path-steps 3 --time-tolerance 1e-2"), "leave the steps out, or the tolerance"),
+        (
+            rough("--creep 9,1 --path-time 1 --path-steps 3 --time-tolerance 1e-2"),
+            "leave the steps out, or the tolerance",
+        ),
         (cylinder("--path-tangential 1e-3 --time-tolerance 1e-2"), "only on a solid that creeps"),
         (rough("--creep 9,1 --speed 1 --time-rule linear-pressure"), "sliding is steady"),
         (rough("--creep 9,1 --speed 1,2 --time-rule constant-pressure"), "sliding is steady"),
@@ -36,7 +39,10 @@ fn flags_without_an_effect_are_refused() {
         (rough("--creep 1ms,9 --path-time 1ms"), "`1ms` is a time, but a ratio stands in its place"),
         (rough("--relaxation 0.5,1ms,2ms,0.1 --path-time 1ms"), "`2ms` is a time, but a ratio stands in its place"),
         (rough("--creep 9,1MPa --path-time 1ms"), "1MPa"),
-        (rough("--creep 9,9ms --path-time 1"), "the time of the path 1 has no unit, but the retardation time 9ms has one"),
+        (
+            rough("--creep 9,9ms --path-time 1"),
+            "the time of the path 1 has no unit, but the retardation time 9ms has one",
+        ),
         (rough("--relaxation 0.5,1ms,0.2,2 --path-time 1ms"), "the relaxation time 2 has no unit"),
         (cylinder("--path-tangential 1e-3").replace("0.3", "-1"), "the coefficient of friction is -1.0"),
         (cylinder("--rolling 0").replace("0.3", "-1"), "the coefficient of friction is -1.0"),
@@ -66,7 +72,10 @@ fn a_list_in_the_place_of_a_section_is_refused() {
         std::fs::write(folder.join("scene.toml"), scene(lines)).unwrap();
         for command in ["solve scene.toml", "study scene.toml"] {
             let error = refused(&folder, command);
-            assert!(error.contains(&format!("{section}: invalid type: list, expected a section")), "{command}: {error}");
+            assert!(
+                error.contains(&format!("{section}: invalid type: list, expected a section")),
+                "{command}: {error}"
+            );
         }
     }
 }

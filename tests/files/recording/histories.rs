@@ -50,8 +50,10 @@ fn notes(path: &Path) -> Vec<String> {
     let stores = stores(path, StoreKind::Recording);
     let own = stores.iter().flat_map(|store| store.iter_physical_chunks());
     let own = own.filter(|chunk| chunk.entity_path().to_string() == "/load");
-    own.flat_map(|chunk| chunk.iter_slices::<String>(component).flatten().map(|text| text.to_string()).collect::<Vec<_>>())
-        .collect()
+    own.flat_map(|chunk| {
+        chunk.iter_slices::<String>(component).flatten().map(|text| text.to_string()).collect::<Vec<_>>()
+    })
+    .collect()
 }
 
 #[test]
@@ -62,7 +64,12 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
         (1e-3, "time = 2e-3, steps = 4", "time", 1e-9),
         (1e-15, "time = 1e-15", "time in 1e-21 s", 1e-21),
         (1e15, "time = 1e15", "time in 1 s", 1.0),
-        (1.0, "time = [0, 1e-9, 2e-9, 1e3, 1e3], load = [0.05, 0.05, 0.1, 0.1, 0.05], steps = 2", "time in 1e-12 s", 1e-12),
+        (
+            1.0,
+            "time = [0, 1e-9, 2e-9, 1e3, 1e3], load = [0.05, 0.05, 0.1, 0.1, 0.05], steps = 2",
+            "time in 1e-12 s",
+            1e-12,
+        ),
         (1e12, "time = [0, 1e12, 1e12], load = [0.1, 0.1, 0.05], steps = 3", "time in 1 s", 1.0),
     ] {
         let outcome = recorded(&path, time, of_path);
@@ -77,7 +84,7 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
         let is_duration = name == "time";
         assert!(types.iter().all(|it| (*it == TimeType::DurationNs) == is_duration), "{of_path}");
         assert_eq!(values(&chunks), exact, "{of_path}");
-        for entity in ["/load/value", "/curve/0", "/contact/pressure/curves/pressure"] {
+        for entity in ["/load/value", "/curve/0", "/chart/0/lines", "/contact/pressure/curves/pressure"] {
             let found = times(&chunks, entity, name);
             assert_eq!(found.len(), exact.len(), "{of_path}: {entity}");
             let ticks: Vec<i64> = found.into_values().collect();
@@ -87,7 +94,10 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
         }
         let said = notes(&path);
         assert!(!said.is_empty());
-        assert!(said.iter().all(|note| is_duration != note.contains(&format!("The time line `{name}` counts"))), "{said:?}");
+        assert!(
+            said.iter().all(|note| is_duration != note.contains(&format!("The time line `{name}` counts"))),
+            "{said:?}"
+        );
     }
 }
 
