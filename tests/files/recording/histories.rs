@@ -84,7 +84,7 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
         let is_duration = name == "time";
         assert!(types.iter().all(|it| (*it == TimeType::DurationNs) == is_duration), "{of_path}");
         assert_eq!(values(&chunks), exact, "{of_path}");
-        for entity in ["/load/value", "/curve/0", "/chart/0/lines", "/contact/pressure/curves/pressure"] {
+        for entity in ["/load/value", "/curve/0", "/chart/0/lines", "/contact/contact/pressure/curves/pressure"] {
             let found = times(&chunks, entity, name);
             assert_eq!(found.len(), exact.len(), "{of_path}: {entity}");
             let ticks: Vec<i64> = found.into_values().collect();
