@@ -1,4 +1,4 @@
-//! A trace read back from a recording: `kappa_r` at every relaxation step.
+//! A trace read back from a recording: `kappa_r` at every relaxation step, or of a history the exact time (speed, number) of each state.
 //!
 //! `cargo run --release --example read_recording [FILE.rrd [SCENE]]`; without a file it records one first.
 
@@ -47,10 +47,14 @@ fn main() -> Result<()> {
         }
     };
     let scene = arguments.next().unwrap_or_else(|| "contact".into());
-    let trace = read(&path, &format!("/{scene}/trace/kappa_r"))?;
+    let (mut name, mut trace) = ("kappa_r", read(&path, &format!("/{scene}/trace/kappa_r"))?);
+    if trace.is_empty() {
+        // the time line of a history may be in a small part of its unit of time, but these numbers are exact
+        (name, trace) = ("value", read(&path, "/load/value")?);
+    }
     println!("{} steps in {}", trace.len(), path.display());
-    for (step, kappa_r) in trace.iter().step_by(trace.len().div_ceil(12).max(1)).chain(trace.last()) {
-        println!("step {step:>5}: kappa_r = {kappa_r:.5}");
+    for (step, value) in trace.iter().step_by(trace.len().div_ceil(12).max(1)).chain(trace.last()) {
+        println!("step {step:>5}: {name} = {value:.5e}");
     }
     Ok(())
 }

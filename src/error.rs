@@ -119,7 +119,12 @@ pub enum SurfaceError {
     WavesTooFine { axis: &'static str, wavelength: f64, shortest: f64 },
     /// A table of a spectrum with impossible values.
     #[error("the table of a spectrum cannot be used: {reason}")]
-    SpectrumTable { reason: String },
+    SpectrumTable {
+        /// The value of the table that is at fault, counted from 0, if it is one.
+        place: Option<usize>,
+        /// What is wrong.
+        reason: String,
+    },
     /// The direction of a lay is NaN or infinite.
     #[error("the angle of the lay is {value:?}: give a finite number of degrees")]
     Angle { value: f64 },
@@ -288,6 +293,9 @@ fn bodies_in_words(young: usize, poisson: usize) -> String {
         (0, _) => "Young's modulus is missing: give one value per body".into(),
         (2, 1) => "2 Young's moduli and 1 Poisson's ratio are given: give one of each per body; a study that varies one body takes lists \
                    of lists, such as young = [[210e9], [70e9]]"
+            .into(),
+        (1, 2) => "1 Young's modulus and 2 Poisson's ratios are given: give one of each per body, and write a ratio with a decimal point, \
+                   such as 0.3"
             .into(),
         _ => format!("{young} Young's moduli and {poisson} Poisson's ratios are given: give one of each per body"),
     }

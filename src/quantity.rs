@@ -98,6 +98,11 @@ pub fn pressure_of(text: &str) -> Option<f64> {
     units::pressure(text)
 }
 
+/// The time that a text with a unit means.
+pub fn time_of(text: &str) -> Option<f64> {
+    units::time(text)
+}
+
 /// A length in a list of them, read as [`length`] reads one.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(transparent)]
@@ -113,6 +118,16 @@ pub fn bytes_in_words(bytes: f64) -> String {
     };
     let value = bytes / unit;
     if value < 10.0 { format!("{value:.1} {name}") } else { format!("{value:.0} {name}") }
+}
+
+/// A whole number with spaces between groups of three digits, for reading.
+pub fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let place = |(i, digit): (usize, char)| match i > 0 && (digits.len() - i).is_multiple_of(3) {
+        true => format!(" {digit}"),
+        false => digit.to_string(),
+    };
+    digits.chars().enumerate().map(place).collect()
 }
 
 /// Units of lengths in texts, the longest first, in metres.
@@ -358,6 +373,7 @@ mod tests {
         assert_eq!([1.5e-11, 3.0, 2e-20].map(area_in_words), ["15 µm²", "3 m²", "0.02 nm²"]);
         let words = [0.1, 1e9, 0.01471, 2.1e-4, 1500.0, -0.05].map(number_in_words);
         assert_eq!(words, ["0.1", "1e9", "0.01471", "2.1e-4", "1500", "-0.05"]);
+        assert_eq!([0, 999, 1000, 100_000_000].map(grouped), ["0", "999", "1 000", "100 000 000"]);
     }
 
     #[test]

@@ -39,6 +39,7 @@ impl Setup {
 
     /// The setup that a table describes.
     pub fn from_table(mut table: SetupTable) -> Result<Self, SetupError> {
+        table.check_idle()?;
         let loads = table.take_loads()?;
         let refinement = table.take_auto()?;
         Ok(Self { setup: table.setup()?, loads, refinement })

@@ -16,6 +16,7 @@ pub fn warnings_about(contacts: &[&Contact]) -> Vec<Warning> {
     warnings.extend(warnings_of(&found.iter().collect::<Vec<_>>(), first.contact.problem.law()));
     warnings.extend(contacts.iter().find_map(|it| warning_of_rim(&it.contact)));
     warnings.extend(first.setup.warning_of_coupling());
+    warnings.extend(first.setup.warnings_of_creep());
     warnings
 }
 

@@ -83,9 +83,13 @@ impl Attraction {
 
     fn of_shape(shape: AttractionShape, work: f64, range: f64) -> Result<Self, AdhesionError> {
         for (name, value) in [("work of adhesion", work), ("range of the attraction", range)] {
-            if !(value.is_finite() && value > 0.0 && (work / range).is_normal()) {
+            if !(value.is_finite() && value > 0.0) {
                 return Err(AdhesionError::NotPositive { name, value });
             }
+        }
+        let strength = work / range;
+        if !strength.is_normal() {
+            return Err(AdhesionError::NotPositive { name: "work of adhesion over its range", value: strength });
         }
         Ok(Self { shape, work, range })
     }
@@ -103,28 +107,36 @@ impl Attraction {
     /// # Ok::<(), asperity::error::AdhesionError>(())
     /// ```
     pub fn from_table(gaps: Vec<f64>, tractions: Vec<f64>) -> Result<Self, AdhesionError> {
-        let refuse = |reason: String| Err(AdhesionError::Table { reason });
+        let refuse = |point: Option<usize>, reason: String| Err(AdhesionError::Table { point, reason });
         if gaps.len() < 2 || gaps.len() != tractions.len() {
-            return refuse(format!(
-                "it has {} gaps and {} tractions, but needs at least two of each",
-                gaps.len(),
-                tractions.len()
-            ));
+            let [gaps, tractions] = [gaps.len(), tractions.len()];
+            return refuse(
+                None,
+                format!("it has {gaps} gaps and {tractions} tractions, but needs at least two of each"),
+            );
         }
         if gaps[0] != 0.0 {
-            return refuse(format!("its first gap is {:?}, but must be 0", gaps[0]));
+            return refuse(Some(0), format!("its first gap is {:?}, but must be 0", gaps[0]));
         }
-        if let Some(pair) = gaps.windows(2).find(|pair| !(pair[1] > pair[0] && pair[1].is_finite())) {
-            return refuse(format!("the gap {:?} follows {:?}, but gaps must increase", pair[1], pair[0]));
+        for (i, pair) in gaps.windows(2).enumerate() {
+            if !(pair[1] > pair[0] && pair[1].is_finite()) {
+                return refuse(
+                    Some(i + 1),
+                    format!("the gap {:?} follows {:?}, but gaps must increase", pair[1], pair[0]),
+                );
+            }
         }
-        if let Some(traction) = tractions.iter().find(|it| !(it.is_finite() && **it >= 0.0)) {
-            return refuse(format!("it has the traction {traction:?}, but tractions must not be negative"));
+        if let Some(i) = tractions.iter().position(|it| !(it.is_finite() && *it >= 0.0)) {
+            let traction = tractions[i];
+            return refuse(Some(i), format!("it has the traction {traction:?}, but tractions must not be negative"));
         }
-        if let Some(pair) = tractions.windows(2).find(|pair| pair[1] > pair[0]) {
-            return refuse(format!(
-                "the traction {:?} follows {:?}, but tractions must not increase",
-                pair[1], pair[0]
-            ));
+        for (i, pair) in tractions.windows(2).enumerate() {
+            if pair[1] > pair[0] {
+                return refuse(
+                    Some(i + 1),
+                    format!("the traction {:?} follows {:?}, but tractions must not increase", pair[1], pair[0]),
+                );
+            }
         }
         let mut energies = vec![0.0; gaps.len()];
         for i in (0..gaps.len() - 1).rev() {

@@ -41,10 +41,10 @@ pub struct Accuracy {
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     points: Vec<usize>,
     /// Certificate eta at which the curves stop
-    #[arg(long, value_name = "ETA", default_value = "1e-10", allow_negative_numbers = true)]
+    #[arg(long, value_name = "ETA", default_value = "1e-10")]
     tolerance: f64,
     /// Certificate eta of the reference solutions, if rounding allows it
-    #[arg(long, value_name = "ETA", default_value = "1e-13", allow_negative_numbers = true)]
+    #[arg(long, value_name = "ETA", default_value = "1e-13")]
     reference_tolerance: f64,
     /// Largest number of iterations
     #[arg(long, value_name = "N", default_value_t = 100_000)]

@@ -53,7 +53,7 @@ pub struct Bench {
     #[arg(long = "solver", value_parser = choice::<Method>(), value_name = "NAME[,NAME]", value_delimiter = ',')]
     methods: Vec<Method>,
     /// Certificate eta to reach [default: 1e-8, large: 1e-6]
-    #[arg(long, value_name = "ETA", allow_negative_numbers = true)]
+    #[arg(long, value_name = "ETA")]
     tolerance: Option<f64>,
     /// Largest number of iterations
     #[arg(long, value_name = "N", default_value_t = 100_000)]

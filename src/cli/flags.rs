@@ -119,6 +119,7 @@ impl<E: Extent> SceneArgs<E> {
         lay(&self.given, &mut flags);
         flags.check_units()?;
         lay(&self.given, &mut table);
+        table.check_idle()?;
         warnings::print_reasons(&table.choose_preparation()?);
         Ok(table)
     }
@@ -212,11 +213,8 @@ pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap;
 /// A flag as the parser takes it.
 fn arg<E: Extent>(flag: &'static Flag) -> Arg {
     let arg = Arg::new(E::name(flag)).long(E::name(flag)).value_name(flag.placeholder).help(flag.help);
-    let arg = arg.help_heading(heading::<E>(flag)).allow_negative_numbers(true);
-    // several numbers with commas between, of which the first one may be negative
-    let arg = if flag.path == "surface.bumps" { arg.allow_hyphen_values(true) } else { arg };
-    let needs_recording = flag.section() == "record" && flag.name != "length-unit";
-    let arg = if needs_recording { arg.requires("recorded") } else { arg };
+    let arg = arg.help_heading(heading::<E>(flag));
+    let arg = if flag.section() == "record" { arg.requires("recorded") } else { arg };
     match flag.value {
         FlagValue::One => arg,
         FlagValue::List => arg.value_delimiter(','),

@@ -176,6 +176,11 @@ fn check(setup: &Setup, outputs: &Outputs) -> Result<()> {
     if outputs.stress.is_some() {
         return usage("--stress is for one contact, but a history has many states: leave it out");
     }
+    if setup.record.every.is_some() {
+        return usage(
+            "--record-every is for the steps of one solve, but every state of a history is recorded: leave it out",
+        );
+    }
     if let Some(part) = setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) {
         let part = part.name();
         return usage(format!(

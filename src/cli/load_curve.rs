@@ -58,6 +58,11 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
             "--live shows the steps under one load, but several are given: give one load, or use --record FILE.rrd",
         );
     }
+    if curve.setup.record.every.is_some() {
+        return usage(
+            "--record-every is for the steps under one load, but the contact under each load is recorded: leave it out",
+        );
+    }
     if let Some(part) = curve.setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) {
         let part = part.name();
         return usage(format!(

@@ -52,12 +52,14 @@ mod units;
 #[cfg(feature = "serve")]
 mod view;
 mod warnings;
+mod words;
 mod wrote;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use exit_status::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
 use std::io::{self, Write, stderr};
+use words::with_negative_numbers;
 
 /// Rough contact: press a rigid surface on an elastic half-space, and see how the solver converges.
 ///
@@ -155,7 +157,7 @@ enum Command {
 /// Runs a command line, whose first word is the name of the program, and returns the exit code. Help and invalid
 /// arguments end the process.
 pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
-    match carry_out(Cli::parse_from(words)) {
+    match carry_out(Cli::parse_from(with_negative_numbers(words))) {
         Ok(outcome) => outcome.exit_code(),
         Err(error) if is_unheard(&error) => ExitStatus::Done.exit_code(),
         Err(error) => {

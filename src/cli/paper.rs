@@ -33,11 +33,11 @@ pub struct PaperCommand {
     #[arg(long, value_name = "DIR", default_value = "paper")]
     out: PathBuf,
     /// Hurst exponents [default: 0.2,0.5,0.8; for the item nayak 0.3,0.8]
-    #[arg(long, value_name = "H,H,...", value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(long, value_name = "H,H,...", value_delimiter = ',')]
     hurst: Vec<f64>,
     /// Reduced pressures p* of rough lines and surfaces [default: 13 from 1e-3 to 1e-1, for surfaces every third of
     /// them; for the item hurst 8 from 1e-4 to 0.32, for nayak 5 from 1e-3 to 0.3, for its surfaces 4 from 1e-2; with --full 1e-3, 1e-2, 1e-1]
-    #[arg(long, value_name = "P,P,...", value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(long, value_name = "P,P,...", value_delimiter = ',')]
     loads: Vec<f64>,
     /// Seeds of rough lines, such as 1-10 or 3,5,8 [default: 1-10]
     #[arg(long, value_name = "SEEDS", value_delimiter = ',', value_parser = seeds)]
@@ -54,13 +54,13 @@ pub struct PaperCommand {
     #[arg(long, value_name = "N,N,...", value_delimiter = ',')]
     surface_points: Vec<usize>,
     /// Shortest wavelength of rough lines, as a fraction of the roll-off wavelength [default: 1/512]
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SHARE")]
     line_cutoff: Option<f64>,
     /// Shortest wavelength of rough surfaces, as a fraction of the roll-off wavelength [default: 1/64]
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SHARE")]
     surface_cutoff: Option<f64>,
     /// Certificate eta of each point
-    #[arg(long, value_name = "ETA", default_value = "1e-8", allow_negative_numbers = true)]
+    #[arg(long, value_name = "ETA", default_value = "1e-8")]
     tolerance: f64,
     /// Realisations solved at the same time [default: the number of threads, or fewer if memory is short]
     #[arg(long, value_name = "N", value_parser = count)]

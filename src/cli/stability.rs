@@ -56,7 +56,7 @@ pub struct Stability {
     #[arg(long = "solver", value_parser = rival(), value_name = "NAME[,NAME]", value_delimiter = ',')]
     rivals: Vec<Rival>,
     /// Time limit of each run in seconds [default: 60, quick: 5]
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS")]
     budget: Option<f64>,
     /// Use smaller grids and a shorter time limit
     #[arg(long)]

@@ -52,7 +52,7 @@ fn too_heavy(found: &[&Observables]) -> Option<Warning> {
     let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max)?;
     Some(Warning::new(
         format!("The reduced pressure {heavy:.3e} is far above 1, so the contact is nearly full"),
-        "Check the load, the modulus and their units",
+        "Check the load, the modulus, the size and their units",
     ))
 }
 

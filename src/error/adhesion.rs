@@ -19,7 +19,12 @@ pub enum AdhesionError {
     NotFinite { name: &'static str, value: f64 },
     /// A table that is no attraction.
     #[error("the table is no attraction: {reason}")]
-    Table { reason: String },
+    Table {
+        /// The point of the table that is at fault, counted from 0, if it is one.
+        point: Option<usize>,
+        /// What is wrong.
+        reason: String,
+    },
     /// A hardness or a motion beside adhesion.
     #[error("adhesion is solved for elastic contacts at rest: leave out the {what}")]
     NotElastic { what: &'static str },

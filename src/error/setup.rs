@@ -4,7 +4,7 @@ use super::{
     AdhesionError, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError, ProblemError,
     SettingError, SlipError, SolidError, SolveError, SurfaceError,
 };
-use crate::quantity::bytes_in_words;
+use crate::quantity::{bytes_in_words, grouped};
 use std::path::PathBuf;
 
 /// A setup that cannot be read, or that describes nothing that can be solved.
@@ -59,9 +59,9 @@ pub enum SetupError {
     )]
     NoSurface,
     /// A unit for one quantity and none for another of its kind.
-    #[error("the {without} has no unit, but the {with} has one: give a unit for every {kind}, or for none")]
+    #[error("{without} has no unit, but {with} has one: give a unit for every {kind}, or for none")]
     MixedUnits {
-        /// `pressure` or `length`.
+        /// `pressure`, `length` or `time`.
         kind: &'static str,
         /// The quantity without a unit, and its value.
         without: String,
@@ -171,10 +171,31 @@ pub enum SetupError {
     #[error("{place}{reason}")]
     Text { place: String, reason: String },
     /// A solve that needs more memory than is free, or than the system allows.
-    #[error(
-        "a grid of {} x {} points does not fit in memory: {what} needs at least {}, {}: give fewer points",
-        shape[0], shape[1], bytes_in_words(*needed),
-        free.map_or("more than the system allows".into(), |free| format!("and {} are free", bytes_in_words(free)))
-    )]
-    Memory { shape: [usize; 2], what: String, needed: f64, free: Option<f64> },
+    #[error("{}", memory_in_words(*shape, *states, what, *needed, *free))]
+    Memory {
+        /// Rows and columns of the grid.
+        shape: [usize; 2],
+        /// States of a history, if they need most of it; or else 0.
+        states: usize,
+        /// What needs it.
+        what: String,
+        /// Bytes.
+        needed: f64,
+        /// Bytes that are free, if the system reports them and they are too few.
+        free: Option<f64>,
+    },
+}
+
+/// The sentence about memory that is missing.
+fn memory_in_words([ny, nx]: [usize; 2], states: usize, what: &str, needed: f64, free: Option<f64>) -> String {
+    let needed = bytes_in_words(needed);
+    let free =
+        free.map_or("more than the system allows".into(), |free| format!("and {} are free", bytes_in_words(free)));
+    let points = if ny == 1 { nx.to_string() } else { format!("{ny} x {nx}") };
+    match states {
+        0 => format!(
+            "a grid of {ny} x {nx} points does not fit in memory: {what} needs at least {needed}, {free}: give fewer points"
+        ),
+        states => format!("{} states of {points} points need {needed}, {free}: give fewer steps", grouped(states)),
+    }
 }

@@ -163,27 +163,103 @@ fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Re
     drop(writer);
     file.sync_all()
 }
-/// The columns of a file of comma-separated values, see [`columns_of`].
+
+/// A column of a table of text: its name and its words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TextColumn {
+    /// The word in the row of names.
+    pub name: String,
+    /// The words below it.
+    pub words: Vec<TextWord>,
+}
+
+/// A word of a table of text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TextWord {
+    /// The line of the file, from 1 on, as in a spreadsheet.
+    pub row: u64,
+    /// The word; a decimal comma is a point.
+    pub text: String,
+}
+
+impl TextColumn {
+    /// The finite numbers of its words, which are read by `read` where they are no plain numbers.
+    ///
+    /// # Errors
+    /// A sentence that names row and word.
+    pub fn numbers(&self, read: impl Fn(&str) -> Result<f64, String>) -> Result<Vec<f64>, String> {
+        let number = |TextWord { row, text }: &TextWord| {
+            if text.is_empty() {
+                return Err(format!("row {row} has no word in the column {}: give a number", self.name));
+            }
+            match text.parse::<f64>().map_or_else(|_| read(text), Ok) {
+                Ok(number) if number.is_finite() => Ok(number),
+                Ok(_) => Err(format!("row {row}: `{text}` in the column {} is not a finite number", self.name)),
+                Err(reason) => Err(format!("row {row}: {reason}")),
+            }
+        };
+        self.words.iter().map(number).collect()
+    }
+}
+
+/// The columns of a file with a table, see [`columns_of`].
 ///
 /// # Errors
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for one that is no such table.
-pub fn read_columns(path: &Path) -> Result<Vec<(String, Vec<String>)>, FileError> {
+pub fn read_columns(path: &Path) -> Result<Vec<TextColumn>, FileError> {
     columns_of(&read_bytes(path)?).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
 }
 
-/// The columns of comma-separated values whose first row names them, as words: the names, and what is in each column. Lines that begin with
-/// `#` are left out.
+/// The columns of a table whose first row names them. They are separated by semicolons, tabs or commas, of which the first one that the row of
+/// names has is taken; where commas do not separate, they are decimal commas. Lines that begin with `#` are left out.
 ///
 /// # Errors
 /// A sentence for what is no such table.
-pub fn columns_of(bytes: &[u8]) -> Result<Vec<(String, Vec<String>)>, String> {
-    let wrong = |error: csv::Error| format!("it is not a table of comma-separated values: {error}");
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes);
-    let headers = reader.headers().map_err(wrong)?;
-    let mut columns: Vec<(String, Vec<String>)> = headers.iter().map(|name| (name.to_owned(), Vec::new())).collect();
-    for row in reader.records() {
-        let row = row.map_err(wrong)?;
-        columns.iter_mut().zip(row.iter()).for_each(|((_, words), word)| words.push(word.to_owned()));
+///
+/// ```
+/// use asperity::files::columns_of;
+/// let table = columns_of(b"time;load\n0;0,02\n1;0,05\n")?;
+/// assert_eq!(table[1].name, "load");
+/// assert_eq!(table[1].numbers(|word| Err(word.into()))?, [0.02, 0.05]);
+/// # Ok::<(), String>(())
+/// ```
+pub fn columns_of(bytes: &[u8]) -> Result<Vec<TextColumn>, String> {
+    let text = std::str::from_utf8(bytes).map_err(|_| "it is not a text in UTF-8".to_owned())?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let names = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or_default();
+    let separator = [';', '\t'].into_iter().find(|it| names.contains(*it)).unwrap_or(',');
+    let mut reader = csv::ReaderBuilder::new();
+    reader.trim(csv::Trim::All).comment(Some(b'#')).flexible(true).delimiter(separator as u8);
+    let mut reader = reader.from_reader(text.as_bytes());
+    let wrong = |error: csv::Error| format!("it is not a table: {error}");
+    let column = |name: &str| TextColumn { name: name.to_owned(), words: Vec::new() };
+    let mut columns: Vec<TextColumn> = reader.headers().map_err(wrong)?.iter().map(column).collect();
+    for record in reader.records() {
+        let record = record.map_err(wrong)?;
+        let row = record.position().map_or(0, csv::Position::line);
+        if record.len() != columns.len() {
+            let [words, names] = [record.iter().collect::<Vec<_>>().join("`, `"), columns.len().to_string()];
+            let advice = "separate columns with semicolons if numbers have decimal commas";
+            return Err(format!("row {row} has the words `{words}`, but there are {names} columns: {advice}"));
+        }
+        for (column, word) in columns.iter_mut().zip(&record) {
+            let text = if separator == ',' { word.to_owned() } else { with_point(word) };
+            column.words.push(TextWord { row, text });
+        }
     }
     Ok(columns)
+}
+
+/// A word whose only comma, between two digits, is a decimal point.
+fn with_point(word: &str) -> String {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let is_decimal = |(whole, part): &(&str, &str)| {
+        is_digit(whole.chars().last())
+            && is_digit(part.chars().next())
+            && ![whole, part].iter().any(|it| it.contains(['.', ',']))
+    };
+    match word.split_once(',').filter(is_decimal) {
+        Some((whole, part)) => format!("{whole}.{part}"),
+        None => word.to_owned(),
+    }
 }

@@ -132,9 +132,9 @@ impl HistoryField {
         Self { name: "traction", title, symbol, is_pressure: true, values }
     }
 
-    /// The slip of the surface of the solid along `x` relative to the rigid surface.
+    /// The slip of the surface of the solid along `x` relative to the rigid surface, from the state before to this one.
     pub fn slip(values: Field) -> Self {
-        let (title, symbol) = ("Slip of the solid along x", "slip / h_rms");
+        let (title, symbol) = ("Slip of the solid along x in this step", "slip / h_rms");
         Self { name: "slip", title, symbol, is_pressure: false, values }
     }
 
@@ -144,9 +144,9 @@ impl HistoryField {
         Self { name: "traction_across", title, symbol, is_pressure: true, values }
     }
 
-    /// The slip of the surface of the solid along `y` relative to the rigid surface.
+    /// The slip of the surface of the solid along `y` relative to the rigid surface, from the state before to this one.
     pub fn slip_across(values: Field) -> Self {
-        let (title, symbol) = ("Slip of the solid along y", "slip_y / h_rms");
+        let (title, symbol) = ("Slip of the solid along y in this step", "slip_y / h_rms");
         Self { name: "slip_across", title, symbol, is_pressure: false, values }
     }
 

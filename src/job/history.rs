@@ -22,6 +22,8 @@ pub struct HistoryOutcome {
     pub states: Vec<HistoryState>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
     pub ended: Option<HistoryError>,
+    /// Doubts about what the setup says.
+    doubts: Vec<Warning>,
 }
 
 /// The attraction of a history with adhesion, and what came of it.
@@ -77,7 +79,7 @@ impl HistoryOutcome {
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<HistoryState>) -> Result<Self, SetupError> {
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
-        Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None })
+        Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None, doubts: setup.warnings_of_creep() })
     }
 
     /// The quantities that the states have, in the order of their table.
@@ -118,7 +120,7 @@ impl HistoryOutcome {
             )
             .with_remedy("grid.points", None)
         });
-        missed.into_iter().chain(coarse).collect()
+        self.doubts.iter().cloned().chain(missed).chain(coarse).collect()
     }
 }
 

@@ -19,7 +19,7 @@ const MOST_APART: f64 = 3.0;
 const FIRST: [&str; 5] = ["friction", "mean_pressure", "relative_area", "dissipated", "kappa_r"];
 
 impl HistoryOutcome {
-    /// Writes a recording of all states, on the timelines `step` and, where states have times, `time`.
+    /// Writes a recording of all states, on the timelines `step` and, where states have times, the one of [`Timeline::States`].
     ///
     /// # Errors
     /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.

@@ -35,6 +35,7 @@ impl Solved {
         warnings.extend(warnings_of(&[&Observables::new(contact)], contact.problem.law()));
         warnings.extend(warning_of_rim(contact));
         warnings.extend(setup.warning_of_coupling());
+        warnings.extend(setup.warnings_of_creep());
         warnings.extend((!is_settled).then(Refinement::warning));
         warnings
     }

@@ -1,5 +1,6 @@
 //! Recordings read back from their files.
 
+use super::file::VALUE;
 use super::setups::{SETUP, is_recording};
 use crate::error::FileError;
 use crate::setup::Setup;
@@ -50,8 +51,14 @@ impl Playback {
                 }
             }
         }
-        let without = "it has no curves over steps: record it again with the part `traces`";
-        if playback.roots().is_empty() { Err(useless(without)) } else { Ok(playback) }
+        let is_over_loads = playback.chunks_of(VALUE.into()).next().is_some();
+        match playback.roots().is_empty() {
+            true if is_over_loads => Err(useless(
+                "it shows several loads or the states of a history, but only the steps of single solves are compared: compare their tables",
+            )),
+            true => Err(useless("it has no curves over steps: record it again with the part `traces`")),
+            false => Ok(playback),
+        }
     }
 
     /// The name of its file, without the end.

@@ -1,7 +1,7 @@
 //! Adhesion between surface and solid.
 
 use crate::adhesion::{AdhesiveMethod, Attraction, AttractionForm};
-use crate::error::{FileError, SetupError};
+use crate::error::{AdhesionError, FileError, SetupError};
 use crate::files::{InputFile, columns_of};
 use crate::quantity;
 use serde::{Deserialize, Serialize};
@@ -59,16 +59,19 @@ fn read_table(file: &InputFile) -> Result<Attraction, SetupError> {
     let wrong = |reason: String| SetupError::Adhesion { reason: format!("{}: {reason}", path.display()) };
     let columns = columns_of(&file.bytes()?);
     let columns = columns.map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })?;
-    let column = |name: &str, read: fn(&str) -> Option<f64>| {
-        let found = columns.iter().find(|(header, _)| header.eq_ignore_ascii_case(name));
-        let (_, words) =
-            found.ok_or_else(|| wrong(format!("the column {name} is missing: name columns gap and traction")))?;
-        let number = |word: &String| {
-            let value = word.trim().parse().ok().or_else(|| read(word));
-            value.ok_or_else(|| wrong(format!("`{word}` in the column {name} is not a number")))
-        };
-        words.iter().map(number).collect::<Result<Vec<f64>, _>>()
+    let column = |name: &str, kind: &str, read: fn(&str) -> Option<f64>| {
+        let found = columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));
+        let missing = || wrong(format!("the column {name} is missing: name columns gap and traction"));
+        let of_word = |word: &str| read(word).ok_or_else(|| format!("`{word}` in the column {name} is not a {kind}"));
+        found.ok_or_else(missing)?.numbers(of_word).map_err(wrong)
     };
-    let (gaps, tractions) = (column("gap", quantity::length_of)?, column("traction", quantity::pressure_of)?);
-    Ok(Attraction::from_table(gaps, tractions)?)
+    let gaps = column("gap", "length", quantity::length_of)?;
+    let tractions = column("traction", "pressure", quantity::pressure_of)?;
+    Attraction::from_table(gaps, tractions).map_err(|error| match error {
+        AdhesionError::Table { point, reason } => {
+            let row = point.and_then(|point| Some(columns.first()?.words.get(point)?.row));
+            wrong(row.map_or(reason.clone(), |row| format!("row {row}: {reason}")))
+        }
+        other => other.into(),
+    })
 }

@@ -1,5 +1,6 @@
 //! Lists of values in setups, which describe studies.
 
+use super::idle::{is_list_of_section, list_of_section};
 use super::text::SetupTable;
 use super::words::plain;
 use super::{FLAGS, Flag, FlagValue};
@@ -148,6 +149,9 @@ fn find(path: &str, value: &toml::Value, axes: &mut Vec<ParameterAxis>) -> Resul
         toml::Value::Array(values) if !is_one(path, values) => {
             if values.is_empty() {
                 return Err(wrong(path, "the list is empty: give at least one value".into()));
+            }
+            if is_list_of_section(path, values) {
+                return Err(list_of_section(path));
             }
             let items = values.iter().map(|value| item(path, value)).collect::<Result<_, _>>()?;
             axes.push(ParameterAxis { path: path.into(), items });

@@ -42,6 +42,8 @@ pub struct Cost {
     pub coarse_grids: usize,
     /// Bytes at the peak, with the share of the nodes in contact that is expected.
     pub bytes: f64,
+    /// States of a history, all of which are kept; 0 for one contact.
+    pub states: usize,
 }
 
 /// The work in addition to the solve, if it needs memory.
@@ -85,7 +87,8 @@ impl Setup {
         let recorded = one(extras.is_recorded, self.solver.recorded_fields());
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
         let flows = one(self.flow.leakage && archived > 0.0, KEPT_FLOW_FIELDS);
-        let kept = (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows) + self.expected_states()? as f64 * STATE_FIELDS;
+        let states = self.expected_states()?;
+        let kept = (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows) + states as f64 * STATE_FIELDS;
         let is_flow_recorded = extras.is_recorded && !grid.is_line() && self.recorded_parts().contains(&Part::Flow);
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
         let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
@@ -108,14 +111,14 @@ impl Setup {
         let pictures = least + each * most.min(grid.shape()[1] as f64);
         let overhead = OVERHEAD.min(bytes(&grid, OVERHEAD_FIELDS));
         let bytes = bytes(&grid, phases.into_iter().fold(0.0, f64::max)) + overhead + one(extras.is_recorded, pictures);
-        Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes })
+        Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes, states })
     }
 }
 
 impl Cost {
     /// Bytes of a number of fields of doubles.
     pub fn from_fields(grid: &Grid, fields: f64) -> Self {
-        Self { grid: *grid, coarse_grids: 0, bytes: bytes(grid, fields) }
+        Self { grid: *grid, coarse_grids: 0, bytes: bytes(grid, fields), states: 0 }
     }
 
     /// Refuses a solve that needs more memory than is free, or than the system allows.
@@ -124,7 +127,9 @@ impl Cost {
     /// [`SetupError::Memory`].
     pub fn check(&self, what: &str) -> Result<(), SetupError> {
         let needed = self.bytes;
-        let refuse = |free| SetupError::Memory { shape: self.grid.shape(), what: what.into(), needed, free };
+        let of_states = bytes(&self.grid, self.states as f64 * STATE_FIELDS);
+        let states = if of_states > 0.5 * needed { self.states } else { 0 };
+        let refuse = |free| SetupError::Memory { shape: self.grid.shape(), states, what: what.into(), needed, free };
         if let Some(free) = available_bytes().filter(|free| needed > *free) {
             return Err(refuse(Some(free)));
         }

@@ -88,7 +88,8 @@ fn expanded(kind: &str, word: &toml::Value) -> Result<Vec<Load>, SetupError> {
         return Ok(vec![load(kind, word.clone())?]);
     };
     let one = load(kind, 1.0.into())?;
-    let values = range.map_err(wrong_load)?.values(|end| Ok(load(kind, super::command::value(end))?.value()));
+    let end = |end: &str| Ok(load(kind, super::command::value(end))?.value());
+    let values = range.map_err(wrong_load)?.values(end, wrong_load);
     values.map(|values| values.into_iter().map(|value| one.with_value(value)).collect())
 }
 

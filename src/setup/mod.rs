@@ -42,6 +42,7 @@ mod expected_area;
 mod files;
 mod flag;
 mod flow;
+mod idle;
 mod line;
 mod loads;
 mod method;

@@ -1,7 +1,8 @@
 //! Lists that may be a single value.
 
+use super::range::Range;
 use crate::quantity;
-use serde::de::value::SeqAccessDeserializer;
+use serde::de::value::{self, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, IntoDeserializer, SeqAccess, Visitor};
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -58,12 +59,41 @@ pub fn pressures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Erro
     Ok(deserialize::<_, Pressure>(from)?.into_iter().map(|Pressure(pressure)| pressure).collect())
 }
 
-/// Reads a list of times, or a single one.
+/// Reads a list of times, or a single one; a text such as `"1e-3..1e3:13"` means 13 times with equal ratios.
 pub fn times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
-    #[derive(serde::Deserialize)]
-    #[serde(transparent)]
-    struct Time(#[serde(deserialize_with = "quantity::time")] f64);
-    Ok(deserialize::<_, Time>(from)?.into_iter().map(|Time(time)| time).collect())
+    expanded(from, |word| quantity::time(word.into_deserializer()))
+}
+
+/// Reads a list of speeds, or a single one, with ranges like those of [`times`].
+pub fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    expanded(from, |word| quantity::speed(word.into_deserializer()))
+}
+
+/// Reads pairs of a ratio, which has no unit, and a time.
+pub fn ratios_and_times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    const PAIRS: &str = "give pairs of a ratio and a time, such as 9 and 1ms";
+    let time = |text: &str| quantity::time::<value::StrDeserializer<'_, value::Error>>(text.into_deserializer());
+    let ratio = |text: &str| match (text.trim().parse(), time(text)) {
+        (Ok(ratio), _) => Ok(ratio),
+        (Err(_), Ok(_)) => {
+            Err(value::Error::custom(format_args!("`{text}` is a time, but a ratio stands in its place: {PAIRS}")))
+        }
+        (Err(_), Err(_)) => Err(value::Error::custom(format_args!("`{text}` is not a ratio: {PAIRS}"))),
+    };
+    let read = |(i, word): (usize, Word)| match word {
+        Word::Number(number) => Ok(number),
+        Word::Text(text) if i % 2 == 0 => ratio(&text),
+        Word::Text(text) => time(&text),
+    };
+    let words = deserialize::<_, Word>(from)?.into_iter().enumerate();
+    words.map(read).collect::<Result<_, _>>().map_err(D::Error::custom)
+}
+
+/// Reads a list of numbers, or a single one, with ranges like those of [`times`].
+pub fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    let number =
+        |word: &str| word.trim().parse().map_err(|_| value::Error::custom(format_args!("`{word}` is not a number")));
+    expanded(from, number)
 }
 
 /// Reads a list of resistivities, or a single one.
@@ -82,29 +112,25 @@ pub fn conductivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D:
     Ok(deserialize::<_, Conductivity>(from)?.into_iter().map(|Conductivity(it)| it).collect())
 }
 
-/// Reads a list of speeds, or a single one; a text such as `"1e-3..1e3:13"` means 13 speeds with equal ratios.
-pub fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
-    #[derive(serde::Deserialize)]
-    #[serde(transparent)]
-    struct Speed(#[serde(deserialize_with = "quantity::speed")] f64);
-    let one = |word: &str| {
-        let value: serde::de::value::StrDeserializer<'_, D::Error> = word.into_deserializer();
-        Speed::deserialize(value).map(|Speed(speed)| speed)
+/// Reads a list of quantities whose words are read by `one`, or a single one. A range of them has equal ratios.
+fn expanded<'de, D: Deserializer<'de>>(
+    from: D,
+    one: impl Fn(&str) -> Result<f64, value::Error>,
+) -> Result<Vec<f64>, D::Error> {
+    let values = |word: Word| match word {
+        Word::Number(number) => Ok(vec![number]),
+        Word::Text(text) => match Range::parse(&text) {
+            Some(range) => range.map_err(value::Error::custom)?.values(&one, value::Error::custom),
+            None => one(&text).map(|value| vec![value]),
+        },
     };
     let words = deserialize::<_, Word>(from)?;
-    let speeds = words.into_iter().map(|word| match word {
-        Word::Number(number) => Ok(vec![number]),
-        Word::Text(text) => match super::range::Range::parse(&text) {
-            Some(range) => range.map_err(D::Error::custom)?.values(one),
-            None => one(&text).map(|speed| vec![speed]),
-        },
-    });
-    Ok(speeds.collect::<Result<Vec<_>, _>>()?.concat())
+    Ok(words.into_iter().map(values).collect::<Result<Vec<_>, _>>().map_err(D::Error::custom)?.concat())
 }
 
 /// A number, or a text.
 #[derive(serde::Deserialize)]
-#[serde(untagged, expecting = "give a speed: a number, or one with a unit such as \"1 m/s\"")]
+#[serde(untagged, expecting = "give a number, one with a unit, or a range such as \"1e-3..1e-1:13\"")]
 enum Word {
     Number(f64),
     Text(String),

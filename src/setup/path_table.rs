@@ -3,19 +3,23 @@
 use super::command::value;
 use super::loads::read_number;
 use super::path::COLUMNS;
+use super::range::Range;
 use super::text::SetupTable;
 use crate::error::SetupError;
-use crate::files::read_columns;
+use crate::files::{TextColumn, TextWord, read_columns};
+use crate::quantity::time_of;
 use std::path::Path;
 
 impl SetupTable {
-    /// Reads the loads of a path, whose units are those of the load, and its file if it has one.
+    /// Reads the loads of a path, whose units are those of the load, and its file if it has one. A text such as `"1e-3..1e-1:5"` among the
+    /// loads means 5 loads with equal ratios.
     ///
     /// # Errors
     /// [`SetupError::Path`], [`SetupError::Text`] for a load of another kind, and those of reading the file.
     pub(super) fn read_path(&mut self) -> Result<(), SetupError> {
+        let kind = self.load_kind();
         if let Some(file) = self.find("path.file").and_then(toml::Value::as_str).map(str::to_owned) {
-            for (name, values) in columns(Path::new(&file))? {
+            for (name, values) in columns(Path::new(&file), kind.as_deref())? {
                 let path = format!("path.{name}");
                 if self.find(&path).is_some() {
                     let reason = format!("{name} is given by {file} and beside it: leave one of them out");
@@ -24,36 +28,70 @@ impl SetupTable {
                 self.lay(&path, values.into());
             }
         }
-        let Some(kind) = self.load_kind() else { return Ok(()) };
+        let Some(kind) = kind else { return Ok(()) };
         for path in ["path.load", "path.tangential", "rolling.tangential"] {
             let Some(list) = self.find(path) else { continue };
             let list = list.as_array().cloned().unwrap_or_else(|| vec![list.clone()]);
-            let read = |value: &toml::Value| read_number(path, &kind, value).map(toml::Value::Float);
-            let values = list.iter().map(read).collect::<Result<Vec<_>, _>>();
+            let values = list.iter().map(|value| expanded(path, &kind, value)).collect::<Result<Vec<_>, _>>();
             // if one is wrong, a number replaces it, so that the rest can be read
-            let number = || vec![toml::Value::Float(1.0)];
-            self.lay(path, values.as_ref().map_or_else(|_| number(), Clone::clone).into());
+            self.lay(path, values.as_ref().map_or_else(|_| vec![1.0], |values| values.concat()).into());
             values.map(drop)?;
         }
         Ok(())
     }
 }
 
-/// The columns of a file with a path: their names, and what is in them.
-fn columns(path: &Path) -> Result<Vec<(&'static str, Vec<toml::Value>)>, SetupError> {
+/// The loads of one value of a list: those of a range, or one.
+fn expanded(path: &str, kind: &str, given: &toml::Value) -> Result<Vec<f64>, SetupError> {
+    let wrong = |reason| SetupError::Text { place: format!("{path}: "), reason };
+    match given.as_str().and_then(Range::parse) {
+        Some(range) => range.map_err(wrong)?.values(|end| read_number(path, kind, &value(end)), wrong),
+        None => read_number(path, kind, given).map(|number| vec![number]),
+    }
+}
+
+/// The columns of a file with a path: their names, and what is in them, under a load of some kind.
+fn columns(path: &Path, kind: Option<&str>) -> Result<Vec<(&'static str, Vec<f64>)>, SetupError> {
     let wrong = |reason: String| SetupError::Path { reason: format!("{}: {reason}", path.display()) };
-    let mut columns: Vec<(&'static str, Vec<toml::Value>)> = Vec::new();
-    for (header, words) in read_columns(path)? {
-        let Some(name) = COLUMNS.into_iter().find(|name| name.eq_ignore_ascii_case(&header)) else {
+    let mut columns: Vec<(&'static str, Vec<f64>)> = Vec::new();
+    for column in read_columns(path)? {
+        let Some(name) = COLUMNS.into_iter().find(|name| name.eq_ignore_ascii_case(&column.name)) else {
+            let header = &column.name;
             return Err(wrong(format!("the column `{header}` is not known: name columns time, load and tangential")));
         };
         if columns.iter().any(|(other, _)| *other == name) {
             return Err(wrong(format!("the column {name} occurs twice: give it once")));
         }
-        if words.is_empty() {
+        if column.words.is_empty() {
             return Err(wrong("the table is empty: give one row for each point of the path".into()));
         }
-        columns.push((name, words.iter().map(|word| value(word)).collect()));
+        let values = column.numbers(|word| number(name, kind, word)).map_err(wrong)?;
+        if name == "time" {
+            check_order(&column, &values).map_err(wrong)?;
+        }
+        columns.push((name, values));
     }
     Ok(columns)
+}
+
+/// The number of a word with a unit in a column.
+fn number(name: &str, kind: Option<&str>, word: &str) -> Result<f64, String> {
+    let read = match (name, kind) {
+        ("time", _) => time_of(word),
+        (_, Some(kind)) => read_number("", kind, &word.into()).ok(),
+        (_, None) => None,
+    };
+    let kind = if name == "time" { "time".to_owned() } else { kind.map_or("number".into(), |it| it.replace('-', " ")) };
+    read.ok_or_else(|| format!("`{word}` in the column {name} is not a {kind}"))
+}
+
+/// Refuses times that fall.
+fn check_order(column: &TextColumn, times: &[f64]) -> Result<(), String> {
+    let mut pairs = times.windows(2).zip(column.words.windows(2));
+    match pairs.find(|(times, _)| times[1] < times[0]) {
+        Some((_, [TextWord { text: before, .. }, TextWord { row, text }])) => {
+            Err(format!("row {row}: the time {text} comes after {before}: give ascending times"))
+        }
+        _ => Ok(()),
+    }
 }

@@ -172,12 +172,12 @@ impl Setup {
         if !self.is_history()? {
             return Ok(0);
         }
-        let path = |steps: usize| self.path.as_ref().map_or(0, |it| it.len() * it.steps.unwrap_or(steps));
+        let path = |steps: usize| self.path.as_ref().map_or(0, |it| it.len().saturating_mul(it.steps.unwrap_or(steps)));
         let rolling = |it: &RollingMotion| it.creepage.len() + it.tangential.len();
         Ok(match self.process()? {
             Some(ProcessKind::Creep) => path(STEPS_OF_TIME),
             Some(ProcessKind::Slip) => path(1),
-            Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1) + self.expected_frames(),
+            Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1).saturating_add(self.expected_frames()),
             Some(ProcessKind::Sliding) => self.sliding.as_ref().map_or(0, |it| it.speed.len()),
             Some(ProcessKind::Rolling) => self.rolling.as_ref().map_or(0, rolling),
             None => 0,
@@ -230,6 +230,9 @@ impl Setup {
                  tangential loads, or the load of rolling"
             ));
         }
+        if let Some(value) = self.friction.map(|it| it.coefficient).filter(|it| !(it.is_finite() && *it >= 0.0)) {
+            return Err(SlipError::NotPositive { name: "coefficient of friction", value }.into());
+        }
         if !self.law.is_hard_wall() && process != ProcessKind::Creep {
             return motion(
                 "sliding, rolling and slip need a surface that does not yield: leave the hardness out".into(),
@@ -261,6 +264,9 @@ impl Setup {
             ProcessKind::Slip | ProcessKind::Rolling if !self.load.is_pressure() => {
                 let load = self.load;
                 motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"))
+            }
+            ProcessKind::Rolling if self.solver != super::Method::default() => {
+                motion(format!("rolling has a solver of its own, not {}: leave the solver out", self.solver.name()))
             }
             ProcessKind::Rolling if !grid.is_line() => motion("rolling is solved on lines only: give a line".into()),
             ProcessKind::Rolling if self.solver != super::Method::default() => {

@@ -29,11 +29,19 @@ impl<'t> Range<'t> {
         Some(parsed())
     }
 
-    /// The values, whose ends `read` reads from their words.
-    pub fn values<E>(&self, read: impl Fn(&str) -> Result<f64, E>) -> Result<Vec<f64>, E> {
+    /// The values, whose ends `read` reads from their words. Ends between which there are no equal ratios give the error that `wrong` makes
+    /// of a sentence.
+    pub fn values<E>(&self, read: impl Fn(&str) -> Result<f64, E>, wrong: impl Fn(String) -> E) -> Result<Vec<f64>, E> {
         let [first, last] = [read(self.ends[0])?, read(self.ends[1])?];
+        let ratio = last / first;
+        if !(ratio.is_finite() && ratio > 0.0) {
+            let [first, last] = self.ends;
+            return Err(wrong(format!(
+                "no values with equal ratios lead from {first} to {last}: give ends of one sign that are not 0, or a list of values"
+            )));
+        }
         let share = |i: u32| f64::from(i) / f64::from(self.count - 1);
-        let inner = (1..self.count - 1).map(|i| first * (last / first).powf(share(i)));
+        let inner = (1..self.count - 1).map(|i| first * ratio.powf(share(i)));
         Ok([first].into_iter().chain(inner).chain([last]).collect())
     }
 }

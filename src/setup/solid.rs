@@ -82,6 +82,13 @@ impl Solid {
         }
     }
 
+    /// The shares of two elastic bodies in their compliance, `(1 - nu^2)/E` over its sum.
+    pub fn compliance_shares(&self) -> Option<[f64; 2]> {
+        let Self::Bodies(first, Some(second)) = self else { return None };
+        let [first, second] = [first.compliance().ok()?, second.compliance().ok()?];
+        Some([first, second].map(|it| it / (first + second)))
+    }
+
     /// Whether pressures have a unit: a layer without a modulus has none.
     pub fn has_modulus(&self) -> bool {
         !matches!(self, Self::Layer { modulus: LayerModulus::Unit, .. })

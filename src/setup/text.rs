@@ -191,6 +191,7 @@ impl SetupTable {
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
         self.check_surface()?;
+        self.check_sections()?;
         self.choose_preparation()?;
         self.complete_solver()?;
         let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());
@@ -340,13 +341,14 @@ fn explained(message: &str, keys: &str) -> String {
             Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
             None => format!("{message}: leave it out, or choose an option that has it"),
         },
-        Some(_) if message.starts_with("missing") => {
+        Some(_) if ["missing", "give the"].iter().any(|it| message.starts_with(it)) => {
             let is_of = |flag: &Flag, name: &str| flag.path.strip_prefix(keys) == Some(&format!(".{name}"));
             let flags = names.iter().filter_map(|name| FLAGS.iter().find(|flag| is_of(flag, name)));
             let flags: Vec<String> = flags.map(|flag| format!("--{}", flag.name)).collect();
+            let remedy = if message.starts_with("give the") { "" } else { ": give it" };
             match flags.is_empty() {
-                true => format!("{message}: give it"),
-                false => format!("{message}: give it ({})", flags.join(" or ")),
+                true => format!("{message}{remedy}"),
+                false => format!("{message}{remedy} ({})", flags.join(" or ")),
             }
         }
         _ => message,

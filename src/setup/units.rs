@@ -4,8 +4,8 @@ use super::SetupTable;
 use crate::error::SetupError;
 use toml::Value;
 
-/// The keys of all pressures, and of all lengths, of which numbers alone mean the same unit.
-const KINDS: [(&str, &[&str]); 2] = [
+/// The keys of all pressures, of all lengths and of all times, of which numbers alone mean the same unit.
+const KINDS: [(&str, &[&str]); 3] = [
     ("pressure", &["solid.contact-modulus", "solid.young", "law.hardness", "load.mean-pressure"]),
     (
         "length",
@@ -24,6 +24,18 @@ const KINDS: [(&str, &[&str]); 2] = [
             "adhesion.range",
         ],
     ),
+    ("time", &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
+];
+
+/// The section whose lists are pairs of a ratio, which has no unit, and a time.
+const OF_PAIRS: &str = "viscoelastic.";
+
+/// Names of quantities that differ from their keys.
+const NAMES: [(&str, &str); 4] = [
+    ("solid.young", "Young's modulus"),
+    ("path.time", "time of the path"),
+    ("viscoelastic.creep", "retardation time"),
+    ("viscoelastic.relaxation", "relaxation time"),
 ];
 
 /// The keys of values that are electrical or thermal, and the letter of the unit that only thermal ones have.
@@ -38,16 +50,24 @@ impl SetupTable {
     /// [`SetupError::MixedUnits`], and [`SetupError::ElectricalAndThermal`].
     pub fn check_units(&self) -> Result<(), SetupError> {
         for (kind, keys) in KINDS {
-            let given = keys.iter().flat_map(|key| words(self.find(key)).into_iter().map(move |word| (*key, word)));
+            let given = keys.iter().flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word)));
             let (with, without): (Vec<_>, Vec<_>) = given.partition(|(_, word)| has_unit(word));
             if let (Some(with), Some(without)) = (with.first(), without.first()) {
-                let named = |(key, word): &(&str, String)| {
-                    format!("{} {word}", key.rsplit('.').next().unwrap_or(key).replace('-', " "))
-                };
+                let named = |(key, word): &(&str, String)| format!("{} {word}", name(key));
                 return Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) });
             }
         }
         self.check_conduction()
+    }
+
+    /// The quantities at some keys, as they are written; of pairs of a ratio and a time, the times. Ratios that have units are refused
+    /// where they are read.
+    fn words_of(&self, key: &str) -> Vec<String> {
+        let Some(Value::Array(pairs)) = self.find(key).filter(|_| key.starts_with(OF_PAIRS)) else {
+            return words(self.find(key));
+        };
+        let every_second = |from: usize| pairs.iter().skip(from).step_by(2).flat_map(|it| words(Some(it)));
+        if every_second(0).any(|ratio| has_unit(&ratio)) { Vec::new() } else { every_second(1).collect() }
     }
 
     /// Refuses bodies of which one conducts electricity and the other one heat.
@@ -63,6 +83,13 @@ impl SetupTable {
         }
         Ok(())
     }
+}
+
+/// The name of the quantity at some keys, with its article where it has one.
+fn name(key: &str) -> String {
+    let plain = || key.rsplit('.').next().unwrap_or(key).replace('-', " ");
+    let name = NAMES.iter().find(|(path, _)| *path == key).map_or_else(plain, |(_, name)| (*name).to_owned());
+    if name.starts_with(char::is_uppercase) { name } else { format!("the {name}") }
 }
 
 /// The numbers and quantities of a value, as they are written; zero needs no unit.

@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Viscoelastic {
     /// Creep form: ratios `f_j` and retardation times, `J(t) E_0 = 1 + sum f_j (1 - exp(-t/tau_j))`.
-    #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::times")]
+    #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::ratios_and_times")]
     pub creep: Vec<f64>,
     /// Relaxation form: ratios `g_j` and relaxation times, `E(t)/E_0 = 1 - sum g_j (1 - exp(-t/tau_j))`.
-    #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::times")]
+    #[serde(skip_serializing_if = "Vec::is_empty", deserialize_with = "one_or_more::ratios_and_times")]
     pub relaxation: Vec<f64>,
 }
 
@@ -68,7 +68,11 @@ pub struct SlidingMotion {
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct RollingMotion {
     /// Creepages: the relative differences of the speeds of both surfaces.
-    #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
+    #[serde(
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "one_or_more::serialize",
+        deserialize_with = "one_or_more::numbers"
+    )]
     pub creepage: Vec<f64>,
     /// Tangential loads, of the same kind as the normal one and of any sign; 0 for free rolling.
     #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]

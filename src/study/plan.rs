@@ -98,6 +98,7 @@ impl Plan {
 
     fn new(mut table: SetupTable, text: &str) -> Result<Self, StudyError> {
         let located = |error: SetupError| error.in_text(text);
+        table.check_idle().map_err(located)?;
         let files = table.files();
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;

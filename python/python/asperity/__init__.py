@@ -235,7 +235,7 @@ def solve(
         "method" is "fast", "safe", or "gfmd", a motion whose frames show jumps. It returns a History. History.fields["attraction"] has the
         attraction, History.claims what each state claims to be, and History.adhesion pull-off, jumps and energies. Pressures may be negative.
     viscoelastic: {"creep": [f, tau, ...]} or {"relaxation": [g, tau, ...]}: pairs of a ratio and a time of a solid that creeps. The elastic
-        constants are those at once after loading. It needs a path with times, or sliding.
+        constants are those at once after loading. It needs a path with times, or sliding. Of two bodies both creep alike.
     path: {"time": ..., "load": ..., "tangential": ...}: lists of one length, of which some may be missing. Between two points loads change
         linearly. It returns a History: creep where there are times, partial slip where there are tangential loads and friction. With
         adhesion it has loads alone. A path may be a file: a table with the columns time, load and tangential.

@@ -1,11 +1,12 @@
 //! Recordings over loads: curves and a figure, and for each load the contact under it.
 //!
-//! The only timeline is `load`, the number of the load from 1 on; the value of each is under `/load/value`. A time
-//! picked in a curve or on the time line shows the contacts under that load. The pictures are those of [`Recording`],
-//! on axes that all loads share.
+//! The only timeline is `load`, the number of the load from 1 on; the value of each is under `/load/value`. The states of a history have
+//! `step` in its place and, where they have times, a time line of those. A time picked in a curve or on the time line shows the contacts
+//! under that load. The pictures are those of [`Recording`], on axes that all loads share.
 
 use super::output::Output;
 use super::recording::{Name, Recording, stages};
+use super::state_times::StateTimes;
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
@@ -23,11 +24,10 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Entity of the value of each load on their axis.
-const VALUE: &str = "/load/value";
+pub const VALUE: &str = "/load/value";
 
-/// Timelines of a history.
+/// Timeline of the states of a history.
 const STEP: &str = "step";
-const TIME: &str = "time";
 
 /// The content of a recording over loads.
 pub struct Loads<'a> {
@@ -54,7 +54,9 @@ pub struct Loads<'a> {
 pub enum Timeline {
     /// `load`: the number of the load, from 1 on.
     Loads,
-    /// `step`: the number of the state, from 1 on; and `time`, in seconds, where the states have times.
+    /// `step`: the number of the state, from 1 on. Where the states have times, also `time`, a duration in seconds; or, where its
+    /// nanoseconds do not resolve the times or end before them, a sequence whose name says what it counts, such as `time in 1e-18 s`. No
+    /// two states are at the same time of it.
     States(Vec<f64>),
 }
 
@@ -77,6 +79,7 @@ pub struct LoadRecording {
     captions: Vec<String>,
     axis: LoadAxis,
     timeline: Timeline,
+    times: StateTimes,
     curves: Curves,
     figure: Option<FigurePicture>,
     progress: Mutex<LoadsSoFar>,
@@ -123,12 +126,17 @@ impl LoadRecording {
         let mut figure = loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette));
         let curves = Curves(curves);
         fit_loads(&mut stages, figure.as_mut(), &mut charts, &curves, options.window);
+        let times = match &loads.timeline {
+            Timeline::Loads => StateTimes::new(&[]),
+            Timeline::States(times) => StateTimes::new(times),
+        };
         let recording = Self {
             recording: Recording::open(output, &Name::new(loads.title.clone(), loads.scenes, id), stages, options)?,
-            description: loads.description.clone(),
+            description: format!("{}\n\n{}", loads.description, times.note()).trim_end().to_owned(),
             captions: loads.captions.clone(),
             axis: loads.axis.clone(),
             timeline: loads.timeline.clone(),
+            times,
             progress: Mutex::new(LoadsSoFar { loads: BTreeSet::new(), extents, charts }),
             curves,
             figure,
@@ -153,7 +161,8 @@ impl LoadRecording {
             if !table.is_empty() {
                 stream.log(TEXT, &self.text(load, &table))?;
             }
-            self.progress().charts.iter_mut().try_for_each(|chart| chart.add(stream, load, values))
+            let turn = |to: &RecordingStream, load| self.set_time(to, load);
+            self.progress().charts.iter_mut().try_for_each(|chart| chart.add(stream, &turn, load, values))
         })
     }
 
@@ -218,7 +227,7 @@ impl LoadRecording {
                 patches.settle(stream, loads.iter().copied())?;
             }
         }
-        charts.iter_mut().try_for_each(|chart| chart.settle(stream))
+        charts.iter_mut().try_for_each(|chart| chart.settle(stream, &|to, load| self.set_time(to, load)))
     }
 
     fn log_static(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
@@ -234,14 +243,15 @@ impl LoadRecording {
         recording.stages.iter().try_for_each(|stage| stage.log_static(stream))
     }
 
+    /// Sets the time of a stream to that of a load.
+    fn set_time(&self, stream: &RecordingStream, load: usize) {
+        stream.set_time_sequence(self.timeline.name(), load as i64 + 1);
+        self.times.turn(stream, load);
+    }
+
     /// Sets the time to a load; at its first use caption and cursor are recorded.
     fn turn_to(&self, stream: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
-        stream.set_time_sequence(self.timeline.name(), load as i64 + 1);
-        if let Timeline::States(times) = &self.timeline
-            && let Some(time) = times.get(load)
-        {
-            stream.set_duration_secs(TIME, *time);
-        }
+        self.set_time(stream, load);
         if !self.progress().loads.insert(load) {
             return Ok(());
         }

@@ -9,12 +9,13 @@ mod pieces;
 mod recorder;
 mod recording;
 mod schedule;
+mod state_times;
 mod survey;
 mod writer;
 mod writer_thread;
 
 pub use comparison::compare;
-pub use loads::{LoadRecording, Loads, Timeline};
+pub use loads::{LoadRecording, Loads, Timeline, VALUE};
 pub use output::Output;
 pub use pieces::Pieces;
 pub use recorder::Recorder;

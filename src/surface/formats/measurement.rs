@@ -198,7 +198,12 @@ fn layout_of_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Res
 /// only one of an archive.
 fn array_names(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<(Vec<String>, String)> {
     if !npz::is_archive(source) {
-        return Ok((vec![HEIGHTS.name.into()], HEIGHTS.name.into()));
+        return match channel {
+            Some(name) if ![HEIGHTS.name, "1"].contains(&name) => {
+                Err(malformed(format!("it is a single array, without a channel {name:?}: leave the channel out")))
+            }
+            _ => Ok((vec![HEIGHTS.name.into()], HEIGHTS.name.into())),
+        };
     }
     let names = npz::names(source)?;
     let has = |name: &str| names.iter().any(|it| it == name);

@@ -157,7 +157,7 @@ impl RoughnessKeys {
             (Some(gradient), None) => Ok(RoughnessScale::RmsGradient(gradient)),
             (None, Some(height)) => Ok(RoughnessScale::RmsHeight(height)),
             (None, None) if self.table.is_some() => Ok(RoughnessScale::AsGiven),
-            (None, None) => Err("missing field `rms-gradient` or `rms-height`".into()),
+            (None, None) => Err("give the scale of the roughness: `rms-gradient` or `rms-height`".into()),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::spectrum_table::{SpectrumKind, SpectrumTable};
 use crate::error::{FileError, SurfaceError};
-use crate::files::{InputFile, columns_of, write_beside};
+use crate::files::{InputFile, TextWord, columns_of, write_beside};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use std::io::Write;
@@ -81,6 +81,14 @@ pub struct MeasuredSpectrum {
     pub short_cutoff: Option<f64>,
 }
 
+/// A row of a file of a spectrum.
+struct SpectrumRow {
+    /// Its line in the file, from 1 on.
+    line: u64,
+    wavenumber: f64,
+    density: f64,
+}
+
 /// The line that names the convention of two columns.
 const CONVENTION: &str = "# convention:";
 
@@ -115,17 +123,21 @@ impl SpectrumFile {
         let bytes = self.file.bytes()?;
         let wrong = |reason: String| FileError::Format { path: self.path().into(), what: "spectrum", reason };
         let text = std::str::from_utf8(&bytes).map_err(|_| wrong("it is not a text".into()))?;
-        let (pairs, convention) = match text.lines().any(|line| line.contains("Data series")) {
-            true => named(text, is_line).map_err(wrong)?,
+        let (rows, convention) = match text.lines().any(|line| line.contains("Data series")) {
+            true => {
+                let (rows, own) = named(text, is_line).map_err(wrong)?;
+                (rows, chosen(convention, Some(own)).map_err(wrong)?)
+            }
             false => (
                 columns(text).map_err(wrong)?,
                 chosen(convention, own_convention(text).map_err(wrong)?).map_err(wrong)?,
             ),
         };
-        let (wavenumber, density) = pairs.into_iter().map(|(q, c)| (q, c / convention.factor())).unzip();
-        let table = SpectrumTable::new(wavenumber, density, convention.kind()).map_err(|it| wrong(fault(it)))?;
+        let wavenumber = rows.iter().map(|row| row.wavenumber).collect();
+        let density = rows.iter().map(|row| row.density / convention.factor()).collect();
+        let table = SpectrumTable::new(wavenumber, density, convention.kind());
         let kind = if is_line { SpectrumKind::Profile } else { SpectrumKind::Surface };
-        table.converted(kind).map_err(|it| wrong(fault(it)))
+        table.and_then(|table| table.converted(kind)).map_err(|it| wrong(fault(it, &rows)))
     }
 }
 
@@ -145,7 +157,7 @@ impl SpectrumTable {
     /// Writes it as two columns that a [`SpectrumFile`] reads, in a convention that the file names.
     ///
     /// # Errors
-    /// [`FileError::Format`] for the spectrum of a profile that no isotropic surface has, where that is the convention; the errors of
+    /// [`FileError::Target`] for the spectrum of a profile that no isotropic surface has, where a surface is the convention; the errors of
     /// [`write_beside`].
     ///
     /// ```
@@ -158,9 +170,10 @@ impl SpectrumTable {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn write(&self, path: &Path, convention: SpectrumConvention) -> Result<(), FileError> {
-        let converted = self.converted(convention.kind());
-        let wrong = |reason: String| FileError::Format { path: path.into(), what: "spectrum", reason };
-        let converted = converted.map_err(|error| wrong(fault(error)))?;
+        let other = "a line has a profile spectrum, not a surface spectrum, and that of no isotropic surface gives this one: give the \
+                     convention profile";
+        let refused = |_| FileError::Target { path: path.into(), reason: other.into() };
+        let converted = self.converted(convention.kind()).map_err(refused)?;
         let name: &str = convention.into();
         write_beside(path, |file| {
             writeln!(file, "{CONVENTION} {name}\nwavenumber,density")?;
@@ -189,70 +202,89 @@ fn own_convention(text: &str) -> Result<Option<SpectrumConvention>, String> {
     name.map(|name| name.parse().map_err(|_| unknown(name))).transpose()
 }
 
-/// What is wrong with the values of a table.
-fn fault(error: SurfaceError) -> String {
+/// What is wrong with the values of a table, and the row that is at fault.
+fn fault(error: SurfaceError, rows: &[SpectrumRow]) -> String {
     match error {
-        SurfaceError::SpectrumTable { reason } => reason,
+        SurfaceError::SpectrumTable { place, reason } => match place.and_then(|place| rows.get(place)) {
+            Some(row) => format!("row {}: {reason}", row.line),
+            None => reason,
+        },
         other => other.to_string(),
     }
 }
 
-/// The pairs of numbers in two columns.
-fn columns(text: &str) -> Result<Vec<(f64, f64)>, String> {
-    let mut pairs = Vec::new();
-    for (number, line) in text.lines().enumerate() {
-        let words = words(line);
-        let word = |i: usize| words.get(i).and_then(|word| word.parse::<f64>().ok());
-        match (word(0), word(1)) {
-            (Some(q), Some(density)) => pairs.push((q, density)),
-            (Some(_), None) => return Err(format!("line {} has a wavenumber and no density beside it", number + 1)),
-            (None, _) if words.is_empty() || line.starts_with('#') || pairs.is_empty() => (),
-            (None, _) => return Err(format!("line {} does not begin with a number", number + 1)),
+/// The rows of two columns of numbers.
+fn columns(text: &str) -> Result<Vec<SpectrumRow>, String> {
+    let mut rows = Vec::new();
+    for (line, content) in (1..).zip(text.trim_start_matches('\u{feff}').lines()) {
+        let words = words(content);
+        let number = |i: usize| words.get(i).and_then(|word: &String| word.replace(',', ".").parse::<f64>().ok());
+        let is_left_out = words.is_empty() || content.starts_with('#') || rows.is_empty() && number(0).is_none();
+        if is_left_out {
+            continue;
+        }
+        let found = match words.as_slice() {
+            [_] => return Err(format!("row {line} has a wavenumber and no density beside it")),
+            [_, _, third, ..] if !third.starts_with('#') => {
+                let advice = "give two columns, wavenumber and density, with decimal points";
+                return Err(format!("row {line} has a third word, `{third}`: {advice}"));
+            }
+            _ => [number(0), number(1)],
+        };
+        match found {
+            [Some(wavenumber), Some(density)] => rows.push(SpectrumRow { line, wavenumber, density }),
+            [wavenumber, _] => {
+                let word = &words[usize::from(wavenumber.is_some())];
+                return Err(format!("row {line}: `{word}` is not a number"));
+            }
         }
     }
-    Ok(pairs)
+    Ok(rows)
 }
 
-/// The words of a line. Commas separate words where nothing else does; otherwise those inside of a word are decimal commas.
+/// The words of a line as they are written. Commas separate words where nothing else does; otherwise those inside of a word are decimal commas.
 fn words(line: &str) -> Vec<String> {
     let split = |separators: &[char]| -> Vec<String> {
         let words = line.split(separators).map(|word| word.trim_matches(','));
-        words.filter(|word| !word.is_empty()).map(|word| word.replace(',', ".")).collect()
+        words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
     };
     let words = split(&[';', ' ', '\t', '\r']);
     if words.len() < 2 { split(&[',', '\r']) } else { words }
 }
 
-/// The pairs of wavenumber and density of a file of contact.engineering, and their convention.
-fn named(text: &str, is_line: bool) -> Result<(Vec<(f64, f64)>, SpectrumConvention), String> {
+/// The rows of a file of contact.engineering, and their convention.
+fn named(text: &str, is_line: bool) -> Result<(Vec<SpectrumRow>, SpectrumConvention), String> {
     let columns = columns_of(text.as_bytes())?;
     let column = |name: &str| {
-        let found = columns.iter().find(|(header, _)| header.starts_with(name));
+        let found = columns.iter().find(|column| column.name.starts_with(name));
         found.ok_or_else(|| format!("there is no column `{name}`"))
     };
     let in_unit = |name: &str, unit: &str| {
-        let (header, words) = column(name)?;
-        match header.replace(' ', "").ends_with(unit) {
-            true => Ok(words),
-            false => Err(format!("the column `{header}` is not in {unit}")),
+        let column = column(name)?;
+        match column.name.replace(' ', "").ends_with(unit) {
+            true => Ok(&column.words),
+            false => Err(format!("the column `{}` is not in {unit}", column.name)),
         }
     };
     let (q, density) = (in_unit("Wavevector", "(1/m)")?, in_unit("PSD", "(m³)")?);
-    let (series, subjects) = (&column("Data series")?.1, &column("Subject name")?.1);
-    if let Some(other) = subjects.iter().find(|subject| **subject != subjects[0]) {
-        return Err(format!("it has spectra of `{}` and of `{other}`: keep the rows of one", subjects[0]));
+    let (series, subjects) = (&column("Data series")?.words, &column("Subject name")?.words);
+    if let Some(other) = subjects.iter().find(|subject| subject.text != subjects[0].text) {
+        let [first, other] = [&subjects[0].text, &other.text];
+        return Err(format!("it has spectra of `{first}` and of `{other}`: keep the rows of one"));
     }
     let wanted = if is_line { [OF_PROFILE, OF_SURFACE] } else { [OF_SURFACE, OF_PROFILE] };
-    let found = wanted.into_iter().find(|(name, ..)| series.iter().any(|it| it == name));
+    let found = wanted.into_iter().find(|(name, ..)| series.iter().any(|it| it.text == *name));
     let (name, convention, density_of) =
         found.ok_or_else(|| format!("there is no series `{}` or `{}`", OF_SURFACE.0, OF_PROFILE.0))?;
-    let number = |word: &String| word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"));
-    let pair = |(_, (q, value)): (&String, (&String, &String))| {
-        let (q, value) = (number(q)?, number(value)?);
-        Ok((q, density_of(q, value)))
+    let number = |TextWord { row, text }: &TextWord| {
+        text.parse::<f64>().map_err(|_| format!("row {row}: `{text}` is not a number"))
+    };
+    let row = |(_, (q, value)): (&TextWord, (&TextWord, &TextWord))| {
+        let (wavenumber, value) = (number(q)?, number(value)?);
+        Ok(SpectrumRow { line: q.row, wavenumber, density: density_of(wavenumber, value) })
     };
     // an average over no values is written as nan
-    let rows = series.iter().zip(q.iter().zip(density)).filter(|(series, _)| *series == name);
-    let pairs: Result<Vec<_>, String> = rows.map(pair).collect();
-    Ok((pairs?.into_iter().filter(|(_, value)| !value.is_nan()).collect(), convention))
+    let rows = series.iter().zip(q.iter().zip(density)).filter(|(series, _)| series.text == name);
+    let rows: Result<Vec<_>, String> = rows.map(row).collect();
+    Ok((rows?.into_iter().filter(|row| !row.density.is_nan()).collect(), convention))
 }

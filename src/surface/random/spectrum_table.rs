@@ -57,26 +57,32 @@ impl SpectrumTable {
     /// [`SurfaceError::SpectrumTable`] unless there are two wavenumbers or more, positive and ascending, with as many densities, all
     /// finite and none negative, and one above zero.
     pub fn new(wavenumber: Vec<f64>, density: Vec<f64>, kind: SpectrumKind) -> Result<Self, SurfaceError> {
-        let wrong = |reason: String| Err(SurfaceError::SpectrumTable { reason });
+        let wrong = |place: Option<usize>, reason: String| Err(SurfaceError::SpectrumTable { place, reason });
         if wavenumber.len() < 2 || wavenumber.len() != density.len() {
-            return wrong(format!(
-                "there are {} wavenumbers and {} densities: give two of each or more, and as many of both",
-                wavenumber.len(),
-                density.len()
-            ));
+            let [wavenumbers, densities] = [wavenumber.len(), density.len()];
+            return wrong(
+                None,
+                format!(
+                    "there are {wavenumbers} wavenumbers and {densities} densities: give two of each or more, and as many of both"
+                ),
+            );
         }
-        if let Some(&q) = wavenumber.iter().find(|q| !(q.is_finite() && **q > 0.0)) {
-            return wrong(format!("the wavenumber {q:?} is not positive and finite"));
+        if let Some(i) = wavenumber.iter().position(|q| !(q.is_finite() && *q > 0.0)) {
+            return wrong(Some(i), format!("the wavenumber {:?} is not positive and finite", wavenumber[i]));
         }
-        if let Some(pair) = wavenumber.windows(2).find(|pair| pair[0] >= pair[1]) {
-            return wrong(format!("the wavenumber {:?} follows {:?}: sort them, and give each once", pair[1], pair[0]));
+        if let Some(i) = wavenumber.windows(2).position(|pair| pair[0] >= pair[1]) {
+            let [before, q] = [wavenumber[i], wavenumber[i + 1]];
+            return wrong(
+                Some(i + 1),
+                format!("the wavenumber {q:?} follows {before:?}: sort them, and give each once"),
+            );
         }
-        if let Some(&value) = density.iter().find(|value| !(value.is_finite() && **value >= 0.0)) {
-            return wrong(format!("the density {value:?} is negative or not finite"));
+        if let Some(i) = density.iter().position(|value| !(value.is_finite() && *value >= 0.0)) {
+            return wrong(Some(i), format!("the density {:?} is negative or not finite", density[i]));
         }
         match density.iter().any(|value| *value > 0.0) {
             true => Ok(Self { wavenumber, density, kind }),
-            false => wrong("all densities are zero".into()),
+            false => wrong(None, "all densities are zero".into()),
         }
     }
 
@@ -136,6 +142,7 @@ impl SpectrumTable {
         let (above, below) = (sum(&|value| value.max(0.0)), sum(&|value| (-value).max(0.0)));
         if below > MOST_BELOW * above {
             return Err(SurfaceError::SpectrumTable {
+                place: None,
                 reason: "no isotropic surface has profiles of this spectrum, which rises too steeply: give the spectrum of a surface, or \
                          average that of the profile in bands"
                     .into(),

@@ -57,7 +57,10 @@ fn what_does_not_go_together_is_refused_in_one_sentence() {
     let folder = Folder::new();
     std::fs::write(folder.join("psd.csv"), "50 1\n200 0.1\n").unwrap();
     for (line, said) in [
-        (SURFACE.to_owned(), "missing key `rms-gradient` or `rms-height`: give it (--rms-gradient or --rms-height)"),
+        (
+            SURFACE.to_owned(),
+            "give the scale of the roughness: `rms-gradient` or `rms-height` (--rms-gradient or --rms-height)",
+        ),
         (format!("{SURFACE} --rms-gradient 0.1 --rms-height 1"), "give one of them"),
         (format!("{SURFACE} --rms-gradient 0.1 --skewness 1"), "a skewness needs a kurtosis"),
         (format!("{SURFACE} --rms-gradient 0.1 --skewness 1 --kurtosis 1.5"), "which is 2.0"),

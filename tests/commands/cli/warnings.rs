@@ -184,7 +184,7 @@ fn numbers_without_units_beside_units_are_refused() {
     let refused = folder.run(&format!("{line} --young 210 --pressure 1kPa"));
     assert_eq!(refused.status.code(), Some(2));
     let sentence = text(&refused.stderr);
-    assert!(sentence.contains("the young 210 has no unit, but the mean pressure 1kPa has one"), "{sentence}");
+    assert!(sentence.contains("Young's modulus 210 has no unit, but the mean pressure 1kPa has one"), "{sentence}");
     let lengths =
         folder.run("solve --indenter sphere --radius 1mm --points 32,32 --size 2 --modulus 1GPa --pressure 1MPa");
     assert!(lengths.status.code() == Some(2) && text(&lengths.stderr).contains("every length"), "{lengths:?}");

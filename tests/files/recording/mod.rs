@@ -23,6 +23,7 @@ mod below;
 mod bodies;
 mod comparison;
 mod ghost;
+mod histories;
 mod instruments;
 mod layout;
 mod loads;

@@ -10,6 +10,9 @@ use rerun::{LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResu
 use std::collections::BTreeMap;
 use std::ops::RangeBounds;
 
+/// What sets the time of a stream to that of a load or a state.
+pub type TurnTo<'t> = dyn Fn(&RecordingStream, usize) + 't;
+
 /// Timeline of loads.
 pub const LOAD: &str = "load";
 
@@ -107,31 +110,38 @@ impl Chart {
         to.log_static(format!("{}/legend/words", self.root), &canvas::written(self.palette, &words))
     }
 
-    /// Adds the values of all curves of the recording under a load, and draws them at that load and at heavier ones.
-    pub fn add(&mut self, to: &RecordingStream, load: usize, values: &[f64]) -> RecordingStreamResult<()> {
+    /// Adds the values of all curves of the recording under a load, and draws them at that load and at heavier ones, at the times to which
+    /// `turn` goes.
+    pub fn add(
+        &mut self,
+        to: &RecordingStream,
+        turn: &TurnTo<'_>,
+        load: usize,
+        values: &[f64],
+    ) -> RecordingStreamResult<()> {
         self.values.insert(load, values.to_vec());
         let y = around(&self.name, self.curves.iter().flat_map(|(number, _)| self.known(*number)));
         if y == self.frame.y {
-            return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, load));
+            return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, turn, load));
         }
         self.frame.y = y;
-        self.draw_again(to)
+        self.draw_again(to, turn)
     }
 
     /// Fits the axis of the loads to those that came.
-    pub fn settle(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
         self.frame.x = self.loads.over(self.values.keys().copied());
-        self.draw_again(to)
+        self.draw_again(to, turn)
     }
 
-    fn draw_again(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    fn draw_again(&self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
         self.log_static(to)?;
-        self.values.keys().try_for_each(|&load| self.draw(to, load))
+        self.values.keys().try_for_each(|&load| self.draw(to, turn, load))
     }
 
     /// Draws curves up to a load at the time of that load.
-    fn draw(&self, to: &RecordingStream, load: usize) -> RecordingStreamResult<()> {
-        to.set_time_sequence(LOAD, load as i64 + 1);
+    fn draw(&self, to: &RecordingStream, turn: &TurnTo<'_>, load: usize) -> RecordingStreamResult<()> {
+        turn(to, load);
         to.log(format!("{}/lines", self.root), &self.lines(load))?;
         to.log(format!("{}/dots", self.root), &self.dots(load))?;
         if !self.curves.iter().any(|(_, curve)| curve.kind == CurveKind::Exact) {
