@@ -61,7 +61,7 @@ impl Counted {
         let relative_area_corrected = corrected / grid.len() as f64;
         let rms_gradient_contact = rms(squares, nodes as f64);
         let rms_gradient_contact_corrected = rms(squares - excess * falling_squares, corrected);
-        let strain = problem.mean_pressure_of(pressure) / problem.contact_modulus();
+        let strain = problem.mean_pressure_of(pressure) / problem.effective_modulus(pressure);
         let reduced_pressure = strain / problem.rms_gradient();
         Self {
             contact_nodes: nodes,

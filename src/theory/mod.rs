@@ -12,6 +12,7 @@ pub mod periodic;
 pub mod persson;
 mod power_law;
 mod quadrature;
+pub(crate) use quadrature::integral;
 mod westergaard;
 
 pub use bush_gibson_thomas::BushGibsonThomas;

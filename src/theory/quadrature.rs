@@ -11,7 +11,7 @@ const NODES: usize = 64;
 static RULE: LazyLock<[(f64, f64); NODES]> = LazyLock::new(|| std::array::from_fn(node));
 
 /// `int_from^to f(x) dx` for a smooth `f`.
-pub(super) fn integral(from: f64, to: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn integral(from: f64, to: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     half * RULE.iter().map(|&(x, weight)| weight * f(middle + half * x)).sum::<f64>()
 }
