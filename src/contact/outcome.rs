@@ -60,11 +60,12 @@ impl Contact {
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
         let shape = problem.surface().grid().shape();
         let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
+        let pressure = field(pressure);
         Self {
             problem: problem.clone(),
-            pressure: field(pressure),
             displacement: field(displacement),
-            gap: apart(problem, field(gap)),
+            gap: apart(problem, &pressure, field(gap)),
+            pressure,
             certificate,
             coarser: None,
             work,
@@ -93,7 +94,7 @@ impl Contact {
             return Err(SurfaceError::Shape { found: field.shape().to_vec(), expected });
         }
         let [pressure, displacement, gap] = fields.map(|field| field.as_standard_layout().into_owned());
-        let gap = apart(&problem, gap);
+        let gap = apart(&problem, &pressure, gap);
         let (solver, failure, stiffness) = (solver.into(), None, OnceLock::new());
         Ok(Self {
             problem,
@@ -247,13 +248,15 @@ impl Contact {
         Field::from_shape_vec(shape, (0..self.gap.len()).map(overlap).collect()).expect("one value per node")
     }
 
-    /// The overlap of each node; none without a hardness.
+    /// The overlap of each node; none without a hardness. The datum is that of the node which is farthest from where it yields.
     fn overlaps(&self) -> Option<impl Fn(usize) -> f64 + Sync> {
-        let (law, pressure) = (self.problem.law(), self.pressures());
-        let (height, displacement) = (self.problem.height(), self.displacement.as_slice()?);
-        let datum = law.hardness().map(|_| certificate::datum(&self.problem, pressure, displacement))?;
-        let overlap = move |node: usize| height[node] - displacement[node] - datum;
-        Some(move |node: usize| if law.yields(pressure[node]) { overlap(node).max(0.0) } else { 0.0 })
+        let (law, pressure, height) = (self.problem.law(), self.pressures(), self.problem.height());
+        law.hardness()?;
+        let [displacement, gap] = [&self.displacement, &self.gap].map(|field| field.as_slice().expect("standard layout"));
+        let v = move |node: usize| displacement[node] - height[node];
+        let farthest = (0..gap.len()).max_by(|&a, &b| v(a).total_cmp(&v(b)))?;
+        let datum = gap[farthest] - v(farthest);
+        Some(move |node: usize| if law.yields(pressure[node]) { -(v(node) + datum).min(0.0) } else { 0.0 })
     }
 
     /// The approach, a length: the distance that the surface has moved since its highest peak touched the undeformed
@@ -316,9 +319,9 @@ impl Contact {
     }
 }
 
-/// A gap whose overlaps are cut off, where the law has any.
-fn apart(problem: &Problem, mut gap: Field) -> Field {
-    if problem.law().hardness().is_some() {
+/// A gap that is cut off at zero, if any node yields.
+fn apart(problem: &Problem, pressure: &Field, mut gap: Field) -> Field {
+    if problem.yields(pressure.as_slice().expect("results are made in standard layout")) {
         gap.mapv_inplace(|gap| gap.max(0.0));
     }
     gap

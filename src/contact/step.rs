@@ -226,10 +226,10 @@ impl<'a> Step<'a> {
         &self.displacement
     }
 
-    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate. Below a hardness it is cut off at zero: what is
-    /// below it there is the overlap of the surface that yields.
+    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate. Where nodes yield it is cut off at zero: what is
+    /// below it there is their overlap.
     pub fn gap(&self) -> &[f64] {
-        let (datum, yields) = (self.datum(), self.problem.law().hardness().is_some());
+        let (datum, yields) = (self.datum(), self.problem.yields(&self.pressure));
         let (u, h) = (&self.displacement, self.problem.height());
         let gap = move |(u, h): (&f64, &f64)| if yields { (u - h + datum).max(0.0) } else { u - h + datum };
         self.gap.get_or_init(|| u.iter().zip(h).map(gap).collect())
@@ -237,9 +237,9 @@ impl<'a> Step<'a> {
 
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
-        match self.problem.law() {
-            Law::HardWall => self.separation() + self.problem.flattened_by(),
-            Law::Hardness(_) => self.gap().iter().sum::<f64>() / self.gap().len() as f64,
+        match self.problem.yields(&self.pressure) {
+            false => self.separation() + self.problem.flattened_by(),
+            true => self.gap().iter().sum::<f64>() / self.gap().len() as f64,
         }
     }
 

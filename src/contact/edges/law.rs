@@ -14,6 +14,9 @@ pub const GAP_WEIGHT: f64 = PI / (2.0 * E);
 const SECOND_PRESSURE: f64 = 1.410_510_1;
 const SECOND_GAP: f64 = 2.589_489_9;
 
+/// Excesses that differ by less are those of one law.
+const ELASTIC_EXCESS: f64 = 1e-3;
+
 /// The law of an edge in one solid: `s = -c + P / (P + (pi / 2e) m G)`, see [`super::Edges`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgeLaw {
@@ -26,6 +29,11 @@ pub struct EdgeLaw {
 impl EdgeLaw {
     /// That of an elastic half-space.
     pub const ELASTIC: Self = Self { stiffness: 1.0, excess: NODE_EXCESS_PER_SWITCH_LINE };
+
+    /// Whether it is that of an elastic half-space of some modulus.
+    pub fn is_elastic(self) -> bool {
+        (self.excess - Self::ELASTIC.excess).abs() < ELASTIC_EXCESS
+    }
 
     /// The place of the edge on the link from a node under the pressure `p`, as a length in the law, to one with the gap `gap`.
     pub fn place(self, p: f64, gap: f64) -> f64 {

@@ -20,8 +20,8 @@ use normal::EdgeNormal;
 /// meaningless.
 const MOST_OF_SHAPE: f64 = 0.5;
 
-/// Where a contact moves, the pressure rises towards a free edge too: the gap beside the edge of a punch is at least this multiple of that
-/// of a free edge in the middle of a spacing.
+/// Where a contact moves, the pressure may rise towards a free edge too. The edge of a punch then has a gap that is this many times as large
+/// as that of a free edge in the middle of its range.
 const OPEN: f64 = 10.0;
 
 /// The edges of a contact, each found between the last node in contact and the next one.
@@ -52,6 +52,11 @@ const OPEN: f64 = 10.0;
 /// put halfway between the nodes, as counting does, and no node touches over less than its pressure needs at the
 /// highest one that is allowed. The law of an edge assumes that the other edge is far away, which is wrong for patches
 /// of one or two nodes: the error of their area may be as large as the area, but the area is never negative.
+///
+/// **Sliding.** Below a contact that slides over a viscoelastic solid each wave has a stiffness of its own. The same law then holds with
+/// the geometric mean of the stiffness over all waves of the grid instead of `E*`, by which the gap is multiplied, and with another
+/// excess `c`, which lies between 0.19 and 0.38. It takes the modulus of the shortest waves: the relaxed one where the surface slides by
+/// much less than a spacing in the retardation time, and the glassy one where it slides by much more.
 ///
 /// # Source
 /// This crate's own; [`crate::theory::counting_excess`] has the excess at any angle.
@@ -86,7 +91,7 @@ pub struct Resolved {
     /// `gbar_r`, root-mean-square gradient over the contact, by differences of fourth order; 0 without contact, NaN where most
     /// edges are given by the shape, whose gradient there is a step.
     pub rms_gradient_contact: f64,
-    /// `p_r* = <p> / (gbar_r E*)`.
+    /// `p_r* = <p> / (gbar_r E*)`; of a contact that slides with its [`Problem::effective_modulus`].
     pub reduced_pressure_contact: f64,
     /// `kappa_r = a_rel / p_r*`.
     pub kappa_r: f64,
@@ -179,7 +184,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let EdgeNormal { cosine, weight } = self.normal([node, next], link, towards);
         let yields = self.problem.law().yields(self.pressure[node]);
         let (p, g, law) = (link[0].pressure * cosine, link[1].gap, self.laws.at(towards, weight));
-        let is_open = !self.laws.is_moving() || law.stiffness * g > OPEN * p;
+        let is_open = law.is_elastic() || law.stiffness * g > OPEN * p;
         let is_of_shape = !yields && is_open && self.rises(node, towards);
         let place = if yields || is_of_shape { 0.5 } else { law.place(p, g) };
         Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape }

@@ -47,11 +47,6 @@ impl EdgeLaws {
         Self { along_x: law(dx.recip()), along_y: law(0.0), by_slope: steps.map(|i| law(slope(i) / dy)).collect() }
     }
 
-    /// Whether the contact moves.
-    pub fn is_moving(&self) -> bool {
-        self.along_x != self.along_y || self.along_x != EdgeLaw::ELASTIC
-    }
-
     /// The law on a link with a share `k^2` in the contour, `k` the cosine of its angle to the normal of the edge.
     pub fn at(&self, [dy, _]: [isize; 2], share: f64) -> EdgeLaw {
         let slope = (1.0 / share - 1.0).max(0.0).sqrt().ln();
