@@ -97,7 +97,8 @@ impl Finding {
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
         let friction = Some(self.observables.friction).filter(|it| it.is_finite());
         let slides = friction.is_some().then_some(self.observables.effective_modulus);
-        let modulus = slides.map(|it| ("effective modulus", format!("{}, of p*, kappa and kappa_r", units.pressure(it))));
+        let modulus =
+            slides.map(|it| ("effective modulus", format!("{}, of p*, kappa and kappa_r", units.pressure(it))));
         let friction = friction.map(|it| ("friction coefficient", format!("{it:.6e} (by the loss in the solid)")));
         let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
         let approach = approach.map(|approach| ("approach", units.length(approach)));

@@ -252,7 +252,8 @@ impl Contact {
     fn overlaps(&self) -> Option<impl Fn(usize) -> f64 + Sync> {
         let (law, pressure, height) = (self.problem.law(), self.pressures(), self.problem.height());
         law.hardness()?;
-        let [displacement, gap] = [&self.displacement, &self.gap].map(|field| field.as_slice().expect("standard layout"));
+        let [displacement, gap] =
+            [&self.displacement, &self.gap].map(|field| field.as_slice().expect("standard layout"));
         let v = move |node: usize| displacement[node] - height[node];
         let farthest = (0..gap.len()).max_by(|&a, &b| v(a).total_cmp(&v(b)))?;
         let datum = gap[farthest] - v(farthest);

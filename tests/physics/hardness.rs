@@ -79,7 +79,11 @@ fn the_gap_is_a_distance_and_the_overlap_has_its_own_name() {
                 let v = contact.displacement.as_slice().unwrap()[i] - wall.height()[i];
                 let yields = contact.yielding().as_slice().unwrap()[i];
                 assert!(gap >= 0.0 && overlap >= 0.0 && (yields || overlap == 0.0), "{gap} {overlap}");
-                assert!((gap - overlap - (v + datum)).abs() < 1e-4 * wall.rms_height(), "{gap} {overlap} {}", v + datum);
+                assert!(
+                    (gap - overlap - (v + datum)).abs() < 1e-4 * wall.rms_height(),
+                    "{gap} {overlap} {}",
+                    v + datum
+                );
             }
             let found = Observables::new(&contact);
             assert!((found.mean_gap - contact.gap.sum() / n).abs() < 1e-12 * wall.rms_height());
@@ -109,7 +113,10 @@ fn a_load_as_large_as_the_hardness_is_solved_exactly() {
                 let apart = contact.pressure.iter().map(|p| hardness - p).sum::<f64>() / problem.nodes() as f64;
                 assert!(apart <= hardness * (missing.max(0.0) + 1e-15), "{apart:e} at {missing:e}");
                 assert!(it.pressure_error_bound <= 2.0 * missing.max(0.0) + 1e-14, "{missing:e}: {it:?}");
-                assert!(it.mean_gap_error_bound < 1e-6 && contact.mean_gap() <= 1e-6 * problem.rms_height(), "{missing:e}: {it:?}");
+                assert!(
+                    it.mean_gap_error_bound < 1e-6 && contact.mean_gap() <= 1e-6 * problem.rms_height(),
+                    "{missing:e}: {it:?}"
+                );
                 assert!(missing > 0.0 || it.pressure_error_bound == 0.0 && contact.mean_gap() == 0.0, "{it:?}");
                 assert!(contact.plasticity().overlap > 0.0);
             }

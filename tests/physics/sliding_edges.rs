@@ -115,7 +115,10 @@ fn areas_of_coarse_surfaces_are_those_of_fine_ones_at_all_speeds() {
         let missed = area(&coarse) / area(&fine) - 1.0;
         let counted = coarse.counted().relative_area / area(&fine) - 1.0;
         let [one, other] = [&coarse, &fine].map(|it| it.resolved().kappa_r);
-        println!("surface {lag}: area {:.4} off by {missed:.1e}, counted {counted:.1e}, kappa_r {one:.4} {other:.4}", area(&fine));
+        println!(
+            "surface {lag}: area {:.4} off by {missed:.1e}, counted {counted:.1e}, kappa_r {one:.4} {other:.4}",
+            area(&fine)
+        );
         assert!(missed.abs() < 0.01, "{missed} where the surface slides {lag} spacings in the retardation time");
         assert!((one / other - 1.0).abs() < 0.02 && (1.2..1.8).contains(&other), "{one} {other}");
     }
@@ -124,7 +127,9 @@ fn areas_of_coarse_surfaces_are_those_of_fine_ones_at_all_speeds() {
 #[test]
 fn a_trail_that_is_longer_than_the_cell_gets_a_warning() {
     let slides = [0.5, 2.0, 4.0].map(|speed| sliding(cylinder(256), 5e-4, speed));
-    assert!(warning_of_trail(&slides[..1]).is_none() && warning_of_trail([&at_rest(cylinder(64), 1.0, 5e-4)]).is_none());
+    assert!(
+        warning_of_trail(&slides[..1]).is_none() && warning_of_trail([&at_rest(cylinder(64), 1.0, 5e-4)]).is_none()
+    );
     let one = warning_of_trail([&slides[1]]).unwrap().to_string();
     assert!(one.starts_with("The trail") && one.contains("2.000e0 long") && one.contains("cell 1.000e0"), "{one}");
     let several = warning_of_trail(&slides).unwrap().to_string();
