@@ -92,7 +92,7 @@ use serde::Serialize;
 ///
 /// **At the hardness** nothing else is allowed. Two pressures of the same mean below `H_c` obey `<abs(p - p*)> <= 2 <H_c - p>`, since what
 /// one has more than the other, the other has left. Where less than half of `H_c` is left in all, `n <H_c - p> <= H_c / 2`, no node is open.
-/// Then the mean gap is zero, and that of `p` at most `2 G / H_c + G / <m>`. And `2 <H_c - p> / <p>` bounds the relative error of the
+/// Then the mean gap is zero, and so is that of `p`, since the datum is taken at the highest node. And `2 <H_c - p> / <p>` bounds the relative error of the
 /// pressure in the mean of its magnitude, which is used where it is smaller: a nearly uniform pressure has no length in the norm above.
 /// Where `<p> = H_c` all of this is zero: the pressure is the hardness everywhere.
 ///
@@ -391,11 +391,10 @@ impl Bounds {
 impl Yielding {
     fn new(problem: &Problem, slack: &Slack, mean_pressure: f64) -> Self {
         let (hardness, n) = (problem.law().hardness(), problem.nodes() as f64);
-        let closed = hardness.filter(|hardness| n * slack.left <= 0.5 * hardness).map(|hardness| {
-            let of_room = if slack.room > 0.0 { slack.gain / slack.room } else { 0.0 };
+        let closed = hardness.filter(|hardness| n * slack.left <= 0.5 * hardness).map(|_| {
             let saturation = 2.0 * slack.left / mean_pressure;
             let is_at_datum = problem.datum().is_some();
-            [2.0 * slack.gain / hardness + of_room, if is_at_datum { f64::INFINITY } else { saturation }]
+            [0.0, if is_at_datum { f64::INFINITY } else { saturation }]
         });
         let [softest, _] = problem.compliance().stiffness_range();
         let softest = hardness.filter(|_| Ceiling::is_reached(slack.highest_share)).map(|_| softest);

@@ -77,10 +77,15 @@ impl Slack {
 }
 
 /// The mean of `v = u - h` weighted by the room `min(p, H_c - p)` of a pressure, both fields row by row: by the pressure itself on a
-/// hard wall. Where no node has room it may lie anywhere between the nodes that yield and those that do not, and is the middle; NaN
+/// hard wall. Below a hardness of which less than half is left in all, no node is open, and it is that of the highest node. Where no node has room it may lie anywhere between the nodes that yield and those that do not, and is the middle; NaN
 /// where there is no pressure.
 pub(super) fn level(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
     let (ceiling, height) = (problem.ceiling(), problem.height());
+    if let Some(hardness) = problem.law().hardness()
+        && chunks::sum(pressure.len(), |i| (hardness - pressure[i]).max(0.0)) <= 0.5 * hardness
+    {
+        return lengths(problem, displacement).into_iter().fold(f64::NEG_INFINITY, f64::max);
+    }
     let load = chunks::sum(pressure.len(), |i| ceiling.room(i, pressure[i]));
     let share = |i: usize| ceiling.room(i, pressure[i]) / load * (displacement[i] - height[i]);
     let parts = chunks::visit(pressure.len(), |nodes| nodes.filter(|&i| pressure[i] != 0.0).map(share).sum::<f64>());
