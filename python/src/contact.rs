@@ -100,10 +100,17 @@ impl Contact {
         Self::field(slf, |contact| &contact.displacement)
     }
 
-    /// Gap between the surfaces, a length.
+    /// Gap between the surfaces, a length. Where they yield it is 0, see overlap.
     #[getter]
     fn gap<'py>(slf: Bound<'py, Self>) -> Bound<'py, PyArrayDyn<f64>> {
         Self::field(slf, |contact| &contact.gap)
+    }
+
+    /// Overlap of the surfaces where they yield, a length; zero elsewhere, and without a hardness.
+    #[getter]
+    fn overlap<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let overlap = self.contact.overlap();
+        owned(py, overlap.iter().copied().collect(), overlap.dim().into(), self.rank)
     }
 
     /// Heights of the rigid surface about their mean, a length.

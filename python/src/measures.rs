@@ -53,6 +53,7 @@ impl Contact {
         let of_state = |name: &str| self.state.as_ref().and_then(|it| it.find(name));
         let known = OBSERVABLES
             .iter()
+            .filter(|it| it.name != "plastic_overlap" || !self.setup.law.is_hard_wall())
             .filter(|it| is_elastic || OF_ALL_PROCESSES.contains(&it.name) || of_state(it.name).is_some());
         let number = |name, value| (name, Measure::Number(value));
         let mut numbers: Vec<_> =
@@ -61,9 +62,7 @@ impl Contact {
         let others = HISTORY_QUANTITIES.iter().filter(|it| !is_observable(it.name));
         numbers.extend(others.filter_map(|it| Some(number(it.name, of_state(it.name)?))));
         if !self.setup.law.is_hard_wall() {
-            let plasticity = self.contact.plasticity();
-            numbers.push(number("plastic_overlap", plasticity.overlap));
-            numbers.push(number("plastic_load_share", plasticity.load_share));
+            numbers.push(number("plastic_load_share", self.contact.plasticity().load_share));
         }
         if !self.setup.flow.is_none() {
             let row = self.flow()?;

@@ -90,7 +90,9 @@ def test_what_yields_is_among_the_measures(tmp_path: Path) -> None:
     contact = asp.solve(surface, solid=1.0, reduced_pressure=0.05, law={"hardness": 0.06})
     found = contact.measures
     assert found["plastic_load_share"] == pytest.approx(0.06 * found["plastic_area"] / contact.mean_pressure)
-    assert 0 < found["plastic_overlap"] == pytest.approx(-contact.gap[contact.pressure > 0.0599].sum() / 512, rel=1e-6)
+    assert 0 < found["plastic_overlap"] == pytest.approx(contact.overlap.mean())
+    assert (contact.overlap > 0)[contact.pressure < 0.0599].sum() == 0 and contact.gap.min() == 0
+    assert contact.mean_gap == pytest.approx(contact.gap.mean())
     assert "plastic_overlap" not in asp.solve(surface, reduced_pressure=0.05).measures
 
 

@@ -8,7 +8,7 @@ use asperity::theory::Exact;
 use serde::Serialize;
 
 /// Observables in the rows that hold several or have a form of their own.
-const IN_OTHER_ROWS: [&str; 38] = [
+const IN_OTHER_ROWS: [&str; 40] = [
     "mean_pressure",
     "reduced_pressure",
     "reduced_pressure_contact",
@@ -33,6 +33,8 @@ const IN_OTHER_ROWS: [&str; 38] = [
     "elastic_energy",
     "approach",
     "plastic_area",
+    "plastic_overlap",
+    "effective_modulus",
     "max_pressure",
     "patches",
     "nodes_per_patch",
@@ -94,6 +96,9 @@ impl Finding {
         });
         let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
         let friction = Some(self.observables.friction).filter(|it| it.is_finite());
+        let slides = friction.is_some().then_some(self.observables.effective_modulus);
+        let modulus =
+            slides.map(|it| ("effective modulus", format!("{}, of p*, kappa and kappa_r", units.pressure(it))));
         let friction = friction.map(|it| ("friction coefficient", format!("{it:.6e} (by the loss in the solid)")));
         let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
         let approach = approach.map(|approach| ("approach", units.length(approach)));
@@ -108,6 +113,7 @@ impl Finding {
         let claim = (self.claim != ResultClaim::Solution).then(|| ("claim", self.claim.words().to_owned()));
         let rows = rows
             .chain(friction)
+            .chain(modulus)
             .chain(claim)
             .chain(approach)
             .chain(energy)

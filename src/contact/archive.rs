@@ -31,7 +31,8 @@ use std::slice::from_ref;
 /// | `status`, `solver`                                   | bytes                | how the solver stopped, and its name        |
 /// | `coarser`                                            | `(6)`                | the contact on the next coarser grid: relative area, rms gradient, `kappa_r`, reduced pressure, and numbers of edges; NaN if it is not known |
 /// | `yielding`, where there is a hardness                | `(ny, nx)` or `(nx)` | whether the nodes yield                     |
-/// | `hardness`, `plastic_overlap`, `plastic_load_share` | `()`  | it, and the [`Plasticity`](crate::contact::Plasticity) |
+/// | `overlap`, where there is a hardness                 | `(ny, nx)` or `(nx)` | the overlap of the nodes that yield, which is not part of the gap |
+/// | `hardness`, `plastic_load_share`                     | `()`                 | it, and the share of the load on the nodes that yield |
 /// | `setup`                                              | bytes                | the text of the setup that repeats it       |
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
@@ -187,10 +188,7 @@ const FIELDS: [(&str, FieldOf); 3] = [
 type NumberOf = fn(&Contact) -> f64;
 
 /// What yields.
-const PLASTICITY: [(&str, NumberOf); 2] = [
-    ("plastic_overlap", |contact| contact.plasticity().overlap),
-    ("plastic_load_share", |contact| contact.plasticity().load_share),
-];
+const PLASTICITY: [(&str, NumberOf); 1] = [("plastic_load_share", |contact| contact.plasticity().load_share)];
 
 /// Bins of the distributions.
 const BINS: usize = 64;
@@ -255,6 +253,7 @@ impl<'n> ArchiveWriter<'n> {
         self.add_each("coarser", contacts.iter().map(|contact| arr1(&Resolved::numbers(contact.coarser)).into()))?;
         if let Some(hardness) = first.problem.law().hardness() {
             self.add_fields("yielding", contacts.iter().map(|contact| contact.yielding().into()))?;
+            self.add_fields("overlap", contacts.iter().map(|contact| contact.overlap().into()))?;
             self.npz.add_array("hardness", &arr0(hardness))?;
             for (name, of) in PLASTICITY {
                 self.add_each(name, contacts.iter().map(|contact| arr0(of(contact)).into()))?;

@@ -59,15 +59,16 @@ impl Ceiling {
     }
 
     /// Whether a node is at its ceiling under this pressure, except for rounding: there it yields, or slips.
+    #[inline]
     pub fn yields(&self, node: usize, pressure: f64) -> bool {
         pressure >= self.at(node) * (1.0 - ROUNDING)
     }
 
-    /// The room of a pressure, `min(p, H - p)`; for a hard wall, the pressure itself.
+    /// The room of a pressure, `min(p, H - p)`, and none where it is at its ceiling except for rounding; for a hard wall, the pressure
+    /// itself.
     #[inline]
     pub(super) fn room(&self, node: usize, pressure: f64) -> f64 {
-        let ceiling = self.at(node);
-        if pressure < ceiling { pressure.min(ceiling - pressure) } else { 0.0 }
+        if self.yields(node, pressure) { 0.0 } else { pressure.min(self.at(node) - pressure) }
     }
 
     /// The pressure of a node divided by its ceiling; 1 where none is allowed and there is none.

@@ -87,6 +87,15 @@ use serde::Serialize;
 /// the solution may then be anywhere between the highest node that yields and the lowest open node. The middle is used
 /// (or the highest node, if all nodes yield), and the bound is infinite.
 ///
+/// **The mean gap** below a hardness is `<max(g, 0)>`. It errs by no more than the datum and the mean of `abs(u - u*)`, which is at most
+/// `t / sqrt(k_min)`. At a given datum only the last one is left.
+///
+/// **At the hardness** nothing else is allowed. Two pressures of the same mean below `H_c` obey `<abs(p - p*)> <= 2 <H_c - p>`, since what
+/// one has more than the other, the other has left. Where less than half of `H_c` is left in all, `n <H_c - p> <= H_c / 2`, no node is open.
+/// Then the mean gap is zero, and so is that of `p`, since the datum is taken at the highest node. And `2 <H_c - p> / <p>` bounds the relative error of the
+/// pressure in the mean of its magnitude, which is used where it is smaller: a nearly uniform pressure has no length in the norm above.
+/// Where `<p> = H_c` all of this is zero: the pressure is the hardness everywhere.
+///
 /// # Of a contact that moves
 /// Where the surface slides steadily over a viscoelastic solid (see [`Problem::sliding`]), `A` is not symmetric, and no energy belongs
 /// to it. The variational inequality `<(p - p*) v*> >= 0` holds all the same, and with it
@@ -131,10 +140,11 @@ pub struct Certificate {
     /// loads `eta` can be small for a poor pressure, since `h_rms` is then large compared with the relevant heights;
     /// use this bound there. At a mean gap `G = <p> (a + |D - d|)`, which takes `<p>` for the larger of `<p>` and
     /// `<p*>`. Infinite where `<p u(p)>` is not positive: a pressure that does not deform the solid, such as a uniform
-    /// one, gives no bound.
+    /// one, gives no bound. At a mean pressure as large as the hardness it is `2 <H_c - p> / <p>`, and so 0.
     pub pressure_error_bound: f64,
     /// The bound of `|D* - d| / h_rms`, the error of the datum under a given mean pressure, which is the mean gap on a
-    /// periodic grid and the approach on a free one. At a given mean gap or approach it is 0. Of a contact that moves it is infinite:
+    /// periodic grid and the approach on a free one. At a given mean gap or approach it is 0. Where nodes yield it is that of the mean
+    /// gap, in all cases. Of a contact that moves it is infinite:
     /// nothing bounds the error.
     pub mean_gap_error_bound: f64,
     /// The relative error of the prescribed load: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
@@ -240,7 +250,7 @@ impl Certificate {
             eta_gap: datum.map_or(0.0, |datum| bounds.excess() / room(problem, datum)),
             pressure_error_bound: bounds.pressure_error(),
             mean_gap_error_bound: match datum {
-                Some(_) => 0.0,
+                Some(_) => bounds.spread_error() / rms_height,
                 None if problem.is_moving() => f64::INFINITY,
                 None => bounds.gap_error() / rms_height,
             },
@@ -273,7 +283,18 @@ struct Bounds {
     /// `<m>` and the bound of `|m|^2`.
     room: [f64; 2],
     is_at_gap: bool,
+    /// What nodes that yield add; none on a hard wall.
+    yielding: Option<Yielding>,
     rounding: Rounding,
+}
+
+/// What bounds the error of a pressure of which some nodes are at their ceilings.
+#[derive(Clone, Copy)]
+struct Yielding {
+    /// Where no node is open: the bound of the mean gap, a length, and `2 <H_c - p> / <p>`, which is infinite at a given mean gap.
+    closed: Option<[f64; 2]>,
+    /// The softest stiffness, where the gap is cut off at zero.
+    softest: Option<f64>,
 }
 
 impl Bounds {
@@ -291,6 +312,7 @@ impl Bounds {
             elastic,
             room: [mean_pressure, elastic],
             is_at_gap: gap.is_some(),
+            yielding: None,
             rounding: Rounding::new(problem, sums),
         }
     }
@@ -307,6 +329,7 @@ impl Bounds {
             missed: datum + slack.level,
             deepest: -(slack.lowest_v + datum),
             room: [slack.room, slack.square_room / softest],
+            yielding: Some(Yielding::new(problem, slack, mean_pressure)),
             ..wall
         };
         let depth = slack.gain / mean_pressure;
@@ -338,12 +361,22 @@ impl Bounds {
         let Self { mean_pressure, elastic, rounding, .. } = self;
         let least = elastic - mean_pressure * rounding.mean - rounding.elastic;
         let least = (0.25 * rounding.energy + least).sqrt() - 0.5 * rounding.energy.sqrt();
-        if least > 0.0 { self.error() / least } else { f64::INFINITY }
+        let bound = if least > 0.0 { self.error() / least } else { f64::INFINITY };
+        self.yielding.and_then(|it| it.closed).map_or(bound, |[_, saturation]| bound.min(saturation))
     }
 
-    /// The bound of `|D* - d|`.
+    /// The bound of the mean of `abs(u - u*)`, by which a gap that is cut off at zero errs.
+    fn spread_error(&self) -> f64 {
+        let softest = self.yielding.and_then(|it| it.softest);
+        softest.map_or(0.0, |softest| self.error() / softest.sqrt())
+    }
+
+    /// The bound of `|D* - d|`, or of the error of the mean gap where nodes yield.
     fn gap_error(&self) -> f64 {
         let Self { mean_pressure, room: [room, square], rounding, .. } = self;
+        if let Some([mean_gap, _]) = self.yielding.and_then(|it| it.closed) {
+            return mean_gap;
+        }
         if *room == 0.0 {
             return f64::INFINITY;
         }
@@ -351,7 +384,21 @@ impl Bounds {
         let (error, slope) = (self.error(), most + rounding.energy.sqrt());
         let t = error.min(0.5 * slope);
         let [below, above] = [most * error, mean_pressure * self.distance() + (slope - t) * t];
-        (below.max(above) + rounding.energy.sqrt() * most) / room + rounding.mean
+        (below.max(above) + rounding.energy.sqrt() * most) / room + rounding.mean + self.spread_error()
+    }
+}
+
+impl Yielding {
+    fn new(problem: &Problem, slack: &Slack, mean_pressure: f64) -> Self {
+        let (hardness, n) = (problem.law().hardness(), problem.nodes() as f64);
+        let closed = hardness.filter(|hardness| n * slack.left <= 0.5 * hardness).map(|_| {
+            let saturation = 2.0 * slack.left / mean_pressure;
+            let is_at_datum = problem.datum().is_some();
+            [0.0, if is_at_datum { f64::INFINITY } else { saturation }]
+        });
+        let [softest, _] = problem.compliance().stiffness_range();
+        let softest = hardness.filter(|_| Ceiling::is_reached(slack.highest_share)).map(|_| softest);
+        Self { closed, softest }
     }
 }
 

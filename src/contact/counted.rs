@@ -9,7 +9,8 @@ use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
 pub const NODE_EXCESS_PER_SWITCH_SURFACE: f64 = 0.101_378;
 
 /// Area, gradients and proportionality factors of a contact by counting nodes, as Eqs. 1, 3, 8 and 9 of van Dokkum et
-/// al. (2018) define them; all are dimensionless.
+/// al. (2018) define them; all are dimensionless. Below a contact that slides over a viscoelastic solid `E*` is the
+/// [`Problem::effective_modulus`].
 ///
 /// A node is in contact when its pressure is positive. Counting nodes is of first order in the spacing;
 /// [`Resolved`](crate::contact::Resolved) has the same quantities to second order.
@@ -61,7 +62,7 @@ impl Counted {
         let relative_area_corrected = corrected / grid.len() as f64;
         let rms_gradient_contact = rms(squares, nodes as f64);
         let rms_gradient_contact_corrected = rms(squares - excess * falling_squares, corrected);
-        let strain = problem.mean_pressure_of(pressure) / problem.contact_modulus();
+        let strain = problem.mean_pressure_of(pressure) / problem.effective_modulus(pressure);
         let reduced_pressure = strain / problem.rms_gradient();
         Self {
             contact_nodes: nodes,

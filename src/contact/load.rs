@@ -13,7 +13,8 @@ pub enum Load {
     MeanPressure(#[serde(deserialize_with = "quantity::pressure")] f64),
     /// The reduced pressure `p* = <p> / (gbar E*)`, with the rms gradient `gbar` of the surface; dimensionless.
     ReducedPressure(f64),
-    /// The mean gap `D`, a length: the distance between the mean planes of both surfaces.
+    /// The mean gap `D`, a length: the distance between the mean planes of both surfaces. With a hardness, the planes are those of
+    /// surfaces that have not yielded, and the mean gap that is found is larger than `D` by the plastic overlap.
     MeanGap(#[serde(deserialize_with = "quantity::length")] f64),
     /// The force on the cell, on a line per length across it.
     Force(#[serde(deserialize_with = "quantity::force")] f64),

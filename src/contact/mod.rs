@@ -93,4 +93,4 @@ pub use solver::{Observer, Solver, Wish};
 pub use status::Status;
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;
-pub use warnings::{warning_of_rim, warnings_of};
+pub use warnings::{warning_of_rim, warning_of_trail, warnings_of};

@@ -1,7 +1,7 @@
 //! Problems of contacts that move over their solid.
 
 use crate::contact::Problem;
-use crate::elastic::Compliance;
+use crate::elastic::{Compliance, SteadyMotion};
 use crate::error::ProblemError;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
@@ -41,6 +41,34 @@ impl Problem {
         let (grid, solid) = (*self.surface().grid(), self.solid().clone());
         let compliance = Compliance::sliding(&grid, solid, self.load().keeps_uniform(), speed, terms)?;
         self.with_compliance(compliance)
+    }
+
+    /// The contact modulus that acts under a pressure, row by row: the modulus of the elastic solid that the pressure would displace with
+    /// the same rms gradient of its surface. At rest it is the contact modulus `E*`. Of a contact that slides,
+    ///
+    /// `E*_V = E* (<|grad A p|^2> / <|grad u|^2>)^(1/2)`
+    ///
+    /// with the compliance `A` of the solid under fast loads. It goes from the relaxed to the glassy modulus as the speed grows. In full
+    /// contact it does not depend on the load.
+    ///
+    /// # Panics
+    /// If the length of `pressure` does not fit the grid.
+    pub fn effective_modulus(&self, pressure: &[f64]) -> f64 {
+        let Some(motion @ SteadyMotion::Sliding { .. }) = self.compliance().motion() else {
+            return self.contact_modulus();
+        };
+        let grid = *self.surface().grid();
+        let weights = self.compliance().weights().unwrap_or_default();
+        let waves = grid.wave_vectors().zip(spectrum(&grid, pressure)).zip(grid.multiplicities()).zip(weights);
+        let [mut glassy, mut moving] = [0.0; 2];
+        for ((([qy, qx], p), multiplicity), weight) in waves {
+            let square = multiplicity * (qx * qx + qy * qy) * (p * weight).norm_sqr();
+            moving += square;
+            glassy += square / motion.factor(qx).norm_sqr();
+        }
+        // a uniform pressure bends nothing
+        let ratio = f64::sqrt(glassy / moving);
+        if ratio.is_finite() { self.contact_modulus() * ratio } else { self.contact_modulus() }
     }
 
     /// Whether the contact moves over its solid. Its compliance is then not symmetric, and no energy belongs to the contact.

@@ -55,6 +55,7 @@ pub struct State<'a> {
     /// The approach; NaN if it is not known, or not defined.
     approach: Lazy<'a, f64>,
     plastic_area: Lazy<'a, f64>,
+    plastic_overlap: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
     /// The hysteretic friction; NaN at rest.
@@ -132,7 +133,7 @@ observables! {
     mean_pressure: f64, "<p>", "pressure", false, |it| *it.mean_pressure,
         "Mean pressure.";
     reduced_pressure: f64, "p*", "1", false, |it| it.reduced_pressure(),
-        "Reduced pressure: mean pressure divided by rms gradient and contact modulus.";
+        "Reduced pressure: mean pressure divided by rms gradient and contact modulus, of a contact that slides by its effective modulus.";
     reduced_pressure_contact: f64, "p_r*", "1", false, |it| it.resolved.reduced_pressure_contact,
         "Reduced pressure with the rms gradient of the contact.";
     reduced_pressure_contact_counted: f64, "p_r*, counted", "1", false, |it| it.counted.reduced_pressure_contact,
@@ -175,10 +176,14 @@ observables! {
         "Approach: distance that the surface has moved since its highest peak touched the undeformed solid. Not defined on a periodic half-space.";
     plastic_area: f64, "a_pl", "1", false, |it| *it.plastic_area,
         "Relative plastic area: the fraction of nodes at the hardness, where the solid yields.";
+    plastic_overlap: f64, "<o>", "length", false, |it| *it.plastic_overlap,
+        "Mean overlap of the surfaces where they yield or have yielded, not part of the mean gap: the plastically displaced volume per area of the cell.";
     max_pressure: f64, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
         "Largest pressure divided by the contact modulus.";
+    effective_modulus: f64, "E*_eff", "pressure", false, |it| it.effective_modulus(),
+        "Contact modulus that reduced pressures, kappa and kappa_r use: E*, or between the relaxed and the glassy one for a contact that slides over a viscoelastic solid.";
     patches: usize, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";
     nodes_per_patch: f64, "n_c / n", "1", false, |it| it.resolution().nodes_per_patch,
@@ -245,10 +250,16 @@ impl State<'_> {
         Resolution::new(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
     }
 
-    /// The reduced pressure: the prescribed one, to the last bit, or else the computed one.
+    /// The modulus by which pressures are reduced, from those that are.
+    fn effective_modulus(&self) -> f64 {
+        *self.mean_pressure / (self.counted.reduced_pressure * self.problem.rms_gradient())
+    }
+
+    /// The reduced pressure: the prescribed one, to the last bit, or else the computed one, as that of a contact that moves, whose
+    /// modulus depends on the motion.
     fn reduced_pressure(&self) -> f64 {
         match self.problem.load() {
-            Load::ReducedPressure(prescribed) => prescribed,
+            Load::ReducedPressure(prescribed) if !self.problem.is_moving() => prescribed,
             _ => self.counted.reduced_pressure,
         }
     }
@@ -277,6 +288,7 @@ impl<'a> From<&'a Contact> for State<'a> {
             elastic_energy: lazy(|| contact.elastic_energy()),
             approach: lazy(|| contact.approach().unwrap_or(f64::NAN)),
             plastic_area: lazy(|| contact.plasticity().area),
+            plastic_overlap: lazy(|| contact.plasticity().overlap),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
             friction: lazy(|| contact.friction()),
@@ -303,6 +315,7 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
                 let yielding = pressure().iter().filter(|p| step.problem().law().yields(**p)).count();
                 yielding as f64 / pressure().len() as f64
             }),
+            plastic_overlap: lazy(|| step.mean_gap() - step.separation()),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
             friction: lazy(|| hysteretic_friction(step.problem(), step.pressure(), step.displacement())[1]),

@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 /// |----------------|------------|----------|------------------------------------------------|
 /// | `pressure`     | `(ny, nx)` | pressure | `p >= 0`, `<p>` the load if that is given      |
 /// | `displacement` | `(ny, nx)` | length   | `u(p)` into the solid, without mean if periodic |
-/// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `<p g> = 0` or `d` the mean gap   |
+/// | `gap`          | `(ny, nx)` | length   | `u - h + d`, `<p g> = 0` or `d` the mean gap; of a surface that yields, 0 where this is negative |
 #[derive(Debug, Clone)]
 pub struct Contact {
     /// The problem that it solves.
@@ -23,7 +23,8 @@ pub struct Contact {
     pub pressure: Field,
     /// Displacement of the solid's surface.
     pub displacement: Field,
-    /// Gap between the surfaces.
+    /// Gap between the surfaces: their distance. Below a hardness it is never negative, and the overlap of the nodes that yield is
+    /// [`Contact::overlap`]. On a hard wall, penetrations within the error of the certificate are negative.
     pub gap: Field,
     /// Error bounds of this pressure, computed from a transform pair of it in double precision.
     pub certificate: Certificate,
@@ -59,11 +60,12 @@ impl Contact {
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
         let shape = problem.surface().grid().shape();
         let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
+        let pressure = field(pressure);
         Self {
             problem: problem.clone(),
-            pressure: field(pressure),
             displacement: field(displacement),
-            gap: field(gap),
+            gap: apart(problem, &pressure, field(gap)),
+            pressure,
             certificate,
             coarser: None,
             work,
@@ -108,6 +110,7 @@ impl Contact {
             return Err(SurfaceError::Shape { found: field.shape().to_vec(), expected });
         }
         let [pressure, displacement, gap] = fields.map(|field| field.as_standard_layout().into_owned());
+        let gap = apart(&problem, &pressure, gap);
         let (solver, failure, stiffness) = (solver.into(), None, OnceLock::new());
         Ok(Self {
             problem,
@@ -194,7 +197,7 @@ impl Contact {
     }
 
     /// Contact stiffness `k = -d<p>/d<g>`, a pressure per length: the increase of the mean pressure per decrease of the
-    /// mean gap. It is infinite if all nodes of a periodic cell touch, and NaN if the contact moves over its solid ([`Problem::is_moving`]).
+    /// mean gap, or of the [`Contact::separation`] where nodes yield. It is infinite if all nodes of a periodic cell touch, and NaN if the contact moves over its solid ([`Problem::is_moving`]).
     ///
     /// It is computed on first use, with about a tenth of the work of a solve. From then on it is one of the
     /// [`crate::contact::Observables`] of this contact.
@@ -243,10 +246,46 @@ impl Contact {
         mean(self.pressures())
     }
 
-    /// Mean gap between the surfaces as they were before they yielded. The overlap of nodes that yield or have yielded
-    /// is a negative gap, so the mean may be negative.
+    /// Mean gap between the surfaces, never negative: nodes that yield or have yielded have no gap.
     pub fn mean_gap(&self) -> f64 {
-        mean(self.gap.as_slice().expect("results are made in standard layout")) - self.problem.flattened_by()
+        mean(self.gap.as_slice().expect("results are made in standard layout")).max(0.0)
+    }
+
+    /// Distance of the mean planes of both surfaces as if none had yielded, a length: the datum of the gap, which
+    /// [`crate::contact::Load::MeanGap`] prescribes. Without a hardness it is the mean gap, and else the mean gap less the plastic overlap,
+    /// so that it may be negative.
+    pub fn separation(&self) -> f64 {
+        mean(self.gap.as_slice().expect("results are made in standard layout")) - self.mean_overlap()
+    }
+
+    /// The mean overlap where the surfaces yield or have yielded, a length.
+    pub(super) fn mean_overlap(&self) -> f64 {
+        let n = self.gap.len();
+        let now = self.overlaps().map_or(0.0, |overlap| chunks::sum(n, overlap) / n as f64);
+        now + self.problem.flattened_by()
+    }
+
+    /// The overlap of the surfaces where they yield, a length, shape `(ny, nx)`: how much the law flattens the surface in this contact. It is
+    /// zero at all other nodes.
+    ///
+    /// Where all nodes yield, any larger datum would do as well, and the smallest overlap is given: that at which the node that is flattened
+    /// least just touches.
+    pub fn overlap(&self) -> Field {
+        let shape = self.gap.raw_dim();
+        let Some(overlap) = self.overlaps() else { return Field::zeros(shape) };
+        Field::from_shape_vec(shape, (0..self.gap.len()).map(overlap).collect()).expect("one value per node")
+    }
+
+    /// The overlap of each node; none without a hardness. The datum is that of the node which is farthest from where it yields.
+    fn overlaps(&self) -> Option<impl Fn(usize) -> f64 + Sync> {
+        let (law, pressure, height) = (self.problem.law(), self.pressures(), self.problem.height());
+        law.hardness()?;
+        let [displacement, gap] =
+            [&self.displacement, &self.gap].map(|field| field.as_slice().expect("standard layout"));
+        let v = move |node: usize| displacement[node] - height[node];
+        let farthest = (0..gap.len()).max_by(|&a, &b| v(a).total_cmp(&v(b)))?;
+        let datum = gap[farthest] - v(farthest);
+        Some(move |node: usize| if law.yields(pressure[node]) { -(v(node) + datum).min(0.0) } else { 0.0 })
     }
 
     /// The approach, a length: the distance that the surface has moved since its highest peak touched the undeformed
@@ -254,7 +293,7 @@ impl Contact {
     /// from the datum of the solid, see [`crate::elastic::ElasticSolid::datum`].
     pub fn approach(&self) -> Option<f64> {
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
-        let datum = self.mean_gap() - mean(displacement);
+        let datum = self.separation() - mean(displacement);
         Some(self.problem.highest() - datum + self.uniform_displacement()?)
     }
 
@@ -276,6 +315,12 @@ impl Contact {
         let pressure = self.pressures();
         let uniform = self.uniform_displacement().unwrap_or(0.0);
         0.5 * chunks::sum(pressure.len(), |i| pressure[i] * (displacement[i] + uniform)) / pressure.len() as f64
+    }
+
+    /// The contact modulus that acts, a pressure, by which areas and pressures are made dimensionless: of a contact that slides, see
+    /// [`Problem::effective_modulus`]; else `E*`.
+    pub fn effective_modulus(&self) -> f64 {
+        self.problem.effective_modulus(self.pressures())
     }
 
     /// The hysteretic friction coefficient of a contact that slides over a viscoelastic solid: the force along `x` by the loss in the
@@ -301,6 +346,14 @@ impl Contact {
     pub fn mask(&self) -> ndarray::Array2<bool> {
         self.pressure.mapv(|p| p > 0.0)
     }
+}
+
+/// A gap that is cut off at zero, if any node yields.
+fn apart(problem: &Problem, pressure: &Field, mut gap: Field) -> Field {
+    if problem.yields(pressure.as_slice().expect("results are made in standard layout")) {
+        gap.mapv_inplace(|gap| gap.max(0.0));
+    }
+    gap
 }
 
 fn mean(values: &[f64]) -> f64 {

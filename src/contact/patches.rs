@@ -109,7 +109,7 @@ impl Patch {
         let [dy, dx] = grid.spacing();
         let cell = if grid.is_line() { dx } else { dy * dx };
         let square_gradient = surface.square_gradient();
-        let curvature = surface.curvature();
+        let (curvature, modulus) = (surface.curvature(), problem.effective_modulus(pressure));
         let measure = |runs: Vec<Range<usize>>| {
             let nodes = || runs.iter().cloned().flatten();
             let count = nodes().count();
@@ -117,7 +117,7 @@ impl Patch {
             let gradient = (nodes().map(&square_gradient).sum::<f64>() / count as f64).sqrt();
             let area = cell * count as f64;
             let peak = nodes().max_by(|&a, &b| pressure[a].total_cmp(&pressure[b])).unwrap_or_default();
-            let kappa_r = gradient * problem.contact_modulus() * area / load;
+            let kappa_r = gradient * modulus * area / load;
             let curvature = nodes().map(&curvature).sum::<f64>() / count as f64;
             (Self { nodes: count, peak, area, load, kappa_r, curvature }, runs)
         };

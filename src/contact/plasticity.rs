@@ -7,12 +7,12 @@ use ndarray::Array2;
 use serde::Serialize;
 
 /// The plastic part of a contact with a hardness: fractions and a length for the whole cell. All are zero for a hard
-/// wall.
+/// wall, but for the overlap of a surface that has yielded before.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Plasticity {
     /// Fraction of the nodes that yield.
     pub area: f64,
-    /// Mean overlap of the surfaces where they yield, a length: the plastically displaced volume divided by the area of
+    /// Mean overlap of the surfaces where they yield or have yielded, a length: the plastically displaced volume divided by the area of
     /// the cell.
     pub overlap: f64,
     /// Fraction of the load that is carried by nodes that yield.
@@ -22,16 +22,14 @@ pub struct Plasticity {
 impl Plasticity {
     /// The plastic part of `contact`.
     pub(super) fn new(contact: &Contact) -> Self {
-        let (law, n) = (contact.problem.law(), contact.pressure.len() as f64);
-        let of_yielding = |value: &dyn Fn(f64, f64) -> f64| -> f64 {
-            let nodes = contact.pressure.iter().zip(&contact.gap).filter(|(p, _)| law.yields(**p));
-            nodes.fold(0.0, |sum, (&p, &gap)| sum + value(p, gap))
-        };
-        let load = chunks::sum(contact.pressure.len(), |i| contact.pressure.as_slice().map_or(0.0, |p| p[i]));
+        let (law, n) = (contact.problem.law(), contact.pressure.len());
+        let pressure = contact.pressure.as_slice().expect("results are made in standard layout");
+        let yielding = |i: usize| if law.yields(pressure[i]) { 1.0 } else { 0.0 };
+        let of_yielding = chunks::sum(n, |i| yielding(i) * pressure[i]);
         Self {
-            area: of_yielding(&|_, _| 1.0) / n,
-            overlap: of_yielding(&|_, gap| (-gap).max(0.0)) / n,
-            load_share: of_yielding(&|p, _| p) / load,
+            area: chunks::sum(n, yielding) / n as f64,
+            overlap: contact.mean_overlap(),
+            load_share: if of_yielding > 0.0 { of_yielding / chunks::sum(n, |i| pressure[i]) } else { 0.0 },
         }
     }
 }
@@ -55,10 +53,7 @@ impl Contact {
     /// # Errors
     /// None that is known: heights less an overlap are finite.
     pub fn unloaded_surface(&self) -> Result<Surface, SurfaceError> {
-        let (law, surface) = (self.problem.law(), self.problem.surface());
-        let mut height = surface.height().to_owned();
-        let nodes = height.iter_mut().zip(self.pressure.iter().zip(&self.gap));
-        nodes.filter(|(_, (p, _))| law.yields(**p)).for_each(|(h, (_, &gap))| *h -= (-gap).max(0.0));
-        Surface::new(*surface.grid(), height)
+        let surface = self.problem.surface();
+        Surface::new(*surface.grid(), &*surface.height() - &self.overlap())
     }
 }

@@ -20,7 +20,8 @@ const OF_HARDNESS: f64 = 0.5;
 ///
 /// Find `p >= 0` and a datum `d` such that the gap `g = u(p) - h + d >= 0` and `p g = 0`, with `u(p)` from
 /// [`crate::elastic::Response`]. Under a [`Law`] with a hardness `H_c`, `p <= H_c` as well, and `g <= 0` where `p =
-/// H_c`: there the softer body yields, and the surfaces overlap by `-g`. Heights have zero mean except for rounding,
+/// H_c`: there the softer body yields, and the surfaces overlap by `-g`. The gap of a [`crate::contact::Contact`] is then `max(g, 0)`, and a
+/// prescribed mean gap `D` that of `g`, the distance of the mean planes, which is the mean gap of the contact less its mean overlap. Heights have zero mean except for rounding,
 /// and so have displacements on a periodic grid. So the datum is the mean gap there, plus the mean of the heights, if
 /// any.
 ///
@@ -191,17 +192,21 @@ impl Problem {
         Ok(Self { compliance: Arc::new(compliance), ..self })
     }
 
-    /// The problem with the expected mean pressure, which the law must allow.
+    /// The problem with the expected mean pressure, which the law must allow. A mean pressure that is above the hardness by rounding
+    /// alone is the hardness.
     pub(super) fn below_ceiling(self) -> Result<Self, ProblemError> {
         let hardness = self.ceiling.mean(self.nodes());
-        let expected_mean_pressure = match self.mean_pressure {
-            Some(mean_pressure) if mean_pressure > hardness => {
+        let mean_pressure = match self.mean_pressure {
+            Some(mean_pressure) if Ceiling::excess(mean_pressure / hardness) > 0.0 => {
                 return Err(ProblemError::AboveHardness { mean_pressure, hardness });
             }
+            mean_pressure => mean_pressure.map(|it| it.min(hardness)),
+        };
+        let expected_mean_pressure = match mean_pressure {
             Some(mean_pressure) => mean_pressure,
             None => self.datum().map_or(f64::NAN, |datum| self.pressure_at(datum)).min(OF_HARDNESS * hardness),
         };
-        Ok(Self { expected_mean_pressure, ..self })
+        Ok(Self { mean_pressure, expected_mean_pressure, ..self })
     }
 
     fn check_approach(&self, approach: f64) -> Result<(), ProblemError> {
@@ -263,6 +268,11 @@ impl Problem {
     /// The highest allowed pressure of each node.
     pub fn ceiling(&self) -> &Ceiling {
         &self.ceiling
+    }
+
+    /// Whether a node yields under a pressure, row by row; none does on a hard wall.
+    pub(super) fn yields(&self, pressure: &[f64]) -> bool {
+        self.law.hardness().is_some() && pressure.iter().any(|&p| self.law.yields(p))
     }
 
     /// The highest allowed pressure, or the one that was allowed when the surface yielded; infinite if nothing yields.

@@ -19,6 +19,8 @@ pub(super) struct Slack {
     pub lowest_v: f64,
     /// The largest pressure of a node divided by its ceiling.
     pub highest_share: f64,
+    /// `<H_c - p>`.
+    pub left: f64,
 }
 
 impl Slack {
@@ -42,16 +44,19 @@ impl Slack {
         });
         let sums = parts.into_iter().fold(Self::none(level, highest_share), Self::plus);
         let gain = if lambda.is_nan() { f64::INFINITY } else { sums.gain / n };
-        Self { gain, room: sums.room / n, square_room: sums.square_room / n, ..sums }
+        Self { gain, room: sums.room / n, square_room: sums.square_room / n, left: sums.left / n, ..sums }
     }
 
     fn none(level: f64, highest_share: f64) -> Self {
-        Self { gain: 0.0, room: 0.0, square_room: 0.0, level, lowest_v: f64::INFINITY, highest_share }
+        Self { gain: 0.0, room: 0.0, square_room: 0.0, level, lowest_v: f64::INFINITY, highest_share, left: 0.0 }
     }
 
     fn add(&mut self, ceiling: &Ceiling, node: usize, p: f64, [v, lambda]: [f64; 2]) {
         let room = ceiling.room(node, p);
-        self.gain += p * (v - lambda).max(0.0) + (ceiling.at(node) - p).max(0.0) * (lambda - v).max(0.0);
+        let left = (ceiling.at(node) - p).max(0.0);
+        let more = if ceiling.yields(node, p) { 0.0 } else { left };
+        self.left += left;
+        self.gain += p * (v - lambda).max(0.0) + more * (lambda - v).max(0.0);
         self.room += room;
         self.square_room += room * room;
         if !ceiling.yields(node, p) {
@@ -65,16 +70,22 @@ impl Slack {
             room: self.room + other.room,
             square_room: self.square_room + other.square_room,
             lowest_v: self.lowest_v.min(other.lowest_v),
+            left: self.left + other.left,
             ..self
         }
     }
 }
 
 /// The mean of `v = u - h` weighted by the room `min(p, H_c - p)` of a pressure, both fields row by row: by the pressure itself on a
-/// hard wall. Where no node has room it may lie anywhere between the nodes that yield and those that do not, and is the middle; NaN
+/// hard wall. Below a hardness of which less than half is left in all, no node is open, and it is that of the highest node. Where no node has room it may lie anywhere between the nodes that yield and those that do not, and is the middle; NaN
 /// where there is no pressure.
 pub(super) fn level(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> f64 {
     let (ceiling, height) = (problem.ceiling(), problem.height());
+    if let Some(hardness) = problem.law().hardness()
+        && chunks::sum(pressure.len(), |i| (hardness - pressure[i]).max(0.0)) <= 0.5 * hardness
+    {
+        return lengths(problem, displacement).into_iter().fold(f64::NEG_INFINITY, f64::max);
+    }
     let load = chunks::sum(pressure.len(), |i| ceiling.room(i, pressure[i]));
     let share = |i: usize| ceiling.room(i, pressure[i]) / load * (displacement[i] - height[i]);
     let parts = chunks::visit(pressure.len(), |nodes| nodes.filter(|&i| pressure[i] != 0.0).map(share).sum::<f64>());

@@ -226,15 +226,25 @@ impl<'a> Step<'a> {
         &self.displacement
     }
 
-    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate.
+    /// Gap `g = u - h + d`, row by row; negative where the surfaces still penetrate. Where nodes yield it is cut off at zero: what is
+    /// below it there is their overlap.
     pub fn gap(&self) -> &[f64] {
-        let datum = self.datum();
+        let (datum, yields) = (self.datum(), self.problem.yields(&self.pressure));
         let (u, h) = (&self.displacement, self.problem.height());
-        self.gap.get_or_init(|| u.iter().zip(h).map(|(u, h)| u - h + datum).collect())
+        let gap = move |(u, h): (&f64, &f64)| if yields { (u - h + datum).max(0.0) } else { u - h + datum };
+        self.gap.get_or_init(|| u.iter().zip(h).map(gap).collect())
     }
 
     /// Mean gap.
     pub fn mean_gap(&self) -> f64 {
+        match self.problem.yields(&self.pressure) {
+            false => self.separation() + self.problem.flattened_by(),
+            true => self.gap().iter().sum::<f64>() / self.gap().len() as f64,
+        }
+    }
+
+    /// Distance of the mean planes, see [`crate::contact::Contact::separation`].
+    pub fn separation(&self) -> f64 {
         let sum: f64 = self.displacement.iter().sum();
         let mean = sum / self.displacement.len() as f64;
         mean + (self.datum() - self.problem.mean_height()) - self.problem.flattened_by()

@@ -40,6 +40,37 @@ pub fn warning_of_rim(contact: &Contact) -> Option<Warning> {
     })
 }
 
+/// The warning that contacts that slide over a viscoelastic solid, one for each speed, leave a trail that is longer than the cell.
+pub fn warning_of_trail<'a>(contacts: impl IntoIterator<Item = &'a Contact>) -> Option<Warning> {
+    let slides: Vec<[f64; 2]> = contacts.into_iter().filter_map(trail_and_cell).collect();
+    let long = slides.iter().filter(|[trail, cell]| trail > cell);
+    let count = long.clone().count();
+    let [trail, cell] = *long.max_by(|a, b| a[0].total_cmp(&b[0]))?;
+    let (at, up_to) = match slides.len() {
+        1 => (String::new(), ""),
+        all => (format!("At {count} of {all} speeds t"), "up to "),
+    };
+    let t = if at.is_empty() { "T" } else { &at };
+    Some(
+        Warning::new(
+            format!(
+                "{t}he trail of the contact in the solid (speed times retardation time) is {up_to}{trail:.3e} long, and the \
+                 cell {cell:.3e} along x, so that the surface slides into the trails of its periodic images. Friction, area and \
+                 gap are those of the whole row of images, not of a single contact"
+            ),
+            "Use a cell that is longer along x than the trail, or a lower speed",
+        )
+        .with_remedy("grid.size", None)
+        .with_remedy("sliding.speed", None),
+    )
+}
+
+/// The length along which the solid remembers a contact that slides, and that of the cell along `x`.
+fn trail_and_cell(contact: &Contact) -> Option<[f64; 2]> {
+    let compliance = contact.problem.compliance();
+    Some([compliance.trail()?, contact.problem.surface().grid().size()[1]])
+}
+
 /// The end of a statement that holds for some of several loads.
 fn under(count: usize, found: &[&Observables]) -> String {
     match found.len() {

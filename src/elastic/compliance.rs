@@ -212,6 +212,17 @@ impl Compliance {
         }
     }
 
+    /// How far a contact that slides moves within the longest retardation time of the solid, a length.
+    pub(crate) fn trail(&self) -> Option<f64> {
+        match &self.motion {
+            Some(SteadyMotion::Sliding { speed, terms }) => {
+                let times = terms.iter().filter(|(ratio, _)| *ratio > 0.0).map(|(_, time)| *time);
+                Some(speed.abs() * times.fold(0.0, f64::max))
+            }
+            _ => None,
+        }
+    }
+
     /// That of a contact that slides, with `extra` times the compliance of fast loads added.
     pub(crate) fn softened(&self, extra: f64) -> Result<Self, ProblemError> {
         match &self.motion {

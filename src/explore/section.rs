@@ -22,7 +22,7 @@ const POISSON: f64 = 0.3;
 ///
 /// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so
 /// the solid's surface stands at `-u` and the rigid surface at `gap - u`, the negative of its heights, up to a
-/// constant: its shape is the same at all loads.
+/// constant: its shape is the same at all loads, but where it yields, and is drawn as it is flattened.
 #[derive(Clone, Serialize)]
 pub struct Section {
     /// Length of the section.
@@ -44,7 +44,7 @@ pub struct Section {
     pub is_pressed_by_gap: bool,
     /// Whether the rigid surface slides over the solid, towards larger places.
     pub slides: bool,
-    /// Mean gap.
+    /// Mean gap as it is prescribed: where the surface yields, less the plastic overlap.
     pub mean_gap: f64,
     /// The highest peak above the mean of the rigid surface: a larger mean gap than that is no contact.
     pub highest: f64,
@@ -68,7 +68,7 @@ impl Section {
     pub fn from_contact(contact: &Contact) -> Self {
         let row = contact.highest_row();
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
-        Self::along(&contact.problem, row, fields, contact.mean_gap(), COLUMNS)
+        Self::along(&contact.problem, row, fields, contact.separation(), COLUMNS)
     }
 
     /// The section of a contact with the exact pressure beside its own.
@@ -86,7 +86,7 @@ impl Section {
     /// The section of a load of a sweep along a row, which is the same one at all loads.
     pub fn from_load(contact: &Contact, row: usize) -> Self {
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
-        Self::along(&contact.problem, row, fields, contact.mean_gap(), STEP_COLUMNS)
+        Self::along(&contact.problem, row, fields, contact.separation(), STEP_COLUMNS)
     }
 
     /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
@@ -100,7 +100,7 @@ impl Section {
         });
         let mean = step.displacement().iter().sum::<f64>() / grid.len() as f64;
         let centred = displacement.map(|u| if grid.is_periodic() { u - mean } else { *u });
-        Self::along(step.problem(), row, [pressure, gap, centred.view()], step.mean_gap(), STEP_COLUMNS)
+        Self::along(step.problem(), row, [pressure, gap, centred.view()], step.separation(), STEP_COLUMNS)
     }
 
     /// The section along a row with its pressure, gap and displacement, in at most `most` columns.

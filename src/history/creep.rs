@@ -396,11 +396,10 @@ impl Creep {
 
     /// How far the surface has moved, from a constant datum: the uniform displacement by the effective pressure is in it.
     fn moved(&self, contact: &Contact, effective_mean: f64) -> f64 {
-        let (gap, displacement) = (&contact.gap, &contact.displacement);
-        let height = self.problem.surface().height();
-        let n = gap.len();
-        let fields = [gap, displacement, height].map(|field| field.as_slice().expect("standard layout"));
-        let datum = chunks::sum(n, |i| fields[0][i] - fields[1][i] + fields[2][i]) / n as f64;
+        let n = contact.gap.len();
+        let [displacement, height] = [&contact.displacement, self.problem.surface().height()]
+            .map(|field| field.as_slice().expect("standard layout"));
+        let datum = contact.separation() - chunks::sum(n, |i| displacement[i] - height[i]) / n as f64;
         self.uniform() * effective_mean - datum
     }
 

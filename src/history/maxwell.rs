@@ -5,7 +5,7 @@
 
 use super::profile::StepProfile;
 use crate::elastic::PronyTerm;
-use crate::theory::quadrature::integral;
+use crate::theory::integral;
 
 /// Panels of an integral over a step grow by this factor.
 const GROWTH: f64 = 8.0;

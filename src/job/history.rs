@@ -1,7 +1,7 @@
 //! A run of a setup with a history: creep, slip, sliding or rolling.
 
 use crate::adhesion::AdhesionScales;
-use crate::contact::{Observer, Problem, Status};
+use crate::contact::{Observer, Problem, Status, warning_of_trail};
 use crate::error::{HistoryError, SetupError};
 use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses};
 use crate::setup::{ProcessKind, Setup};
@@ -120,7 +120,8 @@ impl HistoryOutcome {
             )
             .with_remedy("grid.points", None)
         });
-        self.doubts.iter().cloned().chain(missed).chain(coarse).collect()
+        let trail = warning_of_trail(self.states.iter().map(|state| &state.contact));
+        self.doubts.iter().cloned().chain(missed).chain(coarse).chain(trail).collect()
     }
 }
 

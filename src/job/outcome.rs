@@ -1,6 +1,6 @@
 //! The results of a job.
 
-use crate::contact::{Contact, Observables, PartialSlip, warning_of_rim, warnings_of};
+use crate::contact::{Contact, Observables, PartialSlip, warning_of_rim, warning_of_trail, warnings_of};
 use crate::diagnosis::Findings;
 use crate::setup::Setup;
 use crate::study::Refinement;
@@ -34,6 +34,7 @@ impl Solved {
         let mut warnings = setup.surface.warnings(contact.problem.surface());
         warnings.extend(warnings_of(&[&Observables::new(contact)], contact.problem.law()));
         warnings.extend(warning_of_rim(contact));
+        warnings.extend(warning_of_trail([contact]));
         warnings.extend(setup.warning_of_coupling());
         warnings.extend(setup.warnings_of_creep());
         warnings.extend((!is_settled).then(Refinement::warning));

@@ -11,7 +11,8 @@ pub mod hertz;
 pub mod periodic;
 pub mod persson;
 mod power_law;
-pub(crate) mod quadrature;
+mod quadrature;
+pub(crate) use quadrature::integral;
 mod westergaard;
 
 pub use bush_gibson_thomas::BushGibsonThomas;

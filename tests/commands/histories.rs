@@ -80,6 +80,43 @@ fn a_friction_curve_has_its_maximum_between_slow_and_fast() {
     assert!(text(&text_of.stdout).contains("monotone"), "{}", text(&text_of.stdout));
 }
 
+/// One speed and several say that the surface meets the trails of its images, and by how much.
+#[test]
+fn a_trail_that_is_longer_than_the_cell_is_told() {
+    let folder = Folder::new();
+    let of = |speeds: &str| format!("{ROUGH} --creep 9,1 --speed {speeds}");
+    let short = folder.run(&of("0.5"));
+    assert!(short.status.success() && !text(&short.stderr).contains("trail"), "{}", text(&short.stderr));
+    let one = folder.run(&of("2"));
+    let told = text(&one.stderr);
+    assert!(one.status.success() && told.contains("is 2.000e0 long, and the cell 1.000e0 along x"), "{told}");
+    assert!(told.contains("Use a cell that is longer along x than the trail, or a lower speed (--size"), "{told}");
+    let several = json(&folder, &format!("{} --json", of("0.5,2,4")));
+    let warnings = several["warnings"].to_string();
+    assert!(warnings.contains("At 2 of 3 speeds the trail") && warnings.contains("up to 4.000e0"), "{warnings}");
+    for speeds in ["2", "0.5,2,4"] {
+        let refused = folder.run(&format!("{} --strict", of(speeds)));
+        assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
+    }
+}
+
+/// A slow slide is the relaxed contact in the output, too.
+#[test]
+fn a_slow_slide_has_the_numbers_of_the_relaxed_contact() {
+    let folder = Folder::new();
+    let slow = json(&folder, &format!("{ROUGH} --creep 9,1 --speed 1e-12 --json"));
+    let several = json(&folder, &format!("{ROUGH} --creep 9,1 --speed 1e-12,2e-12 --json"));
+    let relaxed = json(&folder, &format!("{} 0.5 --json", ROUGH.trim_end_matches(" 0.05")));
+    for name in ["relative_area", "kappa", "kappa_r", "reduced_pressure", "reduced_pressure_contact"] {
+        let [slow, relaxed] = [&slow, &relaxed].map(|it| it[name].as_f64().unwrap());
+        assert!((slow / relaxed - 1.0).abs() < 1e-4, "{name}: {slow} for {relaxed}");
+    }
+    for name in ["relative_area", "kappa_r", "effective_modulus"] {
+        let one = slow[name].as_f64().unwrap();
+        assert!(column(&several, name).iter().all(|it| (it / one - 1.0).abs() < 1e-4), "{name}: {one}");
+    }
+}
+
 #[test]
 fn a_slip_cycle_writes_its_loop() {
     let folder = Folder::new();

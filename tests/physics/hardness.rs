@@ -66,6 +66,66 @@ fn assert_law(contact: &Contact, hardness: f64) {
     }
 }
 
+/// What yields has no gap, and its overlap is a quantity of its own: the datum of the gap is the difference of both.
+#[test]
+fn the_gap_is_a_distance_and_the_overlap_has_its_own_name() {
+    for wall in walls() {
+        let elastic = solve(&Multilevel, &wall, 1e-8);
+        for hardness in hardnesses(&elastic).into_iter().take(3) {
+            let contact = solve(&Multilevel, &below(&wall, hardness), TOLERANCE);
+            let (overlap, n) = (contact.overlap(), wall.nodes() as f64);
+            let datum = contact.separation() - (&contact.displacement - wall.surface().height()).sum() / n;
+            for (i, (&gap, &overlap)) in contact.gap.iter().zip(&overlap).enumerate() {
+                let v = contact.displacement.as_slice().unwrap()[i] - wall.height()[i];
+                let yields = contact.yielding().as_slice().unwrap()[i];
+                assert!(gap >= 0.0 && overlap >= 0.0 && (yields || overlap == 0.0), "{gap} {overlap}");
+                assert!(
+                    (gap - overlap - (v + datum)).abs() < 1e-4 * wall.rms_height(),
+                    "{gap} {overlap} {}",
+                    v + datum
+                );
+            }
+            let found = Observables::new(&contact);
+            assert!((found.mean_gap - contact.gap.sum() / n).abs() < 1e-12 * wall.rms_height());
+            assert!((found.plastic_overlap - overlap.sum() / n).abs() < 1e-12 * wall.rms_height());
+            assert!(found.plastic_overlap > 0.0 && found.plastic_overlap == contact.plasticity().overlap);
+            if let Some(given) = wall.mean_gap() {
+                assert!((contact.separation() / given - 1.0).abs() < 1e-4, "{} of {given}", contact.separation());
+            }
+        }
+    }
+}
+
+/// The load of a plate: where the mean pressure is the hardness, so is every pressure. Nothing is open, and nothing is uncertain.
+#[test]
+fn a_load_as_large_as_the_hardness_is_solved_exactly() {
+    let stop = Stop::new(1e-8, 1000).unwrap().with_pressure_tolerance(1e-6).unwrap();
+    let hardness = 0.037;
+    for surface in [sine(), rough(Grid::line(251, 1.0).unwrap()), rough(Grid::surface([40, 49], [1.0, 1.0]).unwrap())] {
+        for missing in [-2.0 * f64::EPSILON, 0.0, f64::EPSILON, 3e-16, 1e-15, 1e-14, 1e-12, 1e-9] {
+            let load = Load::MeanPressure(hardness * (1.0 - missing));
+            let problem = pressed(surface.clone(), load).with_law(Law::Hardness(hardness)).unwrap();
+            for solver in solvers() {
+                let contact = solver.solve(&problem, &stop, &mut ()).unwrap();
+                let it = contact.certificate;
+                assert!(contact.is_converged(), "{missing:e} by {}: {it:?}", solver.name());
+                assert!(contact.pressure.iter().all(|&p| p <= hardness));
+                let apart = contact.pressure.iter().map(|p| hardness - p).sum::<f64>() / problem.nodes() as f64;
+                assert!(apart <= hardness * (missing.max(0.0) + 1e-15), "{apart:e} at {missing:e}");
+                assert!(it.pressure_error_bound <= 2.0 * missing.max(0.0) + 1e-14, "{missing:e}: {it:?}");
+                assert!(
+                    it.mean_gap_error_bound < 1e-6 && contact.mean_gap() <= 1e-6 * problem.rms_height(),
+                    "{missing:e}: {it:?}"
+                );
+                assert!(missing > 0.0 || it.pressure_error_bound == 0.0 && contact.mean_gap() == 0.0, "{it:?}");
+                assert!(contact.plasticity().overlap > 0.0);
+            }
+        }
+    }
+    let above = pressed(sine(), Load::MeanPressure(hardness * (1.0 + 1e-12))).with_law(Law::Hardness(hardness));
+    assert!(matches!(above, Err(ProblemError::AboveHardness { .. })));
+}
+
 #[test]
 fn a_hardness_that_is_never_reached_changes_no_bit() {
     for wall in walls() {
@@ -298,7 +358,7 @@ fn stiffness_is_that_of_the_free_nodes() {
     let contact = solve(&Multilevel, &problem, 1e-13);
     let more = contact.mean_pressure() * (1.0 + 1e-4);
     let next = solve(&Multilevel, &problem.with_load(Load::MeanPressure(more)).unwrap(), 1e-13);
-    let slope = (more - contact.mean_pressure()) / (contact.mean_gap() - next.mean_gap());
+    let slope = (more - contact.mean_pressure()) / (contact.separation() - next.separation());
     assert!((contact.stiffness() / slope - 1.0).abs() < 0.02, "{} and {slope}", contact.stiffness());
     assert!(contact.stiffness() < elastic.stiffness());
 }

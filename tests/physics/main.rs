@@ -18,6 +18,7 @@ mod random;
 mod rolling;
 mod sampling;
 mod sliding;
+mod sliding_edges;
 mod sliding_stability;
 mod slip;
 mod slip_coupling;

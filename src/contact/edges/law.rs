@@ -14,6 +14,47 @@ pub const GAP_WEIGHT: f64 = PI / (2.0 * E);
 const SECOND_PRESSURE: f64 = 1.410_510_1;
 const SECOND_GAP: f64 = 2.589_489_9;
 
+/// Excesses that differ by less are those of one law.
+const ELASTIC_EXCESS: f64 = 1e-3;
+
+/// The law of an edge in one solid: `s = -c + P / (P + (pi / 2e) m G)`, see [`super::Edges`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EdgeLaw {
+    /// `m`, the geometric mean of the stiffness of the waves of a link over that of the half-space of the contact modulus.
+    pub stiffness: f64,
+    /// `c`, the mean excess of counted nodes, in spacings of the link.
+    pub excess: f64,
+}
+
+impl EdgeLaw {
+    /// That of an elastic half-space.
+    pub const ELASTIC: Self = Self { stiffness: 1.0, excess: NODE_EXCESS_PER_SWITCH_LINE };
+
+    /// Whether it is that of an elastic half-space of some modulus.
+    pub fn is_elastic(self) -> bool {
+        (self.excess - Self::ELASTIC.excess).abs() < ELASTIC_EXCESS
+    }
+
+    /// The place of the edge on the link from a node under the pressure `p`, as a length in the law, to one with the gap `gap`.
+    pub fn place(self, p: f64, gap: f64) -> f64 {
+        p / (p + self.stiffness * gap) - self.excess
+    }
+
+    /// The strength of the edge of such a link.
+    pub fn strength(self, p: f64, gap: f64) -> f64 {
+        p + self.stiffness * gap
+    }
+
+    /// The law between this one and another one, at a share of the way.
+    pub fn towards(self, other: Self, share: f64) -> Self {
+        let between = |a: f64, b: f64| a + share * (b - a);
+        Self {
+            stiffness: between(self.stiffness.ln(), other.stiffness.ln()).exp(),
+            excess: between(self.excess, other.excess),
+        }
+    }
+}
+
 /// Pressure and gap of a node on one side of an edge, as lengths in the law of the edge.
 #[derive(Clone, Copy)]
 pub struct EdgeSide {
@@ -26,11 +67,11 @@ pub struct EdgeSide {
 
 impl EdgeSide {
     /// The distance from an edge of the strength `a` into the contact, in spacings of the link projected on the normal:
-    /// `P k / a - c` of the last node and `-c - (pi / 2e) G / a` of the next one, exactly; linear up to the second one on either
+    /// `P k / a - c` of the last node and `-c - (pi / 2e) m G / a` of the next one, exactly; linear up to the second one on either
     /// side, as it is there, and farther as in the continuum.
-    pub fn distance(self, cosine: f64, strength: f64) -> f64 {
-        let c = NODE_EXCESS_PER_SWITCH_LINE;
-        let (p, g) = (self.pressure * cosine / strength, self.gap / strength);
+    pub fn distance(self, cosine: f64, strength: f64, law: EdgeLaw) -> f64 {
+        let c = law.excess;
+        let (p, g) = (self.pressure * cosine / strength, law.stiffness * self.gap / strength);
         match self.touches {
             true if p <= 1.0 => p - c,
             true if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),

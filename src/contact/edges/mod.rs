@@ -6,17 +6,23 @@
 
 mod contour;
 mod law;
+mod moving;
 mod normal;
 
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
 pub use law::NODE_EXCESS_PER_SWITCH_LINE;
 use law::{EdgeSide, GAP_WEIGHT};
+use moving::EdgeLaws;
 use normal::EdgeNormal;
 
 /// If more than this share of the edges of a contact is given by its shape, the gradient over the contact is
 /// meaningless.
 const MOST_OF_SHAPE: f64 = 0.5;
+
+/// Where a contact moves, the pressure may rise towards a free edge too. The edge of a punch then has a gap that is this many times as large
+/// as that of a free edge in the middle of its range.
+const OPEN: f64 = 10.0;
 
 /// The edges of a contact, each found between the last node in contact and the next one.
 ///
@@ -47,6 +53,11 @@ const MOST_OF_SHAPE: f64 = 0.5;
 /// highest one that is allowed. The law of an edge assumes that the other edge is far away, which is wrong for patches
 /// of one or two nodes: the error of their area may be as large as the area, but the area is never negative.
 ///
+/// **Sliding.** Below a contact that slides over a viscoelastic solid each wave has a stiffness of its own. The same law then holds with
+/// the geometric mean of the stiffness over all waves of the grid instead of `E*`, by which the gap is multiplied, and with another
+/// excess `c`, which lies between 0.19 and 0.38. It takes the modulus of the shortest waves: the relaxed one where the surface slides by
+/// much less than a spacing in the retardation time, and the glassy one where it slides by much more.
+///
 /// # Source
 /// This crate's own; [`crate::theory::counting_excess`] has the excess at any angle.
 pub struct Edges<'a, G> {
@@ -54,6 +65,7 @@ pub struct Edges<'a, G> {
     grid: &'a Grid,
     pressure: &'a [f64],
     gap: G,
+    laws: EdgeLaws,
 }
 
 /// The edge of a contact on the link between a node in contact and a neighbour that is not.
@@ -79,7 +91,7 @@ pub struct Resolved {
     /// `gbar_r`, root-mean-square gradient over the contact, by differences of fourth order; 0 without contact, NaN where most
     /// edges are given by the shape, whose gradient there is a step.
     pub rms_gradient_contact: f64,
-    /// `p_r* = <p> / (gbar_r E*)`.
+    /// `p_r* = <p> / (gbar_r E*)`; of a contact that slides with its [`Problem::effective_modulus`].
     pub reduced_pressure_contact: f64,
     /// `kappa_r = a_rel / p_r*`.
     pub kappa_r: f64,
@@ -115,7 +127,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     pub fn new(problem: &'a Problem, pressure: &'a [f64], gap: G) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        Self { problem, grid, pressure, gap }
+        Self { problem, grid, pressure, gap, laws: EdgeLaws::new(problem) }
     }
 
     /// The edges around a node, none if it is not in contact.
@@ -136,7 +148,7 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let sums = parts.into_iter().fold(EdgeSums::default(), EdgeSums::plus);
         let is_smooth = sums.edges_of_shape as f64 <= MOST_OF_SHAPE * sums.edges as f64;
         let mean_square = if sums.area > 0.0 { sums.squares / sums.area } else { 0.0 };
-        let strain = self.problem.mean_pressure_of(self.pressure) / self.problem.contact_modulus();
+        let strain = self.problem.mean_pressure_of(self.pressure) / self.problem.effective_modulus(self.pressure);
         let relative_area = sums.area / self.grid.len() as f64;
         let rms_gradient_contact = if is_smooth { mean_square.max(0.0).sqrt() } else { f64::NAN };
         Resolved {
@@ -171,9 +183,10 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let link = [node, next].map(|node| self.side(node, towards));
         let EdgeNormal { cosine, weight } = self.normal([node, next], link, towards);
         let yields = self.problem.law().yields(self.pressure[node]);
-        let is_of_shape = !yields && self.rises(node, towards);
-        let (p, g) = (link[0].pressure * cosine, link[1].gap);
-        let place = if yields || is_of_shape { 0.5 } else { p / (p + g) - NODE_EXCESS_PER_SWITCH_LINE };
+        let (p, g, law) = (link[0].pressure * cosine, link[1].gap, self.laws.at(towards, weight));
+        let is_open = law.is_elastic() || law.stiffness * g > OPEN * p;
+        let is_of_shape = !yields && is_open && self.rises(node, towards);
+        let place = if yields || is_of_shape { 0.5 } else { law.place(p, g) };
         Edge { node, towards, place: if place.is_finite() { place } else { 0.5 }, weight, is_of_shape }
     }
 
@@ -185,7 +198,8 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let aside = nodes.map(|node| [[dx, dy], [-dx, -dy]].map(|step| self.grid.neighbour(node, step)));
         let aside = aside.map(|both| both.map(|node| self.side(node, [dy, dx])));
         let spacing = self.grid.spacing();
-        EdgeNormal::new(link, aside, along(spacing, [dy, dx]) / along(spacing, [dx, dy]))
+        let ratio = along(spacing, [dy, dx]) / along(spacing, [dx, dy]);
+        EdgeNormal::new(link, aside, ratio, |share| self.laws.at([dy, dx], share))
     }
 
     /// Pressure and gap of a node as lengths in the law of an edge across a link.

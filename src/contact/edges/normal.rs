@@ -1,6 +1,6 @@
 //! The normal of an edge, from the nodes around a link.
 
-use super::law::EdgeSide;
+use super::law::{EdgeLaw, EdgeSide};
 
 /// Rounds in which the cosine is found, where they begin, and how much of it each keeps: rounds alternate about the solution.
 const ROUNDS: usize = 4;
@@ -24,16 +24,16 @@ impl EdgeNormal {
 
     /// The normal by how the distance from the edge changes along a link, from its node in contact to the other, and from each of
     /// them to its neighbours on both sides; `ratio` is the spacing along the link over that across it. Distances take the
-    /// cosine, so that it is found in rounds.
-    pub fn new(link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64) -> Self {
+    /// cosine, so that it is found in rounds, each with the law for the share of the link in the contour.
+    pub fn new(link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64, law: impl Fn(f64) -> EdgeLaw) -> Self {
         let first = Self { cosine: FIRST_COSINE, ..Self::UNKNOWN };
-        let found = (0..ROUNDS).fold(first, |last, _| last.next(link, aside, ratio));
+        let found = (0..ROUNDS).fold(first, |last, _| last.next(link, aside, ratio, law(last.weight)));
         if found.cosine.is_finite() && found.weight.is_finite() { found } else { Self::UNKNOWN }
     }
 
-    fn next(self, link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64) -> Self {
-        let strength = link[0].pressure * self.cosine + link[1].gap;
-        let distance = |side: EdgeSide| side.distance(self.cosine, strength);
+    fn next(self, link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64, law: EdgeLaw) -> Self {
+        let strength = law.strength(link[0].pressure * self.cosine, link[1].gap);
+        let distance = |side: EdgeSide| side.distance(self.cosine, strength, law);
         let [inside, outside] = link.map(distance);
         let steps = |here: f64, aside: [EdgeSide; 2]| aside.map(|side| (distance(side) - here) * ratio);
         let [a, b] = steps(inside, aside[0]);

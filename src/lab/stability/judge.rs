@@ -77,7 +77,7 @@ fn mismatch(trial: &Trial, contact: &Contact, twin: &Contact) -> Option<String> 
 fn unlike_under_its_load(contact: &Contact, twin: &Contact, tolerance: f64) -> Option<String> {
     let gap = contact.problem.mean_gap()?;
     let left = gap.min(contact.problem.highest() - gap);
-    let difference = (twin.mean_gap() - gap).abs() / left;
+    let difference = (twin.separation() - gap).abs() / left;
     let is_like = difference <= 2.0 * tolerance.sqrt();
     (!is_like)
         .then(|| format!("with the mean pressure found, the gap differs by {difference:.1e} of the remaining gap"))

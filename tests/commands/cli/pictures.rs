@@ -86,3 +86,28 @@ fn approach_and_plastic_area_are_in_tables_and_archives() {
     let approach: ArrayD<f64> = npz.by_name("approach").unwrap();
     assert_close(approach.sum(), number(&summary, "approach"), 0.0, "approach in the archive");
 }
+
+/// What yields has no gap in any output, and its overlap stands under its own name.
+#[test]
+fn gaps_of_what_yields_are_zero_and_overlaps_have_their_own_name() {
+    let folder = Folder::new();
+    let run = "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.05 --rms-gradient 0.1 --points 512 --size 1 --hardness 0.02 --reduced-pressure";
+    let (summary, _) = solve(&folder, &format!("{run} 0.15"));
+    let mut npz = NpzReader::new(File::open(folder.join("contact.npz")).unwrap()).unwrap();
+    let [gap, overlap]: [ArrayD<f64>; 2] = ["gap", "overlap"].map(|name| npz.by_name(name).unwrap());
+    assert!(gap.iter().chain(&overlap).all(|it| *it >= 0.0) && gap.iter().zip(&overlap).all(|(g, o)| g * o == 0.0));
+    assert_close(gap.sum() / 512.0, number(&summary, "mean_gap"), 1e-10, "mean gap");
+    assert_close(overlap.sum() / 512.0, number(&summary, "plastic_overlap"), 1e-10, "overlap");
+    assert!(number(&summary, "plastic_overlap") > number(&summary, "mean_gap"));
+    let output = folder.run(&format!("solve {run} 0.01,0.15,0.01 --out curve.csv"));
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let mut table = csv::Reader::from_path(folder.join("curve.csv")).unwrap();
+    let names = table.headers().unwrap().clone();
+    let rows: Vec<_> = table.records().map(Result::unwrap).collect();
+    let value =
+        |row: usize, name: &str| -> f64 { rows[row][names.iter().position(|it| it == name).unwrap()].parse().unwrap() };
+    assert_close(value(1, "mean_gap"), number(&summary, "mean_gap"), 1e-5, "mean gap in the table");
+    // what was flattened stays flat, and is no gap
+    assert!(value(2, "plastic_overlap") >= value(1, "plastic_overlap") * (1.0 - 1e-6));
+    assert!((0..3).all(|row| value(row, "mean_gap") > 0.0));
+}
