@@ -11,6 +11,12 @@ use crate::surface::Field;
 /// The part of a step of the path below which a step is not halved again.
 const FINEST: f64 = 1e-3;
 
+/// The part of a load that pulls by which the last state that holds may lie below the one that parts the surfaces.
+const PULL_OFF: f64 = 1e-3;
+
+/// The part of a step of the path below which a step towards a pull-off is not halved again.
+const LEAST: f64 = 1e-9;
+
 /// Energy over the work of adhesion that a step may lose before it is halved, as the part of the area of the cell.
 const JUMP: f64 = 2e-3;
 
@@ -159,26 +165,48 @@ impl AdhesiveProcess {
         let (mut from, mut at, mut ledger) = (last.place.clone(), begin, last.ledger);
         let mut work = Work::default();
         let mut length = end - begin;
+        let mut parted: Option<(f64, AdhesiveStep)> = None;
         loop {
             let to = if (end - at).abs() <= length.abs() { end } else { at + length };
             let is_short = (to - at).abs() <= FINEST * (end - begin).abs();
-            let step = match self.solve(target.with_value(to), Some(&from), observer) {
-                // close to a jump the safe method may be too slow
-                Err(AdhesionError::NotFound { .. }) if !is_short => {
-                    length *= 0.5;
-                    continue;
-                }
-                Err(error) => {
-                    if at != begin {
-                        visits.push(AdhesiveVisit::calm(from, target.with_value(at), ledger, work));
+            let (to, step) = match parted.take_if(|(load, _)| !is_far(at, *load, end - begin)) {
+                Some(found) => found,
+                None => match self.solve(target.with_value(to), Some(&from), observer) {
+                    Ok(found) => (to, found),
+                    Err(error) => {
+                        if at != begin {
+                            visits.push(AdhesiveVisit::calm(from, target.with_value(at), ledger, work));
+                        }
+                        return Err(error);
                     }
+                },
+            };
+            // close to a jump the safe method may be too slow
+            let (to, step) = match (step.place.fault(), parted.take_if(|_| is_short)) {
+                (Some(_), Some(before)) => before,
+                (Some(error), None) if is_short => {
+                    visits.push(AdhesiveVisit::calm(step.place, target.with_value(to), ledger, sum(work, step.work)));
                     return Err(error);
                 }
-                Ok(found) => found,
+                (Some(_), None) => {
+                    (work, length) = (sum(work, step.work), 0.5 * (to - at));
+                    continue;
+                }
+                (None, before) => {
+                    parted = before.or(parted);
+                    (to, step)
+                }
             };
+            let is_apart = matches!(step.place, AdhesivePlace::Apart);
+            if is_apart && is_far(at, to, end - begin) {
+                // the load at which surfaces part is found to a part of itself, whatever the length of the path
+                (work, length) = (sum(work, step.work), 0.5 * (to - at));
+                parted = Some((to, AdhesiveStep { work: Work::default(), ..step }));
+                continue;
+            }
             let AdhesiveStep { place: after, frames, work: spent } = step;
             let missed = lost(&from, &after);
-            if missed.abs() > allowed && !is_short {
+            if missed.abs() > allowed && !is_short && !is_apart {
                 work = sum(work, spent);
                 length *= 0.5;
                 continue;
@@ -206,6 +234,9 @@ impl AdhesiveProcess {
                 return Ok(());
             }
             (from, at, length) = (after, to, 2.0 * length);
+            if let Some((load, _)) = &parted {
+                length = 0.5 * (load - at);
+            }
         }
     }
 
@@ -229,6 +260,7 @@ impl AdhesiveProcess {
                     stored: Some(state.energy),
                     residual: Some(state.residual),
                     least_curvature: state.least_curvature,
+                    curvature_error: state.curvature_error,
                     ..numbers
                 };
                 let fields = vec![HistoryField::attraction(state.traction)];
@@ -277,8 +309,9 @@ impl Process for AdhesiveProcess {
             let Some(mut from) = last.take() else {
                 let AdhesiveStep { place, work, .. } = self.solve(target, None, observer)?;
                 let visit = AdhesiveVisit::calm(place, target, AdhesionLedger::default(), work);
-                last = Some(visit.kept());
+                let kept = last.insert(visit.kept());
                 each(self.told(visit, Some(number)))?;
+                kept.place.fault().map_or(Ok(()), Err)?;
                 continue;
             };
             let begin = from.control.value();
@@ -302,6 +335,18 @@ impl Process for AdhesiveProcess {
     }
 }
 
+impl AdhesivePlace {
+    /// The error of a state that misses equilibrium by more than the tolerance.
+    pub(super) fn fault(&self) -> Option<AdhesionError> {
+        match self {
+            Self::State(state) if state.claim == ResultClaim::NotConverged => {
+                Some(AdhesionError::NotFound { steps: state.steps, residual: state.residual })
+            }
+            _ => None,
+        }
+    }
+}
+
 impl AdhesiveVisit {
     /// A place at which no jump ends.
     pub(super) fn calm(place: AdhesivePlace, control: AdhesiveControl, ledger: AdhesionLedger, work: Work) -> Self {
@@ -312,6 +357,11 @@ impl AdhesiveVisit {
     pub(super) fn kept(&self) -> Self {
         Self { place: self.place.clone(), work: Work::default(), ..*self }
     }
+}
+
+/// Whether the load that parts the surfaces is still far from the last one that does not.
+fn is_far(at: f64, to: f64, path: f64) -> bool {
+    (to - at).abs() > (PULL_OFF * to.abs()).max(LEAST * path.abs())
 }
 
 /// Energy that a step loses, per area; infinite where the surfaces part, and none where they come together from afar.

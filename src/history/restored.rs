@@ -38,6 +38,7 @@ impl HistoryState {
             jump: number("jump"),
             residual,
             least_curvature: number("least_curvature"),
+            curvature_error: number("curvature_error"),
         };
         let transforms = number("transforms").map_or(0, |it| it as u64);
         let work = Work { transforms, ..contact.work };
