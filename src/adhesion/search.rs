@@ -14,7 +14,8 @@ use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{
-    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, Status, Step, Stop, Work,
+    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Status, Step,
+    Stop, Work,
 };
 use crate::error::AdhesionError;
 use crate::surface::Field;
@@ -141,7 +142,8 @@ impl<'a> StateSearch<'a> {
     fn frame(&self, energy: &GapEnergy<'_>, state: &GapState, step: usize) -> AdhesiveState {
         let residual = state.violation() / self.attraction.strength();
         let found = self.state(energy, state, FoundState { method: "gfmd", residual, least: None });
-        let mut frame = AdhesiveState { claim: ResultClaim::Moving, work: self.worked(step, energy.transforms()), ..found };
+        let work = self.worked(step, energy.transforms());
+        let mut frame = AdhesiveState { claim: ResultClaim::Moving, steps: work.iterations, work, ..found };
         frame.contact.status = Status::Converged;
         frame
     }
@@ -326,8 +328,9 @@ impl<'a> StateSearch<'a> {
         let elastic = |i: usize| 0.5 * (found.pressure[i] - found.traction[i]) * found.displacement[i];
         let energy = |i: usize| elastic(i) + self.attraction.energy(found.gap[i]);
         let numbers = SearchNumbers { datum: found.datum, energy: chunks::sum(n, energy) / n as f64, transforms };
+        let traction = found.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let fields = [found.pressure, found.displacement, found.gap];
-        self.assemble(fields, found.traction, numbers, FoundState { method: "safe", residual, least })
+        self.assemble(fields, traction, numbers, FoundState { method: "safe", residual, least })
     }
 
     /// The state of a gap.
@@ -364,10 +367,17 @@ impl<'a> StateSearch<'a> {
             (ResultClaim::NotConverged, if self.left() == 0 { Status::IterationCap } else { Status::Stalled })
         };
         let parts = (Certificate::UNKNOWN, work, status);
+        let touching = fields[0].iter().filter(|p| **p > 0.0).count();
+        let values = StateValues {
+            kind: StateKind::Adhesion,
+            mean_pressure: Some(mean_pressure),
+            relative_area: Some(touching as f64 / fields[0].len() as f64),
+            kappa_r: None,
+        };
         let contact = Contact::from_parts(self.problem.clone(), fields.map(field), parts, method, None);
         AdhesiveState {
             control: self.control,
-            contact: contact.expect("fields fit the grid"),
+            contact: contact.expect("fields fit the grid").with_values(values),
             traction: field(traction),
             mean_pressure,
             datum,

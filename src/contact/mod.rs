@@ -46,6 +46,7 @@ mod status;
 mod step;
 mod stop;
 mod sums;
+mod validity;
 mod warnings;
 
 use crate::chunks;
@@ -72,6 +73,7 @@ pub(crate) use monotone::{BoxInequality, LoadOrDatum, SetIteration};
 pub(crate) use moving::{directions, hysteretic_friction, spectrum};
 pub use multilevel::Multilevel;
 pub use observables::{OBSERVABLES, Observable, Observables, State};
+pub use validity::{StateKind, StateValues, Validity};
 pub use observe::Each;
 pub use outcome::{Contact, Work};
 pub use patches::{Patch, Patches};

@@ -1,7 +1,7 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
+    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, StateValues, Status, certificate, chunks,
     hysteretic_friction, multilevel,
 };
 use crate::error::{SolveError, SurfaceError};
@@ -38,6 +38,7 @@ pub struct Contact {
     /// Why an observer failed, if one did.
     pub failure: Option<Arc<Failure>>,
     stiffness: OnceLock<f64>,
+    values: StateValues,
 }
 
 /// Work of a solver.
@@ -71,6 +72,7 @@ impl Contact {
             solver: solver.into(),
             failure: None,
             stiffness: OnceLock::new(),
+            values: StateValues::default(),
         }
     }
 
@@ -105,7 +107,18 @@ impl Contact {
             solver,
             failure,
             stiffness,
+            values: StateValues::default(),
         })
+    }
+
+    /// The contact with what the state of a history knows better.
+    pub fn with_values(self, values: StateValues) -> Self {
+        Self { values, ..self }
+    }
+
+    /// What the state of a history knows better than its contact; nothing for a contact that is no state.
+    pub fn values(&self) -> StateValues {
+        self.values
     }
 
     /// Whether the certificate met the tolerance.

@@ -1,21 +1,13 @@
 //! The process of adhesion along a path of loads, with its jumps.
 
+use super::adhesive_walk::{PathStep, Walk, sum};
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
 use crate::adhesion::{
     AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem, AdhesiveState,
 };
-use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, Status, Stop, Work};
+use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, StateKind, StateValues, Status, Stop, Work};
 use crate::error::{AdhesionError, HistoryError};
 use crate::surface::Field;
-
-/// The part of a step of the path below which a step is not halved again.
-const FINEST: f64 = 1e-3;
-
-/// The part of a load that pulls by which the last state that holds may lie below the one that parts the surfaces.
-const PULL_OFF: f64 = 1e-3;
-
-/// The part of a step of the path below which a step towards a pull-off is not halved again.
-const LEAST: f64 = 1e-9;
 
 /// Energy over the work of adhesion that a step may lose before it is halved, as the part of the area of the cell.
 const JUMP: f64 = 2e-3;
@@ -65,7 +57,7 @@ pub(super) enum AdhesivePlace {
 pub(super) struct AdhesiveStep {
     pub(super) place: AdhesivePlace,
     /// The frames of the motion, with the method `gfmd`.
-    frames: Vec<AdhesiveState>,
+    pub(super) frames: Vec<AdhesiveState>,
     pub(super) work: Work,
 }
 
@@ -161,60 +153,29 @@ impl AdhesiveProcess {
         visits: &mut Vec<AdhesiveVisit>,
     ) -> Result<(), AdhesionError> {
         let allowed = JUMP * self.problem.attraction().work();
-        let (begin, end) = (last.control.value(), target.value());
-        let (mut from, mut at, mut ledger) = (last.place.clone(), begin, last.ledger);
-        let mut work = Work::default();
-        let mut length = end - begin;
-        let mut parted: Option<(f64, AdhesiveStep)> = None;
+        let (begin, end, mut ledger) = (last.control.value(), target.value(), last.ledger);
+        let mut walk = Walk::new(last, end);
         loop {
-            let to = if (end - at).abs() <= length.abs() { end } else { at + length };
-            let is_short = (to - at).abs() <= FINEST * (end - begin).abs();
-            let (to, step) = match parted.take_if(|(load, _)| !is_far(at, *load, end - begin)) {
-                Some(found) => found,
-                None => match self.solve(target.with_value(to), Some(&from), observer) {
-                    Ok(found) => (to, found),
-                    Err(error) => {
-                        if at != begin {
-                            visits.push(AdhesiveVisit::calm(from, target.with_value(at), ledger, work));
-                        }
-                        return Err(error);
-                    }
-                },
-            };
-            // close to a jump the safe method may be too slow
-            let (to, step) = match (step.place.fault(), parted.take_if(|_| is_short)) {
-                (Some(_), Some(before)) => before,
-                (Some(error), None) if is_short => {
-                    visits.push(AdhesiveVisit::calm(step.place, target.with_value(to), ledger, sum(work, step.work)));
-                    return Err(error);
+            let found = self.step(&mut walk, target, observer);
+            let is_new = walk.at != begin;
+            let Some(PathStep { to, is_short, step }) = found.inspect_err(|_| {
+                if is_new {
+                    visits.push(AdhesiveVisit::calm(walk.from.clone(), target.with_value(walk.at), ledger, walk.work));
                 }
-                (Some(_), None) => {
-                    (work, length) = (sum(work, step.work), 0.5 * (to - at));
-                    continue;
-                }
-                (None, before) => {
-                    parted = before.or(parted);
-                    (to, step)
-                }
-            };
-            let is_apart = matches!(step.place, AdhesivePlace::Apart);
-            if is_apart && is_far(at, to, end - begin) {
-                // the load at which surfaces part is found to a part of itself, whatever the length of the path
-                (work, length) = (sum(work, step.work), 0.5 * (to - at));
-                parted = Some((to, AdhesiveStep { work: Work::default(), ..step }));
+            })?
+            else {
                 continue;
-            }
+            };
             let AdhesiveStep { place: after, frames, work: spent } = step;
-            let missed = lost(&from, &after);
-            if missed.abs() > allowed && !is_short && !is_apart {
-                work = sum(work, spent);
-                length *= 0.5;
+            let missed = lost(&walk.from, &after);
+            if missed.abs() > allowed && !is_short && missed.is_finite() {
+                walk.halve(to, spent);
                 continue;
             }
             let is_jump = missed > allowed;
-            if is_jump && at != begin {
-                let before = std::mem::take(&mut work);
-                visits.push(AdhesiveVisit::calm(from.clone(), target.with_value(at), ledger, before));
+            if is_jump && is_new {
+                let before = std::mem::take(&mut walk.work);
+                visits.push(AdhesiveVisit::calm(walk.from.clone(), target.with_value(walk.at), ledger, before));
             }
             let mut shown = Work::default();
             for frame in frames.into_iter().filter(|_| is_jump) {
@@ -222,21 +183,18 @@ impl AdhesiveProcess {
                 let place = AdhesivePlace::State(Box::new(frame));
                 visits.push(AdhesiveVisit::calm(place, target.with_value(to), ledger, since));
             }
-            work = sum(work, less(spent, shown));
+            walk.work = sum(walk.work, less(spent, shown));
             let jump = Some(missed).filter(|lost| is_jump && lost.is_finite());
             ledger.lost += jump.unwrap_or(0.0);
-            ledger.work += work_of_load(&from, &after);
+            ledger.work += work_of_load(&walk.from, &after);
             if to == end || is_jump {
                 let (place, control) = (after.clone(), target.with_value(to));
-                visits.push(AdhesiveVisit { place, control, ledger, jump, work: std::mem::take(&mut work) });
+                visits.push(AdhesiveVisit { place, control, ledger, jump, work: std::mem::take(&mut walk.work) });
             }
             if to == end {
                 return Ok(());
             }
-            (from, at, length) = (after, to, 2.0 * length);
-            if let Some((load, _)) = &parted {
-                length = 0.5 * (load - at);
-            }
+            walk.arrive(after, to);
         }
     }
 
@@ -251,12 +209,11 @@ impl AdhesiveProcess {
         };
         match place {
             AdhesivePlace::State(state) => {
-                let counted = state.contact.counted();
+                let values = state.contact.values();
                 let numbers = HistoryNumbers {
                     net_pressure: Some(state.mean_pressure),
                     attraction: state.traction.mean(),
-                    relative_area: Some(counted.relative_area),
-                    kappa_r: Some(counted.kappa_r).filter(|it| it.is_finite()),
+                    relative_area: values.relative_area,
                     stored: Some(state.energy),
                     residual: Some(state.residual),
                     least_curvature: state.least_curvature,
@@ -277,7 +234,7 @@ impl AdhesiveProcess {
                     ..numbers
                 };
                 HistoryState {
-                    contact: self.apart(),
+                    contact: self.apart(control),
                     point,
                     claim: ResultClaim::Separated,
                     numbers,
@@ -289,7 +246,7 @@ impl AdhesiveProcess {
     }
 
     /// The contact of surfaces that have parted, drawn beyond the attraction.
-    fn apart(&self) -> Contact {
+    fn apart(&self, control: AdhesiveControl) -> Contact {
         let problem = self.problem.problem();
         let attraction = self.problem.attraction();
         let datum = problem.highest() + attraction.cutoff().min(APART * attraction.range());
@@ -298,6 +255,12 @@ impl AdhesiveProcess {
         let parts = (Certificate::UNKNOWN, Work::default(), Status::Converged);
         Contact::from_parts(problem.clone(), [zero.clone(), zero, gap], parts, "none", None)
             .expect("fields fit the grid")
+            .with_values(StateValues {
+                kind: StateKind::Adhesion,
+                mean_pressure: Some(control.value()),
+                relative_area: Some(0.0),
+                kappa_r: None,
+            })
     }
 }
 
@@ -359,11 +322,6 @@ impl AdhesiveVisit {
     }
 }
 
-/// Whether the load that parts the surfaces is still far from the last one that does not.
-fn is_far(at: f64, to: f64, path: f64) -> bool {
-    (to - at).abs() > (PULL_OFF * to.abs()).max(LEAST * path.abs())
-}
-
 /// Energy that a step loses, per area; infinite where the surfaces part, and none where they come together from afar.
 fn lost(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
     match (from, to) {
@@ -382,14 +340,6 @@ fn work_of_load(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
             -0.5 * (from.mean_pressure + to.mean_pressure) * (to.datum - from.datum)
         }
         _ => 0.0,
-    }
-}
-
-fn sum(a: Work, b: Work) -> Work {
-    Work {
-        iterations: a.iterations + b.iterations,
-        transforms: a.transforms + b.transforms,
-        seconds: a.seconds + b.seconds,
     }
 }
 
