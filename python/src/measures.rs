@@ -34,9 +34,7 @@ impl Contact {
         let state = State::from(&self.contact);
         let kind = self.contact.values().kind;
         let of_state = |name: &str| self.state.as_ref().and_then(|it| it.find(name));
-        let known = OBSERVABLES
-            .iter()
-            .filter(|it| it.validity.holds(kind) || of_state(it.name).is_some());
+        let known = OBSERVABLES.iter().filter(|it| it.validity.holds(kind) || of_state(it.name).is_some());
         let number = |name, value| (name, Measure::Number(value));
         let mut numbers: Vec<_> =
             known.map(|it| number(it.name, of_state(it.name).unwrap_or_else(|| (it.value)(&state)))).collect();

@@ -16,6 +16,9 @@ const VECTORS: usize = 2;
 const RESIDUAL: f64 = 0.01;
 const SMALL: f64 = 0.01;
 
+/// The part of the range by which a step off a saddle moves the gap.
+const NUDGE: f64 = 0.05;
+
 /// Sweeps of rotations after which a small matrix is diagonal to the last digit.
 const SWEEPS: usize = 20;
 
@@ -89,6 +92,28 @@ pub(super) fn least_curvature(energy: &mut GapEnergy<'_>, state: &GapState) -> O
     let error = norm(&residual(&first));
     let [vector, image] = first;
     Some(LeastCurvature { value: dot(&vector, &image), error, vector })
+}
+
+/// Moves a state off a saddle, to the side of the unstable direction with the lower energy.
+pub(super) fn leave_saddle(energy: &mut GapEnergy<'_>, state: &mut GapState, least: &LeastCurvature) {
+    let largest = least.vector.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let mut best: Option<(f64, GapState)> = None;
+    for sign in [1.0, -1.0] {
+        let length = sign * NUDGE * energy.attraction.range() / largest;
+        let mut gap: Vec<f64> = state.gap.iter().zip(&least.vector).map(|(g, x)| g + length * x).collect();
+        energy.carry(&mut gap, |i| !state.touches(i));
+        let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
+        let mut stiff = vec![0.0; by.len()];
+        energy.stiffness(&by, &mut stiff);
+        let change = energy.change(state, &by, &stiff);
+        if best.as_ref().is_none_or(|(least, _)| change < *least) {
+            let force = state.force.iter().zip(&stiff).map(|(f, k)| f + k).collect();
+            best = Some((change, energy.with_force(gap, force)));
+        }
+    }
+    if let Some((_, moved)) = best {
+        *state = moved;
+    }
 }
 
 /// The vectors that the search begins with: one that is large where the attraction bends the energy down, and one without any symmetry.
@@ -191,7 +216,9 @@ fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
 mod tests {
     use super::*;
     use crate::Grid;
-    use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, Attraction, AttractionForm};
+    use crate::adhesion::{
+        AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, Attraction, AttractionForm,
+    };
     use crate::contact::{ContactModulus, Load, Problem, Stop};
     use crate::surface::{Indenter, Spectrum, Surface};
 
@@ -248,7 +275,9 @@ mod tests {
                 let high = problem.highest();
                 let adhesive = AdhesiveProblem::new(problem.clone(), attraction.clone()).unwrap();
                 let gaps = [1.1, 0.9, 0.5].map(|part| AdhesiveControl::MeanGap(part * high));
-                for control in gaps.into_iter().chain([AdhesiveControl::MeanPressure(5e-4), AdhesiveControl::MeanPressure(5e-3)]) {
+                for control in
+                    gaps.into_iter().chain([AdhesiveControl::MeanPressure(5e-4), AdhesiveControl::MeanPressure(5e-3)])
+                {
                     let solved = adhesive.solve(control, None, AdhesiveMethod::Fast, &Stop::default(), &mut ());
                     let Ok(AdhesiveOutcome::State(found)) = solved else { continue };
                     let mut energy = GapEnergy::new(&problem, attraction, control);
@@ -256,7 +285,11 @@ mod tests {
                     let Some(least) = least_curvature(&mut energy, &state) else { continue };
                     let exact = dense(&mut energy, &state);
                     let [missed, slack] = [least.value - exact, 1e-9 * energy.softest()];
-                    assert!(missed >= -slack && missed <= least.error + slack, "{control:?} {attraction:?}: {} {exact}", least.value);
+                    assert!(
+                        missed >= -slack && missed <= least.error + slack,
+                        "{control:?} {attraction:?}: {} {exact}",
+                        least.value
+                    );
                     assert!(least.error <= RESIDUAL * least.value.abs().max(SMALL * energy.softest()));
                     seen += 1;
                 }

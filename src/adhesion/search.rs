@@ -4,7 +4,7 @@ use super::attraction::Attraction;
 use super::claim::claim;
 use super::control::AdhesiveControl;
 use super::convex::{ConvexEnd, ConvexState, ConvexSteps};
-use super::curvature::{LeastCurvature, least_curvature};
+use super::curvature::{LeastCurvature, least_curvature, leave_saddle};
 use super::frames::MotionFrames;
 use super::gap_energy::{GapEnergy, GapState, mean};
 use super::method::AdhesiveMethod;
@@ -14,8 +14,8 @@ use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{
-    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Status, Step,
-    Stop, Work,
+    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Status,
+    Step, Stop, Work,
 };
 use crate::error::AdhesionError;
 use crate::surface::Field;
@@ -33,9 +33,6 @@ const SLOWER: f64 = 100.0;
 
 /// Searches by Newton steps, with convex steps or a step off a saddle between them.
 const SEARCHES: usize = 12;
-
-/// The part of the range by which a step off a saddle moves the gap.
-const NUDGE: f64 = 0.05;
 
 /// A search for one state.
 pub(super) struct StateSearch<'a> {
@@ -163,7 +160,9 @@ impl<'a> StateSearch<'a> {
         };
         let Some(load) = load else { return Ok(problem.height().iter().map(|h| datum - h).collect()) };
         let posed = problem.clone().with_load(load)?;
-        let contact = Multilevel.solve(&posed, &self.stop, observer)?;
+        // one iteration is left for a state, also where the contact takes all others
+        let stop = self.stop.within(self.stop.max_iterations() - 1);
+        let contact = Multilevel.solve(&posed, &stop, observer)?;
         self.work.transforms += contact.work.transforms;
         self.work.iterations += contact.work.iterations;
         if contact.status == Status::StoppedByObserver {
@@ -419,28 +418,6 @@ fn datum(problem: &Problem, control: AdhesiveControl, gap: &[f64]) -> f64 {
     match control {
         AdhesiveControl::Approach(approach) => problem.highest() - approach,
         _ => mean(gap),
-    }
-}
-
-/// Moves a state off a saddle, to the side of the unstable direction with the lower energy.
-fn leave_saddle(energy: &mut GapEnergy<'_>, state: &mut GapState, least: &LeastCurvature) {
-    let largest = least.vector.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let mut best: Option<(f64, GapState)> = None;
-    for sign in [1.0, -1.0] {
-        let length = sign * NUDGE * energy.attraction.range() / largest;
-        let mut gap: Vec<f64> = state.gap.iter().zip(&least.vector).map(|(g, x)| g + length * x).collect();
-        energy.carry(&mut gap, |i| !state.touches(i));
-        let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
-        let mut stiff = vec![0.0; by.len()];
-        energy.stiffness(&by, &mut stiff);
-        let change = energy.change(state, &by, &stiff);
-        if best.as_ref().is_none_or(|(least, _)| change < *least) {
-            let force = state.force.iter().zip(&stiff).map(|(f, k)| f + k).collect();
-            best = Some((change, energy.with_force(gap, force)));
-        }
-    }
-    if let Some((_, moved)) = best {
-        *state = moved;
     }
 }
 

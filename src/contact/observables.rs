@@ -334,7 +334,9 @@ impl<'a> From<&'a Step<'_>> for State<'a> {
                 let yielding = pressure().iter().filter(|p| step.problem().law().yields(**p)).count();
                 yielding as f64 / pressure().len() as f64
             }),
-            mean_pressure: lazy(move || step.values().mean_pressure.unwrap_or_else(|| pressure().mean().unwrap_or(0.0))),
+            mean_pressure: lazy(move || {
+                step.values().mean_pressure.unwrap_or_else(|| pressure().mean().unwrap_or(0.0))
+            }),
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
             friction: lazy(|| hysteretic_friction(step.problem(), step.pressure(), step.displacement())[1]),
         }

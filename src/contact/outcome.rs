@@ -1,8 +1,8 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, StateValues, Status, certificate, chunks,
-    hysteretic_friction, multilevel,
+    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, StateValues, Status, certificate,
+    chunks, hysteretic_friction, multilevel,
 };
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;

@@ -1,6 +1,8 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, StateValues, Work, certificate, chunks};
+use crate::contact::{
+    Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, StateValues, Work, certificate, chunks,
+};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 

@@ -1,8 +1,8 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
 use super::{
-    AdhesionError, FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError, StepsError,
-    StudyError,
+    AdhesionError, FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError,
+    StepsError, StudyError,
 };
 
 impl FileError {

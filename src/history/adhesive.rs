@@ -1,6 +1,6 @@
 //! The process of adhesion along a path of loads, with its jumps.
 
-use super::adhesive_walk::{PathStep, Walk, sum};
+use super::adhesive_walk::{AdhesivePlace, AdhesiveStep, PathStep, Walk, sum};
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
 use crate::adhesion::{
     AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem, AdhesiveState,
@@ -43,22 +43,6 @@ pub(super) struct AdhesionLedger {
     lost: f64,
     /// Work of the load.
     work: f64,
-}
-
-/// A place on the path.
-#[derive(Clone)]
-pub(super) enum AdhesivePlace {
-    State(Box<AdhesiveState>),
-    /// The surfaces have parted.
-    Apart,
-}
-
-/// Where a step leads.
-pub(super) struct AdhesiveStep {
-    pub(super) place: AdhesivePlace,
-    /// The frames of the motion, with the method `gfmd`.
-    pub(super) frames: Vec<AdhesiveState>,
-    pub(super) work: Work,
 }
 
 /// A place on the path, with the energies up to it: what a state of the history is made of.
@@ -154,7 +138,7 @@ impl AdhesiveProcess {
     ) -> Result<(), AdhesionError> {
         let allowed = JUMP * self.problem.attraction().work();
         let (begin, end, mut ledger) = (last.control.value(), target.value(), last.ledger);
-        let mut walk = Walk::new(last, end);
+        let mut walk = Walk::new(last.place.clone(), begin, end);
         loop {
             let found = self.step(&mut walk, target, observer);
             let is_new = walk.at != begin;
@@ -172,7 +156,7 @@ impl AdhesiveProcess {
                 walk.halve(to, spent);
                 continue;
             }
-            let is_jump = missed > allowed;
+            let is_jump = missed > allowed + trapezium_error(&walk.from, &after);
             if is_jump && is_new {
                 let before = std::mem::take(&mut walk.work);
                 visits.push(AdhesiveVisit::calm(walk.from.clone(), target.with_value(walk.at), ledger, before));
@@ -195,6 +179,43 @@ impl AdhesiveProcess {
                 return Ok(());
             }
             walk.arrive(after, to);
+        }
+    }
+
+    /// The next step of a walk; none where it is too long, and has been halved. The load that parts the surfaces is found by bisection to a part of
+    /// itself, whatever the length of the path. A state that is not found is the end of the walk.
+    fn step(
+        &self,
+        walk: &mut Walk,
+        target: AdhesiveControl,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<PathStep>, AdhesionError> {
+        if let Some(known) = walk.known() {
+            return Ok(Some(known));
+        }
+        let (to, is_short) = walk.next(target.value());
+        let step = self.solve(target.with_value(to), Some(&walk.from), observer)?;
+        let found = PathStep { to, is_short, step };
+        match found.step.place.fault() {
+            Some(error) if is_short => {
+                walk.work = sum(walk.work, found.step.work);
+                // close to a jump the safe method may be too slow; where the surfaces part beyond, they part here
+                let Some(known) = walk.parted.take() else {
+                    (walk.from, walk.at) = (found.step.place, to);
+                    return Err(error);
+                };
+                Ok(Some(known))
+            }
+            Some(_) => {
+                walk.halve(to, found.step.work);
+                Ok(None)
+            }
+            None if walk.parts_far(&found) => {
+                walk.halve(to, found.step.work);
+                walk.parted = Some(PathStep { step: AdhesiveStep { work: Work::default(), ..found.step }, ..found });
+                Ok(None)
+            }
+            None => Ok(Some(found)),
         }
     }
 
@@ -298,18 +319,6 @@ impl Process for AdhesiveProcess {
     }
 }
 
-impl AdhesivePlace {
-    /// The error of a state that misses equilibrium by more than the tolerance.
-    pub(super) fn fault(&self) -> Option<AdhesionError> {
-        match self {
-            Self::State(state) if state.claim == ResultClaim::NotConverged => {
-                Some(AdhesionError::NotFound { steps: state.steps, residual: state.residual })
-            }
-            _ => None,
-        }
-    }
-}
-
 impl AdhesiveVisit {
     /// A place at which no jump ends.
     pub(super) fn calm(place: AdhesivePlace, control: AdhesiveControl, ledger: AdhesionLedger, work: Work) -> Self {
@@ -325,11 +334,28 @@ impl AdhesiveVisit {
 /// Energy that a step loses, per area; infinite where the surfaces part, and none where they come together from afar.
 fn lost(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
     match (from, to) {
+        // a convex energy has no jumps
+        (AdhesivePlace::State(before), AdhesivePlace::State(after))
+            if [before, after].iter().all(|it| it.claim == ResultClaim::Solution) =>
+        {
+            0.0
+        }
         (AdhesivePlace::State(before), AdhesivePlace::State(after)) => {
             before.energy - after.energy + work_of_load(from, to)
         }
         (AdhesivePlace::State(_), AdhesivePlace::Apart) => f64::INFINITY,
         (AdhesivePlace::Apart, _) => 0.0,
+    }
+}
+
+/// The largest error of the work of the load in a step without a jump, per area: half of `|dP dd|`, since the pressure changes in one sense in a
+/// short step. In a jump either the load or the datum hardly changes.
+fn trapezium_error(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
+    match (from, to) {
+        (AdhesivePlace::State(from), AdhesivePlace::State(to)) => {
+            0.5 * ((to.mean_pressure - from.mean_pressure) * (to.datum - from.datum)).abs()
+        }
+        _ => 0.0,
     }
 }
 

@@ -1,6 +1,7 @@
 //! A contact with adhesion that is moved by hand.
 
-use super::adhesive::{AdhesionLedger, AdhesivePlace, AdhesiveProcess, AdhesiveStep, AdhesiveVisit};
+use super::adhesive::{AdhesionLedger, AdhesiveProcess, AdhesiveVisit};
+use super::adhesive_walk::{AdhesivePlace, AdhesiveStep};
 use super::process::HistoryState;
 use crate::adhesion::AdhesiveControl;
 use crate::contact::Load;

@@ -1,8 +1,7 @@
 //! The steps of a history with adhesion from one point of its path to the next.
 
-use super::adhesive::{AdhesivePlace, AdhesiveProcess, AdhesiveStep, AdhesiveVisit};
-use crate::adhesion::AdhesiveControl;
-use crate::contact::{Observer, Work};
+use crate::adhesion::AdhesiveState;
+use crate::contact::{ResultClaim, Work};
 use crate::error::AdhesionError;
 
 /// The part of a step of the path below which a step is not halved again.
@@ -13,6 +12,22 @@ const PULL_OFF: f64 = 1e-3;
 
 /// The part of a step of the path below which a step towards a pull-off is not halved again.
 const LEAST: f64 = 1e-9;
+
+/// A place on the path.
+#[derive(Clone)]
+pub(super) enum AdhesivePlace {
+    State(Box<AdhesiveState>),
+    /// The surfaces have parted.
+    Apart,
+}
+
+/// Where a step leads.
+pub(super) struct AdhesiveStep {
+    pub place: AdhesivePlace,
+    /// The frames of the motion, with the method `gfmd`.
+    pub frames: Vec<AdhesiveState>,
+    pub work: Work,
+}
 
 /// A step to a load, and whether it is not halved again.
 pub(super) struct PathStep {
@@ -30,60 +45,43 @@ pub(super) struct Walk {
     path: f64,
     pub work: Work,
     /// The nearest step that parts the surfaces, as far as one is known.
-    parted: Option<PathStep>,
+    pub parted: Option<PathStep>,
 }
 
-impl AdhesiveProcess {
-    /// The next step of a walk; none where it is too long, and has been halved. The load that parts the surfaces is found by bisection to a part of
-    /// itself, whatever the length of the path. A state that is not found is the end of the walk.
-    pub(super) fn step(
-        &self,
-        walk: &mut Walk,
-        target: AdhesiveControl,
-        observer: &mut dyn Observer,
-    ) -> Result<Option<PathStep>, AdhesionError> {
-        if let Some(known) = walk.parted.take_if(|it| !is_far(walk.at, it.to, walk.path)) {
-            return Ok(Some(known));
-        }
-        let end = target.value();
-        let to = if (end - walk.at).abs() <= walk.length.abs() { end } else { walk.at + walk.length };
-        let is_short = (to - walk.at).abs() <= FINEST * walk.path.abs();
-        let step = self.solve(target.with_value(to), Some(&walk.from), observer)?;
-        let is_parting = matches!(step.place, AdhesivePlace::Apart) && !walk.has_parted();
-        match step.place.fault() {
-            Some(error) if is_short => {
-                walk.work = sum(walk.work, step.work);
-                // close to a jump the safe method may be too slow; where the surfaces part beyond, they part here
-                let Some(known) = walk.parted.take() else {
-                    (walk.from, walk.at) = (step.place, to);
-                    return Err(error);
-                };
-                Ok(Some(known))
+impl AdhesivePlace {
+    /// The error of a state that misses equilibrium by more than the tolerance.
+    pub fn fault(&self) -> Option<AdhesionError> {
+        match self {
+            Self::State(state) if state.claim == ResultClaim::NotConverged => {
+                Some(AdhesionError::NotFound { steps: state.steps, residual: state.residual })
             }
-            Some(_) => {
-                walk.halve(to, step.work);
-                Ok(None)
-            }
-            None if is_parting && is_far(walk.at, to, walk.path) => {
-                walk.halve(to, step.work);
-                walk.parted = Some(PathStep { to, is_short, step: AdhesiveStep { work: Work::default(), ..step } });
-                Ok(None)
-            }
-            None => Ok(Some(PathStep { to, is_short, step })),
+            _ => None,
         }
     }
 }
 
 impl Walk {
-    /// The walk from a visit to a load.
-    pub fn new(last: &AdhesiveVisit, end: f64) -> Self {
-        let (at, path) = (last.control.value(), end - last.control.value());
-        Self { from: last.place.clone(), at, length: path, path, work: Work::default(), parted: None }
+    /// The walk from a place at one load to another load.
+    pub fn new(from: AdhesivePlace, at: f64, end: f64) -> Self {
+        Self { from, at, length: end - at, path: end - at, work: Work::default(), parted: None }
     }
 
-    /// Whether the surfaces have parted before.
-    fn has_parted(&self) -> bool {
-        matches!(self.from, AdhesivePlace::Apart)
+    /// The load of the next step on the way to an end, and whether the step is not halved again.
+    pub fn next(&self, end: f64) -> (f64, bool) {
+        let to = if (end - self.at).abs() <= self.length.abs() { end } else { self.at + self.length };
+        (to, (to - self.at).abs() <= FINEST * self.path.abs())
+    }
+
+    /// The step that parts the surfaces, if it is close enough.
+    pub fn known(&mut self) -> Option<PathStep> {
+        let (at, path) = (self.at, self.path);
+        self.parted.take_if(|it| !is_far(at, it.to, path))
+    }
+
+    /// Whether a step parts the surfaces at a load that is still far from the last one that does not.
+    pub fn parts_far(&self, step: &PathStep) -> bool {
+        let parts = matches!(step.step.place, AdhesivePlace::Apart) && !matches!(self.from, AdhesivePlace::Apart);
+        parts && is_far(self.at, step.to, self.path)
     }
 
     /// Halves a step to a load that was too long.

@@ -69,13 +69,23 @@ fn check_stiff(name: &str, surface: &Surface, attraction: &Attraction, ratio: f6
         let [fast, safe] = states(&adhesive, control).map(Option::unwrap);
         let case = format!("{name}, {control:?}, {ratio:e}, {:?}", attraction.cutoff());
         for (state, goal) in [(&fast, 1e-8), (&safe, 1e-6)] {
-            assert!(state.residual <= goal && state.claim != ResultClaim::NotConverged, "{case}: {} {}", state.method, state.residual);
+            assert!(
+                state.residual <= goal && state.claim != ResultClaim::NotConverged,
+                "{case}: {} {}",
+                state.method,
+                state.residual
+            );
             assert!(!matches!(state.claim, ResultClaim::Saddle), "{case}");
         }
         assert_eq!(fast.claim, safe.claim, "{case}");
         let agree = |a: f64, b: f64, scale: f64| (a - b).abs() <= 1e-6 * scale;
         let scale = fast.contact.mean_pressure().max(attraction.strength());
-        assert!(agree(fast.mean_pressure, safe.mean_pressure, scale), "{case}: {} {}", fast.mean_pressure, safe.mean_pressure);
+        assert!(
+            agree(fast.mean_pressure, safe.mean_pressure, scale),
+            "{case}: {} {}",
+            fast.mean_pressure,
+            safe.mean_pressure
+        );
         assert!(agree(fast.mean_gap(), safe.mean_gap(), HEIGHT), "{case}: {} {}", fast.mean_gap(), safe.mean_gap());
         let attraction_of = |state: &AdhesiveState| state.traction.mean().unwrap();
         assert!(agree(attraction_of(&fast), attraction_of(&safe), attraction.strength()), "{case}");
@@ -87,7 +97,8 @@ fn check_stiff(name: &str, surface: &Surface, attraction: &Attraction, ratio: f6
         };
         let Ok(plain) = adhesive.problem().clone().with_load(load) else { continue };
         let Ok(plain) = Multilevel.solve(&plain, &Stop::default(), &mut ()) else { continue };
-        let moved = (plain.mean_gap() - fast.mean_gap()).abs() / HEIGHT + (plain.mean_pressure() - fast.contact.mean_pressure()).abs();
+        let moved = (plain.mean_gap() - fast.mean_gap()).abs() / HEIGHT
+            + (plain.mean_pressure() - fast.contact.mean_pressure()).abs();
         assert!(moved < 1e-4 + 100.0 * ratio, "{case}: {moved}");
     }
 }
@@ -116,18 +127,31 @@ fn what_is_claimed_holds_over_twelve_decades() {
                         for (i, state) in states(&adhesive, control).into_iter().enumerate() {
                             let Some(state) = state else { continue };
                             let goal = [1e-8, 1e-6][i];
-                            assert_eq!(state.residual > goal, state.claim == ResultClaim::NotConverged, "{name} {control:?}");
+                            assert_eq!(
+                                state.residual > goal,
+                                state.claim == ResultClaim::NotConverged,
+                                "{name} {control:?}"
+                            );
                             assert_eq!(state.claim != ResultClaim::NotConverged, state.contact.is_converged());
                             counts[i] += 1;
                             if state.residual > goal {
                                 missed[i] += 1;
-                                println!("  {name}, {ratio:e}, range {range}, {:.2}, {control:?}, {}: {:.1e} {:?}", attraction.cutoff() / range, state.method, state.residual, state.work);
+                                println!(
+                                    "  {name}, {ratio:e}, range {range}, {:.2}, {control:?}, {}: {:.1e} {:?}",
+                                    attraction.cutoff() / range,
+                                    state.method,
+                                    state.residual,
+                                    state.work
+                                );
                             }
                         }
                     }
                 }
             }
-            println!("{name}, sigma_0/E* = {ratio:e}: fast {} of {} not found, safe {} of {}", missed[0], counts[0], missed[1], counts[1]);
+            println!(
+                "{name}, sigma_0/E* = {ratio:e}: fast {} of {} not found, safe {} of {}",
+                missed[0], counts[0], missed[1], counts[1]
+            );
             assert!(exponent > -7 || missed == [0; 2]);
         }
     }
