@@ -2,9 +2,7 @@
 
 use super::adhesive_walk::{AdhesivePlace, AdhesiveStep, PathStep, Walk, sum};
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
-use crate::adhesion::{
-    AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem, AdhesiveState,
-};
+use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem};
 use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, StateKind, StateValues, Status, Stop, Work};
 use crate::error::{AdhesionError, HistoryError};
 use crate::surface::Field;
