@@ -117,13 +117,17 @@ impl Contact {
             coarser,
         );
         let contact = contact.map_err(py_error)?;
+        let state = state.map(|(numbers, _)| StateNumbers(numbers));
+        let contact = match (&state, setup.setup.process().map_err(py_error)?) {
+            (Some(numbers), Some(process)) => contact.with_values(numbers.values(process)),
+            _ => contact,
+        };
         let slip = slip.map(|([coefficient, tangential, ratio], stick)| PartialSlip {
             friction: Friction { coefficient, tangential },
             ratio,
             pressed: contact.clone(),
             stuck: stick.get().contact.clone(),
         });
-        let state = state.map(|(numbers, _)| StateNumbers(numbers));
         Ok(Self {
             diagnosis,
             slip,

@@ -75,7 +75,7 @@ impl History {
         self.outcome.states.first().map_or("", |state| state.claim.words())
     }
 
-    /// What each state claims to be, in a word: with adhesion "solution", "stable", "marginal", "saddle", "stationary", "moving" (a frame of
+    /// What each state claims to be, in a word: with adhesion "solution", "stable", "marginal", "saddle", "stationary", "not-converged", "moving" (a frame of
     /// a jump) or "separated"; otherwise "solution", "bounded" or "rounds-converged".
     #[getter]
     fn claims(&self) -> Vec<&'static str> {

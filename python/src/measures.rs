@@ -3,7 +3,7 @@
 use crate::arrays::vector;
 use crate::contact::Contact;
 use crate::error::{bail, py_error};
-use asperity::contact::{OBSERVABLES, State};
+use asperity::contact::{OBSERVABLES, State, StateKind};
 use asperity::error::FlowError;
 use asperity::history::HISTORY_QUANTITIES;
 use asperity::setup::ProcessKind;
@@ -19,23 +19,6 @@ pub enum Measure {
     Truth(bool),
 }
 
-/// Observables that hold for a solid with a memory and for surfaces with an attraction, too. The others are computed with the modulus of an
-/// elastic solid, or from edges at which the pressure is that of an elastic solid.
-const OF_ALL_PROCESSES: [&str; 12] = [
-    "relative_area_counted",
-    "rms_height",
-    "rms_gradient",
-    "rms_gradient_contact_counted",
-    "mean_gap",
-    "mean_gap_over_rms_height",
-    "approach",
-    "max_pressure",
-    "max_pressure_over_modulus",
-    "patches",
-    "nodes_per_patch",
-    "iterations",
-];
-
 impl Contact {
     /// The process of the history of which the contact is a state, if it is one.
     pub fn process(&self) -> Option<ProcessKind> {
@@ -49,12 +32,12 @@ impl Contact {
     /// For a flow that cannot be found.
     pub fn numbers(&self) -> Result<Vec<(&'static str, Measure)>, FlowError> {
         let state = State::from(&self.contact);
-        let is_elastic = !matches!(self.process(), Some(ProcessKind::Creep | ProcessKind::Adhesion));
+        let kind = self.contact.values().kind;
         let of_state = |name: &str| self.state.as_ref().and_then(|it| it.find(name));
         let known = OBSERVABLES
             .iter()
             .filter(|it| it.name != "plastic_overlap" || !self.setup.law.is_hard_wall())
-            .filter(|it| is_elastic || OF_ALL_PROCESSES.contains(&it.name) || of_state(it.name).is_some());
+            .filter(|it| it.validity.holds(kind) || of_state(it.name).is_some());
         let number = |name, value| (name, Measure::Number(value));
         let mut numbers: Vec<_> =
             known.map(|it| number(it.name, of_state(it.name).unwrap_or_else(|| (it.value)(&state)))).collect();
@@ -145,9 +128,9 @@ impl Contact {
     /// energy there.
     #[getter]
     fn elastic_energy(&self) -> f64 {
-        match self.process() {
-            Some(ProcessKind::Creep | ProcessKind::Adhesion) => f64::NAN,
-            _ => self.contact.elastic_energy(),
+        match self.contact.values().kind {
+            StateKind::Creep | StateKind::Adhesion => f64::NAN,
+            StateKind::Elastic => self.contact.elastic_energy(),
         }
     }
 

@@ -26,6 +26,8 @@ use std::sync::{Mutex, PoisonError};
 const FIELDS: f64 = 4.0;
 /// Fields of each contact of a load curve.
 const FIELDS_OF_CONTACT: f64 = 3.0;
+/// Fields of a state of a history: its contact, further fields such as traction and slip, and the contact as an object of Python.
+const FIELDS_OF_STATE: f64 = 2.0 * FIELDS_OF_CONTACT + 2.0;
 
 /// One solve: a problem, its setup with the keywords laid over it, and the options.
 struct Solve<'a> {
@@ -190,6 +192,8 @@ impl Solve<'_> {
             return bail(format!("{name} is for one contact: leave it out of a history"));
         }
         let (setup, problem) = (&self.setup.setup, &self.problem.problem);
+        let states = setup.expected_states().map_err(py_error)?;
+        self.check_fields(FIELDS_OF_STATE * states as f64)?;
         let outcome = self.in_background(py, |steps| Ok(HistoryOutcome::solve(setup, problem, steps)?))?;
         if let Some(path) = &sink.path {
             py.detach(|| outcome.record(path, setup, problem)).map_err(py_error)?;
@@ -237,8 +241,12 @@ impl Solve<'_> {
 
     /// Refuses a grid that does not fit in memory, with some contacts on it.
     fn check_memory(&self, contacts: usize) -> PyResult<()> {
+        self.check_fields(FIELDS_OF_CONTACT * contacts.saturating_sub(1) as f64)
+    }
+
+    /// Refuses a grid that does not fit in memory, with some further fields that are kept.
+    fn check_fields(&self, kept: f64) -> PyResult<()> {
         let (grid, solver) = (self.problem.problem.surface().grid(), &self.setup.setup.solver);
-        let kept = FIELDS_OF_CONTACT * contacts.saturating_sub(1) as f64;
         let cost = Cost::from_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept);
         cost.check(solver.name()).map_err(py_error)
     }

@@ -1,6 +1,8 @@
 //! The numbers of a state of a history.
 
+use asperity::contact::{StateKind, StateValues};
 use asperity::history::{HISTORY_QUANTITIES, HistoryState};
+use asperity::setup::ProcessKind;
 
 /// The numbers of a state of a history, one for each of [`HISTORY_QUANTITIES`]; none where the state has no such number.
 #[derive(Clone)]
@@ -21,6 +23,19 @@ impl PartialEq for StateNumbers {
 }
 
 impl StateNumbers {
+    /// What the state of a process knows better than its contact.
+    pub fn values(&self, process: ProcessKind) -> StateValues {
+        let [relative_area, kappa_r] = ["relative_area", "kappa_r"].map(|name| self.find(name));
+        match process {
+            ProcessKind::Adhesion => {
+                let mean_pressure = self.find("mean_pressure");
+                StateValues { kind: StateKind::Adhesion, mean_pressure, relative_area, kappa_r: None }
+            }
+            ProcessKind::Creep => StateValues { kind: StateKind::Creep, mean_pressure: None, relative_area, kappa_r },
+            ProcessKind::Slip | ProcessKind::Sliding | ProcessKind::Rolling => StateValues::default(),
+        }
+    }
+
     /// The number of a name, if the state has it.
     pub fn find(&self, name: &str) -> Option<f64> {
         let place = HISTORY_QUANTITIES.iter().position(|it| it.name == name)?;

@@ -121,7 +121,7 @@ def test_a_solver_that_a_process_does_not_have_is_refused(keys: dict[str, dict[s
         asp.solve(rough(), solid=1.0, reduced_pressure=0.02, solver=solver, **keys)
 
 
-def test_contacts_have_the_numbers_of_their_states() -> None:
+def test_contacts_have_the_numbers_of_their_states(tmp_path: Path) -> None:
     creep = asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 3.0, "steps": 4})
     sticky = asp.solve(sine(), mean_gap="1 um", path={"load": ["1.2 um", "0.8 um"], "steps": 4}, **STICKY)
     pulled = asp.solve(rough(), solid=1.0, mean_pressure=2e-3, friction={"coefficient": 0.5}, path={"tangential": [5e-4, 0.0]})
@@ -132,7 +132,13 @@ def test_contacts_have_the_numbers_of_their_states() -> None:
             assert np.array_equal(found, values, equal_nan=True), (history.process, name)
     # what holds for an elastic contact only is absent, and stays with slip
     assert "kappa" in pulled[0].measures and "kappa" not in creep[0].measures
-    assert not {"kappa", "certificate", "reduced_pressure", "elastic_energy"} & set(sticky[0].measures)
+    assert not {"kappa", "kappa_r", "certificate", "elastic_energy"} & set(sticky[0].measures) and "kappa_r" not in sticky.numbers
+    unit = sticky[-1].measures["rms_gradient"] * 1e6
+    assert sticky[-1].measures["reduced_pressure"] == pytest.approx(sticky.numbers["mean_pressure"][-1] / unit)
+    sticky.save(tmp_path / "sticky.npz")
+    with np.load(tmp_path / "sticky.npz") as archive:
+        assert archive["reduced_pressure"] == pytest.approx([it.measures["reduced_pressure"] for it in sticky])
+        assert not {"kappa", "kappa_r", "elastic_energy", "reduced_pressure_contact"} & set(archive)
     assert sticky[-1].mean_pressure == sticky.numbers["mean_pressure"][-1] != sticky[-1].pressure.mean()
     assert math.isnan(creep[-1].elastic_energy) and "a state of creep" in repr(creep[-1])
     with pytest.raises(asp.AsperityError, match="without adhesion"):

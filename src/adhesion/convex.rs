@@ -18,6 +18,12 @@ const PART: f64 = 0.03;
 const FINEST: f64 = 1e-12;
 const COARSEST: f64 = 1e-7;
 
+/// Where the gaps of a step miss more than this part of what its traction changes, the tolerance of the next contact is sharper by a factor, down to the
+/// sharpest one.
+const DOMINANT: f64 = 0.3;
+const SHARPER: f64 = 1e-3;
+const SHARPEST: f64 = 1e-24;
+
 /// A state on the way of the safe method.
 #[derive(Clone)]
 pub(super) struct ConvexState {
@@ -33,6 +39,8 @@ pub(super) struct ConvexState {
     pub energy: f64,
     /// The largest change of the traction by its gap, over the strength.
     pub change: f64,
+    /// The largest gap of a node that presses and the deepest penetration of another one, over the range.
+    pub missed: f64,
 }
 
 /// How a search by convex steps ended.
@@ -55,7 +63,10 @@ pub(super) struct ConvexSteps<'a> {
     /// Energies of the accepted states.
     pub energies: Vec<f64>,
     pub transforms: u64,
-    pub steps: usize,
+    /// Iterations of the contacts of all steps; the stop limits their number.
+    pub iterations: usize,
+    /// The factor of the tolerance of the contacts.
+    sharper: f64,
     response: Response,
 }
 
@@ -67,11 +78,13 @@ impl<'a> ConvexSteps<'a> {
         solver: &'a dyn Solver,
         stop: Stop,
     ) -> Self {
-        let (energies, transforms, steps, response) = (Vec::new(), 0, 0, problem.response());
-        Self { problem, attraction, control, solver, stop, energies, transforms, steps, response }
+        let (energies, response) = (Vec::new(), problem.response());
+        let (transforms, iterations, sharper) = (0, 0, 1.0);
+        Self { problem, attraction, control, solver, stop, energies, transforms, iterations, sharper, response }
     }
 
-    /// Lowers the energy from a traction by convex steps until the traction changes by at most `tolerance` of the strength.
+    /// Lowers the energy from a traction by convex steps until the traction changes by at most `tolerance` of the strength, and gaps miss by at most
+    /// `tolerance` of the range.
     ///
     /// `V` is concave, so the energy lies below its tangent: the contact with the attraction `sigma_k` held fast has less energy than the
     /// last state, whatever its length. It is the contact without adhesion of the heights `h + A sigma_k` under the pressure `P + <sigma_k>`.
@@ -92,7 +105,9 @@ impl<'a> ConvexSteps<'a> {
         // where the traction jumps, a node is within its reach or not, and combinations of both mean nothing
         let is_smooth = self.attraction.steepest().is_finite();
         for _ in 0..steps {
-            self.steps += 1;
+            if self.iterations >= self.stop.max_iterations() {
+                break;
+            }
             let (state, status) = match self.step(&traction, pressed.as_ref(), change, observer)? {
                 Some(found) => found,
                 // an accelerated traction may be too weak where the plain one is not
@@ -117,7 +132,10 @@ impl<'a> ConvexSteps<'a> {
             change = state.change;
             pressed = Some(field(self.problem, state.pressure.clone()));
             let next: Vec<f64> = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
-            let is_found = change <= tolerance;
+            let is_found = change.max(state.missed) <= tolerance;
+            if state.missed > DOMINANT * change.max(tolerance) {
+                self.sharper = (SHARPER * self.sharper).max(SHARPEST);
+            }
             accepted = Some(state);
             if is_found {
                 return Ok((accepted, ConvexEnd::Found));
@@ -174,22 +192,25 @@ impl<'a> ConvexSteps<'a> {
                 (_, None) => Load::MeanPressure(load),
             };
             let posed = posed.with_load(load)?;
-            let tolerance = (PART * change).powi(2).clamp(FINEST, COARSEST);
-            let stop = Stop::new(tolerance, self.stop.max_iterations()).unwrap_or(self.stop);
+            let tolerance = ((PART * change).powi(2).clamp(FINEST, COARSEST) * self.sharper).max(SHARPEST);
+            let stop = self.stop.at(tolerance).within(self.stop.max_iterations() - self.iterations);
             let contact = self.solver.solve_from(pressed, &posed, &stop, observer)?;
             self.transforms += contact.work.transforms;
+            self.iterations += contact.work.iterations.max(1);
             let datum = contact.gap[[0, 0]] - contact.displacement[[0, 0]] + posed.height()[0];
             let values = |field: Field| field.into_raw_vec_and_offset().0;
             (values(contact.pressure), values(contact.displacement), datum + middle, contact.status)
         } else {
             let Some(datum) = datum else { return Ok(None) };
+            self.iterations += 1;
             (vec![0.0; n], vec![0.0; n], datum + middle, Status::Converged)
         };
         let displacement: Vec<f64> = displaced.iter().zip(&lifted).map(|(u, lifted)| u - lifted).collect();
         // nodes that press touch exactly, whatever rounding says
-        let gap_at = |i: usize| if pressure[i] > 0.0 { 0.0 } else { (displacement[i] - height[i] + datum).max(0.0) };
-        let gap: Vec<f64> = (0..n).map(gap_at).collect();
+        let free_gap = |i: usize| displacement[i] - height[i] + datum;
+        let gap: Vec<f64> = (0..n).map(|i| if pressure[i] > 0.0 { 0.0 } else { free_gap(i).max(0.0) }).collect();
         let (strength, attraction) = (self.attraction.strength(), self.attraction);
+        let missed = (0..n).map(|i| (free_gap(i) - gap[i]).abs()).fold(0.0, f64::max) / attraction.range();
         let change = (0..n).map(|i| (attraction.traction(gap[i]) - traction[i]).abs()).fold(0.0, f64::max) / strength;
         let work = |i: usize| 0.5 * (pressure[i] - traction[i]) * displacement[i] + attraction.energy(gap[i]);
         let mut energy = chunks::sum(n, work) / n as f64;
@@ -197,7 +218,7 @@ impl<'a> ConvexSteps<'a> {
             energy += load * datum;
         }
         let traction = traction.to_vec();
-        Ok(Some((ConvexState { pressure, traction, displacement, gap, datum, energy, change }, status)))
+        Ok(Some((ConvexState { pressure, traction, displacement, gap, datum, energy, change, missed }, status)))
     }
 }
 

@@ -6,6 +6,10 @@ use crate::chunks;
 use crate::contact::Problem;
 use crate::elastic::Response;
 
+/// Largest error of `K u` by rounding: over the stiffest wave, the root mean square of `u` and the number of doublings of the grid. It is several
+/// times the bound of a transform pair (Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, theorem 24.2), since this is a maximum.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The energy of a gap `g >= 0` on a periodic grid, per area:
 ///
 /// `E(g) = 1/2 <u K u> + <V(g)> + P <g>`, with `u = g + h - d` and the stiffness `K`, the inverse of the compliance.
@@ -19,6 +23,8 @@ pub(super) struct GapEnergy<'a> {
     response: Response,
     /// Stiffness of the mean, a pressure per length.
     uniform: f64,
+    /// Stiffness of the stiffest wave, a pressure per length.
+    stiffest: f64,
     /// The datum at a given approach.
     datum: f64,
 }
@@ -40,7 +46,9 @@ impl<'a> GapEnergy<'a> {
             _ => 0.0,
         };
         let datum = if let AdhesiveControl::Approach(approach) = control { problem.highest() - approach } else { 0.0 };
-        Self { attraction, control, height: problem.height(), response: problem.response(), uniform, datum }
+        let response = problem.response();
+        let stiffest = response.stiffnesses().fold(uniform, f64::max);
+        Self { attraction, control, height: problem.height(), response, uniform, stiffest, datum }
     }
 
     /// Transforms so far.
@@ -114,6 +122,52 @@ impl<'a> GapEnergy<'a> {
             0.0 => 0.0,
             by => by * (from.gradient[i] + 0.5 * stiff[i]) + self.attraction.excess(from.gap[i], by),
         }) / by.len() as f64
+    }
+
+    /// The largest error of the gradient that rounding causes, a pressure. On a stiff solid it is larger than the attraction.
+    fn rounding(&self, state: &GapState) -> f64 {
+        let (n, datum) = (state.gap.len(), self.datum_of(&state.gap));
+        let square = chunks::sum(n, |i| (state.gap[i] - datum + self.height[i]).powi(2)) / n as f64;
+        ROUNDING * (n as f64).log2() * self.stiffest * square.sqrt()
+    }
+
+    /// Whether rounding may hide how well a state is in equilibrium.
+    pub fn is_hidden(&self, state: &GapState) -> bool {
+        state.violation() <= self.rounding(state)
+    }
+
+    /// The residual of a state: the largest pressure out of balance at an open node, over the strength. Where it misses the goal and rounding may
+    /// cause that, it is the largest displacement `A r` by the pressures out of balance, over the range, if that is smaller: the compliance hardly
+    /// moves the solid by rounding, since that has short waves.
+    pub fn residual(&mut self, state: &GapState, goal: f64) -> f64 {
+        let of_pressure = state.violation() / self.attraction.strength();
+        if of_pressure <= goal || !self.is_hidden(state) {
+            return of_pressure;
+        }
+        of_pressure.min(self.displaced(state))
+    }
+
+    /// The largest displacement by the pressures out of balance over the range. Under a mean pressure, the nodes that touch carry their mean, or
+    /// else it counts as it is, over the strength.
+    fn displaced(&mut self, state: &GapState) -> f64 {
+        let n = state.gap.len();
+        let touching: Vec<bool> = (0..n).map(|i| state.touches(i)).collect();
+        let mut rest: Vec<f64> = (0..n).map(|i| if touching[i] { 0.0 } else { state.gradient[i] }).collect();
+        let count = touching.iter().filter(|it| **it).count();
+        let is_load = matches!(self.control, AdhesiveControl::MeanPressure(_));
+        let (sum, mut missed) = (chunks::sum(n, |i| rest[i]), 0.0);
+        if is_load && count > 0 {
+            rest.iter_mut().zip(&touching).filter(|(_, it)| **it).for_each(|(rest, _)| *rest = -sum / count as f64);
+        } else if is_load {
+            missed = (sum / n as f64).abs() / self.attraction.strength();
+        }
+        let mut moved = vec![0.0; n];
+        self.response.displacement(&rest, &mut moved);
+        let ends = [f64::INFINITY, f64::NEG_INFINITY];
+        let [low, high] = moved.iter().fold(ends, |[low, high], u| [low.min(*u), high.max(*u)]);
+        // the datum is free under a mean pressure
+        let largest = if is_load { 0.5 * (high - low) } else { high.max(-low) };
+        missed.max(largest / self.attraction.range())
     }
 
     /// The elastic energy and that of the attraction, per area.

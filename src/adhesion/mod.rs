@@ -10,6 +10,7 @@
 //! is claimed as what it is: stationary, and stable. It is claimed as *the* solution only where its energy is convex.
 
 mod attraction;
+mod claim;
 mod control;
 mod convex;
 mod curvature;

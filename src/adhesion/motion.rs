@@ -21,8 +21,7 @@ impl DampedMotion {
         Self { pace: Pace::new(&Gfmd::default(), &stiffness), advance: vec![0.0; energy.height.len()] }
     }
 
-    /// Moves the surface until the largest violation of equilibrium is at most `tolerance` times the strength, or for some steps. `watch`
-    /// sees each state, and whether to go on.
+    /// Moves the surface until the residual is at most `tolerance`, or for some steps. `watch` sees each state, and whether to go on.
     pub fn run(
         &mut self,
         energy: &mut GapEnergy<'_>,
@@ -30,7 +29,6 @@ impl DampedMotion {
         (tolerance, steps): (f64, usize),
         watch: &mut dyn FnMut(&GapEnergy<'_>, &GapState, usize) -> bool,
     ) -> (GapEnd, usize) {
-        let strength = energy.attraction.strength();
         for step in 0..=steps {
             if !watch(energy, state, step) {
                 return (GapEnd::Stopped, step);
@@ -38,7 +36,7 @@ impl DampedMotion {
             if parts_for_good(energy, state) {
                 return (GapEnd::Separated, step);
             }
-            if state.violation() <= tolerance * strength {
+            if energy.residual(state, tolerance) <= tolerance {
                 return (GapEnd::Found, step);
             }
             if step < steps {

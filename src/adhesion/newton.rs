@@ -31,7 +31,7 @@ pub(super) enum GapEnd {
     Stopped,
 }
 
-/// Lowers the energy of a state until the largest violation of equilibrium is at most `tolerance` times the strength, or for some steps.
+/// Lowers the energy of a state until its [residual](GapEnergy::residual) is at most `tolerance`, or for some steps.
 /// `watch` sees each state, and whether to go on.
 ///
 /// A step solves `(K + V'') dg = -r` on the nodes that do not touch by conjugate gradients with the compliance as a preconditioner. They end at
@@ -51,10 +51,10 @@ pub(super) fn lower(
         if has_separated(energy, state) {
             return (GapEnd::Separated, step);
         }
-        if violation <= tolerance {
+        if violation <= tolerance || energy.is_hidden(state) {
             // what was updated step by step is computed once more before it counts
             *state = energy.state(std::mem::take(&mut state.gap));
-            if state.violation() / strength <= tolerance {
+            if energy.residual(state, tolerance) <= tolerance {
                 return (GapEnd::Found, step);
             }
         }

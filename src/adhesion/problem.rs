@@ -113,11 +113,13 @@ impl AdhesiveProblem {
     /// The state under a control that is found from the last state, or, without one, from the contact without adhesion. The observer
     /// sees each step, with the contact pressure `p_c` as its pressure.
     ///
-    /// The residual is at most the tolerance of `stop`, and at most 100 times as large with the safe method.
+    /// The residual is at most the tolerance of `stop`, and at most 100 times as large with the safe method. Otherwise the state has the claim
+    /// [`ResultClaim::NotConverged`](crate::contact::ResultClaim::NotConverged). The iterations of `stop` are those of the whole state, with the
+    /// contacts without adhesion.
     ///
     /// # Errors
     /// [`AdhesionError::NotFinite`], [`AdhesionError::MeanGap`] and [`AdhesionError::Control`] for a control that is impossible,
-    /// [`AdhesionError::NotFound`] where no method found a state, [`AdhesionError::FreeMotion`] for the method `gfmd` on a free boundary,
+    /// [`AdhesionError::NotFound`] where there was no state at all, [`AdhesionError::FreeMotion`] for the method `gfmd` on a free boundary,
     /// [`AdhesionError::Stopped`] if the observer stopped the solve, and those of the contacts without adhesion.
     pub fn solve(
         &self,

@@ -1,18 +1,21 @@
 //! The search for one state of a contact with adhesion.
 
 use super::attraction::Attraction;
+use super::claim::claim;
 use super::control::AdhesiveControl;
 use super::convex::{ConvexEnd, ConvexState, ConvexSteps};
-use super::curvature::{LeastCurvature, least_curvature};
+use super::curvature::{LeastCurvature, least_curvature, leave_saddle};
 use super::frames::MotionFrames;
 use super::gap_energy::{GapEnergy, GapState, mean};
 use super::method::AdhesiveMethod;
 use super::motion::DampedMotion;
 use super::newton::{self, GapEnd};
 use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
+use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{
-    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, Status, Step, Stop, Work,
+    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Status,
+    Step, Stop, Work,
 };
 use crate::error::AdhesionError;
 use crate::surface::Field;
@@ -31,12 +34,6 @@ const SLOWER: f64 = 100.0;
 /// Searches by Newton steps, with convex steps or a step off a saddle between them.
 const SEARCHES: usize = 12;
 
-/// Curvatures below this part of the softest stiffness are marginal.
-const MARGINAL: f64 = 1e-3;
-
-/// The part of the range by which a step off a saddle moves the gap.
-const NUDGE: f64 = 0.05;
-
 /// A search for one state.
 pub(super) struct StateSearch<'a> {
     problem: &'a Problem,
@@ -45,6 +42,20 @@ pub(super) struct StateSearch<'a> {
     stop: Stop,
     work: Work,
     start: Instant,
+}
+
+/// Numbers of a state that its fields do not have.
+struct SearchNumbers {
+    datum: f64,
+    energy: f64,
+    transforms: u64,
+}
+
+/// What is found of a state beside its fields.
+struct FoundState {
+    method: &'static str,
+    residual: f64,
+    least: Option<LeastCurvature>,
 }
 
 impl<'a> StateSearch<'a> {
@@ -99,35 +110,39 @@ impl<'a> StateSearch<'a> {
         energy.carry(&mut gap, |_| true);
         let mut state = energy.state(gap);
         let mut frames = MotionFrames::new(self.attraction.range(), &state);
-        let mut steps = 0;
         for _ in 0..SEARCHES {
             let mut watch = |energy: &GapEnergy<'_>, state: &GapState, step: usize| {
-                let transforms = self.work.transforms + energy.transforms();
                 if frames.is_due(state) {
-                    frames.keep(state, self.frame(energy, state, steps + step));
+                    frames.keep(state, self.frame(energy, state, step));
                 }
-                let work = Work { iterations: steps + step, transforms, seconds: 0.0 };
+                let work = self.worked(step, energy.transforms());
                 goes_on((self.problem, self.control), state, work, observer)
             };
-            let limits = (self.tolerance(), self.stop.max_iterations().saturating_sub(steps));
+            let limits = (self.tolerance(), self.left());
             let (end, taken) = DampedMotion::new(&energy).run(&mut energy, &mut state, limits, &mut watch);
-            steps += taken;
+            self.work.iterations += taken;
             let outcome = match end {
                 GapEnd::Stopped => return Err(AdhesionError::Stopped),
                 GapEnd::Failed => break,
-                GapEnd::Separated => Some(self.separated(steps, energy.transforms())),
-                GapEnd::Found => self.settled(&mut energy, &mut state, ("gfmd", steps)),
+                GapEnd::Separated => Some(self.separated(energy.transforms())),
+                GapEnd::Found => self.settled(&mut energy, &mut state, "gfmd"),
             };
             if let Some(outcome) = outcome {
                 return Ok(AdhesiveMotion { frames: frames.into_vec(), outcome });
             }
         }
-        Err(AdhesionError::NotFound { steps, residual: state.violation() / self.attraction.strength() })
+        let outcome = self.missed(&mut energy, &state, "gfmd");
+        Ok(AdhesiveMotion { frames: frames.into_vec(), outcome })
     }
 
     /// A frame of a motion.
-    fn frame(&self, energy: &GapEnergy<'_>, state: &GapState, steps: usize) -> AdhesiveState {
-        AdhesiveState { claim: ResultClaim::Moving, ..self.state(energy, state, None, ("gfmd", steps)) }
+    fn frame(&self, energy: &GapEnergy<'_>, state: &GapState, step: usize) -> AdhesiveState {
+        let residual = state.violation() / self.attraction.strength();
+        let found = self.state(energy, state, FoundState { method: "gfmd", residual, least: None });
+        let work = self.worked(step, energy.transforms());
+        let mut frame = AdhesiveState { claim: ResultClaim::Moving, steps: work.iterations, work, ..found };
+        frame.contact.status = Status::Converged;
+        frame
     }
 
     /// The gap of the contact without adhesion; where nothing presses the surfaces, the one at which they first touch, or that of two
@@ -145,8 +160,11 @@ impl<'a> StateSearch<'a> {
         };
         let Some(load) = load else { return Ok(problem.height().iter().map(|h| datum - h).collect()) };
         let posed = problem.clone().with_load(load)?;
-        let contact = Multilevel.solve(&posed, &self.stop, observer)?;
+        // one iteration is left for a state, also where the contact takes all others
+        let stop = self.stop.within(self.stop.max_iterations() - 1);
+        let contact = Multilevel.solve(&posed, &stop, observer)?;
         self.work.transforms += contact.work.transforms;
+        self.work.iterations += contact.work.iterations;
         if contact.status == Status::StoppedByObserver {
             return Err(AdhesionError::Stopped);
         }
@@ -159,46 +177,61 @@ impl<'a> StateSearch<'a> {
         let mut gap = gap;
         energy.carry(&mut gap, |_| true);
         let mut state = energy.state(gap);
-        let mut steps = 0;
+        let mut by_convex: Option<ConvexState> = None;
         for _ in 0..SEARCHES {
-            let before = self.work.transforms;
-            let (problem, control) = (self.problem, self.control);
             let mut watch = |state: &GapState, step: usize, transforms: u64| {
-                let work = Work { iterations: steps + step, transforms: before + transforms, seconds: 0.0 };
-                goes_on((problem, control), state, work, observer)
+                goes_on((self.problem, self.control), state, self.worked(step, transforms), observer)
             };
-            let limits = (self.tolerance(), NEWTON_STEPS.min(self.stop.max_iterations()));
+            let limits = (self.tolerance(), NEWTON_STEPS.min(self.left()));
             let (end, taken) = newton::lower(&mut energy, &mut state, limits, &mut watch);
-            steps += taken;
+            self.work.iterations += taken;
             match end {
                 GapEnd::Stopped => return Err(AdhesionError::Stopped),
-                GapEnd::Separated => return Ok(self.separated(steps, energy.transforms())),
+                GapEnd::Separated => return Ok(self.separated(energy.transforms())),
                 GapEnd::Found => {
-                    if let Some(outcome) = self.settled(&mut energy, &mut state, ("newton", steps)) {
+                    by_convex = None;
+                    if let Some(outcome) = self.settled(&mut energy, &mut state, "newton") {
                         return Ok(outcome);
                     }
                 }
+                GapEnd::Failed if self.left() == 0 => break,
                 GapEnd::Failed => {
+                    if let Some(found) = by_convex {
+                        return Ok(AdhesiveOutcome::State(self.safe_state(found)));
+                    }
                     let sigma = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
-                    let mut convex =
-                        ConvexSteps::new(self.problem, self.attraction, self.control, &Multilevel, self.stop);
-                    let (found, end) = convex.lower(sigma, None, (self.tolerance(), CONVEX_STEPS), observer)?;
-                    self.work.transforms += convex.transforms;
-                    steps += convex.steps;
+                    let (found, end) = self.convex_steps(sigma, None, (self.tolerance(), CONVEX_STEPS), observer)?;
                     match (found, end) {
-                        (_, ConvexEnd::Separated) => return Ok(self.separated(steps, energy.transforms())),
+                        (_, ConvexEnd::Separated) => return Ok(self.separated(energy.transforms())),
                         (_, ConvexEnd::Stopped) => return Err(AdhesionError::Stopped),
-                        (Some(found), _) => {
-                            let mut gap = found.gap;
+                        (Some(found), end) => {
+                            let mut gap = found.gap.clone();
                             energy.carry(&mut gap, |i| found.pressure[i] == 0.0);
                             state = energy.state(gap);
+                            by_convex = matches!(end, ConvexEnd::Found).then_some(found);
                         }
                         (None, _) => break,
                     }
                 }
             }
         }
-        Err(AdhesionError::NotFound { steps, residual: state.violation() / self.attraction.strength() })
+        Ok(self.missed(&mut energy, &state, "newton"))
+    }
+
+    /// Convex steps from a traction, whose work counts.
+    fn convex_steps(
+        &mut self,
+        sigma: Vec<f64>,
+        pressed: Option<Field>,
+        limits: (f64, usize),
+        observer: &mut dyn Observer,
+    ) -> Result<(Option<ConvexState>, ConvexEnd), AdhesionError> {
+        let stop = self.stop.within(self.left());
+        let mut convex = ConvexSteps::new(self.problem, self.attraction, self.control, &Multilevel, stop);
+        let found = convex.lower(sigma, pressed, limits, observer)?;
+        self.work.transforms += convex.transforms;
+        self.work.iterations += convex.iterations;
+        Ok(found)
     }
 
     /// What a state in equilibrium is claimed as; none where it was a saddle, which it has left then.
@@ -206,16 +239,27 @@ impl<'a> StateSearch<'a> {
         &self,
         energy: &mut GapEnergy<'_>,
         state: &mut GapState,
-        found: (&'static str, usize),
+        method: &'static str,
     ) -> Option<AdhesiveOutcome> {
         let least = least_curvature(energy, state);
         match &least {
-            Some(least) if least.value < -MARGINAL * energy.softest() => {
+            Some(least) if least.is_saddle(energy.softest()) => {
                 leave_saddle(energy, state, least);
                 None
             }
-            _ => Some(AdhesiveOutcome::State(self.state(energy, state, least, found))),
+            _ => {
+                let residual = energy.residual(state, self.tolerance());
+                Some(AdhesiveOutcome::State(self.state(energy, state, FoundState { method, residual, least })))
+            }
         }
+    }
+
+    /// The last state of a search that found none.
+    fn missed(&self, energy: &mut GapEnergy<'_>, state: &GapState, method: &'static str) -> AdhesiveOutcome {
+        let residual = energy.residual(state, self.tolerance());
+        // a state from which a search goes on may be in equilibrium, such as a saddle
+        let least = if residual <= self.tolerance() { least_curvature(energy, state) } else { None };
+        AdhesiveOutcome::State(self.state(energy, state, FoundState { method, residual, least }))
     }
 
     /// Convex steps only.
@@ -227,19 +271,12 @@ impl<'a> StateSearch<'a> {
     ) -> Result<AdhesiveOutcome, AdhesionError> {
         let sigma = gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let pressed = from.map(|state| state.contact.pressure.clone()).filter(|it| it.iter().any(|p| *p > 0.0));
-        let mut convex = ConvexSteps::new(self.problem, self.attraction, self.control, &Multilevel, self.stop);
-        let limits = (SLOWER * self.tolerance(), ALL_CONVEX_STEPS.min(self.stop.max_iterations()));
-        let (found, end) = convex.lower(sigma, pressed, limits, observer)?;
-        self.work.transforms += convex.transforms;
-        let steps = convex.steps;
-        match (found, end) {
-            (_, ConvexEnd::Separated) => Ok(self.separated(steps, 0)),
+        let limits = (self.safe_tolerance(), ALL_CONVEX_STEPS);
+        match self.convex_steps(sigma, pressed, limits, observer)? {
+            (_, ConvexEnd::Separated) => Ok(self.separated(0)),
             (_, ConvexEnd::Stopped) => Err(AdhesionError::Stopped),
-            (Some(found), ConvexEnd::Found) => Ok(AdhesiveOutcome::State(self.safe_state(found, steps))),
-            (found, _) => {
-                let residual = found.map_or(f64::NAN, |state| state.change);
-                Err(AdhesionError::NotFound { steps, residual })
-            }
+            (Some(found), _) => Ok(AdhesiveOutcome::State(self.safe_state(found))),
+            (None, _) => Err(AdhesionError::NotFound { steps: self.work.iterations, residual: f64::INFINITY }),
         }
     }
 
@@ -248,103 +285,109 @@ impl<'a> StateSearch<'a> {
         self.stop.tolerance().clamp(1e-11, 0.1)
     }
 
-    fn separated(&self, iterations: usize, transforms: u64) -> AdhesiveOutcome {
-        AdhesiveOutcome::Separated { work: self.worked(iterations, transforms) }
+    /// The goal of the residual of the safe method.
+    fn safe_tolerance(&self) -> f64 {
+        SLOWER * self.tolerance()
     }
 
+    /// Iterations that are left for the state.
+    fn left(&self) -> usize {
+        self.stop.max_iterations().saturating_sub(self.work.iterations)
+    }
+
+    fn separated(&self, transforms: u64) -> AdhesiveOutcome {
+        AdhesiveOutcome::Separated { work: self.worked(0, transforms) }
+    }
+
+    /// The work so far, with further iterations and transforms.
     fn worked(&self, iterations: usize, transforms: u64) -> Work {
-        Work { iterations, transforms: self.work.transforms + transforms, seconds: self.start.elapsed().as_secs_f64() }
+        Work {
+            iterations: self.work.iterations + iterations,
+            transforms: self.work.transforms + transforms,
+            seconds: self.start.elapsed().as_secs_f64(),
+        }
     }
 
     /// The state of a safe search. On a periodic grid its stability is computed as well.
-    fn safe_state(self, found: ConvexState, steps: usize) -> AdhesiveState {
-        if self.problem.surface().grid().is_periodic() {
-            let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
-            let mut gap = found.gap;
-            energy.carry(&mut gap, |i| found.pressure[i] == 0.0);
-            let state = energy.state(gap);
-            let least = least_curvature(&mut energy, &state);
-            return self.state(&energy, &state, least, ("safe", steps));
-        }
+    fn safe_state(self, found: ConvexState) -> AdhesiveState {
         let n = found.gap.len();
-        let elastic: f64 = (0..n).map(|i| 0.5 * (found.pressure[i] - found.traction[i]) * found.displacement[i]).sum();
-        let sticking: f64 = found.gap.iter().map(|gap| self.attraction.energy(*gap)).sum();
-        let work = self.worked(steps, 0);
-        let (residual, datum, energy) = (found.change, found.datum, (elastic + sticking) / n as f64);
+        let mut least = None;
+        let mut transforms = 0;
+        let residual = found.change.max(found.missed);
+        if self.problem.surface().grid().is_periodic() && residual <= self.safe_tolerance() {
+            let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
+            let mut gap = found.gap.clone();
+            energy.carry(&mut gap, |i| found.pressure[i] == 0.0);
+            let mut state = energy.state(gap);
+            // nodes touch where they press, whatever rounding says
+            state.gradient.iter_mut().zip(&found.pressure).filter(|(_, p)| **p > 0.0).for_each(|(r, p)| *r = *p);
+            least = least_curvature(&mut energy, &state);
+            transforms = energy.transforms();
+        }
+        let elastic = |i: usize| 0.5 * (found.pressure[i] - found.traction[i]) * found.displacement[i];
+        let energy = |i: usize| elastic(i) + self.attraction.energy(found.gap[i]);
+        let numbers = SearchNumbers { datum: found.datum, energy: chunks::sum(n, energy) / n as f64, transforms };
+        let traction = found.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let fields = [found.pressure, found.displacement, found.gap];
-        self.assemble(fields, found.traction, (datum, energy, residual), None, ("safe", steps), work)
+        self.assemble(fields, traction, numbers, FoundState { method: "safe", residual, least })
     }
 
     /// The state of a gap.
-    fn state(
-        &self,
-        energy: &GapEnergy<'_>,
-        state: &GapState,
-        least: Option<LeastCurvature>,
-        (method, steps): (&'static str, usize),
-    ) -> AdhesiveState {
-        let least = least.map(|least| least.value / energy.softest());
+    fn state(&self, energy: &GapEnergy<'_>, state: &GapState, found: FoundState) -> AdhesiveState {
         let [elastic, sticking] = energy.parts(state);
-        let residual = state.violation() / self.attraction.strength();
         let traction: Vec<f64> = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let datum = datum(self.problem, self.control, &state.gap);
-        let work = self.worked(steps, energy.transforms());
-        let fields = contact_fields(self.problem, state, datum);
-        self.assemble(fields, traction, (datum, elastic + sticking, residual), least, (method, steps), work)
+        let numbers = SearchNumbers { datum, energy: elastic + sticking, transforms: energy.transforms() };
+        self.assemble(contact_fields(self.problem, state, datum), traction, numbers, found)
     }
 
     fn assemble(
         &self,
         fields: [Vec<f64>; 3],
         traction: Vec<f64>,
-        (datum, energy, residual): (f64, f64, f64),
-        least_curvature: Option<f64>,
-        (method, steps): (&'static str, usize),
-        work: Work,
+        SearchNumbers { datum, energy, transforms }: SearchNumbers,
+        FoundState { method, residual, least }: FoundState,
     ) -> AdhesiveState {
         let shape = self.problem.surface().grid().shape();
         let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
-        let parts = (Certificate::UNKNOWN, work, Status::Converged);
+        let work = self.worked(0, transforms);
         let mean_pressure = match self.control {
             AdhesiveControl::MeanPressure(pressure) => pressure,
             _ => mean(&fields[0]) - mean(&traction),
         };
-        let claim = self.claim(&fields[2], least_curvature);
+        let [softest, _] = self.problem.compliance().stiffness_range();
+        let [least_curvature, curvature_error] = [|it: &LeastCurvature| it.value, |it: &LeastCurvature| it.error]
+            .map(|of| least.as_ref().map(|it| of(it) / softest));
+        let goal = if method == "safe" { self.safe_tolerance() } else { self.tolerance() };
+        let (claim, status) = if residual <= goal {
+            let curvature = least_curvature.zip(curvature_error);
+            (claim(self.problem, self.attraction, self.control, &fields[2], curvature), Status::Converged)
+        } else {
+            (ResultClaim::NotConverged, if self.left() == 0 { Status::IterationCap } else { Status::Stalled })
+        };
+        let parts = (Certificate::UNKNOWN, work, status);
+        let touching = fields[0].iter().filter(|p| **p > 0.0).count();
+        let values = StateValues {
+            kind: StateKind::Adhesion,
+            mean_pressure: Some(mean_pressure),
+            relative_area: Some(touching as f64 / fields[0].len() as f64),
+            kappa_r: None,
+        };
         let contact = Contact::from_parts(self.problem.clone(), fields.map(field), parts, method, None);
         AdhesiveState {
             control: self.control,
-            contact: contact.expect("fields fit the grid"),
+            contact: contact.expect("fields fit the grid").with_values(values),
             traction: field(traction),
             mean_pressure,
             datum,
             energy,
             residual,
             least_curvature,
+            curvature_error,
             claim,
             method,
-            steps,
+            steps: work.iterations,
             work,
-        }
-    }
-
-    /// The claim of a state with a gap and a least curvature. A state in which all nodes touch has no curvature and is stable.
-    fn claim(&self, gap: &[f64], least: Option<f64>) -> ResultClaim {
-        let uniform = self.problem.solid().uniform_compliance().map_or(0.0, f64::recip);
-        let [softest, _] = self.problem.compliance().stiffness_range();
-        let is_periodic = self.problem.surface().grid().is_periodic();
-        let stiffness = match self.control {
-            AdhesiveControl::MeanPressure(_) => 0.0,
-            AdhesiveControl::MeanGap(_) => softest,
-            AdhesiveControl::Approach(_) if is_periodic => softest.min(uniform),
-            AdhesiveControl::Approach(_) => 0.0,
-        };
-        match least {
-            _ if self.attraction.steepest() < stiffness => ResultClaim::Solution,
-            None if is_periodic && gap.iter().all(|gap| *gap == 0.0) => ResultClaim::Stable,
-            None => ResultClaim::Stationary,
-            Some(least) if least > MARGINAL => ResultClaim::Stable,
-            Some(least) if least >= -MARGINAL => ResultClaim::Marginal,
-            Some(_) => ResultClaim::Saddle,
         }
     }
 }
@@ -375,28 +418,6 @@ fn datum(problem: &Problem, control: AdhesiveControl, gap: &[f64]) -> f64 {
     match control {
         AdhesiveControl::Approach(approach) => problem.highest() - approach,
         _ => mean(gap),
-    }
-}
-
-/// Moves a state off a saddle, to the side of the unstable direction with the lower energy.
-fn leave_saddle(energy: &mut GapEnergy<'_>, state: &mut GapState, least: &LeastCurvature) {
-    let largest = least.vector.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let mut best: Option<(f64, GapState)> = None;
-    for sign in [1.0, -1.0] {
-        let length = sign * NUDGE * energy.attraction.range() / largest;
-        let mut gap: Vec<f64> = state.gap.iter().zip(&least.vector).map(|(g, x)| g + length * x).collect();
-        energy.carry(&mut gap, |i| !state.touches(i));
-        let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
-        let mut stiff = vec![0.0; by.len()];
-        energy.stiffness(&by, &mut stiff);
-        let change = energy.change(state, &by, &stiff);
-        if best.as_ref().is_none_or(|(least, _)| change < *least) {
-            let force = state.force.iter().zip(&stiff).map(|(f, k)| f + k).collect();
-            best = Some((change, energy.with_force(gap, force)));
-        }
-    }
-    if let Some((_, moved)) = best {
-        *state = moved;
     }
 }
 

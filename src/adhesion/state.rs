@@ -14,7 +14,7 @@ use crate::surface::Field;
 /// | `contact.gap`          | `(ny, nx)` | length   | `g >= 0`                                                  |
 ///
 /// The certificate of `contact` is that of a contact without adhesion and says nothing here; [`AdhesiveState::residual`] and
-/// [`AdhesiveState::claim`] do. Nor does its status, which is that of a contact that has converged also in the frames of a motion. Its area counts the
+/// [`AdhesiveState::claim`] do. Its status says whether the residual met its goal; frames of a motion count as converged. Its area counts the
 /// nodes that touch: edges are not resolved.
 #[derive(Debug, Clone)]
 pub struct AdhesiveState {
@@ -30,16 +30,19 @@ pub struct AdhesiveState {
     pub datum: f64,
     /// The elastic energy and that of the attraction, per area; without the load.
     pub energy: f64,
-    /// The largest violation of equilibrium at a node over the strength of the attraction.
+    /// The largest violation of equilibrium at a node: a pressure over the strength of the attraction. With the safe method, and where the
+    /// rounding of elastic stress is larger than the tolerance of that, it is the largest displacement that the violation causes, over the range.
     pub residual: f64,
     /// The least curvature of the energy over that of the softest wave of the solid: where it is positive, the state is stable. It is
     /// none on free boundaries, where it is not computed, and where all nodes touch.
     pub least_curvature: Option<f64>,
+    /// The error of the least curvature: the curvature has an eigenvalue that is at most so far away.
+    pub curvature_error: Option<f64>,
     /// What is claimed of the state.
     pub claim: ResultClaim,
     /// The method that found it.
     pub method: &'static str,
-    /// Steps of the method.
+    /// Iterations: steps of the method, and those of the contacts without adhesion that it solves.
     pub steps: usize,
     /// Work done.
     pub work: Work,

@@ -13,7 +13,7 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Problem, Status};
+use asperity::contact::{Problem, StateKind, Status};
 use asperity::error::{HistoryError, SlipError};
 use asperity::files::write_beside;
 use asperity::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history};
@@ -243,7 +243,8 @@ fn write(
 fn object(number: usize, state: &HistoryState, quantities: &[&HistoryQuantity]) -> Map<String, Value> {
     let first = [("state".to_owned(), Value::from(number + 1)), ("status".to_owned(), word(state.contact.status))];
     let claim: &str = state.claim.into();
-    let claim = state.numbers.residual.map(|_| ("claim".to_owned(), Value::from(claim)));
+    let is_adhesive = state.contact.values().kind == StateKind::Adhesion;
+    let claim = is_adhesive.then(|| ("claim".to_owned(), Value::from(claim)));
     let value = |it: &&HistoryQuantity| Some((it.name.to_owned(), Value::from((it.value)(state)?)));
     first.into_iter().chain(claim).chain(quantities.iter().filter_map(value)).collect()
 }

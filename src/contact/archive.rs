@@ -1,6 +1,6 @@
 //! The fields of contacts in one file.
 
-use crate::contact::{Contact, OBSERVABLES, PartialSlip, Resolved, State};
+use crate::contact::{Contact, OBSERVABLES, Observable, PartialSlip, Resolved, State};
 use crate::elastic::Stress;
 use crate::surface::{Field, PowerSpectrum};
 use ndarray::{
@@ -26,7 +26,7 @@ use std::slice::from_ref;
 /// | `x`, and `y` of rank 2                               | `(nx)`, `(ny)`       | positions of columns and rows, from 0       |
 /// | `size`                                               | `(rank)`             | lengths of the cell along the axes          |
 /// | `contact_modulus`                                    | `()`                 | `E*`                                        |
-/// | those of [`OBSERVABLES`]                             | `()`                 | load, area and all else, by their names     |
+/// | those of [`OBSERVABLES`] with a meaning              | `()`                 | load, area and all else, by their names     |
 /// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
 /// | `status`, `solver`                                   | bytes                | how the solver stopped, and its name        |
 /// | `coarser`                                            | `(6)`                | the contact on the next coarser grid: relative area, rms gradient, `kappa_r`, reduced pressure, and numbers of edges; NaN if it is not known |
@@ -260,8 +260,10 @@ impl<'n> ArchiveWriter<'n> {
             }
         }
         let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
-        let left_out = self.left_out;
-        for row in OBSERVABLES.iter().filter(|row| !left_out.contains(&row.name)) {
+        let (left_out, kind) = (self.left_out, first.values().kind);
+        // a number without a meaning is absent
+        let has = |row: &&Observable| row.validity.holds(kind) && !left_out.contains(&row.name);
+        for row in OBSERVABLES.iter().filter(has) {
             self.add_each(row.name, states.iter().map(|state| arr0((row.value)(state)).into()))?;
         }
         Ok(())

@@ -49,6 +49,9 @@ pub enum ResultClaim {
     /// A frame of a motion with adhesion, which is not in equilibrium.
     #[strum(message = "moving: not in equilibrium; the surfaces are on their way to the next state")]
     Moving,
+    /// A state with adhesion that was not found: the best one, which misses equilibrium by more than the tolerance.
+    #[strum(message = "not converged: equilibrium is missed by more than the tolerance")]
+    NotConverged,
     /// The attraction does not hold the load, and the surfaces have parted.
     #[strum(message = "separated: the attraction does not hold this load, and the surfaces have parted")]
     Separated,

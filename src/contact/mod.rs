@@ -49,6 +49,7 @@ mod status;
 mod step;
 mod stop;
 mod sums;
+mod validity;
 mod warnings;
 
 use crate::chunks;
@@ -93,4 +94,5 @@ pub use solver::{Observer, Solver, Wish};
 pub use status::Status;
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;
+pub use validity::{StateKind, StateValues, Validity};
 pub use warnings::{warning_of_rim, warning_of_trail, warnings_of};

@@ -1,8 +1,8 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, Status, certificate, chunks,
-    hysteretic_friction, multilevel,
+    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, StateValues, Status, certificate,
+    chunks, hysteretic_friction, multilevel,
 };
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
@@ -39,6 +39,7 @@ pub struct Contact {
     /// Why an observer failed, if one did.
     pub failure: Option<Arc<Failure>>,
     stiffness: OnceLock<f64>,
+    values: StateValues,
 }
 
 /// Work of a solver.
@@ -73,6 +74,7 @@ impl Contact {
             solver: solver.into(),
             failure: None,
             stiffness: OnceLock::new(),
+            values: StateValues::default(),
         }
     }
 
@@ -124,6 +126,7 @@ impl Contact {
             solver,
             failure,
             stiffness,
+            values: StateValues::default(),
         })
     }
 
@@ -137,6 +140,16 @@ impl Contact {
         let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
         let gap = Field::from_shape_vec(whole.raw_dim(), gap).expect("one value per node");
         Self { problem, displacement: whole, gap, certificate, ..self }
+    }
+
+    /// The contact with what the state of a history knows better.
+    pub fn with_values(self, values: StateValues) -> Self {
+        Self { values, ..self }
+    }
+
+    /// What the state of a history knows better than its contact; nothing for a contact that is no state.
+    pub fn values(&self) -> StateValues {
+        self.values
     }
 
     /// Whether the certificate met the tolerance.

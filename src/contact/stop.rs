@@ -98,6 +98,16 @@ impl Stop {
         self.pressure_tolerance
     }
 
+    /// The stop with another largest number of iterations, at least one.
+    pub(crate) fn within(self, max_iterations: usize) -> Self {
+        Self { max_iterations: max_iterations.max(1), ..self }
+    }
+
+    /// The stop with another certificate to reach, which must be positive.
+    pub(crate) fn at(self, tolerance: f64) -> Self {
+        Self { tolerance, pressure_tolerance: None, ..self }
+    }
+
     /// Largest number of iterations.
     pub fn max_iterations(&self) -> usize {
         self.max_iterations

@@ -48,7 +48,8 @@ pub enum AdhesionError {
     Pathless,
     /// The state was not found.
     #[error(
-        "the state with adhesion was not found in {steps} steps: its residual is {residual:.1e}. Take smaller steps of the load"
+        "the state with adhesion was not found in {steps} iterations: its residual is {residual:.1e}. Allow more iterations or a larger \
+         tolerance, take smaller steps of the load, or use another method"
     )]
     NotFound { steps: usize, residual: f64 },
     /// An observer stopped the solve.

@@ -1,8 +1,8 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
 use super::{
-    FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError, StepsError,
-    StudyError,
+    AdhesionError, FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError,
+    StepsError, StudyError,
 };
 
 impl FileError {
@@ -47,7 +47,19 @@ impl HistoryError {
             Self::Slip(error) => error.is_input(),
             Self::Creep(error) => error.is_input(),
             Self::Motion(error) => error.is_input(),
+            Self::Adhesion(error) => error.is_input(),
             Self::Stopped => false,
+            _ => true,
+        }
+    }
+}
+
+impl AdhesionError {
+    /// Whether another attraction, load or grid can help.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Solve(error) => error.is_input(),
+            Self::NotFound { .. } | Self::Stopped => false,
             _ => true,
         }
     }

@@ -1,6 +1,5 @@
 //! The state of a session, as the page gets it.
 
-use super::history_solver::StateNumbers;
 use super::knobs::{Knobs, MODULUS};
 use super::section::Section;
 use crate::contact::{Contact, Failure, Observables, Step};
@@ -182,11 +181,6 @@ impl Numbers {
     pub fn from_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
         Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
-    }
-
-    /// The numbers, with those that the state of a history knows better.
-    pub fn corrected(self, states: &StateNumbers) -> Self {
-        Self { observables: states.correct(self.observables), ..self }
     }
 
     /// The numbers of a contact.

@@ -3,7 +3,6 @@
 use super::description::Description;
 use super::hand::{HandMemory, Held, Hold};
 use super::height_knobs::HeightKnobs;
-use super::history_solver::StateNumbers;
 use super::knobs::Knobs;
 use super::listener::Listener;
 use super::motion::Motion;
@@ -327,14 +326,14 @@ impl Turn<'_> {
     pub fn finish(
         self,
         rank: usize,
-        (contact, states): (Contact, &StateNumbers),
+        contact: Contact,
         exact: Option<Exact>,
-        (beside, states_beside): (Option<Contact>, &StateNumbers),
+        beside: Option<Contact>,
         curves: TapeCurves,
         (steps, motion): (StepNumbers, Motion),
     ) {
-        let numbers = Numbers::from_contact(&contact).corrected(states);
-        let numbers_beside = beside.as_ref().map(|beside| Numbers::from_contact(beside).corrected(states_beside));
+        let numbers = Numbers::from_contact(&contact);
+        let numbers_beside = beside.as_ref().map(Numbers::from_contact);
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;

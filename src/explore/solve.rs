@@ -1,6 +1,6 @@
 //! One solve, recorded and reported while it runs.
 
-use super::history_solver::{HistorySolver, StateNumbers};
+use super::history_solver::HistorySolver;
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
@@ -55,16 +55,9 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let record = setup.record.clone();
-    let states = [StateNumbers::default(), StateNumbers::default()];
     let goes_on = || turn.goes_on();
     let [history, history_beside] = [Some(&setup), beside.as_ref().map(|(setup, _)| setup)]
-        .map(|setup| setup.filter(|_| is_history))
-        .into_iter()
-        .zip(&states)
-        .map(|(setup, states)| setup.map(|setup| HistorySolver::new(setup, &goes_on, states.clone())))
-        .collect::<Vec<_>>()
-        .try_into()
-        .unwrap_or_default();
+        .map(|setup| setup.filter(|_| is_history).map(|setup| HistorySolver::new(setup, &goes_on)));
     let job = Job::from_run(JobRun { title: Some(title), ..job_run(&setup, problem, history.as_ref()) });
     let job = beside.iter().fold(job, |job, (setup, problem)| {
         job.beside(JobRun { name: "beside".into(), ..job_run(setup, problem.clone(), history_beside.as_ref()) })
@@ -77,8 +70,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         turn,
         reported: Instant::now(),
         curves: tape::curves(&id),
-        steps: StepNumbers::new(states[0].clone()),
-        states: &states,
+        steps: StepNumbers::default(),
         motion: Motion::default(),
     };
     let solved = job.run(&mut watch)?.solved;
@@ -90,8 +82,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         return Err(SolveError::Observer(failure).into());
     }
     let RunCollector { curves, steps, motion, .. } = watch;
-    let [first, second] = states.each_ref();
-    turn.finish(rank, (contact, first), exact, (other, second), curves, (steps, motion));
+    turn.finish(rank, contact, exact, other, curves, (steps, motion));
     Ok(())
 }
 
@@ -135,14 +126,12 @@ struct RunCollector<'a> {
     curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
-    states: &'a [StateNumbers; 2],
 }
 
 /// Reports where a solve stands, if its numbers are those of the run, and ends it when its turn is over.
 struct ProgressReport<'w, 'a> {
     turn: Turn<'a>,
     reported: Option<&'w mut Instant>,
-    states: &'a StateNumbers,
 }
 
 impl job::Watcher for RunCollector<'_> {
@@ -150,10 +139,10 @@ impl job::Watcher for RunCollector<'_> {
         let turn = self.turn;
         match pass {
             Pass::Solve(_, 0) => {
-                let progress = ProgressReport { turn, reported: Some(&mut self.reported), states: &self.states[0] };
+                let progress = ProgressReport { turn, reported: Some(&mut self.reported) };
                 Box::new(((&mut self.curves, &mut self.steps, &mut self.motion), progress))
             }
-            _ => Box::new(ProgressReport { turn, reported: None, states: &self.states[1] }),
+            _ => Box::new(ProgressReport { turn, reported: None }),
         }
     }
 }
@@ -165,7 +154,7 @@ impl Observer for ProgressReport<'_, '_> {
         }
         if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
             **reported = Instant::now();
-            let (numbers, section) = (Numbers::from_step(step).corrected(self.states), Section::from_step(step));
+            let (numbers, section) = (Numbers::from_step(step), Section::from_step(step));
             self.turn.update_report(|news| {
                 if let Some(run) = &mut news.run {
                     (run.numbers, run.section) = (Some(numbers), Some(section));

@@ -1,6 +1,5 @@
 //! The numbers of the steps of a run.
 
-use super::history_solver::StateNumbers;
 use crate::contact::{Contact, Failure, OBSERVABLES, Observer, State, Step, Wish, Work};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -20,9 +19,6 @@ pub struct StepNumbers {
     seconds: Vec<f64>,
     #[serde(flatten)]
     columns: BTreeMap<&'static str, Vec<f64>>,
-    /// The numbers of the states of a history.
-    #[serde(skip)]
-    states: StateNumbers,
     /// Steps seen so far, and the power of two of which the numbers of kept ones are multiples.
     #[serde(skip)]
     seen: usize,
@@ -31,21 +27,14 @@ pub struct StepNumbers {
 }
 
 impl StepNumbers {
-    /// The numbers of steps that are the states of a history, if it is one.
-    pub fn new(states: StateNumbers) -> Self {
-        Self { states, ..Self::default() }
-    }
-
     fn add<'a>(&mut self, work: Work, state: impl Into<State<'a>>) {
         let state = state.into();
         self.seconds.push(work.seconds);
-        let of = |name: &str| OBSERVABLES.iter().find(|it| it.name == name).map_or(f64::NAN, |it| (it.value)(&state));
-        let load = of("reduced_pressure");
         for observable in OBSERVABLES.iter().filter(|it| it.is_traced || COUNTED.contains(&it.name)) {
-            let value = self.states.value(observable.name, load).unwrap_or_else(|| (observable.value)(&state));
-            self.columns.entry(observable.name).or_default().push(value);
+            self.columns.entry(observable.name).or_default().push((observable.value)(&state));
         }
-        let friction = of(FRICTION);
+        let found = OBSERVABLES.iter().find(|it| it.name == FRICTION);
+        let friction = found.map_or(f64::NAN, |it| (it.value)(&state));
         if friction.is_finite() {
             self.columns.entry(FRICTION).or_default().push(friction);
         }

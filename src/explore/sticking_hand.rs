@@ -1,6 +1,5 @@
 //! A contact with adhesion under the hand, which depends on the contacts before.
 
-use super::history_solver::StateNumbers;
 use super::refusal::Refusal;
 use super::report::Numbers;
 use crate::contact::{Contact, Load};
@@ -47,8 +46,6 @@ impl StickingHand {
 
     /// The numbers of the state.
     pub fn numbers(&self) -> Numbers {
-        let states = StateNumbers::default();
-        states.set(self.state.numbers, &self.state.contact);
-        Numbers::from_contact(&self.state.contact).corrected(&states)
+        Numbers::from_contact(&self.state.contact)
     }
 }

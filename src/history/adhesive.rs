@@ -1,15 +1,11 @@
 //! The process of adhesion along a path of loads, with its jumps.
 
+use super::adhesive_walk::{AdhesivePlace, AdhesiveStep, PathStep, Walk, sum};
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
-use crate::adhesion::{
-    AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem, AdhesiveState,
-};
-use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, Status, Stop, Work};
+use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem};
+use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, StateKind, StateValues, Status, Stop, Work};
 use crate::error::{AdhesionError, HistoryError};
 use crate::surface::Field;
-
-/// The part of a step of the path below which a step is not halved again.
-const FINEST: f64 = 1e-3;
 
 /// Energy over the work of adhesion that a step may lose before it is halved, as the part of the area of the cell.
 const JUMP: f64 = 2e-3;
@@ -45,22 +41,6 @@ pub(super) struct AdhesionLedger {
     lost: f64,
     /// Work of the load.
     work: f64,
-}
-
-/// A place on the path.
-#[derive(Clone)]
-pub(super) enum AdhesivePlace {
-    State(Box<AdhesiveState>),
-    /// The surfaces have parted.
-    Apart,
-}
-
-/// Where a step leads.
-pub(super) struct AdhesiveStep {
-    pub(super) place: AdhesivePlace,
-    /// The frames of the motion, with the method `gfmd`.
-    frames: Vec<AdhesiveState>,
-    pub(super) work: Work,
 }
 
 /// A place on the path, with the energies up to it: what a state of the history is made of.
@@ -155,38 +135,29 @@ impl AdhesiveProcess {
         visits: &mut Vec<AdhesiveVisit>,
     ) -> Result<(), AdhesionError> {
         let allowed = JUMP * self.problem.attraction().work();
-        let (begin, end) = (last.control.value(), target.value());
-        let (mut from, mut at, mut ledger) = (last.place.clone(), begin, last.ledger);
-        let mut work = Work::default();
-        let mut length = end - begin;
+        let (begin, end, mut ledger) = (last.control.value(), target.value(), last.ledger);
+        let mut walk = Walk::new(last.place.clone(), begin, end);
         loop {
-            let to = if (end - at).abs() <= length.abs() { end } else { at + length };
-            let is_short = (to - at).abs() <= FINEST * (end - begin).abs();
-            let step = match self.solve(target.with_value(to), Some(&from), observer) {
-                // close to a jump the safe method may be too slow
-                Err(AdhesionError::NotFound { .. }) if !is_short => {
-                    length *= 0.5;
-                    continue;
+            let found = self.step(&mut walk, target, observer);
+            let is_new = walk.at != begin;
+            let Some(PathStep { to, is_short, step }) = found.inspect_err(|_| {
+                if is_new {
+                    visits.push(AdhesiveVisit::calm(walk.from.clone(), target.with_value(walk.at), ledger, walk.work));
                 }
-                Err(error) => {
-                    if at != begin {
-                        visits.push(AdhesiveVisit::calm(from, target.with_value(at), ledger, work));
-                    }
-                    return Err(error);
-                }
-                Ok(found) => found,
+            })?
+            else {
+                continue;
             };
             let AdhesiveStep { place: after, frames, work: spent } = step;
-            let missed = lost(&from, &after);
-            if missed.abs() > allowed && !is_short {
-                work = sum(work, spent);
-                length *= 0.5;
+            let missed = lost(&walk.from, &after);
+            if missed.abs() > allowed && !is_short && missed.is_finite() {
+                walk.halve(to, spent);
                 continue;
             }
-            let is_jump = missed > allowed;
-            if is_jump && at != begin {
-                let before = std::mem::take(&mut work);
-                visits.push(AdhesiveVisit::calm(from.clone(), target.with_value(at), ledger, before));
+            let is_jump = missed > allowed + trapezium_error(&walk.from, &after);
+            if is_jump && is_new {
+                let before = std::mem::take(&mut walk.work);
+                visits.push(AdhesiveVisit::calm(walk.from.clone(), target.with_value(walk.at), ledger, before));
             }
             let mut shown = Work::default();
             for frame in frames.into_iter().filter(|_| is_jump) {
@@ -194,18 +165,55 @@ impl AdhesiveProcess {
                 let place = AdhesivePlace::State(Box::new(frame));
                 visits.push(AdhesiveVisit::calm(place, target.with_value(to), ledger, since));
             }
-            work = sum(work, less(spent, shown));
+            walk.work = sum(walk.work, less(spent, shown));
             let jump = Some(missed).filter(|lost| is_jump && lost.is_finite());
             ledger.lost += jump.unwrap_or(0.0);
-            ledger.work += work_of_load(&from, &after);
+            ledger.work += work_of_load(&walk.from, &after);
             if to == end || is_jump {
                 let (place, control) = (after.clone(), target.with_value(to));
-                visits.push(AdhesiveVisit { place, control, ledger, jump, work: std::mem::take(&mut work) });
+                visits.push(AdhesiveVisit { place, control, ledger, jump, work: std::mem::take(&mut walk.work) });
             }
             if to == end {
                 return Ok(());
             }
-            (from, at, length) = (after, to, 2.0 * length);
+            walk.arrive(after, to);
+        }
+    }
+
+    /// The next step of a walk; none where it is too long, and has been halved. The load that parts the surfaces is found by bisection to a part of
+    /// itself, whatever the length of the path. A state that is not found is the end of the walk.
+    fn step(
+        &self,
+        walk: &mut Walk,
+        target: AdhesiveControl,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<PathStep>, AdhesionError> {
+        if let Some(known) = walk.known() {
+            return Ok(Some(known));
+        }
+        let (to, is_short) = walk.next(target.value());
+        let step = self.solve(target.with_value(to), Some(&walk.from), observer)?;
+        let found = PathStep { to, is_short, step };
+        match found.step.place.fault() {
+            Some(error) if is_short => {
+                walk.work = sum(walk.work, found.step.work);
+                // close to a jump the safe method may be too slow; where the surfaces part beyond, they part here
+                let Some(known) = walk.parted.take() else {
+                    (walk.from, walk.at) = (found.step.place, to);
+                    return Err(error);
+                };
+                Ok(Some(known))
+            }
+            Some(_) => {
+                walk.halve(to, found.step.work);
+                Ok(None)
+            }
+            None if walk.parts_far(&found) => {
+                walk.halve(to, found.step.work);
+                walk.parted = Some(PathStep { step: AdhesiveStep { work: Work::default(), ..found.step }, ..found });
+                Ok(None)
+            }
+            None => Ok(Some(found)),
         }
     }
 
@@ -220,15 +228,15 @@ impl AdhesiveProcess {
         };
         match place {
             AdhesivePlace::State(state) => {
-                let counted = state.contact.counted();
+                let values = state.contact.values();
                 let numbers = HistoryNumbers {
                     net_pressure: Some(state.mean_pressure),
                     attraction: state.traction.mean(),
-                    relative_area: Some(counted.relative_area),
-                    kappa_r: Some(counted.kappa_r).filter(|it| it.is_finite()),
+                    relative_area: values.relative_area,
                     stored: Some(state.energy),
                     residual: Some(state.residual),
                     least_curvature: state.least_curvature,
+                    curvature_error: state.curvature_error,
                     ..numbers
                 };
                 let fields = vec![HistoryField::attraction(state.traction)];
@@ -245,7 +253,7 @@ impl AdhesiveProcess {
                     ..numbers
                 };
                 HistoryState {
-                    contact: self.apart(),
+                    contact: self.apart(control),
                     point,
                     claim: ResultClaim::Separated,
                     numbers,
@@ -257,7 +265,7 @@ impl AdhesiveProcess {
     }
 
     /// The contact of surfaces that have parted, drawn beyond the attraction.
-    fn apart(&self) -> Contact {
+    fn apart(&self, control: AdhesiveControl) -> Contact {
         let problem = self.problem.problem();
         let attraction = self.problem.attraction();
         let datum = problem.highest() + attraction.cutoff().min(APART * attraction.range());
@@ -266,6 +274,12 @@ impl AdhesiveProcess {
         let parts = (Certificate::UNKNOWN, Work::default(), Status::Converged);
         Contact::from_parts(problem.clone(), [zero.clone(), zero, gap], parts, "none", None)
             .expect("fields fit the grid")
+            .with_values(StateValues {
+                kind: StateKind::Adhesion,
+                mean_pressure: Some(control.value()),
+                relative_area: Some(0.0),
+                kappa_r: None,
+            })
     }
 }
 
@@ -277,8 +291,9 @@ impl Process for AdhesiveProcess {
             let Some(mut from) = last.take() else {
                 let AdhesiveStep { place, work, .. } = self.solve(target, None, observer)?;
                 let visit = AdhesiveVisit::calm(place, target, AdhesionLedger::default(), work);
-                last = Some(visit.kept());
+                let kept = last.insert(visit.kept());
                 each(self.told(visit, Some(number)))?;
+                kept.place.fault().map_or(Ok(()), Err)?;
                 continue;
             };
             let begin = from.control.value();
@@ -317,11 +332,28 @@ impl AdhesiveVisit {
 /// Energy that a step loses, per area; infinite where the surfaces part, and none where they come together from afar.
 fn lost(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
     match (from, to) {
+        // a convex energy has no jumps
+        (AdhesivePlace::State(before), AdhesivePlace::State(after))
+            if [before, after].iter().all(|it| it.claim == ResultClaim::Solution) =>
+        {
+            0.0
+        }
         (AdhesivePlace::State(before), AdhesivePlace::State(after)) => {
             before.energy - after.energy + work_of_load(from, to)
         }
         (AdhesivePlace::State(_), AdhesivePlace::Apart) => f64::INFINITY,
         (AdhesivePlace::Apart, _) => 0.0,
+    }
+}
+
+/// The largest error of the work of the load in a step without a jump, per area: half of `|dP dd|`, since the pressure changes in one sense in a
+/// short step. In a jump either the load or the datum hardly changes.
+fn trapezium_error(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
+    match (from, to) {
+        (AdhesivePlace::State(from), AdhesivePlace::State(to)) => {
+            0.5 * ((to.mean_pressure - from.mean_pressure) * (to.datum - from.datum)).abs()
+        }
+        _ => 0.0,
     }
 }
 
@@ -332,14 +364,6 @@ fn work_of_load(from: &AdhesivePlace, to: &AdhesivePlace) -> f64 {
             -0.5 * (from.mean_pressure + to.mean_pressure) * (to.datum - from.datum)
         }
         _ => 0.0,
-    }
-}
-
-fn sum(a: Work, b: Work) -> Work {
-    Work {
-        iterations: a.iterations + b.iterations,
-        transforms: a.transforms + b.transforms,
-        seconds: a.seconds + b.seconds,
     }
 }
 

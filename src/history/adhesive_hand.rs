@@ -1,6 +1,7 @@
 //! A contact with adhesion that is moved by hand.
 
-use super::adhesive::{AdhesionLedger, AdhesivePlace, AdhesiveProcess, AdhesiveStep, AdhesiveVisit};
+use super::adhesive::{AdhesionLedger, AdhesiveProcess, AdhesiveVisit};
+use super::adhesive_walk::{AdhesivePlace, AdhesiveStep};
 use super::process::HistoryState;
 use crate::adhesion::AdhesiveControl;
 use crate::contact::Load;
@@ -26,6 +27,7 @@ impl AdhesiveHand {
         let (first, rest) = loads.split_first().ok_or(AdhesionError::Pathless)?;
         let control = process.control(*first);
         let AdhesiveStep { place, work, .. } = process.solve(control, None, &mut ())?;
+        place.fault().map_or(Ok(()), Err)?;
         let mut last = AdhesiveVisit::calm(place, control, AdhesionLedger::default(), work);
         for load in rest {
             last = end_of(&process, &last, process.control(*load))?;
@@ -55,8 +57,10 @@ impl AdhesiveHand {
     /// Goes on in one step, or in as many as it takes to find each state.
     fn step_to(&mut self, target: AdhesiveControl) -> Result<(), AdhesionError> {
         self.last = match self.process.solve(target, Some(&self.last.place), &mut ()) {
-            Ok(AdhesiveStep { place, work, .. }) => AdhesiveVisit { place, control: target, work, ..self.last.kept() },
-            Err(AdhesionError::NotFound { .. }) => {
+            Ok(AdhesiveStep { place, work, .. }) if place.fault().is_none() => {
+                AdhesiveVisit { place, control: target, work, ..self.last.kept() }
+            }
+            Ok(_) | Err(AdhesionError::NotFound { .. }) => {
                 let from = AdhesiveVisit { control: self.begin(target), ..self.last.kept() };
                 end_of(&self.process, &from, target)?
             }

@@ -1,7 +1,7 @@
 //! What a history with adhesion adds up to.
 
 use super::HistoryState;
-use crate::contact::ResultClaim;
+use crate::contact::{ResultClaim, StateKind};
 use serde::Serialize;
 
 /// What a history with adhesion adds up to. The frames of a motion do not count.
@@ -41,7 +41,7 @@ impl AdhesionTotals {
     /// motion.
     pub fn new(states: &[HistoryState]) -> Option<Self> {
         let first = states.first()?;
-        first.numbers.residual?;
+        (first.contact.values().kind == StateKind::Adhesion).then_some(())?;
         let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
         let pressure = |state: &HistoryState| state.numbers.net_pressure.unwrap_or(f64::NAN);
         let is_frame = |state: &&HistoryState| state.claim == ResultClaim::Moving;

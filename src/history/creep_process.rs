@@ -2,7 +2,7 @@
 
 use super::process::{EachState, PathPoint, Process};
 use super::{Creep, CreepPath, CreepState, CreepSteps, HistoryField, HistoryNumbers, HistoryState, TimeErrors};
-use crate::contact::{Load, Observer, Problem, ResultClaim, Solver, Stop};
+use crate::contact::{Load, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Stop};
 use crate::elastic::Prony;
 use crate::error::{CreepError, HistoryError};
 
@@ -79,7 +79,9 @@ impl CreepState {
             ..HistoryNumbers::default()
         };
         let fields = vec![HistoryField::remembered(effective - &self.contact.pressure)];
-        let (claim, work, contact) = (ResultClaim::Solution, self.contact.work, self.contact);
+        let HistoryNumbers { relative_area, kappa_r, .. } = numbers;
+        let values = StateValues { kind: StateKind::Creep, mean_pressure: None, relative_area, kappa_r };
+        let (claim, work, contact) = (ResultClaim::Solution, self.contact.work, self.contact.with_values(values));
         HistoryState { contact, point, claim, numbers, fields, work }
     }
 }

@@ -119,10 +119,12 @@ pub struct HistoryNumbers {
     pub attraction: Option<f64>,
     /// Energy lost in the jump that ends with this state, per area of the cell.
     pub jump: Option<f64>,
-    /// The largest violation of equilibrium at a node, over the strength of the attraction.
+    /// The largest violation of equilibrium at a node: see [`AdhesiveState`](crate::adhesion::AdhesiveState).
     pub residual: Option<f64>,
     /// The least curvature of the energy over that of the softest wave of the solid; positive where the state is stable.
     pub least_curvature: Option<f64>,
+    /// The error of the least curvature: there is an eigenvalue that is at most so far away.
+    pub curvature_error: Option<f64>,
 }
 
 impl HistoryField {

@@ -1,6 +1,7 @@
 //! The numbers of the states of a history: the one table of them.
 
 use super::HistoryState;
+use crate::contact::Validity;
 
 /// The unit of a number of a state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,7 +49,7 @@ pub const HISTORY_QUANTITIES: &[HistoryQuantity] = &[
     quantity("friction_full_contact", "friction in full contact", HistoryUnit::One, "Friction coefficient in full contact under the same load, exact where all nodes touch.", |it| it.numbers.friction_full_contact),
     quantity("friction_persson", "friction by Persson", HistoryUnit::One, "Friction coefficient of Persson's theory, an estimate for partial contact.", |it| it.numbers.friction_persson),
     quantity("relative_area", "relative area", HistoryUnit::One, "Relative contact area, with edges interpolated between the nodes.", |it| Some(it.relative_area())),
-    quantity("kappa_r", "kappa_r", HistoryUnit::One, "Area-load factor with the rms gradient in contact; of a solid that creeps, with its effective modulus.", |it| Some(it.kappa_r())),
+    quantity("kappa_r", "kappa_r", HistoryUnit::One, "Area-load factor with the rms gradient in contact; of a solid that creeps, with its effective modulus.", |it| it.is_known(Validity::NoAdhesion).then(|| it.kappa_r())),
     quantity("effective_modulus", "effective modulus", HistoryUnit::Pressure, "Contact modulus in kappa_r of a contact that slides over a viscoelastic solid.", |it| it.numbers.speed.map(|_| it.contact.effective_modulus())),
     quantity("mean_gap", "mean gap", HistoryUnit::Length, "Mean gap.", |it| Some(it.contact.mean_gap())),
     quantity("plastic_overlap", "plastic overlap", HistoryUnit::Length, "Mean overlap of the surfaces where they yield, not part of the mean gap.", |it| it.contact.problem.law().hardness().map(|_| it.contact.plasticity().overlap)),
@@ -68,9 +69,10 @@ pub const HISTORY_QUANTITIES: &[HistoryQuantity] = &[
     quantity("work_time_error", "error in time of the work", HistoryUnit::EnergyPerArea, "Estimated error of the work of the load, and of its balance with the stored and dissipated energy, that the length of the steps in time causes, per area of the cell.", |it| it.numbers.work_time_error),
     quantity("history_bound", "bound through time", HistoryUnit::One, "Bound of the relative error of the effective pressure that the solver caused in all steps so far.", |it| it.numbers.history_bound),
     quantity("jump", "energy of the jump", HistoryUnit::EnergyPerArea, "Energy lost in the jump that ends with this state, per area of the cell.", |it| it.numbers.jump),
-    quantity("residual", "residual", HistoryUnit::One, "Largest violation of equilibrium at a node over the strength of the attraction.", |it| it.numbers.residual),
+    quantity("residual", "residual", HistoryUnit::One, "Largest violation of equilibrium at a node: a pressure over the strength of the attraction, or the displacement by it over the range.", |it| it.numbers.residual),
     quantity("least_curvature", "least curvature", HistoryUnit::One, "Least curvature of the energy over that of the softest wave; positive where the state is stable.", |it| it.numbers.least_curvature),
-    quantity("certificate", "certificate", HistoryUnit::One, "Certificate eta of the pressure.", |it| it.numbers.residual.is_none().then_some(it.contact.certificate.eta)),
+    quantity("curvature_error", "error of the curvature", HistoryUnit::One, "Error of the least curvature: there is an eigenvalue that is at most so far away.", |it| it.numbers.curvature_error),
+    quantity("certificate", "certificate", HistoryUnit::One, "Certificate eta of the pressure.", |it| it.is_known(Validity::NoAdhesion).then_some(it.contact.certificate.eta)),
     quantity("traction_certificate", "certificate of the traction", HistoryUnit::One, "Certificate eta of the traction.", |it| it.numbers.traction_certificate),
     quantity("transforms", "transforms", HistoryUnit::One, "Fourier transforms since the state before.", |it| Some(it.work.transforms as f64)),
 ];
@@ -86,6 +88,11 @@ const fn quantity(
 }
 
 impl HistoryState {
+    /// Whether a number of a validity has a meaning for the state.
+    fn is_known(&self, validity: Validity) -> bool {
+        validity.holds(self.contact.values().kind)
+    }
+
     /// Relative contact area, with edges interpolated between the nodes: of a solid that creeps, by its effective pressure.
     pub fn relative_area(&self) -> f64 {
         self.numbers.relative_area.unwrap_or_else(|| self.contact.resolved().relative_area)

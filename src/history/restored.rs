@@ -1,7 +1,7 @@
 //! States of histories made from their numbers, such as those of a file.
 
 use super::{HistoryField, HistoryNumbers, HistoryState};
-use crate::contact::{Contact, ResultClaim, Work};
+use crate::contact::{Contact, ResultClaim, StateKind, StateValues, Work};
 use crate::surface::Field;
 
 impl HistoryState {
@@ -12,7 +12,13 @@ impl HistoryState {
         number: impl Fn(&str) -> Option<f64>,
         fields: Vec<HistoryField>,
     ) -> Self {
-        let residual = number("residual");
+        let has = |name: &str| fields.iter().any(|it| it.name == name);
+        let kind = match (has("attraction"), has("stored_strain")) {
+            (true, _) => StateKind::Adhesion,
+            (false, true) => StateKind::Creep,
+            (false, false) => StateKind::Elastic,
+        };
+        let is_adhesive = kind == StateKind::Adhesion;
         let numbers = HistoryNumbers {
             time: number("time"),
             speed: number("speed"),
@@ -38,11 +44,18 @@ impl HistoryState {
             work_time_error: number("work_time_error"),
             history_bound: number("history_bound"),
             traction_certificate: number("traction_certificate"),
-            net_pressure: residual.and_then(|_| number("mean_pressure")),
+            net_pressure: number("mean_pressure").filter(|_| is_adhesive),
             attraction: number("mean_attraction"),
             jump: number("jump"),
-            residual,
+            residual: number("residual"),
             least_curvature: number("least_curvature"),
+            curvature_error: number("curvature_error"),
+        };
+        let HistoryNumbers { net_pressure: mean_pressure, relative_area, kappa_r, .. } = numbers;
+        // other states have these numbers by their contacts
+        let contact = match kind {
+            StateKind::Elastic => contact,
+            _ => contact.with_values(StateValues { kind, mean_pressure, relative_area, kappa_r }),
         };
         let transforms = number("transforms").map_or(0, |it| it as u64);
         let work = Work { transforms, ..contact.work };

@@ -1,7 +1,7 @@
 //! A run of a setup with a history: creep, slip, sliding or rolling.
 
 use crate::adhesion::AdhesionScales;
-use crate::contact::{Observer, Problem, Status, warning_of_trail};
+use crate::contact::{Observer, Problem, ResultClaim, Status, warning_of_trail};
 use crate::error::{HistoryError, SetupError};
 use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses};
 use crate::setup::{ProcessKind, Setup};
@@ -103,9 +103,13 @@ impl HistoryOutcome {
     /// Reasons to doubt the states.
     pub fn warnings(&self) -> Vec<Warning> {
         let missed = self.states.iter().filter(|state| !state.contact.is_converged()).count();
+        let goal = match self.kind {
+            ProcessKind::Adhesion => "are not converged: equilibrium is missed by more than the tolerance",
+            _ => "did not reach their certificate",
+        };
         let missed = (missed > 0).then(|| {
             Warning::new(
-                format!("{missed} of {} states did not reach their certificate", self.states.len()),
+                format!("{missed} of {} states {goal}", self.states.len()),
                 "Use a larger tolerance, or more iterations",
             )
             .with_remedy("stop.tolerance", None)
@@ -121,7 +125,54 @@ impl HistoryOutcome {
             .with_remedy("grid.points", None)
         });
         let trail = warning_of_trail(self.states.iter().map(|state| &state.contact));
-        self.doubts.iter().cloned().chain(missed).chain(coarse).chain(trail).collect()
+        let missed = self.doubts.iter().cloned().chain(missed);
+        missed.chain(coarse).chain(trail).chain(self.unstable()).collect()
+    }
+
+    /// Warnings about states with adhesion that are in equilibrium, but not stable, or not known to be.
+    fn unstable(&self) -> impl Iterator<Item = Warning> {
+        let count = self.states.len();
+        let saddles = self.numbers_of(ResultClaim::Saddle);
+        let saddles = (!saddles.is_empty()).then(|| {
+            Warning::new(
+                format!(
+                    "{} of {count} states ({}): in equilibrium, but not stable, so that a small change grows",
+                    saddles.len(),
+                    in_words(&saddles)
+                ),
+                "Use smaller steps of the path, or another adhesion method",
+            )
+            .with_remedy("path.steps", None)
+            .with_remedy("adhesion.method", None)
+        });
+        let unknown = self.numbers_of(ResultClaim::Stationary);
+        let unknown = (!unknown.is_empty()).then(|| {
+            Warning::new(
+                format!(
+                    "The stability of {} of {count} states ({}) is not known, since it is not computed on a free boundary",
+                    unknown.len(),
+                    in_words(&unknown)
+                ),
+                "Compare with a periodic cell that is wide beside the contact",
+            )
+            .with_remedy("grid.boundary", Some("periodic"))
+        });
+        saddles.into_iter().chain(unknown)
+    }
+
+    /// The numbers of the states with a claim, from 1.
+    fn numbers_of(&self, claim: ResultClaim) -> Vec<usize> {
+        let all = self.states.iter().enumerate().filter(|(_, state)| state.claim == claim);
+        all.map(|(i, _)| i + 1).collect()
+    }
+}
+
+/// Some numbers in words: one, or the first and the last one.
+fn in_words(numbers: &[usize]) -> String {
+    match numbers {
+        [] => String::new(),
+        [one] => format!("state {one}"),
+        [first, .., last] => format!("states {first} to {last}"),
     }
 }
 

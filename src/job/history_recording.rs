@@ -6,7 +6,7 @@ use crate::error::FileError;
 use crate::history::{HistoryQuantity, HistoryState, HistoryUnit};
 use crate::plot::Colour;
 use crate::record::{CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Timeline};
-use crate::setup::Setup;
+use crate::setup::{ProcessKind, Setup};
 use std::path::Path;
 
 /// Quantities without a curve: those that other curves or the axis show.
@@ -90,9 +90,9 @@ impl HistoryOutcome {
     /// The state in a few words.
     fn caption(&self, i: usize) -> String {
         let state = &self.states[i];
-        let said: &[&str] = match state.numbers.residual {
-            Some(_) => &["mean_pressure", "mean_gap"],
-            None => &["time", "speed", "creepage", "friction"],
+        let said: &[&str] = match self.kind {
+            ProcessKind::Adhesion => &["mean_pressure", "mean_gap"],
+            _ => &["time", "speed", "creepage", "friction"],
         };
         let words = self.quantities().into_iter().filter(|it| said.contains(&it.name)).filter_map(|it| {
             (it.value)(state).map(|value| format!("{} {}", it.title, crate::quantity::number_in_words(value)))

@@ -6,6 +6,7 @@ mod common;
 mod adhesion;
 mod adhesion_motion;
 mod adhesion_rough;
+mod adhesion_stiff;
 mod creep;
 mod direct_sum;
 mod flow;

@@ -229,6 +229,101 @@ fn table_column(folder: &Folder, file: &str, name: &str) -> Vec<String> {
     csv.records().map(|row| row.unwrap()[place].to_owned()).collect()
 }
 
+const STIFF: &str = "solve --indenter sine --amplitude 1um --points 64 --size 10um --modulus 200GPa";
+
+/// The attraction is 5e-8 of the modulus, so that rounding of the elastic stress hides it: both methods find the state.
+#[test]
+fn a_stiff_solid_has_a_state_that_is_found() {
+    let folder = Folder::new();
+    for load in ["--mean-gap 0.5um", "--pressure 1GPa"] {
+        let [fast, safe] = ["fast", "safe"].map(|method| {
+            json(
+                &folder,
+                &format!("{STIFF} --adhesion 10mJ/m^2 --adhesion-range 1um {load} --adhesion-method {method}"),
+            )
+        });
+        assert_eq!(claims(&fast), claims(&safe), "{load}");
+        assert!(!claims(&fast).contains(&"not-converged"));
+        for (found, goal) in [(&fast, 1e-8), (&safe, 1e-6)] {
+            assert!(column(found, "residual").iter().all(|residual| *residual <= goal), "{load}");
+        }
+        for name in ["mean_pressure", "mean_gap", "mean_attraction"] {
+            let [fast, safe] = [column(&fast, name)[0], column(&safe, name)[0]];
+            assert!((fast / safe - 1.0).abs() < 1e-6, "{load}, {name}: {fast} {safe}");
+        }
+    }
+}
+
+/// The iterations are those of the whole state, and a state that misses its goal is claimed as nothing else.
+#[test]
+fn a_state_that_is_not_converged_says_so() {
+    let folder = Folder::new();
+    for method in ["fast", "safe", "gfmd"] {
+        let line = format!("{SINE} {STICKY} --mean-gap 0.6um --adhesion-method {method} --max-iterations 3 --json");
+        let output = folder.run(&line);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(3), "{method}: {said}");
+        assert!(said.contains("not converged") && said.contains("in 3 iterations"), "{method}: {said}");
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!((claims(&found), &found["states"][0]["status"]), (vec!["not-converged"], &"iteration-cap".into()));
+    }
+}
+
+/// Numbers of a contact without adhesion are in no file; the reduced pressure is that of the state.
+#[test]
+fn numbers_without_a_meaning_are_absent() {
+    let folder = Folder::new();
+    let found =
+        json(&folder, &format!("{SINE} {STICKY} --mean-gap 1um --path-load 1.6um,0.6um --path-steps 2 --out a.npz"));
+    let mut archive = NpzReader::new(File::open(folder.join("a.npz")).unwrap()).unwrap();
+    let numbers =
+        |archive: &mut NpzReader<File>, name: &str| archive.by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix1>(name);
+    let unit = numbers(&mut archive, "rms_gradient").unwrap()[0] * 1e6;
+    let reduced = numbers(&mut archive, "reduced_pressure").unwrap();
+    let expected: Vec<f64> = column(&found, "mean_pressure").iter().map(|pressure| pressure / unit).collect();
+    assert!(reduced.iter().zip(&expected).all(|(a, b)| (a - b).abs() <= 1e-12 * b.abs()), "{reduced} {expected:?}");
+    for name in ["kappa", "kappa_r", "kappa_r_counted", "elastic_energy", "reduced_pressure_contact", "certificate"] {
+        assert!(numbers(&mut archive, name).is_err() && found["states"][0].get(name).is_none(), "{name}");
+    }
+    let areas =
+        [numbers(&mut archive, "relative_area").unwrap(), numbers(&mut archive, "relative_area_counted").unwrap()];
+    assert_eq!(areas[0], areas[1]);
+}
+
+/// On a free boundary the stability is not known, which a warning says.
+#[test]
+fn states_of_unknown_stability_have_a_warning() {
+    let folder = Folder::new();
+    let line = "solve --indenter cylinder --radius 1mm --points 128 --size 200um --boundary free --modulus 1MPa --adhesion 10mJ/m^2 \
+                --adhesion-range 1um --approach 1um";
+    let output = folder.run(line);
+    let said = text(&output.stderr);
+    assert!(
+        output.status.success() && said.contains("The stability of 1 of 1 states (state 1) is not known"),
+        "{said}"
+    );
+}
+
+/// A study has the pull-off of a weak attraction on a long path, which a path around it has as well.
+#[test]
+fn a_study_finds_a_pull_off_that_is_short_on_its_path() {
+    let folder = Folder::new();
+    let scene = |end: &str| {
+        format!(
+            "surface = {{ indenter = {{ shape = \"sine\", amplitude = \"1um\" }} }}\ngrid = {{ points = 256, size = \"20um\" }}\n\
+             solid = {{ contact-modulus = \"1MPa\" }}\nload = {{ mean-pressure = \"1kPa\" }}\n\
+             adhesion = {{ work = [\"0.1mJ/m^2\"], range = \"100nm\" }}\npath = {{ load = [\"1kPa\", \"{end}\"], steps = 2 }}\n"
+        )
+    };
+    let lowest = ["-1MPa", "-200Pa", "-150Pa"].map(|end| {
+        std::fs::write(folder.join("study.toml"), scene(end)).unwrap();
+        let output = folder.run("study study.toml --fresh");
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        table_column(&folder, "study.csv", "lowest_pressure")[0].parse::<f64>().unwrap()
+    });
+    assert!(lowest.iter().all(|it| *it < 0.0 && (it / lowest[1] - 1.0).abs() < 0.01), "{lowest:?}");
+}
+
 /// A study over works of adhesion and roughnesses has the pull-off of each scene, which the scene alone has as well; its shares give the same
 /// table, and rows that are there are not solved again.
 #[test]

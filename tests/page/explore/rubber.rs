@@ -157,6 +157,14 @@ fn a_contact_in_time_is_that_of_a_softer_solid() {
     let last = outcome.states.last().unwrap();
     assert_eq!(Some(number(&run, "relative_area")), last.numbers.relative_area);
     assert_eq!(Some(number(&run, "kappa_r")), last.numbers.kappa_r);
+    // the file that the page offers has the numbers of the state
+    let arrays = page.get(&format!("/save/{}.npz", run["id"].as_str().unwrap()));
+    let mut npz = ndarray_npy::NpzReader::new(std::io::Cursor::new(arrays.body)).unwrap();
+    let mut saved = |name: &str| npz.by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix0>(name).map(|it| it.into_scalar());
+    for name in ["relative_area", "kappa_r", "mean_gap"] {
+        assert_eq!(saved(name).unwrap(), number(&run, name), "{name}");
+    }
+    assert!(saved("elastic_energy").is_err() && saved("kappa").is_err());
     assert!(run["command"].as_str().unwrap().contains(" --path-time 1"), "{}", run["command"]);
     let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
     let steps = facet("steps");
