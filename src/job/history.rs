@@ -8,6 +8,9 @@ use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
 use serde::Serialize;
 
+/// Errors in time of states with less than this part of the largest mean pressure are not compared with the tolerance.
+const SMALL: f64 = 1e-2;
+
 /// A process zone of fewer spacings gets a warning.
 const FEW_SPACINGS: f64 = 4.0;
 
@@ -79,7 +82,32 @@ impl HistoryOutcome {
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<HistoryState>) -> Result<Self, SetupError> {
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
-        Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None, doubts: setup.warnings_of_creep() })
+        Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None, doubts: setup.warnings_of_creep() }
+            .with_time_errors(setup))
+    }
+
+    /// The history, with a reason to doubt it where errors in time are above the tolerance.
+    fn with_time_errors(mut self, setup: &Setup) -> Self {
+        let tolerance = setup.time_tolerance();
+        let largest = self.states.iter().map(|it| it.contact.mean_pressure()).fold(0.0, f64::max);
+        let errors = self.states.iter().filter(|it| it.contact.mean_pressure() >= SMALL * largest);
+        let above: Vec<f64> = errors.filter_map(|it| it.numbers.time_error).filter(|it| *it > tolerance).collect();
+        if !above.is_empty() {
+            let most = above.iter().copied().fold(0.0, f64::max);
+            self.doubts.push(
+                Warning::new(
+                    format!(
+                        "The estimated error in time of the contact pressure is above the tolerance of {tolerance:e} in {} of {} states, by up \
+                         to {most:.1e}",
+                        above.len(),
+                        self.states.len()
+                    ),
+                    "Read the stated errors in time, or use a smaller tolerance of the error in time",
+                )
+                .with_remedy("path.time-tolerance", None),
+            );
+        }
+        self
     }
 
     /// The quantities that the states have, in the order of their table.

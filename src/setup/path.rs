@@ -41,7 +41,7 @@ pub struct LoadPath {
     /// tolerance needs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps: Option<usize>,
-    /// The largest estimated relative error of a step in time; 1e-3 if it is left out.
+    /// The tolerance of relative errors in time, of pressure, mean gap and lost energy; 1e-2 if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_tolerance: Option<f64>,
 }

@@ -365,14 +365,19 @@ impl Setup {
         Ok(AdhesiveProcess::new(problem, self.path_points(), steps, adhesion.method, self.stop))
     }
 
+    /// The tolerance of relative errors in time.
+    pub fn time_tolerance(&self) -> f64 {
+        self.path.as_ref().and_then(|path| path.time_tolerance).unwrap_or(TIME_TOLERANCE)
+    }
+
     /// What makes the history of a problem on a solid that creeps along the path of this setup.
     ///
     /// # Errors
     /// The errors of [`Viscoelastic::prony`](super::Viscoelastic::prony) and of [`CreepProcess::new`].
     pub fn creep(&self, problem: Problem) -> Result<CreepProcess<'_>, SetupError> {
-        let (steps, tolerance) = self.path.as_ref().map_or((None, None), |path| (path.steps, path.time_tolerance));
+        let steps = self.path.as_ref().and_then(|path| path.steps);
         let (points, solver) = (self.path_points(), self.solver.solver());
-        let steps = (steps, tolerance.unwrap_or(TIME_TOLERANCE));
+        let steps = (steps, self.time_tolerance());
         Ok(CreepProcess::new((problem, self.prony()?), &points, steps, (solver, self.stop))?)
     }
 
