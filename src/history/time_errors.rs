@@ -119,13 +119,9 @@ struct Unknown {
 }
 
 impl Unknown {
-    /// From the largest errors of pressure and gap in time, to which those of the solver are added.
+    /// From the largest errors of pressure and gap in time.
     fn new(state: &CreepState, [pressure, gap]: [f64; 2]) -> Self {
         let contact = &state.contact;
-        let certificate = &contact.certificate;
-        let bound = certificate.pressure_error_bound * rms(&contact.pressure);
-        let pressure = pressure + if bound.is_finite() { bound } else { 0.0 };
-        let gap = gap + certificate.penetration * contact.problem.rms_height();
         let nodes = contact.pressure.len() as f64;
         let count = |is: &dyn Fn(f64, f64) -> bool| {
             contact.pressure.iter().zip(&contact.gap).filter(|(p, g)| is(**p, **g)).count() as f64 / nodes
