@@ -55,8 +55,8 @@ impl Difference {
     pub fn new(coarse: &CreepState, fine: &CreepState, earlier: &CreepState) -> Self {
         let pressure = &coarse.contact.pressure - &fine.contact.pressure;
         let gap = &coarse.contact.gap - &fine.contact.gap;
-        let unknown = Unknown::new(fine, [&pressure, &gap].map(largest));
-        let off = rms(&pressure).max(unknown.pressure).max(NEW * new_pressure(fine, earlier));
+        let undecided = undecided(fine, [&pressure, &gap].map(largest));
+        let off = rms(&pressure).max(late_pressure(coarse, fine)).max(NEW * new_pressure(fine, earlier));
         let mean = |field: &Field| field.mean().unwrap_or(0.0).abs().max(LEAST_MEAN * rms(field));
         let [is_pressure, is_gap] = [Load::is_pressure, |load: &Load| matches!(load, Load::MeanGap(_))]
             .map(|is| fine.load.as_ref().is_some_and(is));
@@ -71,7 +71,7 @@ impl Difference {
             pressure: off.max(ROUNDING * size),
             mean_pressure: if is_pressure { 0.0 } else { mean(&pressure).max(LEAST_MEAN * off) },
             mean_gap: if is_gap { 0.0 } else { mean(&gap).max(ROUNDING * fine.contact.problem.rms_height()) },
-            relative_area: area.max(unknown.area),
+            relative_area: area.max(undecided),
             lost: (coarse_energy.lost - energy.lost).abs().max(ROUNDING * energy.lost),
             work: (coarse_energy.work - energy.work).abs().max(stored).max(balance).max(ROUNDING * turnover),
         };
@@ -110,28 +110,26 @@ impl Difference {
     }
 }
 
-/// What nodes cause that may be in contact or not, since their pressure or gap is below its error.
-struct Unknown {
-    /// Their part of the area.
-    area: f64,
-    /// The pressure of nodes that come into contact late or early by the error of the gap, root mean square over all nodes.
-    pressure: f64,
+/// The part of the area whose nodes may be in contact or not, since their pressure or gap is below the largest errors of these.
+fn undecided(state: &CreepState, [pressure, gap]: [f64; 2]) -> f64 {
+    let contact = &state.contact;
+    let is_undecided = |(p, g): &(&f64, &f64)| if **p > 0.0 { **p < pressure } else { **g < gap };
+    let count = contact.pressure.iter().zip(&contact.gap).filter(is_undecided).count();
+    NODE * count as f64 / contact.pressure.len() as f64
 }
 
-impl Unknown {
-    /// From the largest errors of pressure and gap in time.
-    fn new(state: &CreepState, [pressure, gap]: [f64; 2]) -> Self {
-        let contact = &state.contact;
-        let nodes = contact.pressure.len() as f64;
-        let count = |is: &dyn Fn(f64, f64) -> bool| {
-            contact.pressure.iter().zip(&contact.gap).filter(|(p, g)| is(**p, **g)).count() as f64 / nodes
-        };
-        let [_, stiffest] = contact.problem.compliance().stiffness_range();
-        let held_open = stiffest * gap;
-        let undecided = count(&|p, g| if p > 0.0 { p < pressure } else { g < gap });
-        let late = count(&|p, g| if p > 0.0 { p < held_open } else { g < gap });
-        Self { area: NODE * undecided, pressure: held_open * late.sqrt() }
-    }
+/// The pressure of nodes that come into contact late or early, root mean square over all nodes: those that are open in one of the histories and
+/// whose gap is not above its error. A node that comes alone carries its gap times the largest stiffness.
+fn late_pressure(coarse: &CreepState, fine: &CreepState) -> f64 {
+    let [_, stiffest] = fine.contact.problem.compliance().stiffness_range();
+    let nodes =
+        |it: &CreepState| it.contact.pressure.iter().copied().zip(it.contact.gap.iter().copied()).collect::<Vec<_>>();
+    let late = nodes(coarse).into_iter().zip(nodes(fine)).map(|((coarse_p, coarse_gap), (p, gap))| {
+        let error = (coarse_gap - gap).abs();
+        if (p > 0.0 && coarse_p > 0.0) || gap > error { 0.0 } else { error }
+    });
+    let (sum, count) = late.fold((0.0, 0), |(sum, count), error| (sum + error * error, count + 1));
+    stiffest * (sum / f64::from(count.max(1))).sqrt()
 }
 
 /// The root mean square over all nodes of what the elements let flow of the pressure of those that were not in contact earlier.
