@@ -51,7 +51,7 @@ pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
         SavedFound::History(outcome) => {
             let problem = setup.setup.problem_of(surface.clone()).map_err(py_error)?;
             let problem = Problem { problem, surface, setup: setup.clone(), rank, preparation: Arc::default() };
-            Ok(Py::new(py, History::new(py, outcome, &problem, setup)?)?.into_any())
+            Ok(Py::new(py, History::new(py, *outcome, &problem, setup)?)?.into_any())
         }
     }
 }

@@ -241,16 +241,14 @@ mod tests {
     fn dense(energy: &mut GapEnergy<'_>, state: &GapState) -> f64 {
         let (n, large) = (state.gap.len(), 1e6 * energy.softest());
         let open = OpenNodes::new(energy, state);
-        let mut matrix = vec![vec![0.0; n]; n];
-        for column in 0..n {
+        let mut column_of = |column: usize| -> Vec<f64> {
             let mut unit: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == column))).collect();
             open.project(&mut unit);
             let mut image = vec![0.0; n];
             open.curved(energy, state, &unit, &mut image);
-            for row in 0..n {
-                matrix[row][column] = image[row] + large * (f64::from(u8::from(row == column)) - unit[row]);
-            }
-        }
+            (0..n).map(|row| image[row] + large * (f64::from(u8::from(row == column)) - unit[row])).collect()
+        };
+        let matrix: Vec<Vec<f64>> = (0..n).map(&mut column_of).collect();
         let symmetric = (0..n).map(|i| (0..n).map(|j| 0.5 * (matrix[i][j] + matrix[j][i])).collect()).collect();
         eigen(symmetric).0.into_iter().fold(f64::INFINITY, f64::min)
     }
@@ -261,7 +259,7 @@ mod tests {
         let line = Grid::line(60, 1.0).unwrap();
         let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.15, rms_gradient: 0.05 };
         let surfaces = [
-            Indenter::Sine { amplitude: 0.01 }.surface(line.clone()).unwrap(),
+            Indenter::Sine { amplitude: 0.01 }.surface(line).unwrap(),
             Surface::rough(line, &spectrum, 3).unwrap(),
             Surface::rough(Grid::surface([9, 8], [1.0, 1.0]).unwrap(), &spectrum, 5).unwrap(),
         ];

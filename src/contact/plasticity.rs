@@ -54,6 +54,6 @@ impl Contact {
     /// None that is known: heights less an overlap are finite.
     pub fn unloaded_surface(&self) -> Result<Surface, SurfaceError> {
         let surface = self.problem.surface();
-        Surface::new(*surface.grid(), &*surface.height() - &self.overlap())
+        Surface::new(*surface.grid(), surface.height() - &self.overlap())
     }
 }

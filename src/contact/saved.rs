@@ -105,7 +105,7 @@ pub fn pressure_doubts(problem: &Problem, pressure: &Field) -> Vec<SavedDoubt> {
     }
     if let Some(prescribed) = problem.mean_pressure() {
         let carried = pressure.mean().unwrap_or(0.0) / prescribed;
-        if !((carried - 1.0).abs() <= SAME_LOAD) {
+        if carried.is_nan() || (carried - 1.0).abs() > SAME_LOAD {
             doubts.push(SavedDoubt::Load { carried });
         }
     }

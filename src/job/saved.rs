@@ -53,7 +53,7 @@ pub enum SavedFound {
     /// Contacts under a list of loads.
     Curve(Vec<Contact>),
     /// The states of a history.
-    History(HistoryOutcome),
+    History(Box<HistoryOutcome>),
 }
 
 impl SavedResult {
@@ -148,7 +148,7 @@ fn difference(saved: &Field, made: &Field) -> Option<SavedDoubt> {
 /// The plateaus of heights that interpolate those of every `factor`-th node, which say what the grid is worth; none if these are other heights.
 fn plateaus(grid: &crate::Grid, height: &Field, factor: usize) -> Result<Option<Plateaus>, SetupError> {
     let every = grid.shape().map(|points| if points == 1 { 1 } else { factor });
-    if factor < 2 || [0, 1].iter().any(|&axis| grid.shape()[axis] % every[axis] != 0) {
+    if factor < 2 || [0, 1].iter().any(|&axis| !grid.shape()[axis].is_multiple_of(every[axis])) {
         return Ok(None);
     }
     let [ny, nx] = [0, 1].map(|axis| grid.shape()[axis] / every[axis]);
@@ -248,6 +248,6 @@ impl SavedArchive<'_> {
     fn history(&self, doubts: &mut Doubts<'_>) -> Result<SavedFound, StudyError> {
         let problem = self.setup.problem_of(self.surface.clone())?;
         let states = certified_states(self.reader, self.contacts()?, self.setup, &problem, doubts)?;
-        Ok(SavedFound::History(HistoryOutcome::from_states(self.setup, &problem, states)?))
+        Ok(SavedFound::History(Box::new(HistoryOutcome::from_states(self.setup, &problem, states)?)))
     }
 }

@@ -12,10 +12,13 @@ use ndarray::Axis;
 /// Numbers that all states have, and that may be undefined.
 const ALWAYS: [&str; 2] = ["relative_area", "kappa_r"];
 
+/// What makes a field of a state, and its values in all states.
+type StateFields = (fn(Field) -> HistoryField, Vec<Field>);
+
 /// The numbers and fields of the states in a file besides their contacts.
 struct StateColumns {
     numbers: Vec<(&'static str, Vec<f64>)>,
-    fields: Vec<(fn(Field) -> HistoryField, Vec<Field>)>,
+    fields: Vec<StateFields>,
     claims: Vec<ResultClaim>,
     points: Vec<Option<usize>>,
 }

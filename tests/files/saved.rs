@@ -52,7 +52,10 @@ fn saved(scene: &str) -> Vec<u8> {
         let curve = LoadCurve { setup, loads };
         let mut contacts = Vec::new();
         let problem = curve.problem().unwrap();
-        let keep = |_, contact: &asperity::Contact| Ok::<_, StudyError>(contacts.push(contact.clone()));
+        let keep = |_, contact: &asperity::Contact| {
+            contacts.push(contact.clone());
+            Ok::<_, StudyError>(())
+        };
         curve.press(&problem, |_| (), keep).unwrap();
         return archive_of_loads(&contacts, 1, &text).unwrap();
     }

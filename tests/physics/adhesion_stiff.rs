@@ -18,7 +18,7 @@ fn surfaces(points: usize) -> [(&'static str, Surface); 3] {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 5.0, short_cutoff: 2.0, rms_gradient: 0.5 };
     let surface = Grid::surface([points, points], [SIZE, SIZE]).unwrap();
     [
-        ("sine", Indenter::Sine { amplitude: HEIGHT }.surface(line.clone()).unwrap()),
+        ("sine", Indenter::Sine { amplitude: HEIGHT }.surface(line).unwrap()),
         ("rough line", Surface::rough(line, &spectrum, 1).unwrap()),
         ("rough surface", Surface::rough(surface, &spectrum, 2).unwrap()),
     ]
