@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn the_least_curvature_is_that_of_the_whole_matrix() {
         let line = Grid::line(60, 1.0).unwrap();
-        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.15, rms_gradient: 0.05 };
+        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.26, rms_gradient: 0.05 };
         let surfaces = [
             Indenter::Sine { amplitude: 0.01 }.surface(line).unwrap(),
             Surface::rough(line, &spectrum, 3).unwrap(),

@@ -259,9 +259,10 @@ impl Contact {
         mean(self.pressures())
     }
 
-    /// Mean gap between the surfaces, never negative: nodes that yield or have yielded have no gap.
+    /// Mean gap between the surfaces: nodes that yield or have yielded have no gap. It is negative only where surfaces that do not yield
+    /// penetrate, in a contact that has not converged, or by rounding.
     pub fn mean_gap(&self) -> f64 {
-        mean(self.gap.as_slice().expect("results are made in standard layout")).max(0.0)
+        mean(self.gap.as_slice().expect("results are made in standard layout"))
     }
 
     /// Distance of the mean planes of both surfaces as if none had yielded, a length: the datum of the gap, which

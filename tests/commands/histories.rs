@@ -251,7 +251,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--path-load 0.1,0.2"), "no tangential loads"),
         (cylinder("--path-tangential 0.01"), "slide"),
         (cylinder("--rolling 0.01"), "slide"),
-        (cylinder("--rolling 1e-3 --solver polonsky-keer"), "rolling has solvers of its own, not polonsky-keer"),
+        (cylinder("--rolling 1e-3 --solver polonsky-keer"), "rolling has a solver of its own, not polonsky-keer"),
         (cylinder("--rolling 1e-3 --rolling-step 1"), "the step of rolling is 1.0, longer than the line of 0.5"),
         (cylinder("--rolling 1e-3 --rolling-step 0.4"), "the step of rolling is 0.4, longer than the contact of 0.2"),
         (coefficient("-1", "--path-tangential=-1e-3,1e-3"), "the coefficient of friction is -1: give a number above 0"),

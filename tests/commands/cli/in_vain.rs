@@ -42,8 +42,11 @@ fn flags_without_an_effect_are_refused() {
             "the time of the path 1 has no unit, but the retardation time 9ms has one",
         ),
         (rough("--relaxation 0.5,1ms,0.2,2 --path-time 1ms"), "the relaxation time 2 has no unit"),
-        (cylinder("--path-tangential 1e-3").replace("0.3", "-1"), "the coefficient of friction is -1.0"),
-        (cylinder("--rolling 0").replace("0.3", "-1"), "the coefficient of friction is -1.0"),
+        (
+            cylinder("--path-tangential 1e-3").replace("0.3", "-1"),
+            "the coefficient of friction is -1: give a number above 0",
+        ),
+        (cylinder("--rolling 0").replace("0.3", "-1"), "the coefficient of friction is -1: give a number above 0"),
     ] {
         let error = refused(&folder, &line);
         assert!(error.contains(sentence), "{line}: {error}");
