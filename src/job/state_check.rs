@@ -218,8 +218,6 @@ impl<'a> StateCheck<'a> {
         let target = own.as_slice_mut().expect("standard layout");
         problem.response().displacement(values(&contact.pressure), target);
         let all = &own + &further;
-        let is_of_pressure = matches!(self.kind, ProcessKind::Slip | ProcessKind::Rolling);
-        let displacement = if is_of_pressure { &own } else { &all };
         let heights = problem.surface().height();
         let scale = largest(&all) + largest(heights) + self.violation(problem);
         let is_own = |saved: &Field, computed: &Field| {
@@ -227,7 +225,7 @@ impl<'a> StateCheck<'a> {
             let constant = difference.mean().unwrap_or(0.0);
             is_same(&difference, &Field::from_elem(difference.dim(), constant), scale)
         };
-        if !is_own(&contact.displacement, displacement) {
+        if !is_own(&contact.displacement, &all) {
             return Ok(vec![SavedDoubt::Displacement]);
         }
         let has_gap = is_own(&contact.gap, &(&all - heights)) && contact.gap.iter().all(|g| *g >= -scale);
