@@ -1,17 +1,15 @@
 //! The contact of a viscoelastic solid, step by step in time.
 
 use super::creep_state::{Carried, CreepEnergy, CreepState, ErrorBounds};
-use super::maxwell::MaxwellStep;
 use super::profile::{MeanStrain, StepProfile};
+use super::time_step::TimeStep;
+use super::warm_start::{signed_pressure, warm_start};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{Certificate, Contact, Law, Load, Observer, Problem, Solver, Status, Stop, Work};
 use crate::elastic::{Prony, PronyTerm, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
-
-/// The stiffness of a node that comes into contact, in that of the shortest wave: it took the fewest transforms.
-const GAP_STIFFNESS: f64 = 0.5;
 
 /// The contact of a viscoelastic solid in time: a process that makes the next state from the last one.
 ///
@@ -81,16 +79,6 @@ pub struct Creep {
     /// The same solid in relaxation form.
     relaxation: Vec<PronyTerm>,
     response: Response,
-}
-
-/// A step in time: what its elements do, and what follows for the contact.
-struct TimeStep {
-    dt: f64,
-    elements: Vec<MaxwellStep>,
-    /// `g = 1 - sum g_k`.
-    left: f64,
-    /// `m`.
-    compliance: f64,
 }
 
 impl Creep {
@@ -440,55 +428,6 @@ fn without_law(problem: Problem) -> Problem {
 struct Displaced {
     effective: Field,
     memory: Vec<Field>,
-}
-
-impl TimeStep {
-    fn new(relaxation: &[PronyTerm], relaxed_ratio: f64, profile: &StepProfile) -> Self {
-        let elements: Vec<_> = relaxation.iter().map(|term| MaxwellStep::new(term, profile)).collect();
-        let left = 1.0 / relaxed_ratio;
-        let compliance = 1.0 / (left + elements.iter().map(MaxwellStep::share).sum::<f64>());
-        Self { dt: profile.dt(), elements, left, compliance }
-    }
-
-    /// `hist = m sum (g_k psi_k p_e0 - e_k y_k)` of fields or of their displacements.
-    fn history(&self, effective: &Field, memory: &[Field]) -> Field {
-        let share: f64 = self.elements.iter().map(MaxwellStep::share).sum();
-        let mut hist = effective * (self.compliance * share);
-        for (element, held) in self.elements.iter().zip(memory) {
-            hist.scaled_add(-self.compliance * element.keep, held);
-        }
-        hist
-    }
-}
-
-/// The pressure `m p` to start from: the signed pressure, as it went from the state before to this one, goes on for the step.
-/// On rough surfaces with small steps it needs fewer transforms than the last pressure does, and never many more.
-fn warm_start(state: &CreepState, hist: &Field, dt: f64) -> Option<Field> {
-    state.contact.pressure.iter().any(|&p| p > 0.0).then(|| match &state.carried.before {
-        Some((before, step)) if dt > 0.0 => {
-            let growth = dt / step;
-            let further = |now: &f64, before: &f64| now + growth * (now - before);
-            let mut start = signed_pressure(state);
-            start.zip_mut_with(before, |now, before| *now = further(now, before));
-            start - hist
-        }
-        _ => &state.carried.effective - hist,
-    })
-}
-
-/// The effective pressure and, where a surface has a gap, that less the gap times a stiffness: the field goes on
-/// through zero where a contact grows, so that it tells which nodes will touch and about how much they will carry. On lines
-/// it is the effective pressure alone, since few nodes at a time come into contact.
-fn signed_pressure(state: &CreepState) -> Field {
-    let (mut field, problem) = (state.carried.effective.clone(), &state.contact.problem);
-    if !problem.surface().grid().is_line() {
-        let [_, stiffest] = problem.compliance().stiffness_range();
-        let pairs = state.contact.pressure.iter().zip(&state.contact.gap);
-        field.iter_mut().zip(pairs).filter(|(_, (p, _))| **p == 0.0).for_each(|(field, (_, gap))| {
-            *field -= GAP_STIFFNESS * stiffest * gap.max(0.0);
-        });
-    }
-    field
 }
 
 /// `<x u>`.

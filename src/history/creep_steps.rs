@@ -1,6 +1,7 @@
 //! Steps in time along a path of loads.
 
-use super::time_errors::{Difference, TimeErrors, rms};
+use super::time_difference::Difference;
+use super::time_errors::{TimeErrors, rms};
 use super::{Creep, CreepPath, CreepState};
 use crate::contact::{Load, Observer, Solver, Stop};
 use crate::error::CreepError;

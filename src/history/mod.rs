@@ -40,7 +40,10 @@ mod slip_round;
 mod slip_state;
 mod slip_traction;
 mod slip_vector;
+mod time_difference;
 mod time_errors;
+mod time_step;
+mod warm_start;
 
 pub use adhesive::AdhesiveProcess;
 pub use adhesive_hand::AdhesiveHand;
