@@ -199,13 +199,13 @@ observables! {
         "Approach: distance that the surface has moved since its highest peak touched the undeformed solid. Not defined on a periodic half-space.";
     plastic_area: f64, Elastic, "a_pl", "1", false, |it| *it.plastic_area,
         "Relative plastic area: the fraction of nodes at the hardness, where the solid yields.";
-    plastic_overlap: f64, Elastic, "<o>", "length", false, |it| *it.plastic_overlap,
+    plastic_overlap: f64, Yielding, "<o>", "length", false, |it| *it.plastic_overlap,
         "Mean overlap of the surfaces where they yield or have yielded, not part of the mean gap: the plastically displaced volume per area of the cell.";
     max_pressure: f64, Always, "p_max", "pressure", false, |it| *it.max_pressure,
         "Largest pressure.";
     max_pressure_over_modulus: f64, Always, "p_max / E*", "1", false, |it| *it.max_pressure / it.problem.contact_modulus(),
         "Largest pressure divided by the contact modulus.";
-    effective_modulus: f64, Elastic, "E*_eff", "pressure", false, |it| it.effective_modulus(),
+    effective_modulus: f64, Sliding, "E*_eff", "pressure", false, |it| it.effective_modulus(),
         "Contact modulus that reduced pressures, kappa and kappa_r use: E*, or between the relaxed and the glassy one for a contact that slides over a viscoelastic solid.";
     patches: usize, Always, "n", "1", true, |it| it.patches.count(),
         "Number of contact patches.";

@@ -1,5 +1,7 @@
 //! For which states an observable has a meaning, and what a state knows better than its contact.
 
+use crate::contact::Contact;
+
 /// What a contact is a state of, as far as its observables depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StateKind {
@@ -23,6 +25,10 @@ pub enum Validity {
     /// States of an elastic solid whose load is that of the pressure between the surfaces. The observable is computed with the modulus of that
     /// solid, or from edges at which the pressure is that of an elastic solid.
     Elastic,
+    /// Those of an elastic solid with a hardness.
+    Yielding,
+    /// Those of a contact that slides over a viscoelastic solid.
+    Sliding,
 }
 
 impl Validity {
@@ -38,8 +44,20 @@ impl Validity {
         match self {
             Self::Always => true,
             Self::NoAdhesion => kind != StateKind::Adhesion,
-            Self::Elastic => kind == StateKind::Elastic,
+            Self::Elastic | Self::Yielding | Self::Sliding => kind == StateKind::Elastic,
         }
+    }
+
+    /// Whether the observable says something of a contact that others do not: no overlap where nothing yields, and no modulus of a motion at
+    /// rest.
+    pub fn tells_of(self, contact: &Contact) -> bool {
+        let problem = &contact.problem;
+        let is_there = match self {
+            Self::Yielding => !problem.law().is_hard_wall(),
+            Self::Sliding => problem.is_moving(),
+            Self::Always | Self::NoAdhesion | Self::Elastic => true,
+        };
+        is_there && self.holds(contact.values().kind)
     }
 }
 
