@@ -1,9 +1,9 @@
 //! Steps in time along a path of loads.
 
-use super::time_difference::Difference;
-use super::time_errors::{TimeErrors, rms};
+use super::time_difference::{Difference, errors_in_time};
+use super::time_errors::rms;
 use super::{Creep, CreepPath, CreepState};
-use crate::contact::{Load, Observer, Solver, Stop};
+use crate::contact::{Load, Observer, Solver, Stop, Work};
 use crate::error::CreepError;
 use crate::surface::Field;
 use std::collections::VecDeque;
@@ -34,7 +34,7 @@ const LOWERED: f64 = 0.8;
 ///
 /// **Adaptive steps.** The history is solved twice: in steps, and beside them in steps of twice the length, each from its own states. The
 /// difference at the ends of these is the error in time of everything that can be read of a state: pressure, mean pressure, gap, area and energies, see
-/// [`TimeErrors`]. The tolerance limits the relative errors of the contact pressure, the mean gap and the lost energy. A pair of steps is repeated
+/// [`TimeErrors`](super::TimeErrors). The tolerance limits the relative errors of the contact pressure, the mean gap and the lost energy. A pair of steps is repeated
 /// with shorter ones where such an error is above half of it and grows by more than the share of the step. The state between the two steps is
 /// not shown, since nothing is compared with it. The first step after a jump is a twentieth of
 /// the shortest time of the solid, and steps at most double.
@@ -68,8 +68,11 @@ pub struct CreepSteps<'a> {
     step: Option<f64>,
     /// The state in doubled steps, where steps are adaptive.
     doubled: CreepState,
-    errors: TimeErrors,
+    difference: Difference,
+    /// The largest pressure so far, root mean square over the nodes.
     largest: f64,
+    /// Work since the last state that was kept.
+    spent: Work,
     pending: VecDeque<CreepState>,
     rejected: usize,
     transforms: u64,
@@ -154,8 +157,9 @@ impl<'a> CreepSteps<'a> {
             step: None,
             doubled: state.clone(),
             state,
-            errors: TimeErrors::default(),
+            difference: Difference::default(),
             largest: 0.0,
+            spent: Work::default(),
             pending,
             rejected,
             transforms: 0,
@@ -167,7 +171,7 @@ impl<'a> CreepSteps<'a> {
         self.rejected
     }
 
-    /// Fourier transforms of all solves so far, those of states that were not kept as well.
+    /// Fourier transforms of all solves so far: those in doubled steps and of steps that were repeated as well.
     pub fn transforms(&self) -> u64 {
         self.transforms
     }
@@ -223,9 +227,12 @@ impl<'a> CreepSteps<'a> {
             let goal = next.effective_pressure().clone();
             let doubled = self.doubled.clone();
             self.doubled = self.solve(Some(&goal), &doubled, doubled.time, load, observer)?;
-            self.errors = Difference::new(&self.doubled, &next, &next).errors(&self.errors, from.energy.lost);
+            self.difference = Difference::new(&self.doubled, &next);
+            let time_errors = Some(errors_in_time(&self.doubled, [&next, &next, &from]));
+            self.keep(CreepState { time_errors, ..next });
+        } else {
+            self.keep(next);
         }
-        self.keep(next);
         Ok(())
     }
 
@@ -237,8 +244,7 @@ impl<'a> CreepSteps<'a> {
     fn go(&mut self, time: f64, observer: &mut dyn Observer) -> Result<(), CreepError> {
         let from = self.state.clone();
         let next = self.solve(None, &from, time, self.path.load(self.point, time), observer)?;
-        self.state = next.clone();
-        self.pending.push_back(next);
+        self.keep(next);
         Ok(())
     }
 
@@ -248,7 +254,6 @@ impl<'a> CreepSteps<'a> {
         let shortest = self.creep.prony().shortest_time();
         let first = shortest.map_or(left / ELASTIC_STEPS, |time| FIRST * time);
         let wanted = self.step.unwrap_or(first);
-        let before = Difference::new(&coarse, &from, &from);
         // the last two steps before a point are of equal length
         let mut step = if left <= wanted { left } else { wanted.min(0.5 * left) };
         let mut repeated = f64::INFINITY;
@@ -261,42 +266,36 @@ impl<'a> CreepSteps<'a> {
             let between = 0.5 * (from.effective_pressure() + &goal);
             let half = self.solve(Some(&between), &from, times[0], loads[0], observer)?;
             let next = self.solve(Some(&goal), &half, times[1], loads[1], observer)?;
-            let after = Difference::new(&whole, &next, &half);
-            let excess = self.excess(tolerance, [&before, &after], [&from, &next], end);
+            let after = Difference::new(&whole, &next);
+            let excess = self.excess(tolerance, &after, [&from, &next], end);
             let factor = (SAFETY * (tolerance / excess).sqrt()).clamp(SHRINK, GROW);
             // the error of what is not solved says nothing about the step
             let is_solved = [&whole, &half, &next].iter().all(|state| state.contact.is_converged());
             let factor = if is_solved { factor } else { GROW };
-            if excess <= tolerance || step <= LEAST * first || !is_solved || after.pressure() > LOWERED * repeated {
+            if excess <= tolerance || step <= LEAST * first || !is_solved || after.pressure > LOWERED * repeated {
                 // a step that was cut off by a point does not shorten the next one, unless its error asks for that
                 let further = step * factor;
                 self.step = Some(if factor < GROW { further } else { further.max(wanted) });
-                self.errors = after.errors(&self.errors, from.energy.lost);
-                self.doubled = whole;
-                self.keep(next);
+                let time_errors = Some(errors_in_time(&whole, [&next, &half, &from]));
+                (self.difference, self.doubled) = (after, whole);
+                self.keep(CreepState { time_errors, ..next });
                 return Ok(());
             }
             self.rejected += 1;
-            repeated = after.pressure();
+            repeated = after.pressure;
             step *= factor.min(SHORTER);
         }
     }
 
     /// The relative error after a step, over what the step may cause: the largest of those of the contact pressure, the mean gap and the lost
     /// energy. A step may cause an error that leaves room for others, and else its share. The energy is compared with that until the next point.
-    fn excess(
-        &self,
-        tolerance: f64,
-        [before, after]: [&Difference; 2],
-        [from, next]: [&CreepState; 2],
-        end: f64,
-    ) -> f64 {
+    fn excess(&self, tolerance: f64, after: &Difference, [from, next]: [&CreepState; 2], end: f64) -> f64 {
         let pressure = rms(&next.contact.pressure).max(SMALL * self.largest);
         let gap = next.contact.mean_gap().max(SMALL * next.contact.problem.rms_height());
         let lost = next.energy.lost - from.energy.lost;
         let to_lose = next.energy.lost + lost * (end - next.time) / (next.time - from.time);
         let share = self.share(next.time - from.time);
-        let [before, after] = [before, after].map(|it| [it.pressure(), it.mean_gap(), it.lost()]);
+        let [before, after] = [&self.difference, after].map(|it| [it.pressure, it.mean_gap, it.lost]);
         let excess = |i: usize, size: f64| {
             let least = (after[i] / SHARED).min((after[i] - before[i]) / share);
             // an error that is there already cannot be lowered by short steps
@@ -325,17 +324,21 @@ impl<'a> CreepSteps<'a> {
     ) -> Result<CreepState, CreepError> {
         let dt = time - from.time;
         let next = self.creep.step_from(near, from, dt, load, self.solver, &self.stop, observer)?;
-        self.transforms += next.contact.work.transforms;
+        let work = next.contact.work;
+        self.transforms += work.transforms;
+        self.spent.iterations += work.iterations;
+        self.spent.transforms += work.transforms;
+        self.spent.seconds += work.seconds;
         // the time of a point to the last bit
         Ok(CreepState { time, ..next })
     }
 
-    /// Keeps a state, with its error in time where steps are adaptive.
-    fn keep(&mut self, state: CreepState) {
+    /// Keeps a state, with the work of all solves since the last one.
+    fn keep(&mut self, mut state: CreepState) {
         self.largest = self.largest.max(rms(&state.contact.pressure));
-        let time_errors = self.is_adaptive().then_some(self.errors);
-        self.state = CreepState { time_errors, ..state };
-        self.pending.push_back(self.state.clone());
+        state.contact.work = std::mem::take(&mut self.spent);
+        self.state = state.clone();
+        self.pending.push_back(state);
     }
 }
 

@@ -16,74 +16,70 @@ const FADING: f64 = 0.5;
 /// Rounding of sums and transforms, relative.
 const ROUNDING: f64 = 1e-13;
 
-/// A state in doubled steps against the same one.
+/// How far a state in doubled steps is from the same one: what steps are chosen by.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Difference {
-    pressure: f64,
-    lost: f64,
-    /// The error of the pressure over the pressure, 1 at most.
-    relative: f64,
-    energy_lost: f64,
-    errors: TimeErrors,
+    /// Of the contact pressures, root mean square over the nodes.
+    pub pressure: f64,
+    /// Of the mean gaps; 0 where the load prescribes it.
+    pub mean_gap: f64,
+    /// Of the lost energies.
+    pub lost: f64,
 }
 
 impl Difference {
-    /// Of states at one time, the second of which came from `earlier`.
-    pub fn new(coarse: &CreepState, fine: &CreepState, earlier: &CreepState) -> Self {
-        let pressure = &coarse.contact.pressure - &fine.contact.pressure;
+    /// Of two states at one time.
+    pub fn new(coarse: &CreepState, fine: &CreepState) -> Self {
         let gap = &coarse.contact.gap - &fine.contact.gap;
-        let undecided = undecided(fine, [&pressure, &gap].map(largest));
-        let off = rms(&pressure).max(late_pressure(coarse, fine)).max(NEW * new_pressure(fine, earlier));
-        let mean = |field: &Field| field.mean().unwrap_or(0.0).abs().max(LEAST_MEAN * rms(field));
-        let [is_pressure, is_gap] = [Load::is_pressure, |load: &Load| matches!(load, Load::MeanGap(_))]
-            .map(|is| fine.load.as_ref().is_some_and(is));
-        let area = (coarse.relative_area() - fine.relative_area()).abs();
-        let [coarse_energy, energy] = [coarse.energy, fine.energy];
-        let stored = (coarse_energy.stored - energy.stored).abs();
-        let balance = (energy.work - energy.stored - energy.lost).abs();
-        let size = rms(&fine.contact.pressure);
-        let relative = if size > 0.0 { (off / size).min(1.0) } else { 0.0 };
-        let turnover = energy.work.abs().max(energy.stored).max(energy.lost);
-        let errors = TimeErrors {
-            pressure: off.max(ROUNDING * size),
-            mean_pressure: if is_pressure { 0.0 } else { mean(&pressure).max(LEAST_MEAN * off) },
-            mean_gap: if is_gap { 0.0 } else { mean(&gap).max(ROUNDING * fine.contact.problem.rms_height()) },
-            relative_area: area.max(undecided),
-            lost: (coarse_energy.lost - energy.lost).abs().max(ROUNDING * energy.lost),
-            work: (coarse_energy.work - energy.work).abs().max(stored).max(balance).max(ROUNDING * turnover),
-        };
-        let lost = (coarse_energy.lost - energy.lost).abs();
-        Self { pressure: rms(&pressure), lost, relative, energy_lost: energy.lost, errors }
-    }
-
-    /// The errors of the state, with what is left of those of the state before, which had lost an energy.
-    pub fn errors(&self, before: &TimeErrors, lost_before: f64) -> TimeErrors {
-        let now = self.errors;
-        let with = |now: f64, before: f64| now.max(FADING * before);
-        TimeErrors {
-            pressure: with(now.pressure, before.pressure),
-            mean_pressure: if now.mean_pressure == 0.0 { 0.0 } else { with(now.mean_pressure, before.mean_pressure) },
-            mean_gap: if now.mean_gap == 0.0 { 0.0 } else { with(now.mean_gap, before.mean_gap) },
-            relative_area: with(now.relative_area, before.relative_area),
-            // energies add up
-            lost: now.lost.max(before.lost + self.relative * (self.energy_lost - lost_before)),
-            work: now.work.max(before.work),
+        Self {
+            pressure: rms(&(&coarse.contact.pressure - &fine.contact.pressure)),
+            mean_gap: if is_at_gap(fine) { 0.0 } else { mean(&gap) },
+            lost: (coarse.energy.lost - fine.energy.lost).abs(),
         }
     }
+}
 
-    /// The difference of the contact pressures, root mean square.
-    pub fn pressure(&self) -> f64 {
-        self.pressure
+/// The errors of a state that came from `earlier`, from the same one in doubled steps, with what is left of the errors of the state `before`.
+pub(super) fn errors_in_time(coarse: &CreepState, [fine, earlier, before]: [&CreepState; 3]) -> TimeErrors {
+    let told = before.time_errors.unwrap_or_default();
+    let pressure = &coarse.contact.pressure - &fine.contact.pressure;
+    let gap = &coarse.contact.gap - &fine.contact.gap;
+    let size = rms(&fine.contact.pressure);
+    let off = rms(&pressure).max(late_pressure(coarse, fine)).max(NEW * new_pressure(fine, earlier));
+    let relative = if size > 0.0 { (off / size).min(1.0) } else { 0.0 };
+    let area = (coarse.relative_area() - fine.relative_area()).abs();
+    let [other, energy] = [coarse.energy, fine.energy];
+    let turnover = energy.work.abs().max(energy.stored).max(energy.lost);
+    let balance = (energy.work - energy.stored - energy.lost).abs();
+    let work = (other.work - energy.work).abs().max((other.stored - energy.stored).abs()).max(balance);
+    let lost = (other.lost - energy.lost).abs().max(ROUNDING * energy.lost);
+    let with = |now: f64, before: f64| now.max(FADING * before);
+    let is_pressure = fine.load.as_ref().is_some_and(Load::is_pressure);
+    TimeErrors {
+        pressure: with(off.max(ROUNDING * size), told.pressure),
+        mean_pressure: match is_pressure {
+            true => 0.0,
+            false => with(mean(&pressure).max(LEAST_MEAN * off), told.mean_pressure),
+        },
+        mean_gap: match is_at_gap(fine) {
+            true => 0.0,
+            false => with(mean(&gap).max(ROUNDING * fine.contact.problem.rms_height()), told.mean_gap),
+        },
+        relative_area: with(area.max(undecided(fine, [&pressure, &gap].map(largest))), told.relative_area),
+        // energies add up
+        lost: lost.max(told.lost + relative * (energy.lost - before.energy.lost)),
+        work: work.max(ROUNDING * turnover).max(told.work),
     }
+}
 
-    /// The difference of the lost energies, without regard to its sign.
-    pub fn lost(&self) -> f64 {
-        self.lost
-    }
+/// The mean of a difference, and no less than a part of its root mean square.
+fn mean(field: &Field) -> f64 {
+    field.mean().unwrap_or(0.0).abs().max(LEAST_MEAN * rms(field))
+}
 
-    /// The difference of the mean gaps.
-    pub fn mean_gap(&self) -> f64 {
-        self.errors.mean_gap
-    }
+/// Whether the load of a state prescribes its mean gap.
+fn is_at_gap(state: &CreepState) -> bool {
+    matches!(state.load, Some(Load::MeanGap(_)))
 }
 
 /// The part of the area whose nodes may be in contact or not, since their pressure or gap is below the largest errors of these.
@@ -98,14 +94,13 @@ fn undecided(state: &CreepState, [pressure, gap]: [f64; 2]) -> f64 {
 /// whose gap is not above its error. A node that comes alone carries its gap times the largest stiffness.
 fn late_pressure(coarse: &CreepState, fine: &CreepState) -> f64 {
     let [_, stiffest] = fine.contact.problem.compliance().stiffness_range();
-    let nodes =
-        |it: &CreepState| it.contact.pressure.iter().copied().zip(it.contact.gap.iter().copied()).collect::<Vec<_>>();
-    let late = nodes(coarse).into_iter().zip(nodes(fine)).map(|((coarse_p, coarse_gap), (p, gap))| {
+    let pressures = coarse.contact.pressure.iter().zip(&fine.contact.pressure);
+    let gaps = coarse.contact.gap.iter().zip(&fine.contact.gap);
+    let late = pressures.zip(gaps).map(|((coarse_p, p), (coarse_gap, gap))| {
         let error = (coarse_gap - gap).abs();
-        if (p > 0.0 && coarse_p > 0.0) || gap > error { 0.0 } else { error }
+        if (*p > 0.0 && *coarse_p > 0.0) || *gap > error { 0.0 } else { error * error }
     });
-    let (sum, count) = late.fold((0.0, 0), |(sum, count), error| (sum + error * error, count + 1));
-    stiffest * (sum / f64::from(count.max(1))).sqrt()
+    stiffest * (late.sum::<f64>() / fine.contact.gap.len() as f64).sqrt()
 }
 
 /// The root mean square over all nodes of what the elements let flow of the pressure of those that were not in contact earlier.
