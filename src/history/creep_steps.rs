@@ -13,16 +13,16 @@ const FIRST: f64 = 0.05;
 /// No step is shorter than this part of the first one: its error is counted, but it is not repeated.
 const LEAST: f64 = 1e-4;
 /// The part of the largest step that the tolerance allows which is tried.
-const SAFETY: f64 = 0.9;
+const SAFETY: f64 = 0.7;
 /// The least part to which a step shrinks at once, the most if it shrinks, and the most by which the next one grows.
 const SHRINK: f64 = 0.1;
 const SHORTER: f64 = 0.5;
 const GROW: f64 = 2.0;
 /// Without a memory each way from point to point is as many steps.
 const ELASTIC_STEPS: f64 = 2.0;
-/// The part of the tolerance up to which a step may cause any error.
+/// The part of the tolerance that the steps within the time of the memory may add where the error is above it.
 const SHARED: f64 = 0.5;
-/// The least part of that which a step may add beyond, however short it is.
+/// The least part of that which a step may add, however short it is.
 const LEAST_SHARE: f64 = 1.0 / 16.0;
 /// Errors are divided by pressure and gap, or by this part of the largest pressure so far and of the rms height.
 const SMALL: f64 = 1e-2;
@@ -35,7 +35,7 @@ const LOWERED: f64 = 0.8;
 /// **Adaptive steps.** The history is solved twice: in steps, and beside them in steps of twice the length, each from its own states. The
 /// difference at the ends of these is the error in time of everything that can be read of a state: pressure, mean pressure, gap, area and energies, see
 /// [`TimeErrors`](super::TimeErrors). The tolerance limits the relative errors of the contact pressure, the mean gap and the lost energy. A pair of steps is repeated
-/// with shorter ones where such an error is above half of it and grows by more than the share of the step. The state between the two steps is
+/// with shorter ones where such an error is above it and grows by more than the share of the step. The state between the two steps is
 /// not shown, since nothing is compared with it. The first step after a jump is a twentieth of
 /// the shortest time of the solid, and steps at most double.
 ///
@@ -274,7 +274,8 @@ impl<'a> CreepSteps<'a> {
             let factor = if is_solved { factor } else { GROW };
             if excess <= tolerance || step <= LEAST * first || !is_solved || after.pressure > LOWERED * repeated {
                 // a step that was cut off by a point does not shorten the next one, unless its error asks for that
-                let further = step * factor;
+                // the step after a repeated one does not grow
+                let further = step * if repeated.is_finite() { factor.min(1.0) } else { factor };
                 self.step = Some(if factor < GROW { further } else { further.max(wanted) });
                 let time_errors = Some(errors_in_time(&whole, [&next, &half, &from]));
                 (self.difference, self.doubled) = (after, whole);
@@ -297,7 +298,7 @@ impl<'a> CreepSteps<'a> {
         let share = self.share(next.time - from.time);
         let [before, after] = [&self.difference, after].map(|it| [it.pressure, it.mean_gap, it.lost]);
         let excess = |i: usize, size: f64| {
-            let least = (after[i] / SHARED).min((after[i] - before[i]) / share);
+            let least = after[i].min((after[i] - before[i]) / share);
             // an error that is there already cannot be lowered by short steps
             if least > 0.0 { least / size.max(before[i] / tolerance) } else { 0.0 }
         };
