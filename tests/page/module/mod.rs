@@ -92,6 +92,10 @@ const NUMBERS: [&str; 9] = [
 /// The largest difference of numbers.
 fn difference(one: &Value, other: &Value) -> f64 {
     let apart = |name: &str| {
+        // both leave out what has no meaning
+        if one[name].is_null() && other[name].is_null() {
+            return 0.0;
+        }
         let [a, b] = [one, other].map(|numbers| numbers[name].as_f64().unwrap_or_else(|| panic!("no {name}")));
         let size = if name == "mean_gap_over_rms_height" { 1.0 } else { a.abs().max(b.abs()) };
         if a == b { 0.0 } else { (a - b).abs() / size }
