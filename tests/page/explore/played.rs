@@ -1,7 +1,7 @@
 //! The lessons of the page, played to their ends: what they tell is what the program gives.
 
 use super::Page;
-use asperity::contact::{Contact, ContactModulus, Load, Multilevel, OBSERVABLES, Solver};
+use asperity::contact::{Contact, ContactModulus, Load, Multilevel, OBSERVABLES, Solver, StateKind};
 use asperity::flow::{FlowAxis, Leakage, PercolationLoad};
 use asperity::surface::{Lay, RandomRoughness, Spectrum};
 use asperity::{Grid, Problem, Stop};
