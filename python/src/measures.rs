@@ -33,7 +33,7 @@ impl Contact {
     pub fn numbers(&self) -> Result<Vec<(&'static str, Measure)>, FlowError> {
         let state = State::from(&self.contact);
         let of_state = |name: &str| self.state.as_ref().and_then(|it| it.find(name));
-        let known = OBSERVABLES.iter().filter(|it| it.validity.tells_of(&self.contact) || of_state(it.name).is_some());
+        let known = OBSERVABLES.iter().filter(|it| it.tells_of(&self.contact) || of_state(it.name).is_some());
         let number = |name, value| (name, Measure::Number(value));
         let mut numbers: Vec<_> =
             known.map(|it| number(it.name, of_state(it.name).unwrap_or_else(|| (it.value)(&state)))).collect();

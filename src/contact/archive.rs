@@ -262,7 +262,7 @@ impl<'n> ArchiveWriter<'n> {
         let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
         let left_out = self.left_out;
         // a number without a meaning is absent
-        let has = |row: &&Observable| row.validity.tells_of(first) && !left_out.contains(&row.name);
+        let has = |row: &&Observable| row.tells_of(first) && !left_out.contains(&row.name);
         for row in OBSERVABLES.iter().filter(has) {
             self.add_each(row.name, states.iter().map(|state| arr0((row.value)(state)).into()))?;
         }

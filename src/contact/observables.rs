@@ -266,6 +266,20 @@ fn resolved(value: f64, error: f64) -> Option<f64> {
     (value.is_finite() && value > 0.0 && error < 1.0).then_some(value)
 }
 
+impl Observable {
+    /// Whether the observable says something of a contact that others do not: no overlap where nothing yields, and no modulus of a motion at
+    /// rest.
+    pub fn tells_of(&self, contact: &Contact) -> bool {
+        let problem = &contact.problem;
+        let is_there = match self.validity {
+            Validity::Yielding => !problem.law().is_hard_wall(),
+            Validity::Sliding => problem.is_moving(),
+            Validity::Always | Validity::NoAdhesion | Validity::Elastic => true,
+        };
+        is_there && self.validity.holds(contact.values().kind)
+    }
+}
+
 impl State<'_> {
     /// How well the grid resolves the contact.
     fn resolution(&self) -> Resolution {

@@ -1,7 +1,5 @@
 //! For which states an observable has a meaning, and what a state knows better than its contact.
 
-use crate::contact::Contact;
-
 /// What a contact is a state of, as far as its observables depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StateKind {
@@ -46,18 +44,6 @@ impl Validity {
             Self::NoAdhesion => kind != StateKind::Adhesion,
             Self::Elastic | Self::Yielding | Self::Sliding => kind == StateKind::Elastic,
         }
-    }
-
-    /// Whether the observable says something of a contact that others do not: no overlap where nothing yields, and no modulus of a motion at
-    /// rest.
-    pub fn tells_of(self, contact: &Contact) -> bool {
-        let problem = &contact.problem;
-        let is_there = match self {
-            Self::Yielding => !problem.law().is_hard_wall(),
-            Self::Sliding => problem.is_moving(),
-            Self::Always | Self::NoAdhesion | Self::Elastic => true,
-        };
-        is_there && self.holds(contact.values().kind)
     }
 }
 

@@ -54,7 +54,7 @@ pub fn of_contact(contact: &Contact) -> AnyValues {
         "reduced_pressure" => reduced_pressure(&contact.problem).is_some(),
         _ => false,
     };
-    let observables = OBSERVABLES.iter().filter(|it| it.validity.tells_of(contact) && !is_known(it.name));
+    let observables = OBSERVABLES.iter().filter(|it| it.tells_of(contact) && !is_known(it.name));
     let observables = observables.map(|observable| (property(observable.name), (observable.value)(&state)));
     let ended = with_texts([("status", contact.status.to_string().as_str())]);
     with_numbers(ended, observables.chain([("solver_seconds", contact.work.seconds)]))

@@ -111,7 +111,7 @@ fn a_load_as_large_as_the_hardness_is_solved_exactly() {
                 assert!(contact.is_converged(), "{missing:e} by {}: {it:?}", solver.name());
                 assert!(contact.pressure.iter().all(|&p| p <= hardness));
                 let apart = contact.pressure.iter().map(|p| hardness - p).sum::<f64>() / problem.nodes() as f64;
-                assert!(apart <= hardness * (missing.max(0.0) + 1e-15), "{apart:e} at {missing:e}");
+                assert!(apart <= hardness * (missing.max(0.0) + 4e-15), "{apart:e} at {missing:e}");
                 assert!(it.pressure_error_bound <= 2.0 * missing.max(0.0) + 1e-14, "{missing:e}: {it:?}");
                 assert!(
                     it.mean_gap_error_bound < 1e-6 && contact.mean_gap() <= 1e-6 * problem.rms_height(),

@@ -199,10 +199,12 @@ fn files_of_contact_engineering_say_what_they_are() {
         series("q/π × 2D PSD", &|q| q.powi(-2) / PI)
     );
     let file = SpectrumFile::in_memory("power.csv", text.into_bytes());
-    let ignored = SpectrumConvention::Profile;
-    let surface = file.read(Some(ignored), false).unwrap();
+    let other = SpectrumConvention::Profile;
+    let refused = file.read(Some(other), false).unwrap_err().to_string();
+    assert!(refused.contains("its convention is surface-two-pi, but profile is given"), "{refused}");
+    let surface = file.read(None, false).unwrap();
     assert!((surface.density(100.0) * TAU.powi(2) / 1e-6 - 1.0).abs() < 1e-12);
-    let line = file.read(Some(ignored), true).unwrap();
+    let line = file.read(None, true).unwrap();
     assert!((line.density(100.0) * TAU / 5e-4 - 1.0).abs() < 1e-12);
 }
 
@@ -256,8 +258,9 @@ fn tables_that_are_none_are_refused() {
         ("1 2\n3 -1\n", "the density -1.0 is negative"),
         ("0 2\n3 1\n", "the wavenumber 0.0 is not positive"),
         ("1 0\n3 0\n", "all densities are zero"),
-        ("1 2\n3\n", "line 2 has a wavenumber and no density"),
-        ("1 2\nhello world\n3 1\n", "line 2 does not begin with a number"),
+        ("1 2\n3\n", "row 2 has a wavenumber and no density"),
+        ("1 2\nhello world\n3 1\n", "row 2"),
+        ("1.5;2e-3;1e-9\n30;1.5e-4;0\n", "row 1 has a third word, `1e-9`"),
         ("# convention: profil\n1 2\n3 1\n", "the convention `profil` is not known"),
     ] {
         assert!(read(text).contains(said), "{}", read(text));
@@ -269,7 +272,7 @@ fn numbers_have_decimal_points_or_commas() {
     let plain = SpectrumFile::in_memory("a", *b"1.5 2e-3\n30 1.5e-4\n").read(None, false).unwrap();
     for text in [
         "1,5\t2,0e-3\r\n30,0\t1,5e-4\r\n",
-        "q;C\n1.5;2e-3;1e-9\n30,0;1,5e-4;0\n",
+        "q;C\n1.5;2e-3\n30,0;1,5e-4\n",
         "1.5, 2e-3\n30, 1.5e-4\n",
         "1.5,2e-3\n30,1.5e-4",
     ] {
