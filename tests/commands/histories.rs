@@ -171,7 +171,7 @@ fn archives_of_different_bodies_have_the_whole_displacement() {
         let [displacement, gap]: [ndarray::Array2<f64>; 2] = ["displacement", "gap"].map(|it| npz.by_name(it).unwrap());
         assert_eq!(gap.nrows(), 2);
         for (u, gap) in displacement.rows().into_iter().zip(gap.rows()) {
-            let datum = &u - &height - &gap;
+            let datum = &u - &height - gap;
             let [low, high] = [f64::min, f64::max].map(|of| datum.iter().copied().fold(datum[0], of));
             let deepest = gap.iter().copied().fold(0.0, f64::max);
             assert!(
