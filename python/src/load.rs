@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// Heights, pressure and setup alone are believed. Each contact is certified again: its pressure must be allowed, carry the load, meet the tolerance
 /// of the setup, and cause the displacement and the gap in the file, and the contact on the next coarser grid is solved again. States of
 /// histories are certified for the memory, the traction or the attraction in the file, and these for the state. What does not hold raises an
-/// AsperityWarning, and its status is "unconfirmed": it is not converged.
+/// AsperityWarning, and its status is "not confirmed by its file": it is not converged.
 ///
 /// The traction of rolling, and tractions with coupling or along both axes, are held against the limit of friction and the load alone. The
 /// stability of a state with adhesion is not computed again.

@@ -68,8 +68,10 @@ pub fn columns<'py>(py: Python<'py>, contacts: &[Py<Contact>]) -> PyResult<Bound
     let rows = py.detach(|| contacts.iter().map(|it| it.get().numbers()).collect::<Result<Vec<_>, _>>());
     let rows = rows.map_err(py_error)?;
     let columns = PyDict::new(py);
-    for (i, (name, first)) in rows.first().into_iter().flatten().enumerate() {
-        let of = |row: &Vec<(&str, Measure)>| row[i].1;
+    for (name, first) in rows.first().into_iter().flatten() {
+        let of = |row: &Vec<(&str, Measure)>| {
+            row.iter().find(|(other, _)| other == name).map_or(Measure::Number(f64::NAN), |(_, value)| *value)
+        };
         match first {
             Measure::Number(_) => {
                 let number = |it| if let Measure::Number(value) = it { value } else { f64::NAN };

@@ -127,7 +127,7 @@ def test_what_does_not_hold_is_not_converged(tmp_path: Path) -> None:
     setup = np.frombuffer(heavy.setup.to_toml().encode(), dtype=np.uint8)
     with pytest.warns(asp.AsperityWarning, match=r"The pressures carry 0.333 of the prescribed load"):
         other = changed(light, tmp_path, setup=setup)
-    assert not other.converged and other.status == "unconfirmed"
+    assert not other.converged and other.status == "not confirmed by its file"
     with pytest.raises(asp.NotConverged, match="not confirmed by its file"):
         other.raise_if_not_converged()
     with pytest.warns(asp.AsperityWarning, match="The gap in .* is not that of the pressure in it"):

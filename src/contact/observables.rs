@@ -272,7 +272,7 @@ impl Observable {
     pub fn tells_of(&self, contact: &Contact) -> bool {
         let problem = &contact.problem;
         let is_there = match self.validity {
-            Validity::Yielding => !problem.law().is_hard_wall(),
+            Validity::Yielding => !problem.law().is_hard_wall() || problem.flattened_by() > 0.0,
             Validity::Sliding => problem.is_moving(),
             Validity::Always | Validity::NoAdhesion | Validity::Elastic => true,
         };

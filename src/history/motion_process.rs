@@ -41,6 +41,7 @@ impl Sliding {
     pub fn into_history(self, speed: f64) -> HistoryState {
         let numbers = HistoryNumbers {
             speed: Some(speed),
+            effective_modulus: Some(self.contact.effective_modulus()),
             friction: Some(self.friction),
             lateral_friction: (!self.contact.problem.surface().grid().is_line()).then_some(self.lateral),
             friction_full_contact: Some(self.full_contact),

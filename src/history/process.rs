@@ -69,6 +69,8 @@ pub struct HistoryNumbers {
     pub time: Option<f64>,
     /// Speed of sliding, a length per time.
     pub speed: Option<f64>,
+    /// Contact modulus in `kappa_r` of a contact that slides over a viscoelastic solid, a pressure.
+    pub effective_modulus: Option<f64>,
     /// Creepage of rolling.
     pub creepage: Option<f64>,
     /// Mean traction along `x` on the solid, a pressure.

@@ -50,7 +50,7 @@ pub const HISTORY_QUANTITIES: &[HistoryQuantity] = &[
     quantity("friction_persson", "friction by Persson", HistoryUnit::One, "Friction coefficient of Persson's theory, an estimate for partial contact.", |it| it.numbers.friction_persson),
     quantity("relative_area", "relative area", HistoryUnit::One, "Relative contact area, with edges interpolated between the nodes.", |it| Some(it.relative_area())),
     quantity("kappa_r", "kappa_r", HistoryUnit::One, "Area-load factor with the rms gradient in contact; of a solid that creeps, with its effective modulus.", |it| it.is_known(Validity::NoAdhesion).then(|| it.kappa_r())),
-    quantity("effective_modulus", "effective modulus", HistoryUnit::Pressure, "Contact modulus in kappa_r of a contact that slides over a viscoelastic solid.", |it| it.numbers.speed.map(|_| it.contact.effective_modulus())),
+    quantity("effective_modulus", "effective modulus", HistoryUnit::Pressure, "Contact modulus in kappa_r of a contact that slides over a viscoelastic solid.", |it| it.numbers.effective_modulus),
     quantity("mean_gap", "mean gap", HistoryUnit::Length, "Mean gap.", |it| Some(it.contact.mean_gap())),
     quantity("plastic_overlap", "plastic overlap", HistoryUnit::Length, "Mean overlap of the surfaces where they yield, not part of the mean gap.", |it| it.contact.problem.law().hardness().map(|_| it.contact.plasticity().overlap)),
     quantity("approach", "approach", HistoryUnit::Length, "Approach of the bodies since the highest peak touched; not defined on a periodic half-space.", |it| it.contact.approach()),

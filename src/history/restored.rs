@@ -22,6 +22,7 @@ impl HistoryState {
         let numbers = HistoryNumbers {
             time: number("time"),
             speed: number("speed"),
+            effective_modulus: number("effective_modulus"),
             creepage: number("creepage"),
             mean_traction: number("mean_traction"),
             friction: number("friction"),
