@@ -45,11 +45,18 @@ pub(super) struct StateSearch<'a> {
     stop: Stop,
     work: Work,
     start: Instant,
+    tests_stability: bool,
 }
 
 impl<'a> StateSearch<'a> {
     pub fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl, stop: Stop) -> Self {
-        Self { problem, attraction, control, stop, work: Work::default(), start: Instant::now() }
+        let (work, start) = (Work::default(), Instant::now());
+        Self { problem, attraction, control, stop, work, start, tests_stability: true }
+    }
+
+    /// The search for a state whose stability is not tested.
+    pub fn without_stability(self) -> Self {
+        Self { tests_stability: false, ..self }
     }
 
     /// The state that is found from the last one, or, without one, from the contact without adhesion.
@@ -208,7 +215,7 @@ impl<'a> StateSearch<'a> {
         state: &mut GapState,
         found: (&'static str, usize),
     ) -> Option<AdhesiveOutcome> {
-        let least = least_curvature(energy, state);
+        let least = if self.tests_stability { least_curvature(energy, state) } else { None };
         match &least {
             Some(least) if least.value < -MARGINAL * energy.softest() => {
                 leave_saddle(energy, state, least);

@@ -1,14 +1,19 @@
 //! A contact with adhesion that is moved by hand.
 
-use super::adhesive::{AdhesionLedger, AdhesivePlace, AdhesiveProcess, AdhesiveStep, AdhesiveVisit};
+use super::adhesive::AdhesiveProcess;
+use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit};
+use super::adhesive_walk::BranchWalk;
 use super::process::HistoryState;
 use crate::adhesion::AdhesiveControl;
-use crate::contact::Load;
+use crate::contact::{Load, Work};
 use crate::error::AdhesionError;
 
 /// The longest step of a move over the range of the attraction, and the most steps of one: longer ones let go of what holds.
 const LONGEST: f64 = 0.25;
 const MOST_STEPS: f64 = 64.0;
+
+/// The part of a move within which a jump is located.
+const FINEST: f64 = 1e-3;
 
 /// A contact with adhesion that is moved from load to load, whatever these will be. Each move starts from the last state.
 pub struct AdhesiveHand {
@@ -26,7 +31,7 @@ impl AdhesiveHand {
         let (first, rest) = loads.split_first().ok_or(AdhesionError::Pathless)?;
         let control = process.control(*first);
         let AdhesiveStep { place, work, .. } = process.solve(control, None, &mut ())?;
-        let mut last = AdhesiveVisit::calm(place, control, AdhesionLedger::default(), work);
+        let mut last = AdhesiveVisit::first(place, control, work);
         for load in rest {
             last = end_of(&process, &last, process.control(*load))?;
         }
@@ -55,9 +60,9 @@ impl AdhesiveHand {
     /// Goes on in one step, or in as many as it takes to find each state.
     fn step_to(&mut self, target: AdhesiveControl) -> Result<(), AdhesionError> {
         self.last = match self.process.solve(target, Some(&self.last.place), &mut ()) {
-            Ok(AdhesiveStep { place, work, .. }) => AdhesiveVisit { place, control: target, work, ..self.last.kept() },
+            Ok(AdhesiveStep { place, work, .. }) => AdhesiveVisit::first(place, target, work),
             Err(AdhesionError::NotFound { .. }) => {
-                let from = AdhesiveVisit { control: self.begin(target), ..self.last.kept() };
+                let from = AdhesiveVisit::first(self.last.place.clone(), self.begin(target), Work::default());
                 end_of(&self.process, &from, target)?
             }
             Err(error) => return Err(error),
@@ -88,6 +93,7 @@ fn end_of(
     target: AdhesiveControl,
 ) -> Result<AdhesiveVisit, AdhesionError> {
     let mut visits = Vec::new();
-    process.visits(from, target, &mut (), &mut visits)?;
+    let finest = FINEST * (target.value() - from.control.value()).abs();
+    BranchWalk::new(process, from, target, finest).run(&mut (), &mut visits)?;
     Ok(visits.pop().expect("a step has an end"))
 }

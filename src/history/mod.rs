@@ -15,7 +15,9 @@
 
 mod adhesive;
 mod adhesive_hand;
+mod adhesive_place;
 mod adhesive_totals;
+mod adhesive_walk;
 mod archive;
 mod creep;
 mod creep_path;

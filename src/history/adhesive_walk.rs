@@ -1,0 +1,244 @@
+//! The way of a contact with adhesion from one control to another: along branches of states, and over the jumps between them.
+
+use super::adhesive::AdhesiveProcess;
+use super::adhesive_place::{AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less, sum};
+use crate::adhesion::AdhesiveControl;
+use crate::contact::{Observer, Work};
+use crate::error::AdhesionError;
+use std::sync::Arc;
+
+/// Energy that a step on a branch may miss, over the energy of the attraction, and over the energy that was lost so far.
+const MISSED: f64 = 1e-4;
+const MISSED_OF_LOST: f64 = 2e-3;
+
+/// Energy of a jump over that of the attraction, from which the states before and after it are shown.
+const SHOWN: f64 = 1e-3;
+
+/// The part of its energy to which that of a jump is known before it is located.
+const LOCATED: f64 = 3e-3;
+
+/// The most by which a step is longer than the one before.
+const LONGER: f64 = 2.0;
+
+/// The way from one control to another.
+pub(super) struct BranchWalk<'a> {
+    process: &'a AdhesiveProcess,
+    begin: f64,
+    end: AdhesiveControl,
+    /// The width within which a jump is located.
+    finest: f64,
+    at: f64,
+    from: AdhesivePlace,
+    branch: Branch,
+    ledger: AdhesionLedger,
+    /// The nearest control that one step did not reach on the branch.
+    beyond: Option<Beyond>,
+    work: Work,
+}
+
+/// A step that left the branch, or was too long.
+struct Beyond {
+    to: f64,
+    /// What is still missed on the way there if there is no jump: of third order in the length that is left.
+    missed: f64,
+    /// Where it led; none if no state was found.
+    found: Option<(AdhesiveStep, EnergyBalance)>,
+}
+
+impl<'a> BranchWalk<'a> {
+    /// The way from a place to a control, on which jumps are located within `finest`.
+    pub fn new(process: &'a AdhesiveProcess, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
+        let (at, from, branch) = (last.control.value(), last.place.clone(), last.branch.clone());
+        let (ledger, work) = (last.ledger, Work::default());
+        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, work }
+    }
+
+    /// Adds the places on the way: both sides of each jump with the frames between them, and the end. After an error they end with the last
+    /// place that was found.
+    pub fn run(mut self, observer: &mut dyn Observer, visits: &mut Vec<AdhesiveVisit>) -> Result<(), AdhesionError> {
+        loop {
+            match self.step(observer, visits) {
+                Ok(true) => return Ok(()),
+                Ok(false) => {}
+                Err(error) => {
+                    if self.at != self.begin {
+                        visits.push(self.visit(self.from.clone(), self.at, None));
+                    }
+                    return Err(error);
+                }
+            }
+        }
+    }
+
+    /// One step, and whether it reached the end.
+    fn step(&mut self, observer: &mut dyn Observer, visits: &mut Vec<AdhesiveVisit>) -> Result<bool, AdhesionError> {
+        let to = self.next();
+        let width = (to - self.at).abs();
+        let found = self.process.probe(self.end.with_value(to), &self.from, &self.branch, observer);
+        let mut step = match found {
+            Ok(step) => step,
+            // close to a jump the safe method may be too slow
+            Err(AdhesionError::NotFound { .. }) if width > self.finest => {
+                return match self.beyond.take() {
+                    Some(Beyond { to, found: Some((step, balance)), .. }) => {
+                        self.jump(to, step, &balance, observer, visits)
+                    }
+                    _ => {
+                        self.beyond = Some(Beyond { to, missed: f64::INFINITY, found: None });
+                        Ok(false)
+                    }
+                };
+            }
+            Err(error) => return Err(error),
+        };
+        let mut balance = self.balance(&step.place);
+        if self.is_smooth(&balance) {
+            let untested = step.place.state().cloned();
+            self.process.test_stability(&mut step, observer)?;
+            if let (Some(before), Some(after)) = (untested, step.place.state())
+                && !Arc::ptr_eq(&before, after)
+            {
+                balance = self.balance(&step.place);
+            }
+        }
+        if self.is_smooth(&balance) {
+            return Ok(self.go_on(to, step, &balance, visits));
+        }
+        if width <= self.finest || self.is_located(&step.place, &balance, width) {
+            return self.jump(to, step, &balance, observer, visits);
+        }
+        self.work = sum(self.work, std::mem::take(&mut step.work));
+        step.frames.clear();
+        self.beyond = Some(Beyond { to, missed: balance.lost.abs(), found: Some((step, balance)) });
+        Ok(false)
+    }
+
+    /// The control of the next step: half the way to where the branch was left, or as far as the last steps suggest.
+    fn next(&self) -> f64 {
+        let end = self.end.value();
+        let (left, length) = (end - self.at, self.branch.length.unwrap_or(f64::INFINITY));
+        match &self.beyond {
+            Some(beyond) if (beyond.to - self.at).abs() <= self.finest => beyond.to,
+            Some(beyond) => 0.5 * (self.at + beyond.to),
+            None if left.abs() <= 1.2 * length => end,
+            None if left.abs() <= 2.0 * length => self.at + 0.5 * left,
+            None => self.at + length.copysign(left),
+        }
+    }
+
+    fn balance(&self, place: &AdhesivePlace) -> EnergyBalance {
+        self.branch.balance(&self.from, place, self.process.attraction())
+    }
+
+    /// The energy that a step may miss.
+    fn allowed(&self, balance: &EnergyBalance) -> f64 {
+        (MISSED * balance.held).max(MISSED_OF_LOST * self.ledger.lost)
+    }
+
+    fn is_smooth(&self, balance: &EnergyBalance) -> bool {
+        balance.lost.abs() <= self.allowed(balance)
+    }
+
+    /// Whether the energy of a small jump is known well enough: within the width of its step it changes by the change of the conjugate.
+    fn is_located(&self, after: &AdhesivePlace, balance: &EnergyBalance, width: f64) -> bool {
+        let (Some(before), Some(after)) = (self.from.state(), after.state()) else { return false };
+        let change = match self.end {
+            AdhesiveControl::MeanPressure(_) => after.datum - before.datum,
+            _ => after.mean_pressure - before.mean_pressure,
+        };
+        balance.lost < SHOWN * balance.held && 0.5 * width * change.abs() <= LOCATED * balance.lost.abs()
+    }
+
+    /// Accepts a step along the branch.
+    fn go_on(
+        &mut self,
+        to: f64,
+        step: AdhesiveStep,
+        balance: &EnergyBalance,
+        visits: &mut Vec<AdhesiveVisit>,
+    ) -> bool {
+        let allowed = self.allowed(balance);
+        if let Some(beyond) = &mut self.beyond {
+            beyond.missed /= 8.0;
+        }
+        self.beyond = self.beyond.take().filter(|beyond| beyond.missed > allowed);
+        // a longer step would miss more, by the third power of its length
+        let factor = (allowed / balance.lost.abs().max(f64::MIN_POSITIVE)).cbrt().clamp(0.5, LONGER);
+        let length = factor * (to - self.at).abs();
+        let known = self.branch.length.filter(|_| to == self.end.value());
+        let length = Some(known.map_or(length, |known| known.max(length)));
+        if self.counts_small_losses(&step.place) {
+            self.ledger.lost += balance.lost;
+        }
+        self.ledger.work += balance.work;
+        let past = self.from.state().cloned();
+        self.branch = Branch { past, bend: balance.bend.or(self.branch.bend), length };
+        self.work = sum(self.work, step.work);
+        (self.from, self.at) = (step.place, to);
+        self.ends(visits, None)
+    }
+
+    /// Whether nodes have come within reach of an attraction that jumps there, or have left it: each of them has jumped.
+    fn counts_small_losses(&self, after: &AdhesivePlace) -> bool {
+        let (Some(before), Some(after)) = (self.from.state(), after.state()) else { return false };
+        let attraction = self.process.attraction();
+        let is_within = |gap: &f64| *gap < attraction.cutoff();
+        let mut pairs = before.contact.gap.iter().zip(&after.contact.gap);
+        attraction.steepest().is_infinite() && pairs.any(|(before, after)| is_within(before) != is_within(after))
+    }
+
+    /// Accepts a step over a jump.
+    fn jump(
+        &mut self,
+        to: f64,
+        mut step: AdhesiveStep,
+        found: &EnergyBalance,
+        observer: &mut dyn Observer,
+        visits: &mut Vec<AdhesiveVisit>,
+    ) -> Result<bool, AdhesionError> {
+        self.process.test_stability(&mut step, observer)?;
+        let is_shown = found.lost > SHOWN * found.held;
+        if is_shown && self.at != self.begin {
+            let before = self.visit(self.from.clone(), self.at, None);
+            visits.push(before);
+        }
+        let AdhesiveStep { place, frames, work } = step;
+        let mut shown = Work::default();
+        for frame in frames.into_iter().filter(|_| is_shown) {
+            let since = less(frame.work, std::mem::replace(&mut shown, frame.work));
+            self.work = sum(self.work, since);
+            let visit = self.visit(AdhesivePlace::State(Arc::new(frame)), to, None);
+            visits.push(visit);
+        }
+        self.work = sum(self.work, less(work, shown));
+        let balance = Branch::default().balance(&self.from, &place, self.process.attraction());
+        let lost = balance.lost;
+        self.ledger.lost += if lost.is_finite() { lost } else { 0.0 };
+        self.ledger.work += balance.work;
+        self.beyond = None;
+        self.branch = Branch { length: self.branch.length, ..Branch::default() };
+        (self.from, self.at) = (place, to);
+        let jump = Some(lost).filter(|lost| is_shown && lost.is_finite());
+        if is_shown && to != self.end.value() {
+            let visit = self.visit(self.from.clone(), to, jump);
+            visits.push(visit);
+        }
+        Ok(self.ends(visits, jump))
+    }
+
+    /// Whether the end is reached, which is visited then.
+    fn ends(&mut self, visits: &mut Vec<AdhesiveVisit>, jump: Option<f64>) -> bool {
+        let is_end = self.at == self.end.value();
+        if is_end {
+            let visit = self.visit(self.from.clone(), self.at, jump);
+            visits.push(visit);
+        }
+        is_end
+    }
+
+    /// A visit to a place, with the work since the last one.
+    fn visit(&mut self, place: AdhesivePlace, at: f64, jump: Option<f64>) -> AdhesiveVisit {
+        let (ledger, work, branch) = (self.ledger, std::mem::take(&mut self.work), self.branch.clone());
+        AdhesiveVisit { place, control: self.end.with_value(at), ledger, jump, work, branch }
+    }
+}
