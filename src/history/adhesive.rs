@@ -3,9 +3,7 @@
 use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, sum};
 use super::adhesive_walk::BranchWalk;
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
-use crate::adhesion::{
-    AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem, AdhesiveState, Attraction,
-};
+use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem, AdhesiveState, Attraction};
 use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, Status, Stop, Work};
 use crate::error::{AdhesionError, HistoryError};
 use crate::surface::Field;
@@ -127,7 +125,8 @@ impl AdhesiveProcess {
         observer: &mut dyn Observer,
     ) -> Result<(), AdhesionError> {
         let is_periodic = self.problem.problem().surface().grid().is_periodic();
-        let Some(state) = step.place.state().filter(|state| is_periodic && state.claim == ResultClaim::Stationary) else {
+        let Some(state) = step.place.state().filter(|state| is_periodic && state.claim == ResultClaim::Stationary)
+        else {
             return Ok(());
         };
         let tested = self.step(state.control, Some(state), observer)?;
@@ -162,7 +161,7 @@ impl AdhesiveProcess {
         let AdhesiveVisit { place, control, ledger, jump, work, .. } = visit;
         let numbers = HistoryNumbers {
             dissipated: Some(ledger.lost),
-            work_done: Some(ledger.work),
+            work_done: Some(ledger.work()),
             jump,
             ..HistoryNumbers::default()
         };

@@ -20,8 +20,10 @@ pub(super) enum AdhesivePlace {
 pub(super) struct AdhesionLedger {
     /// Energy lost in jumps.
     pub lost: f64,
-    /// Work of the load.
-    pub work: f64,
+    /// Work of the load, without what the last step still lacks.
+    work: f64,
+    /// What the last step still lacks: half its correction, as long as no step has followed it.
+    pending: f64,
 }
 
 /// Where a step leads.
@@ -56,14 +58,43 @@ pub(super) struct Branch {
 
 /// The energies of a step from one state to another, per area.
 pub(super) struct EnergyBalance {
-    /// Work of the load.
-    pub work: f64,
     /// Energy that is lost; infinite where the surfaces part.
     pub lost: f64,
     /// The energy of the attraction in the state that has more of it.
     pub held: f64,
     /// Half the second derivative of the conjugate quantity.
     pub bend: Option<f64>,
+    /// Work of the load by the trapezoid.
+    trapezoid: f64,
+    /// What a parabola with this bend adds to the trapezoid, in the step before and in this one.
+    corrections: [f64; 2],
+}
+
+impl EnergyBalance {
+    /// The balance of a step whose work is not known.
+    fn unknown(lost: f64) -> Self {
+        Self { lost, held: 0.0, bend: None, trapezoid: 0.0, corrections: [0.0; 2] }
+    }
+}
+
+impl AdhesionLedger {
+    /// Work of the load.
+    pub fn work(&self) -> f64 {
+        self.work + self.pending
+    }
+
+    /// Adds the work of a step. The correction of a step is the mean of those by the states before and after it, or the one that is known. It
+    /// is then the same on the way back.
+    pub fn add_step(&mut self, step: &EnergyBalance, last_has_correction: bool) {
+        let [last, this] = step.corrections;
+        self.work += match (step.bend, last_has_correction) {
+            (Some(_), true) => 0.5 * last,
+            (Some(_), false) => last,
+            (None, _) => self.pending,
+        };
+        self.work += step.trapezoid + 0.5 * this;
+        self.pending = 0.5 * this;
+    }
 }
 
 impl AdhesiveStep {
@@ -114,25 +145,27 @@ impl Branch {
     ///
     /// `E_0 - E_1 + W`, `W = -int P dd`.
     ///
-    /// The work `W` is that of the parabola through the last two states and the new one: `P` over `d`, or, under a mean pressure, `d` over
-    /// `P`. Without an earlier state on the branch it is that of the trapezoid.
+    /// Here `W` is that of the parabola through the last two states and the new one: `P` over `d`, or, under a mean pressure, `d` over `P`.
+    /// Without an earlier state on the branch it is that of the trapezoid.
     pub fn balance(&self, from: &AdhesivePlace, to: &AdhesivePlace, attraction: &Attraction) -> EnergyBalance {
         let (before, after) = match (from, to) {
             (AdhesivePlace::State(before), AdhesivePlace::State(after)) => (before, after),
             (AdhesivePlace::State(_), AdhesivePlace::Apart) => {
-                return EnergyBalance { work: 0.0, lost: f64::INFINITY, held: 0.0, bend: None };
+                return EnergyBalance::unknown(f64::INFINITY);
             }
             // where surfaces that have parted come together, they come from afar
-            (AdhesivePlace::Apart, _) => return EnergyBalance { work: 0.0, lost: 0.0, held: 0.0, bend: None },
+            (AdhesivePlace::Apart, _) => return EnergyBalance::unknown(0.0),
         };
         let trapezoid = -0.5 * (before.mean_pressure + after.mean_pressure) * (after.datum - before.datum);
         let [start, end] = [before, after].map(|state| conjugates(state));
-        let length = end[0] - start[0];
         let bend = self.bend_to(start, end);
         let sign = if matches!(after.control, AdhesiveControl::MeanPressure(_)) { -1.0 } else { 1.0 };
-        let work = trapezoid + sign * bend.unwrap_or(0.0) * length.powi(3) / 6.0;
+        let correction = |length: f64| sign * bend.unwrap_or(0.0) * length.powi(3) / 6.0;
+        let last = self.past.as_ref().map_or(0.0, |past| start[0] - conjugates(past)[0]);
+        let corrections = [last, end[0] - start[0]].map(correction);
         let held = [before, after].map(|state| held(state, attraction));
-        EnergyBalance { work, lost: before.energy - after.energy + work, held: held[0].max(held[1]), bend }
+        let lost = before.energy - after.energy + trapezoid + corrections[1];
+        EnergyBalance { lost, held: held[0].max(held[1]), bend, trapezoid, corrections }
     }
 
     /// Half the second derivative of the conjugate quantity, by the last two states of the branch and a new one. On the way back the new

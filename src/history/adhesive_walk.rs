@@ -1,21 +1,38 @@
 //! The way of a contact with adhesion from one control to another: along branches of states, and over the jumps between them.
 
 use super::adhesive::AdhesiveProcess;
-use super::adhesive_place::{AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less, sum};
+use super::adhesive_place::{
+    AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less, sum,
+};
 use crate::adhesion::AdhesiveControl;
 use crate::contact::{Observer, Work};
 use crate::error::AdhesionError;
 use std::sync::Arc;
 
-/// Energy that a step on a branch may miss, over the energy of the attraction, and over the energy that was lost so far.
-const MISSED: f64 = 1e-4;
+/// What is allowed to a step. Energies are over that of the attraction.
+struct Limits {
+    /// Energy that a step on a branch may miss.
+    missed: f64,
+    /// Energy of a jump from which the states before and after it are shown.
+    shown: f64,
+    /// The part to which the energy of a jump that is not shown is known.
+    located: f64,
+}
+
+const SMOOTH: Limits = Limits { missed: 1e-4, shown: 1e-3, located: 0.02 };
+
+/// With an attraction that jumps, node after node snaps at the edges of a contact. There are many of these snaps, and what is not known of their
+/// energies cancels on the whole.
+const SNAPPING: Limits = Limits { missed: 1e-3, shown: 1e-2, located: 0.2 };
+
+/// Energy that a step on a branch may miss over the energy that was lost so far.
 const MISSED_OF_LOST: f64 = 2e-3;
 
-/// Energy of a jump over that of the attraction, from which the states before and after it are shown.
-const SHOWN: f64 = 1e-3;
+/// The way is halved at most so many times.
+const HALVINGS: i32 = 30;
 
-/// The part of its energy to which that of a jump is known before it is located.
-const LOCATED: f64 = 3e-3;
+/// The part of a step by which rounding moves its end.
+const ROUNDING: f64 = 1e-4;
 
 /// The most by which a step is longer than the one before.
 const LONGER: f64 = 2.0;
@@ -33,6 +50,7 @@ pub(super) struct BranchWalk<'a> {
     ledger: AdhesionLedger,
     /// The nearest control that one step did not reach on the branch.
     beyond: Option<Beyond>,
+    limits: &'static Limits,
     work: Work,
 }
 
@@ -50,7 +68,8 @@ impl<'a> BranchWalk<'a> {
     pub fn new(process: &'a AdhesiveProcess, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
         let (at, from, branch) = (last.control.value(), last.place.clone(), last.branch.clone());
         let (ledger, work) = (last.ledger, Work::default());
-        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, work }
+        let limits = if process.attraction().steepest().is_infinite() { &SNAPPING } else { &SMOOTH };
+        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, limits, work }
     }
 
     /// Adds the places on the way: both sides of each jump with the frames between them, and the end. After an error they end with the last
@@ -113,17 +132,20 @@ impl<'a> BranchWalk<'a> {
         Ok(false)
     }
 
-    /// The control of the next step: half the way to where the branch was left, or as far as the last steps suggest.
+    /// The control of the next step: half the way to where the branch was left, or as far as the last steps suggest. The whole way is halved,
+    /// and halved again, so that steps back end at the same controls.
     fn next(&self) -> f64 {
-        let end = self.end.value();
-        let (left, length) = (end - self.at, self.branch.length.unwrap_or(f64::INFINITY));
-        match &self.beyond {
-            Some(beyond) if (beyond.to - self.at).abs() <= self.finest => beyond.to,
-            Some(beyond) => 0.5 * (self.at + beyond.to),
-            None if left.abs() <= 1.2 * length => end,
-            None if left.abs() <= 2.0 * length => self.at + 0.5 * left,
-            None => self.at + length.copysign(left),
+        if let Some(beyond) = &self.beyond {
+            let is_close = (beyond.to - self.at).abs() <= self.finest;
+            return if is_close { beyond.to } else { 0.5 * (self.at + beyond.to) };
         }
+        let way = self.end.value() - self.begin;
+        let longest = LONGER.sqrt() * self.branch.length.unwrap_or(f64::INFINITY) / way.abs();
+        let part = (0..HALVINGS).map(|halvings| 0.5f64.powi(halvings)).find(|part| *part <= longest);
+        let part = part.unwrap_or(0.5f64.powi(HALVINGS));
+        let done = ((self.at - self.begin) / way / part + ROUNDING).floor();
+        let to = (done + 1.0) * part;
+        if to < 1.0 { self.begin + to * way } else { self.end.value() }
     }
 
     fn balance(&self, place: &AdhesivePlace) -> EnergyBalance {
@@ -132,7 +154,7 @@ impl<'a> BranchWalk<'a> {
 
     /// The energy that a step may miss.
     fn allowed(&self, balance: &EnergyBalance) -> f64 {
-        (MISSED * balance.held).max(MISSED_OF_LOST * self.ledger.lost)
+        (self.limits.missed * balance.held).max(MISSED_OF_LOST * self.ledger.lost)
     }
 
     fn is_smooth(&self, balance: &EnergyBalance) -> bool {
@@ -146,36 +168,38 @@ impl<'a> BranchWalk<'a> {
             AdhesiveControl::MeanPressure(_) => after.datum - before.datum,
             _ => after.mean_pressure - before.mean_pressure,
         };
-        balance.lost < SHOWN * balance.held && 0.5 * width * change.abs() <= LOCATED * balance.lost.abs()
+        balance.lost < self.limits.shown * balance.held
+            && 0.5 * width * change.abs() <= self.limits.located * balance.lost.abs()
     }
 
     /// Accepts a step along the branch.
-    fn go_on(
-        &mut self,
-        to: f64,
-        step: AdhesiveStep,
-        balance: &EnergyBalance,
-        visits: &mut Vec<AdhesiveVisit>,
-    ) -> bool {
+    fn go_on(&mut self, to: f64, step: AdhesiveStep, balance: &EnergyBalance, visits: &mut Vec<AdhesiveVisit>) -> bool {
         let allowed = self.allowed(balance);
         if let Some(beyond) = &mut self.beyond {
             beyond.missed /= 8.0;
         }
         self.beyond = self.beyond.take().filter(|beyond| beyond.missed > allowed);
-        // a longer step would miss more, by the third power of its length
-        let factor = (allowed / balance.lost.abs().max(f64::MIN_POSITIVE)).cbrt().clamp(0.5, LONGER);
-        let length = factor * (to - self.at).abs();
-        let known = self.branch.length.filter(|_| to == self.end.value());
-        let length = Some(known.map_or(length, |known| known.max(length)));
+        let length = self.next_length(to, allowed / balance.lost.abs().max(f64::MIN_POSITIVE));
         if self.counts_small_losses(&step.place) {
             self.ledger.lost += balance.lost;
         }
-        self.ledger.work += balance.work;
-        let past = self.from.state().cloned();
-        self.branch = Branch { past, bend: balance.bend.or(self.branch.bend), length };
+        self.ledger.add_step(balance, self.branch.bend.is_some());
+        self.branch = Branch { past: self.from.state().cloned(), bend: balance.bend, length };
         self.work = sum(self.work, step.work);
         (self.from, self.at) = (step.place, to);
         self.ends(visits, None)
+    }
+
+    /// The length of the next step on the branch, where one to a control missed a part of what is allowed. A longer one would miss more, by
+    /// the third power of its length. Steps towards a jump, and the last one to the end, say nothing about longer ones.
+    fn next_length(&self, to: f64, share: f64) -> Option<f64> {
+        let known = self.branch.length;
+        let length = share.cbrt().clamp(0.5, LONGER) * (to - self.at).abs();
+        match &self.beyond {
+            Some(_) => known,
+            None if to == self.end.value() => Some(known.map_or(length, |known| known.max(length))),
+            None => Some(length),
+        }
     }
 
     /// Whether nodes have come within reach of an attraction that jumps there, or have left it: each of them has jumped.
@@ -197,7 +221,7 @@ impl<'a> BranchWalk<'a> {
         visits: &mut Vec<AdhesiveVisit>,
     ) -> Result<bool, AdhesionError> {
         self.process.test_stability(&mut step, observer)?;
-        let is_shown = found.lost > SHOWN * found.held;
+        let is_shown = found.lost > self.limits.shown * found.held;
         if is_shown && self.at != self.begin {
             let before = self.visit(self.from.clone(), self.at, None);
             visits.push(before);
@@ -214,7 +238,7 @@ impl<'a> BranchWalk<'a> {
         let balance = Branch::default().balance(&self.from, &place, self.process.attraction());
         let lost = balance.lost;
         self.ledger.lost += if lost.is_finite() { lost } else { 0.0 };
-        self.ledger.work += balance.work;
+        self.ledger.add_step(&balance, false);
         self.beyond = None;
         self.branch = Branch { length: self.branch.length, ..Branch::default() };
         (self.from, self.at) = (place, to);
