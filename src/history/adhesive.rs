@@ -12,6 +12,9 @@ use std::sync::Arc;
 /// The part of the way from one point of the path to the next within which a jump is located.
 const FINEST: f64 = 5e-5;
 
+/// The part of the work of adhesion to which the energies of states are found, over the tolerance of their residual.
+const NOISE: f64 = 10.0;
+
 /// Ranges of the attraction at which surfaces that have parted are drawn, where the attraction has no cut-off.
 const APART: f64 = 30.0;
 
@@ -78,6 +81,11 @@ impl AdhesiveProcess {
             Load::MeanGap(gap) => AdhesiveControl::MeanGap(gap),
             Load::Approach(approach) => AdhesiveControl::Approach(approach),
         }
+    }
+
+    /// The part of the work of adhesion to which the energies of states are found.
+    pub(super) fn noise(&self) -> f64 {
+        NOISE * self.stop.tolerance()
     }
 
     /// The attraction.

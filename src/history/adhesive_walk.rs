@@ -19,7 +19,7 @@ struct Limits {
     located: f64,
 }
 
-const SMOOTH: Limits = Limits { missed: 1e-4, shown: 1e-3, located: 0.02 };
+const SMOOTH: Limits = Limits { missed: 5e-5, shown: 1e-3, located: 0.02 };
 
 /// With an attraction that jumps, node after node snaps at the edges of a contact. There are many of these snaps, and what is not known of their
 /// energies cancels on the whole.
@@ -154,7 +154,8 @@ impl<'a> BranchWalk<'a> {
 
     /// The energy that a step may miss.
     fn allowed(&self, balance: &EnergyBalance) -> f64 {
-        (self.limits.missed * balance.held).max(MISSED_OF_LOST * self.ledger.lost)
+        let noise = self.process.noise() * self.process.attraction().work();
+        (self.limits.missed * balance.held).max(MISSED_OF_LOST * self.ledger.lost).max(noise)
     }
 
     fn is_smooth(&self, balance: &EnergyBalance) -> bool {
@@ -179,7 +180,8 @@ impl<'a> BranchWalk<'a> {
             beyond.missed /= 8.0;
         }
         self.beyond = self.beyond.take().filter(|beyond| beyond.missed > allowed);
-        let length = self.next_length(to, allowed / balance.lost.abs().max(f64::MIN_POSITIVE));
+        let share = if balance.lost == 0.0 { f64::INFINITY } else { allowed / balance.lost.abs() };
+        let length = self.next_length(to, share);
         if self.counts_small_losses(&step.place) {
             self.ledger.lost += balance.lost;
         }
@@ -194,6 +196,9 @@ impl<'a> BranchWalk<'a> {
     /// the third power of its length. Steps towards a jump, and the last one to the end, say nothing about longer ones.
     fn next_length(&self, to: f64, share: f64) -> Option<f64> {
         let known = self.branch.length;
+        if to == self.at {
+            return known;
+        }
         let length = share.cbrt().clamp(0.5, LONGER) * (to - self.at).abs();
         match &self.beyond {
             Some(_) => known,

@@ -11,6 +11,9 @@ use serde::Serialize;
 /// A process zone of fewer spacings gets a warning.
 const FEW_SPACINGS: f64 = 4.0;
 
+/// An error of the grid above this part gets a warning.
+const LARGE_GRID_ERROR: f64 = 0.02;
+
 /// The states of a history, and what they add up to.
 pub struct HistoryOutcome {
     /// The process.
@@ -117,7 +120,18 @@ impl HistoryOutcome {
             )
             .with_remedy("grid.points", None)
         });
-        missed.into_iter().chain(coarse).collect()
+        let error = self.adhesion.as_ref().and_then(|it| it.scales.grid_error);
+        let snapping = error.filter(|error| *error > LARGE_GRID_ERROR && coarse.is_none()).map(|error| {
+            Warning::new(
+                format!(
+                    "Forces at which contacts let go may be off by {:.0} %, as the traction jumps at the end of its range and the nodes hold the edges of the contact",
+                    1e2 * error
+                ),
+                "Use more points: the error is proportional to their spacing",
+            )
+            .with_remedy("grid.points", None)
+        });
+        missed.into_iter().chain(coarse).chain(snapping).collect()
     }
 }
 
