@@ -169,7 +169,8 @@ impl AdhesiveProcess {
         let AdhesiveVisit { place, control, ledger, jump, work, .. } = visit;
         let numbers = HistoryNumbers {
             dissipated: Some(ledger.lost),
-            work_done: Some(ledger.work()),
+            dissipated_error: Some(ledger.error()),
+            work_done: Some(ledger.work),
             jump,
             ..HistoryNumbers::default()
         };

@@ -21,10 +21,12 @@ pub(super) enum AdhesivePlace {
 pub(super) struct AdhesionLedger {
     /// Energy lost in jumps.
     pub lost: f64,
-    /// Work of the load, without what the last step still lacks.
-    work: f64,
-    /// What the last step still lacks: half its correction, as long as no step has followed it.
-    pending: f64,
+    /// Work of the load: on a branch the change of the energy.
+    pub work: f64,
+    /// What the integrals of the steps on branches missed.
+    missed: f64,
+    /// What the places of the jumps within their steps leave open.
+    spread: f64,
 }
 
 /// Where a step leads.
@@ -65,38 +67,42 @@ pub(super) struct EnergyBalance {
     pub held: f64,
     /// Half the second derivative of the conjugate quantity.
     pub bend: Option<f64>,
-    /// By how much the correction differs from that with the bend of the step before.
+    /// By how much the correction of the integral differs from that with the bend of the step before.
     pub swerve: f64,
-    /// Work of the load by the trapezoid.
-    trapezoid: f64,
-    /// What a parabola with this bend adds to the trapezoid, in the step before and in this one.
-    corrections: [f64; 2],
+    /// By how much the energy rises.
+    pub rise: f64,
+    /// Whether both states are the solutions of convex problems.
+    pub is_convex: bool,
+    /// Half the rectangle of the changes of datum and pressure: what a jump somewhere in the step may lose more or less.
+    spread: f64,
 }
 
 impl EnergyBalance {
     /// The balance of a step whose work is not known.
     fn unknown(lost: f64) -> Self {
-        Self { lost, held: 0.0, bend: None, swerve: 0.0, trapezoid: 0.0, corrections: [0.0; 2] }
+        Self { lost, held: 0.0, bend: None, swerve: 0.0, rise: 0.0, is_convex: false, spread: 0.0 }
     }
 }
 
 impl AdhesionLedger {
-    /// Work of the load.
-    pub fn work(&self) -> f64 {
-        self.work + self.pending
+    /// Adds a step on a branch, which loses nothing: what the integral misses is its error.
+    pub fn add_smooth(&mut self, step: &EnergyBalance) {
+        self.work += step.rise;
+        self.missed += step.lost;
     }
 
-    /// Adds the work of a step. The correction of a step is the mean of those by the states before and after it, or the one that is known. It
-    /// is then the same on the way back.
-    pub fn add_step(&mut self, step: &EnergyBalance, last_has_correction: bool) {
-        let [last, this] = step.corrections;
-        self.work += match (step.bend, last_has_correction) {
-            (Some(_), true) => 0.5 * last,
-            (Some(_), false) => last,
-            (None, _) => self.pending,
-        };
-        self.work += step.trapezoid + 0.5 * this;
-        self.pending = 0.5 * this;
+    /// Adds a step that jumps. Where the surfaces part, the load works without a limit, which does not count.
+    pub fn add_jump(&mut self, step: &EnergyBalance) {
+        if step.lost.is_finite() {
+            self.lost += step.lost;
+            self.work += step.rise + step.lost;
+            self.spread += step.spread;
+        }
+    }
+
+    /// The estimated error of the energy lost.
+    pub fn error(&self) -> f64 {
+        self.spread + self.missed.abs()
     }
 }
 
@@ -170,14 +176,18 @@ impl Branch {
         let [start, end] = [before, after].map(|state| conjugates(state));
         let bend = self.bend_to(start, end);
         let sign = if matches!(after.control, AdhesiveControl::MeanPressure(_)) { -1.0 } else { 1.0 };
-        let correction = |length: f64| sign * bend.unwrap_or(0.0) * length.powi(3) / 6.0;
-        let last = self.past.as_ref().map_or(0.0, |past| start[0] - conjugates(past)[0]);
-        let corrections = [last, end[0] - start[0]].map(correction);
-        let held = [before, after].map(|state| held(state, attraction));
-        let lost = before.energy - after.energy + trapezoid + corrections[1];
-        let turn = bend.zip(self.bend).map_or(0.0, |(bend, last)| bend - last);
-        let swerve = turn * (end[0] - start[0]).powi(3) / 6.0;
-        EnergyBalance { lost, held: held[0].max(held[1]), bend, swerve, trapezoid, corrections }
+        let length = end[0] - start[0];
+        let correction = |bend: f64| sign * bend * length.powi(3) / 6.0;
+        let rise = after.energy - before.energy;
+        EnergyBalance {
+            lost: trapezoid + correction(bend.unwrap_or(0.0)) - rise,
+            held: [before, after].map(|state| held(state, attraction)).into_iter().fold(0.0, f64::max),
+            bend,
+            swerve: correction(bend.zip(self.bend).map_or(0.0, |(bend, last)| bend - last)),
+            rise,
+            is_convex: [before, after].iter().all(|state| state.claim == ResultClaim::Solution),
+            spread: 0.5 * (length * (end[1] - start[1])).abs(),
+        }
     }
 
     /// Half the second derivative of the conjugate quantity, by the last two states of the branch and a new one. On the way back the new

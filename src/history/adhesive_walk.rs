@@ -9,24 +9,20 @@ use crate::contact::{Observer, Work};
 use crate::error::AdhesionError;
 use std::sync::Arc;
 
-/// What is allowed to a step. Energies are over that of the attraction.
-struct Limits {
-    /// Energy that a step on a branch may miss.
-    missed: f64,
-    /// Energy of a jump from which the states before and after it are shown.
-    shown: f64,
-    /// The part to which the energy of a jump that is not shown is known.
-    located: f64,
-}
+/// Energy that a step on a branch may miss, over that of the attraction.
+const MISSED: f64 = 2e-5;
 
-const SMOOTH: Limits = Limits { missed: 2e-5, shown: 1e-3, located: 0.01 };
-
-/// With an attraction that jumps, node after node snaps at the edges of a contact. There are many of these snaps, and what is not known of their
-/// energies cancels on the whole.
-const SNAPPING: Limits = Limits { missed: 1e-3, shown: 1e-2, located: 0.2 };
-
-/// Energy that a step on a branch may miss over the energy that was lost so far.
+/// Energy that a step on a branch may miss over the energy that was lost so far, and over its change in the step.
 const MISSED_OF_LOST: f64 = 5e-4;
+const MISSED_OF_RISE: f64 = 1e-5;
+
+/// Energy of a jump, over that of the attraction, from which the states before and after it are shown. With an attraction that jumps, node after
+/// node snaps at the edges of a contact: only larger jumps are shown.
+const SHOWN: f64 = 1e-3;
+const SHOWN_OF_SNAPS: f64 = 1e-2;
+
+/// The part to which the energy of a jump is known.
+const LOCATED: f64 = 0.01;
 
 /// The part of a load that pulls by which the last state that holds may lie below the one that parts the surfaces.
 const PULL_OFF: f64 = 1e-3;
@@ -60,7 +56,8 @@ pub(super) struct BranchWalk<'a> {
     ledger: AdhesionLedger,
     /// The nearest control that one step did not reach on the branch.
     beyond: Option<Beyond>,
-    limits: &'static Limits,
+    /// Energy of a jump, over that of the attraction, from which it is shown.
+    shown: f64,
     work: Work,
 }
 
@@ -80,8 +77,8 @@ impl<'a> BranchWalk<'a> {
     pub fn new(process: &'a AdhesiveProcess, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
         let (at, from, branch) = (last.control.value(), last.place.clone(), last.branch.clone());
         let (ledger, work) = (last.ledger, Work::default());
-        let limits = if process.attraction().steepest().is_infinite() { &SNAPPING } else { &SMOOTH };
-        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, limits, work }
+        let shown = if process.attraction().steepest().is_infinite() { SHOWN_OF_SNAPS } else { SHOWN };
+        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, shown, work }
     }
 
     /// Adds the places on the way: both sides of each jump with the frames between them, and the end. After an error they end with the last
@@ -124,8 +121,7 @@ impl<'a> BranchWalk<'a> {
         if width <= finest || self.is_located(&step.place, &balance, width) {
             return self.jump(to, step, observer, visits);
         }
-        self.work = sum(self.work, std::mem::take(&mut step.work));
-        step.frames.clear();
+        self.forget_beyond();
         self.beyond = Some(Beyond { to, missed: balance.lost.abs(), width: finest, found: Some((to, step)) });
         Ok(false)
     }
@@ -135,6 +131,13 @@ impl<'a> BranchWalk<'a> {
         let at = self.at;
         let close = self.beyond.take_if(|beyond| (beyond.to - at).abs() <= beyond.width && beyond.found.is_some())?;
         close.found
+    }
+
+    /// Forgets what was found beyond, whose work counts.
+    fn forget_beyond(&mut self) {
+        if let Some((_, step)) = self.beyond.take().and_then(|beyond| beyond.found) {
+            self.work = sum(self.work, step.work);
+        }
     }
 
     /// Halves a step to a control at which no state was found. Close to a jump a search may be too slow: then the place beyond it counts. Without
@@ -188,20 +191,22 @@ impl<'a> BranchWalk<'a> {
     /// The energy that a step may miss.
     fn allowed(&self, balance: &EnergyBalance) -> f64 {
         let noise = self.process.noise() * self.process.attraction().work();
-        (self.limits.missed * balance.held).max(MISSED_OF_LOST * self.ledger.lost).max(noise)
+        let [held, lost] = [MISSED * balance.held, MISSED_OF_LOST * self.ledger.lost];
+        held.max(lost).max(MISSED_OF_RISE * balance.rise.abs()).max(noise)
     }
 
+    /// Whether a step stays on its branch. A convex energy has only one.
     fn is_smooth(&self, balance: &EnergyBalance) -> bool {
         let allowed = self.allowed(balance);
-        balance.lost.abs() <= allowed && balance.swerve.abs() <= SWERVE * allowed
+        balance.is_convex || balance.lost.abs() <= allowed && balance.swerve.abs() <= SWERVE * allowed
     }
 
     /// Whether a step is a jump whose place and energy are known well enough. Within the width of the step the energy of a jump changes by the change
     /// of the conjugate quantity, from where the branch would have gone on. What a step on a branch misses is never as large.
     fn is_located(&self, after: &AdhesivePlace, balance: &EnergyBalance, width: f64) -> bool {
         let Some(change) = self.branch.change_beyond(&self.from, after) else { return false };
-        let is_small = balance.lost < self.limits.shown * balance.held;
-        (is_small || width <= self.finest) && 0.5 * width * change <= self.limits.located * balance.lost
+        let is_small = balance.lost < self.shown * balance.held;
+        (is_small || width <= self.finest) && 0.5 * width * change <= LOCATED * balance.lost
     }
 
     /// Accepts a step along the branch.
@@ -210,13 +215,16 @@ impl<'a> BranchWalk<'a> {
         if let Some(beyond) = &mut self.beyond {
             beyond.missed /= 8.0;
         }
-        self.beyond = self.beyond.take().filter(|beyond| beyond.missed > allowed);
+        if self.beyond.as_ref().is_some_and(|beyond| beyond.missed <= allowed) {
+            self.forget_beyond();
+        }
         let share = if balance.lost == 0.0 { f64::INFINITY } else { allowed / balance.lost.abs() };
         let length = self.next_length(to, share);
         if self.counts_small_losses(&step.place) {
-            self.ledger.lost += balance.lost;
+            self.ledger.add_jump(balance);
+        } else {
+            self.ledger.add_smooth(balance);
         }
-        self.ledger.add_step(balance, self.branch.bend.is_some());
         self.branch = Branch { past: self.from.state().cloned(), bend: balance.bend, length };
         self.work = sum(self.work, step.work);
         (self.from, self.at) = (step.place, to);
@@ -258,12 +266,13 @@ impl<'a> BranchWalk<'a> {
         self.process.test_stability(&mut step, observer)?;
         let balance = Branch::default().balance(&self.from, &step.place, self.process.attraction());
         let lost = balance.lost;
-        let is_shown = lost > self.limits.shown * balance.held;
+        let is_shown = lost > self.shown * balance.held;
+        let AdhesiveStep { place, frames, work } = step;
+        self.forget_beyond();
         if is_shown && self.at != self.begin {
             let before = self.visit(self.from.clone(), self.at, None);
             visits.push(before);
         }
-        let AdhesiveStep { place, frames, work } = step;
         let mut shown = Work::default();
         for frame in frames.into_iter().filter(|_| is_shown) {
             let since = less(frame.work, std::mem::replace(&mut shown, frame.work));
@@ -272,9 +281,7 @@ impl<'a> BranchWalk<'a> {
             visits.push(visit);
         }
         self.work = sum(self.work, less(work, shown));
-        self.ledger.lost += if lost.is_finite() { lost } else { 0.0 };
-        self.ledger.add_step(&balance, false);
-        self.beyond = None;
+        self.ledger.add_jump(&balance);
         self.branch = Branch { length: self.branch.length, ..Branch::default() };
         (self.from, self.at) = (place, to);
         let jump = Some(lost).filter(|lost| is_shown && lost.is_finite());

@@ -2,7 +2,7 @@
 
 use asperity::adhesion::{AdhesionScales, AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
 use asperity::contact::{ContactModulus, Load, Problem, Stop};
-use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
+use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
 use std::cell::OnceCell;
@@ -14,13 +14,15 @@ struct Loop {
     ends: [Load; 2],
     what: String,
     /// What the load does in many steps, once it is known.
-    fine: OnceCell<Option<f64>>,
+    fine: OnceCell<f64>,
 }
 
 /// What a loop lost, over the work of adhesion.
 struct Loss {
     in_jumps: f64,
-    in_all: f64,
+    /// The integral of the pressure that the states show.
+    by_load: f64,
+    error: f64,
     jumps: usize,
     transforms: u64,
 }
@@ -119,25 +121,39 @@ impl Loop {
         });
         ended.unwrap();
         let totals = AdhesionTotals::new(&states).unwrap();
+        if totals.separated {
+            return None;
+        }
         let work = self.problem.attraction().work();
         Some(Loss {
             in_jumps: totals.lost_in_jumps / work,
-            in_all: totals.lost_in_all? / work,
+            by_load: by_load(&states) / work,
+            error: totals.lost_error / work,
             jumps: totals.jumps.len(),
             transforms: states.iter().map(|state| state.work.transforms).sum(),
         })
     }
 
-    /// What the load does along the path in many steps. With an attraction that jumps, where the edges are held depends on the steps: what it did in
-    /// the same steps.
-    fn closed(&self, loss: &Loss) -> f64 {
-        let is_smooth = self.problem.attraction().steepest().is_finite();
-        if is_smooth {
-            self.fine.get_or_init(|| self.loss(1000).map(|it| it.in_all)).unwrap_or(f64::NAN)
-        } else {
-            loss.in_all
-        }
+    /// What the load does along the path in many steps; NaN where the surfaces part.
+    fn closed(&self) -> f64 {
+        *self.fine.get_or_init(|| self.loss(1000).map_or(f64::NAN, |it| it.by_load))
     }
+}
+
+/// What the load does by the integral of the pressure over the datum from state to state, less the increase of the energy, per area.
+fn by_load(states: &[HistoryState]) -> f64 {
+    let work = |pair: &[HistoryState]| {
+        let [pressures, gaps] = [
+            [0, 1].map(|i| pair[i].numbers.net_pressure.unwrap()),
+            [0, 1].map(|i| {
+                pair[i].contact.gap[[0, 0]] + pair[i].contact.problem.surface().height()[[0, 0]]
+                    - pair[i].contact.displacement[[0, 0]]
+            }),
+        ];
+        -0.5 * (pressures[0] + pressures[1]) * (gaps[1] - gaps[0])
+    };
+    let stored = |state: &HistoryState| state.numbers.stored.unwrap();
+    states.windows(2).map(work).sum::<f64>() - (stored(states.last().unwrap()) - stored(&states[0]))
 }
 
 /// Whether a loss is another one to 2 %. Losses below a part of the work of adhesion are the error of the steps.
@@ -149,7 +165,7 @@ fn agree(told: f64, closed: f64) -> bool {
 fn small_jumps() -> Loop {
     let spectrum = Spectrum { hurst: 0.656, rolloff_wavelength: 0.518, short_cutoff: 0.0844, rms_gradient: 0.1799 };
     let surface = Surface::rough(Grid::line(96, 1.0).unwrap(), &spectrum, 112).unwrap();
-    let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanGap(0.1)).unwrap();
+    let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(0.01)).unwrap();
     let attraction = Attraction::new(AttractionForm::Cubic, 0.026838, 0.054691).unwrap();
     let ends = [0.15297, 0.011236].map(Load::MeanGap);
     Loop {
@@ -168,9 +184,9 @@ fn jumps_without_a_long_way_are_told() {
     let fine = case.loss(1000).unwrap();
     for steps in [8, 32, 128] {
         let loss = case.loss(steps).unwrap();
-        let [told, closed] = [loss.in_jumps, loss.in_all].map(|it| it / fine.in_all - 1.0);
-        println!("{steps} steps: {:.4e}, {:+.2} % and {:+.2} %", loss.in_jumps, 1e2 * told, 1e2 * closed);
-        assert!(told.abs() < 0.02 && closed.abs() < 0.03 && loss.jumps > 0, "{steps}: {told} {closed}");
+        let [missed, error] = [loss.in_jumps - fine.by_load, loss.error].map(|it| it / fine.by_load);
+        println!("{steps} steps: {:.4e}, {:+.2} % and told {:.2} %", loss.in_jumps, 1e2 * missed, 1e2 * error);
+        assert!(missed.abs() < error.min(0.02) && error < 0.1 && loss.jumps > 0, "{steps}: {missed} {error}");
     }
 }
 
@@ -180,7 +196,7 @@ fn what_jumps_lose_is_what_the_load_did() {
     for seed in [2, 3, 4, 9, 15] {
         let case = Loop::random(seed);
         let loss = case.loss(32).unwrap();
-        let closed = case.closed(&loss);
+        let closed = case.closed();
         println!("{seed} {}: {:.4e} {closed:.4e} in {} jumps", case.what, loss.in_jumps, loss.jumps);
         assert!(agree(loss.in_jumps, closed), "{seed} {}: {} {closed}", case.what, loss.in_jumps);
     }
@@ -195,10 +211,10 @@ fn what_jumps_lose_is_what_the_load_did_in_a_hundred_loops() {
         let case = Loop::random(seed);
         for steps in [8, 32, 128] {
             let Some(loss) = case.loss(steps) else { continue };
-            let closed = case.closed(&loss);
-            let Loss { in_jumps, jumps, transforms, .. } = loss;
+            let closed = case.closed();
+            let Loss { in_jumps, jumps, transforms, error, .. } = loss;
             println!(
-                "{seed} {}, {steps} steps: {in_jumps:.4e} {closed:.4e} in {jumps} jumps, {transforms} transforms",
+                "{seed} {}, {steps} steps: {in_jumps:.4e} +- {error:.1e}, {closed:.4e} in {jumps} jumps, {transforms} transforms",
                 case.what
             );
             if !agree(in_jumps, closed) {
@@ -207,25 +223,4 @@ fn what_jumps_lose_is_what_the_load_did_in_a_hundred_loops() {
         }
     }
     assert!(missed.is_empty(), "{missed:?}");
-}
-
-#[test]
-#[ignore = "one"]
-fn one() {
-    let seed: u64 = std::env::var("SEED").unwrap().parse().unwrap();
-    let case = Loop::random(seed);
-    println!("{}", case.what);
-    for steps in std::env::var("STEPS").unwrap().split(',') {
-        let t = std::time::Instant::now();
-        if let Some(loss) = case.loss(steps.parse().unwrap()) {
-            println!(
-                "{seed} {steps}: {:.5e} {:.5e} {} jumps {} transforms {:.2} s",
-                loss.in_jumps,
-                loss.in_all,
-                loss.jumps,
-                loss.transforms,
-                t.elapsed().as_secs_f64()
-            );
-        }
-    }
 }
