@@ -85,7 +85,7 @@ impl History {
     /// With adhesion a dictionary; otherwise None. It has the work and range of the attraction, process_zone (a length) and spacings (the same in
     /// spacings of the grid), the numbers tabor, maugis and pastewka_robbins, lowest_pressure (of all states: the pull-off pressure if separated
     /// is True), jumps (a list of dictionaries with state, energy, and mean_gap, mean_pressure and relative_area before and after), and
-    /// lost_in_jumps and lost_in_all, energies per area of the cell.
+    /// lost_in_jumps and lost_error (its estimated error), energies per area of the cell.
     #[getter]
     fn adhesion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.outcome.adhesion)

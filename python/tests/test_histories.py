@@ -192,7 +192,9 @@ def test_a_sticky_sine_jumps_in_and_out(tmp_path: Path) -> None:
     into, out = adhesion["jumps"]
     assert into["mean_gap"][0] < out["mean_gap"][0] and into["energy"] > 0 and out["energy"] > 0
     assert adhesion["lost_in_jumps"] == pytest.approx(into["energy"] + out["energy"])
-    assert adhesion["lost_in_all"] == pytest.approx(adhesion["lost_in_jumps"], rel=0.2)
+    assert 0 < adhesion["lost_error"] < 0.05 * adhesion["lost_in_jumps"]
+    # the path is closed, so what the load did is what the jumps lost
+    assert history.numbers["work_done"][-1] == pytest.approx(adhesion["lost_in_jumps"], rel=1e-3)
     pressure = history.numbers["mean_pressure"]
     assert pressure.min() == adhesion["lowest_pressure"]
     # the mean pressure is that of the contact less the attraction
@@ -209,7 +211,7 @@ def test_a_sticky_sine_jumps_in_and_out(tmp_path: Path) -> None:
 def test_a_pull_parts_the_surfaces() -> None:
     history = asp.solve(sine(), mean_pressure=0.0, path={"load": ["0 Pa", "-20 kPa"], "steps": 8}, **STICKY)
     assert history.claims[0] == "stable" and history.claims[-1] == "separated"
-    assert history.adhesion is not None and history.adhesion["separated"] and history.adhesion["lost_in_all"] is None
+    assert history.adhesion is not None and history.adhesion["separated"]
     # Johnson's sine, whose range is zero
     assert history.adhesion["lowest_pressure"] == pytest.approx(-8.7e3, rel=0.05)
 

@@ -133,6 +133,22 @@ impl AdhesiveProblem {
         StateSearch::new(problem, &self.attraction, control, *stop).run(from, method, observer)
     }
 
+    /// The state under a control that the fast method finds from the last state. Its stability is not tested: it is claimed as stationary.
+    ///
+    /// # Errors
+    /// Those of [`AdhesiveProblem::solve`].
+    pub(crate) fn probe(
+        &self,
+        control: AdhesiveControl,
+        from: &AdhesiveState,
+        stop: &Stop,
+        observer: &mut dyn Observer,
+    ) -> Result<AdhesiveOutcome, AdhesionError> {
+        let problem = self.under(control)?;
+        let search = StateSearch::new(problem, &self.attraction, control, *stop);
+        search.without_stability().run(Some(from), AdhesiveMethod::Fast, observer)
+    }
+
     /// The damped motion of the surface from the last state, or, without one, from the contact without adhesion, until it is at rest: the way
     /// by which [`AdhesiveMethod::Gfmd`] finds a state. Its frames show a jump as it happens.
     ///

@@ -10,6 +10,10 @@ use std::f64::consts::PI;
 /// The proportionality of pressure and area without adhesion in the number of Pastewka and Robbins.
 const KAPPA: f64 = 2.0;
 
+/// The relative error of a pull-off force by an attraction that jumps, at a process zone of one spacing. The force that Maugis' solution gives
+/// for a sphere is missed by 4.6 % at 6.5 spacings, and by 6 % at 5.2.
+const SNAPPING: f64 = 0.3;
+
 /// The numbers that say how an attraction compares with a surface and a solid.
 ///
 /// | number             | definition                                                                                     |
@@ -28,6 +32,10 @@ pub struct AdhesionScales {
     pub process_zone: f64,
     /// Length of the process zone over the larger spacing of the grid.
     pub spacings: f64,
+    /// Estimated relative error of pull-off forces that the grid causes: 0.3 spacings over the process zone, with an attraction that jumps, such
+    /// as Dugdale's. Nodes at the edge of a contact then snap one by one, and hold the edge. None for other attractions, whose error is not
+    /// estimated.
+    pub grid_error: Option<f64>,
     /// Tabor's number; none where the highest node is no peak.
     pub tabor: Option<f64>,
     /// Maugis' number; none where the highest node is no peak.
@@ -60,6 +68,7 @@ impl AdhesionScales {
         Self {
             process_zone,
             spacings,
+            grid_error: attraction.steepest().is_infinite().then(|| SNAPPING / spacings),
             tabor: radius.map(|radius| (radius * work * work / (modulus * modulus * range.powi(3))).cbrt()),
             maugis: radius.map(|radius| 2.0 * attraction.strength() * (radius / (PI * work * stiff * stiff)).cbrt()),
             pastewka_robbins: slope * modulus * range / (KAPPA * work)

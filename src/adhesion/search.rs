@@ -42,6 +42,7 @@ pub(super) struct StateSearch<'a> {
     stop: Stop,
     work: Work,
     start: Instant,
+    tests_stability: bool,
 }
 
 /// Numbers of a state that its fields do not have.
@@ -60,7 +61,13 @@ struct FoundState {
 
 impl<'a> StateSearch<'a> {
     pub fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl, stop: Stop) -> Self {
-        Self { problem, attraction, control, stop, work: Work::default(), start: Instant::now() }
+        let (work, start) = (Work::default(), Instant::now());
+        Self { problem, attraction, control, stop, work, start, tests_stability: true }
+    }
+
+    /// The search for a state whose stability is not tested.
+    pub fn without_stability(self) -> Self {
+        Self { tests_stability: false, ..self }
     }
 
     /// The state that is found from the last one, or, without one, from the contact without adhesion.
@@ -105,10 +112,9 @@ impl<'a> StateSearch<'a> {
         if !self.problem.surface().grid().is_periodic() {
             return Err(AdhesionError::FreeMotion);
         }
-        let mut gap = self.first_gap(from, observer)?;
+        let gap = self.first_gap(from, observer)?;
         let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
-        energy.carry(&mut gap, |_| true);
-        let mut state = energy.state(gap);
+        let mut state = first_state(&mut energy, gap);
         let mut frames = MotionFrames::new(self.attraction.range(), &state);
         for _ in 0..SEARCHES {
             let mut watch = |energy: &GapEnergy<'_>, state: &GapState, step: usize| {
@@ -174,9 +180,7 @@ impl<'a> StateSearch<'a> {
     /// Newton steps, with convex steps where they fail and a step off each saddle.
     fn fast(mut self, gap: Vec<f64>, observer: &mut dyn Observer) -> Result<AdhesiveOutcome, AdhesionError> {
         let mut energy = GapEnergy::new(self.problem, self.attraction, self.control);
-        let mut gap = gap;
-        energy.carry(&mut gap, |_| true);
-        let mut state = energy.state(gap);
+        let mut state = first_state(&mut energy, gap);
         let mut by_convex: Option<ConvexState> = None;
         for _ in 0..SEARCHES {
             let mut watch = |state: &GapState, step: usize, transforms: u64| {
@@ -241,7 +245,7 @@ impl<'a> StateSearch<'a> {
         state: &mut GapState,
         method: &'static str,
     ) -> Option<AdhesiveOutcome> {
-        let least = least_curvature(energy, state);
+        let least = if self.tests_stability { least_curvature(energy, state) } else { None };
         match &least {
             Some(least) if least.is_saddle(energy.softest()) => {
                 leave_saddle(energy, state, least);
@@ -421,7 +425,7 @@ fn datum(problem: &Problem, control: AdhesiveControl, gap: &[f64]) -> f64 {
     }
 }
 
-/// The gap of a state, moved rigidly to another control.
+/// The gap of a state, moved rigidly to another control. Nodes that touch stay in contact, unless all do.
 fn moved(problem: &Problem, state: &AdhesiveState, control: AdhesiveControl) -> Vec<f64> {
     let gap = state.contact.gap.as_slice().expect("results are made in standard layout");
     let by = match control {
@@ -429,5 +433,19 @@ fn moved(problem: &Problem, state: &AdhesiveState, control: AdhesiveControl) -> 
         AdhesiveControl::MeanGap(goal) => goal - mean(gap),
         AdhesiveControl::Approach(approach) => problem.highest() - approach - state.datum,
     };
-    gap.iter().map(|g| (g + by).max(0.0)).collect()
+    let moves = movable(gap);
+    gap.iter().zip(moves).map(|(g, moves)| if moves { (g + by).max(0.0) } else { 0.0 }).collect()
+}
+
+/// The state of a gap that is carried to the given mean by the nodes that do not touch, or, if all touch, by all of them.
+fn first_state(energy: &mut GapEnergy<'_>, mut gap: Vec<f64>) -> GapState {
+    let moves = movable(&gap);
+    energy.carry(&mut gap, |i| moves[i]);
+    energy.state(gap)
+}
+
+/// Whether each node of a gap does not touch; all of them where all touch.
+fn movable(gap: &[f64]) -> Vec<bool> {
+    let all_touch = gap.iter().all(|g| *g <= 0.0);
+    gap.iter().map(|g| all_touch || *g > 0.0).collect()
 }

@@ -59,6 +59,15 @@ impl AdhesiveState {
         self.contact.mean_gap()
     }
 
+    /// The state moved on from an earlier one, by a share of the way between both: an estimate, with the gap and the datum of a smooth branch.
+    pub(crate) fn carried_on(&self, past: &Self, share: f64) -> Self {
+        let mut carried = self.clone();
+        let gap = carried.contact.gap.iter_mut().zip(&past.contact.gap);
+        gap.for_each(|(gap, past)| *gap = (*gap + share * (*gap - past)).max(0.0));
+        carried.datum += share * (self.datum - past.datum);
+        carried
+    }
+
     /// The energy with that of the load, per area, which a step under this control lowers: `P d` is added under a mean pressure.
     pub fn potential(&self) -> f64 {
         match self.control {

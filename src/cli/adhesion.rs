@@ -38,9 +38,6 @@ pub fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) ->
         1 => "1 jump".to_owned(),
         count => format!("{count} jumps"),
     };
-    write!(out, "energy lost per area: {jumps} in {count}")?;
-    match totals.lost_in_all.filter(|_| !totals.jumps.is_empty()) {
-        Some(all) => writeln!(out, "; work of the load less stored energy: {}", units.energy_per_area(all)),
-        None => writeln!(out),
-    }
+    let error = units.energy_per_area(totals.lost_error);
+    writeln!(out, "energy lost per area: {jumps} in {count}, estimated error {error}")
 }

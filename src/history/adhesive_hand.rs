@@ -1,15 +1,19 @@
 //! A contact with adhesion that is moved by hand.
 
-use super::adhesive::{AdhesionLedger, AdhesiveProcess, AdhesiveVisit};
-use super::adhesive_walk::{AdhesivePlace, AdhesiveStep};
+use super::adhesive::AdhesiveProcess;
+use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit};
+use super::adhesive_walk::BranchWalk;
 use super::process::HistoryState;
 use crate::adhesion::AdhesiveControl;
-use crate::contact::Load;
+use crate::contact::{Load, Work};
 use crate::error::AdhesionError;
 
 /// The longest step of a move over the range of the attraction, and the most steps of one: longer ones let go of what holds.
 const LONGEST: f64 = 0.25;
 const MOST_STEPS: f64 = 64.0;
+
+/// The part of a move within which a jump is located.
+const FINEST: f64 = 1e-3;
 
 /// A contact with adhesion that is moved from load to load, whatever these will be. Each move starts from the last state.
 pub struct AdhesiveHand {
@@ -28,7 +32,7 @@ impl AdhesiveHand {
         let control = process.control(*first);
         let AdhesiveStep { place, work, .. } = process.solve(control, None, &mut ())?;
         place.fault().map_or(Ok(()), Err)?;
-        let mut last = AdhesiveVisit::calm(place, control, AdhesionLedger::default(), work);
+        let mut last = AdhesiveVisit::first(place, control, work);
         for load in rest {
             last = end_of(&process, &last, process.control(*load))?;
         }
@@ -58,10 +62,10 @@ impl AdhesiveHand {
     fn step_to(&mut self, target: AdhesiveControl) -> Result<(), AdhesionError> {
         self.last = match self.process.solve(target, Some(&self.last.place), &mut ()) {
             Ok(AdhesiveStep { place, work, .. }) if place.fault().is_none() => {
-                AdhesiveVisit { place, control: target, work, ..self.last.kept() }
+                AdhesiveVisit::first(place, target, work)
             }
             Ok(_) | Err(AdhesionError::NotFound { .. }) => {
-                let from = AdhesiveVisit { control: self.begin(target), ..self.last.kept() };
+                let from = AdhesiveVisit::first(self.last.place.clone(), self.begin(target), Work::default());
                 end_of(&self.process, &from, target)?
             }
             Err(error) => return Err(error),
@@ -92,6 +96,7 @@ fn end_of(
     target: AdhesiveControl,
 ) -> Result<AdhesiveVisit, AdhesionError> {
     let mut visits = Vec::new();
-    process.visits(from, target, &mut (), &mut visits)?;
+    let finest = FINEST * (target.value() - from.control.value()).abs();
+    BranchWalk::new(process, from, target, finest).run(&mut (), &mut visits)?;
     Ok(visits.pop().expect("a step has an end"))
 }

@@ -16,9 +16,9 @@ pub struct AdhesionTotals {
     pub jumps: Vec<AdhesionJump>,
     /// Energy lost in all jumps, per area of the cell.
     pub lost_in_jumps: f64,
-    /// The work of the load less the increase of the energy, per area of the cell: what all steps lost, those without a jump as well. The
-    /// difference from `lost_in_jumps` is the error of the steps. None if the surfaces part under the load, since its work has no limit then.
-    pub lost_in_all: Option<f64>,
+    /// Estimated error of `lost_in_jumps`: what the places of the jumps leave open, and what the integral of the pressure over the datum misses
+    /// on the branches between them, where nothing is lost.
+    pub lost_error: f64,
 }
 
 /// A jump: from one state to another one, under the same load.
@@ -65,7 +65,7 @@ impl AdhesionTotals {
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
             lost_in_jumps: of(|state| state.numbers.dissipated),
-            lost_in_all: (!separated).then(|| of(|state| state.numbers.work_done) - of(|state| state.numbers.stored)),
+            lost_error: of(|state| state.numbers.dissipated_error),
         })
     }
 }

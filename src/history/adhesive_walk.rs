@@ -1,111 +1,310 @@
-//! The steps of a history with adhesion from one point of its path to the next.
+//! The way of a contact with adhesion from one control to another: along branches of states, and over the jumps between them.
 
-use crate::adhesion::AdhesiveState;
-use crate::contact::{ResultClaim, Work};
+use super::adhesive::AdhesiveProcess;
+use super::adhesive_place::{
+    AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less, sum,
+};
+use crate::adhesion::AdhesiveControl;
+use crate::contact::{Observer, Work};
 use crate::error::AdhesionError;
+use std::sync::Arc;
 
-/// The part of a step of the path below which a step is not halved again.
-const FINEST: f64 = 1e-3;
+/// Energy that a step on a branch may miss, over that of the attraction.
+const MISSED: f64 = 2e-5;
+
+/// Energy that a step on a branch may miss over the energy that was lost so far, and over its change in the step.
+const MISSED_OF_LOST: f64 = 5e-4;
+const MISSED_OF_RISE: f64 = 1e-5;
+
+/// Energy of a jump, over that of the attraction, from which the states before and after it are shown. With an attraction that jumps, node after
+/// node snaps at the edges of a contact: only larger jumps are shown.
+const SHOWN: f64 = 1e-3;
+const SHOWN_OF_SNAPS: f64 = 1e-2;
+
+/// The part to which the energy of a jump is known.
+const LOCATED: f64 = 0.01;
 
 /// The part of a load that pulls by which the last state that holds may lie below the one that parts the surfaces.
 const PULL_OFF: f64 = 1e-3;
 
-/// The part of a step of the path below which a step towards a pull-off is not halved again.
-const LEAST: f64 = 1e-9;
+/// The part of the width within which a jump is located below which a step is not halved, also where the energy of the jump is not known.
+const LEAST: f64 = 1e-4;
 
-/// A place on the path.
-#[derive(Clone)]
-pub(super) enum AdhesivePlace {
-    State(Box<AdhesiveState>),
-    /// The surfaces have parted.
-    Apart,
+/// By how much the correction of a step may differ from that with the bend of the step before, over the energy that it may miss. Otherwise the
+/// correction may hide a jump.
+const SWERVE: f64 = 1.0;
+
+/// The way is halved at most so many times.
+const HALVINGS: i32 = 30;
+
+/// The part of a step by which rounding moves its end.
+const ROUNDING: f64 = 1e-4;
+
+/// The most by which a step is longer than the one before.
+const LONGER: f64 = 2.0;
+
+/// The way from one control to another.
+pub(super) struct BranchWalk<'a> {
+    process: &'a AdhesiveProcess,
+    begin: f64,
+    end: AdhesiveControl,
+    /// The width within which a jump is located.
+    finest: f64,
+    at: f64,
+    from: AdhesivePlace,
+    branch: Branch,
+    ledger: AdhesionLedger,
+    /// The nearest control that one step did not reach on the branch.
+    beyond: Option<Beyond>,
+    /// Energy of a jump, over that of the attraction, from which it is shown.
+    shown: f64,
+    work: Work,
 }
 
-/// Where a step leads.
-pub(super) struct AdhesiveStep {
-    pub place: AdhesivePlace,
-    /// The frames of the motion, with the method `gfmd`.
-    pub frames: Vec<AdhesiveState>,
-    pub work: Work,
+/// The nearest control at which a step left the branch, was too long or found no state.
+struct Beyond {
+    to: f64,
+    /// What is still missed on the way there if there is no jump: of third order in the length that is left.
+    missed: f64,
+    /// The control within which it is close enough to jump.
+    width: f64,
+    /// The nearest place that was found beyond, and its control.
+    found: Option<(f64, AdhesiveStep)>,
 }
 
-/// A step to a load, and whether it is not halved again.
-pub(super) struct PathStep {
-    pub to: f64,
-    pub is_short: bool,
-    pub step: AdhesiveStep,
-}
+impl<'a> BranchWalk<'a> {
+    /// The way from a place to a control, on which jumps are located within `finest`.
+    pub fn new(process: &'a AdhesiveProcess, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
+        let (at, from, branch) = (last.control.value(), last.place.clone(), last.branch.clone());
+        let (ledger, work) = (last.ledger, Work::default());
+        let shown = if process.attraction().steepest().is_infinite() { SHOWN_OF_SNAPS } else { SHOWN };
+        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, shown, work }
+    }
 
-/// A walk from one point of the path to the next.
-pub(super) struct Walk {
-    pub from: AdhesivePlace,
-    pub at: f64,
-    /// The length of the next step, and of the whole walk.
-    length: f64,
-    path: f64,
-    pub work: Work,
-    /// The nearest step that parts the surfaces, as far as one is known.
-    pub parted: Option<PathStep>,
-}
-
-impl AdhesivePlace {
-    /// The error of a state that misses equilibrium by more than the tolerance.
-    pub fn fault(&self) -> Option<AdhesionError> {
-        match self {
-            Self::State(state) if state.claim == ResultClaim::NotConverged => {
-                Some(AdhesionError::NotFound { steps: state.steps, residual: state.residual })
+    /// Adds the places on the way: both sides of each jump with the frames between them, and the end. After an error they end with the last
+    /// place that was found.
+    pub fn run(mut self, observer: &mut dyn Observer, visits: &mut Vec<AdhesiveVisit>) -> Result<(), AdhesionError> {
+        loop {
+            match self.step(observer, visits) {
+                Ok(true) => return Ok(()),
+                Ok(false) => {}
+                Err(error) => {
+                    if self.at != self.begin {
+                        visits.push(self.visit(self.from.clone(), self.at, None));
+                    }
+                    return Err(error);
+                }
             }
-            _ => None,
         }
     }
-}
 
-impl Walk {
-    /// The walk from a place at one load to another load.
-    pub fn new(from: AdhesivePlace, at: f64, end: f64) -> Self {
-        Self { from, at, length: end - at, path: end - at, work: Work::default(), parted: None }
+    /// One step, and whether it reached the end.
+    fn step(&mut self, observer: &mut dyn Observer, visits: &mut Vec<AdhesiveVisit>) -> Result<bool, AdhesionError> {
+        if let Some((to, step)) = self.known_jump() {
+            return self.jump(to, step, observer, visits);
+        }
+        let to = self.next();
+        let width = (to - self.at).abs();
+        let mut step = self.process.probe(self.end.with_value(to), &self.from, &self.branch, observer)?;
+        if step.place.fault().is_some() {
+            return self.go_around(to, step, observer, visits);
+        }
+        let mut balance = self.balance(&step.place);
+        if self.is_smooth(&balance) {
+            self.process.test_stability(&mut step, observer)?;
+            balance = self.balance(&step.place);
+        }
+        if self.is_smooth(&balance) {
+            return Ok(self.go_on(to, step, &balance, visits));
+        }
+        let finest = self.finest_to(to, &step.place);
+        if width <= finest || self.is_located(&step.place, &balance, width) {
+            return self.jump(to, step, observer, visits);
+        }
+        self.forget_beyond();
+        self.beyond = Some(Beyond { to, missed: balance.lost.abs(), width: finest, found: Some((to, step)) });
+        Ok(false)
     }
 
-    /// The load of the next step on the way to an end, and whether the step is not halved again.
-    pub fn next(&self, end: f64) -> (f64, bool) {
-        let to = if (end - self.at).abs() <= self.length.abs() { end } else { self.at + self.length };
-        (to, (to - self.at).abs() <= FINEST * self.path.abs())
+    /// The jump to a place that was found, if it is close enough by now.
+    fn known_jump(&mut self) -> Option<(f64, AdhesiveStep)> {
+        let at = self.at;
+        let close = self.beyond.take_if(|beyond| (beyond.to - at).abs() <= beyond.width && beyond.found.is_some())?;
+        close.found
     }
 
-    /// The step that parts the surfaces, if it is close enough.
-    pub fn known(&mut self) -> Option<PathStep> {
-        let (at, path) = (self.at, self.path);
-        self.parted.take_if(|it| !is_far(at, it.to, path))
+    /// Forgets what was found beyond, whose work counts.
+    fn forget_beyond(&mut self) {
+        if let Some((_, step)) = self.beyond.take().and_then(|beyond| beyond.found) {
+            self.work = sum(self.work, step.work);
+        }
     }
 
-    /// Whether a step parts the surfaces at a load that is still far from the last one that does not.
-    pub fn parts_far(&self, step: &PathStep) -> bool {
-        let parts = matches!(step.step.place, AdhesivePlace::Apart) && !matches!(self.from, AdhesivePlace::Apart);
-        parts && is_far(self.at, step.to, self.path)
+    /// Halves a step to a control at which no state was found. Close to a jump a search may be too slow: then the place beyond it counts. Without
+    /// one, what was found last is the end of the way.
+    fn go_around(
+        &mut self,
+        to: f64,
+        failed: AdhesiveStep,
+        observer: &mut dyn Observer,
+        visits: &mut Vec<AdhesiveVisit>,
+    ) -> Result<bool, AdhesionError> {
+        self.work = sum(self.work, failed.work);
+        let found = self.beyond.take().and_then(|beyond| beyond.found);
+        if (to - self.at).abs() > self.finest {
+            self.beyond = Some(Beyond { to, missed: f64::INFINITY, width: LEAST * self.finest, found });
+            return Ok(false);
+        }
+        if let Some((to, step)) = found {
+            return self.jump(to, step, observer, visits);
+        }
+        (self.from, self.at) = (failed.place, to);
+        self.from.fault().map_or(Ok(false), Err)
     }
 
-    /// Halves a step to a load that was too long.
-    pub fn halve(&mut self, to: f64, spent: Work) {
-        self.work = sum(self.work, spent);
-        self.length = 0.5 * (to - self.at);
+    /// The width within which a jump to a place is located at the latest. The load that parts the surfaces is located to a part of itself.
+    fn finest_to(&self, to: f64, place: &AdhesivePlace) -> f64 {
+        let parts = self.from.state().is_some() && place.state().is_none();
+        let least = LEAST * self.finest;
+        if parts { least.max(PULL_OFF * to.abs()) } else { least }
     }
 
-    /// Goes on from a place, with twice as long a step, or half the way to where the surfaces part.
-    pub fn arrive(&mut self, place: AdhesivePlace, at: f64) {
-        self.length = self.parted.as_ref().map_or(2.0 * (at - self.at), |beyond| 0.5 * (beyond.to - at));
-        (self.from, self.at) = (place, at);
+    /// The control of the next step: half the way to where the branch was left, or as far as the last steps suggest. The whole way is halved,
+    /// and halved again, so that steps back end at the same controls.
+    fn next(&self) -> f64 {
+        if let Some(beyond) = &self.beyond {
+            return 0.5 * (self.at + beyond.to);
+        }
+        let way = self.end.value() - self.begin;
+        let longest = LONGER.sqrt() * self.branch.length.unwrap_or(f64::INFINITY) / way.abs();
+        let part = (0..HALVINGS).map(|halvings| 0.5f64.powi(halvings)).find(|part| *part <= longest);
+        let part = part.unwrap_or(0.5f64.powi(HALVINGS));
+        let done = ((self.at - self.begin) / way / part + ROUNDING).floor();
+        let to = (done + 1.0) * part;
+        if to < 1.0 { self.begin + to * way } else { self.end.value() }
     }
-}
 
-/// Whether the load that parts the surfaces is still far from the last one that does not.
-fn is_far(at: f64, to: f64, path: f64) -> bool {
-    (to - at).abs() > (PULL_OFF * to.abs()).max(LEAST * path.abs())
-}
+    fn balance(&self, place: &AdhesivePlace) -> EnergyBalance {
+        self.branch.balance(&self.from, place, self.process.attraction())
+    }
 
-pub(super) fn sum(a: Work, b: Work) -> Work {
-    Work {
-        iterations: a.iterations + b.iterations,
-        transforms: a.transforms + b.transforms,
-        seconds: a.seconds + b.seconds,
+    /// The energy that a step may miss.
+    fn allowed(&self, balance: &EnergyBalance) -> f64 {
+        let noise = self.process.noise() * self.process.attraction().work();
+        let [held, lost] = [MISSED * balance.held, MISSED_OF_LOST * self.ledger.lost];
+        held.max(lost).max(MISSED_OF_RISE * balance.rise.abs()).max(noise)
+    }
+
+    /// Whether a step stays on its branch. A convex energy has only one.
+    fn is_smooth(&self, balance: &EnergyBalance) -> bool {
+        let allowed = self.allowed(balance);
+        balance.is_convex || balance.lost.abs() <= allowed && balance.swerve.abs() <= SWERVE * allowed
+    }
+
+    /// Whether a step is a jump whose place and energy are known well enough. Within the width of the step the energy of a jump changes by the change
+    /// of the conjugate quantity, from where the branch would have gone on. What a step on a branch misses is never as large.
+    fn is_located(&self, after: &AdhesivePlace, balance: &EnergyBalance, width: f64) -> bool {
+        let Some(change) = self.branch.change_beyond(&self.from, after) else { return false };
+        let is_small = balance.lost < self.shown * balance.held;
+        (is_small || width <= self.finest) && 0.5 * width * change <= LOCATED * balance.lost
+    }
+
+    /// Accepts a step along the branch.
+    fn go_on(&mut self, to: f64, step: AdhesiveStep, balance: &EnergyBalance, visits: &mut Vec<AdhesiveVisit>) -> bool {
+        let allowed = self.allowed(balance);
+        if let Some(beyond) = &mut self.beyond {
+            beyond.missed /= 8.0;
+        }
+        if self.beyond.as_ref().is_some_and(|beyond| beyond.missed <= allowed) {
+            self.forget_beyond();
+        }
+        let share = if balance.lost == 0.0 { f64::INFINITY } else { allowed / balance.lost.abs() };
+        let length = self.next_length(to, share);
+        if self.counts_small_losses(&step.place) {
+            self.ledger.add_jump(balance);
+        } else {
+            self.ledger.add_smooth(balance);
+        }
+        self.branch = Branch { past: self.from.state().cloned(), bend: balance.bend, length };
+        self.work = sum(self.work, step.work);
+        (self.from, self.at) = (step.place, to);
+        self.ends(visits, None)
+    }
+
+    /// The length of the next step on the branch, where one to a control missed a part of what is allowed. A longer one would miss more, by
+    /// the third power of its length. Steps towards a jump, and the last one to the end, say nothing about longer ones.
+    fn next_length(&self, to: f64, share: f64) -> Option<f64> {
+        let known = self.branch.length;
+        if to == self.at {
+            return known;
+        }
+        let length = share.cbrt().clamp(0.5, LONGER) * (to - self.at).abs();
+        match &self.beyond {
+            Some(_) => known,
+            None if to == self.end.value() => Some(known.map_or(length, |known| known.max(length))),
+            None => Some(length),
+        }
+    }
+
+    /// Whether nodes have come within reach of an attraction that jumps there, or have left it: each of them has jumped.
+    fn counts_small_losses(&self, after: &AdhesivePlace) -> bool {
+        let (Some(before), Some(after)) = (self.from.state(), after.state()) else { return false };
+        let attraction = self.process.attraction();
+        let is_within = |gap: &f64| *gap < attraction.cutoff();
+        let mut pairs = before.contact.gap.iter().zip(&after.contact.gap);
+        attraction.steepest().is_infinite() && pairs.any(|(before, after)| is_within(before) != is_within(after))
+    }
+
+    /// Accepts a step over a jump.
+    fn jump(
+        &mut self,
+        to: f64,
+        mut step: AdhesiveStep,
+        observer: &mut dyn Observer,
+        visits: &mut Vec<AdhesiveVisit>,
+    ) -> Result<bool, AdhesionError> {
+        self.process.test_stability(&mut step, observer)?;
+        let balance = Branch::default().balance(&self.from, &step.place, self.process.attraction());
+        let lost = balance.lost;
+        let is_shown = lost > self.shown * balance.held;
+        let AdhesiveStep { place, frames, work } = step;
+        self.forget_beyond();
+        if is_shown && self.at != self.begin {
+            let before = self.visit(self.from.clone(), self.at, None);
+            visits.push(before);
+        }
+        let mut shown = Work::default();
+        for frame in frames.into_iter().filter(|_| is_shown) {
+            let since = less(frame.work, std::mem::replace(&mut shown, frame.work));
+            self.work = sum(self.work, since);
+            let visit = self.visit(AdhesivePlace::State(Arc::new(frame)), to, None);
+            visits.push(visit);
+        }
+        self.work = sum(self.work, less(work, shown));
+        self.ledger.add_jump(&balance);
+        self.branch = Branch { length: self.branch.length, ..Branch::default() };
+        (self.from, self.at) = (place, to);
+        let jump = Some(lost).filter(|lost| is_shown && lost.is_finite());
+        if is_shown && to != self.end.value() {
+            let visit = self.visit(self.from.clone(), to, jump);
+            visits.push(visit);
+        }
+        Ok(self.ends(visits, jump))
+    }
+
+    /// Whether the end is reached, which is visited then.
+    fn ends(&mut self, visits: &mut Vec<AdhesiveVisit>, jump: Option<f64>) -> bool {
+        let is_end = self.at == self.end.value();
+        if is_end {
+            let visit = self.visit(self.from.clone(), self.at, jump);
+            visits.push(visit);
+        }
+        is_end
+    }
+
+    /// A visit to a place, with the work since the last one.
+    fn visit(&mut self, place: AdhesivePlace, at: f64, jump: Option<f64>) -> AdhesiveVisit {
+        let (ledger, work, branch) = (self.ledger, std::mem::take(&mut self.work), self.branch.clone());
+        AdhesiveVisit { place, control: self.end.with_value(at), ledger, jump, work, branch }
     }
 }

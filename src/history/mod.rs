@@ -15,6 +15,7 @@
 
 mod adhesive;
 mod adhesive_hand;
+mod adhesive_place;
 mod adhesive_totals;
 mod adhesive_walk;
 mod archive;

@@ -35,6 +35,7 @@ impl HistoryState {
             shift: number("shift"),
             stick_share: number("stick_share"),
             dissipated: number("dissipated"),
+            dissipated_error: number("dissipated_error"),
             stored: number("stored"),
             work_done: number("work_done"),
             time_error: number("time_error"),

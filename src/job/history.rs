@@ -14,6 +14,9 @@ const SMALL: f64 = 1e-2;
 /// A process zone of fewer spacings gets a warning.
 const FEW_SPACINGS: f64 = 4.0;
 
+/// An error of the grid above this part gets a warning.
+const LARGE_GRID_ERROR: f64 = 0.02;
+
 /// The states of a history, and what they add up to.
 #[derive(Debug)]
 pub struct HistoryOutcome {
@@ -152,9 +155,20 @@ impl HistoryOutcome {
             )
             .with_remedy("grid.points", None)
         });
+        let error = self.adhesion.as_ref().and_then(|it| it.scales.grid_error);
+        let snapping = error.filter(|error| *error > LARGE_GRID_ERROR && coarse.is_none()).map(|error| {
+            Warning::new(
+                format!(
+                    "Forces at which contacts let go may be off by {:.0} %, as the traction jumps at the end of its range and the nodes hold the edges of the contact",
+                    1e2 * error
+                ),
+                "Use more points: the error is proportional to their spacing",
+            )
+            .with_remedy("grid.points", None)
+        });
         let trail = warning_of_trail(self.states.iter().map(|state| &state.contact));
         let missed = self.doubts.iter().cloned().chain(missed);
-        missed.chain(coarse).chain(trail).chain(self.unstable()).collect()
+        missed.chain(coarse).chain(snapping).chain(trail).chain(self.unstable()).collect()
     }
 
     /// Warnings about states with adhesion that are in equilibrium, but not stable, or not known to be.

@@ -19,8 +19,8 @@ pub struct AdhesionRow {
     pub jumps: Option<u64>,
     /// Energy lost in all jumps but parting under the load, per area of the cell.
     pub lost_in_jumps: Option<f64>,
-    /// The work of the load less the increase of the energy, per area of the cell; none if the surfaces parted.
-    pub lost_in_all: Option<f64>,
+    /// Estimated error of the energy lost in jumps, per area of the cell.
+    pub lost_error: Option<f64>,
     /// Whether each state with contact was stable, or the solution.
     pub stable: Option<bool>,
     /// The number of states, without the frames of motions.
@@ -43,7 +43,7 @@ pub(super) const ADHESION_COLUMNS: &[AdhesionColumn] = &[
     AdhesionColumn::Number("largest_area", |it| it.largest_area),
     AdhesionColumn::Whole("jumps", |it| it.jumps),
     AdhesionColumn::Number("lost_in_jumps", |it| it.lost_in_jumps),
-    AdhesionColumn::Number("lost_in_all", |it| it.lost_in_all),
+    AdhesionColumn::Number("lost_error", |it| it.lost_error),
     AdhesionColumn::Text("stable", |it| it.stable),
     AdhesionColumn::Whole("states", |it| it.states),
     AdhesionColumn::Whole("history_transforms", |it| it.history_transforms),
@@ -106,7 +106,7 @@ impl AdhesionRow {
             largest_area: states.iter().filter(is_state).map(HistoryState::relative_area).reduce(f64::max),
             jumps: Some(totals.jumps.len() as u64),
             lost_in_jumps: Some(totals.lost_in_jumps),
-            lost_in_all: totals.lost_in_all,
+            lost_error: Some(totals.lost_error),
             stable: Some(states.iter().filter(is_state).all(is_certain)),
             states: Some(states.iter().filter(is_state).count() as u64),
             history_transforms: Some(states.iter().map(|state| state.work.transforms).sum()),

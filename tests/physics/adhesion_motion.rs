@@ -160,7 +160,6 @@ fn a_loop_of_motions_loses_the_same_energy_in_the_same_jumps() {
     assert!(expected.jumps.len() == 2 && found.jumps.len() == 2);
     let agree = |a: f64, b: f64| (a / b - 1.0).abs() < 0.02;
     assert!(agree(found.lost_in_jumps, expected.lost_in_jumps) && expected.lost_in_jumps > 0.0);
-    assert!(agree(found.lost_in_all.unwrap(), expected.lost_in_all.unwrap()));
     assert!(agree(found.lowest_pressure.unwrap(), expected.lowest_pressure.unwrap()));
     for (found, expected) in found.jumps.iter().zip(&expected.jumps) {
         assert!(agree(found.energy, expected.energy));

@@ -4,6 +4,7 @@
 mod common;
 
 mod adhesion;
+mod adhesion_loops;
 mod adhesion_motion;
 mod adhesion_rough;
 mod adhesion_stiff;

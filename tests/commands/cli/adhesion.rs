@@ -50,7 +50,7 @@ fn a_loop_jumps_in_and_out_and_is_written_to_every_file() {
     assert!(gap(&jumps[0]) < gap(&jumps[1]), "{jumps:?}");
     let energies: f64 = jumps.iter().map(|jump| jump["energy"].as_f64().unwrap()).sum();
     assert!((energies / number("lost_in_jumps") - 1.0).abs() < 1e-12 && energies > 0.0);
-    assert!((number("lost_in_all") / energies - 1.0).abs() < 0.2, "{adhesion}");
+    assert!(number("lost_error") > 0.0 && number("lost_error") < 0.05 * energies, "{adhesion}");
     let last = jumps[1]["state"].as_u64().unwrap() as usize;
     assert!(found["states"][last - 1]["jump"].as_f64().unwrap() > 0.0);
     assert!(claims(&found).iter().all(|claim| ["stable", "marginal"].contains(claim)), "{:?}", claims(&found));
@@ -83,7 +83,7 @@ fn a_pull_parts_the_surfaces_without_an_error() {
     let pulled = "--pressure 0 --path-load 0,-20kPa --path-steps 8";
     let found = json(&folder, &format!("{SINE} {STICKY} {pulled}"));
     let adhesion = &found["adhesion"];
-    assert_eq!((adhesion["separated"].clone(), adhesion["lost_in_all"].clone()), (true.into(), Value::Null));
+    assert_eq!(adhesion["separated"], true);
     // Johnson's sine with a range of zero: alpha is 0.2013
     let lowest = adhesion["lowest_pressure"].as_f64().unwrap();
     assert!((lowest / -8.7e3 - 1.0).abs() < 0.05, "{lowest}");
