@@ -21,8 +21,9 @@ const MISSED_OF_RISE: f64 = 1e-5;
 const SHOWN: f64 = 1e-3;
 const SHOWN_OF_SNAPS: f64 = 1e-2;
 
-/// The part to which the energy of a jump is known.
+/// The part to which the energy of a jump is known, and, where the jump is not shown, the part of the energy lost so far.
 const LOCATED: f64 = 0.01;
+const LOCATED_OF_LOST: f64 = 2e-3;
 
 /// The part of a load that pulls by which the last state that holds may lie below the one that parts the surfaces.
 const PULL_OFF: f64 = 1e-3;
@@ -206,7 +207,13 @@ impl<'a> BranchWalk<'a> {
     fn is_located(&self, after: &AdhesivePlace, balance: &EnergyBalance, width: f64) -> bool {
         let Some(change) = self.branch.change_beyond(&self.from, after) else { return false };
         let is_small = balance.lost < self.shown * balance.held;
-        (is_small || width <= self.finest) && 0.5 * width * change <= LOCATED * balance.lost
+        let known = 0.5 * width * change;
+        let is_known = known <= LOCATED * balance.lost;
+        if is_small {
+            is_known || known <= LOCATED_OF_LOST * self.ledger.lost
+        } else {
+            is_known && width <= self.finest
+        }
     }
 
     /// Accepts a step along the branch.
