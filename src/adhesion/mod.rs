@@ -22,6 +22,7 @@ mod newton;
 mod problem;
 mod scales;
 mod search;
+mod start;
 mod state;
 
 pub use attraction::{Attraction, AttractionForm};

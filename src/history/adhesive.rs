@@ -1,19 +1,17 @@
 //! The process of adhesion along a path of loads, with its jumps.
 
-use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, sum};
+use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit};
+use super::adhesive_search::PlaceSearch;
 use super::adhesive_walk::BranchWalk;
 use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
-use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem, AdhesiveState, Attraction};
+use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveProblem};
 use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, StateKind, StateValues, Status, Stop, Work};
-use crate::error::{AdhesionError, HistoryError};
+use crate::error::HistoryError;
 use crate::surface::Field;
 use std::sync::Arc;
 
 /// The part of the way from one point of the path to the next within which a jump is located.
 const FINEST: f64 = 5e-5;
-
-/// The part of the work of adhesion to which the energies of states are found, over the tolerance of their residual.
-const NOISE: f64 = 10.0;
 
 /// Ranges of the attraction at which surfaces that have parted are drawn, where the attraction has no cut-off.
 const APART: f64 = 30.0;
@@ -35,11 +33,9 @@ const APART: f64 = 30.0;
 /// With the method `gfmd` each step is a motion. Where it is a jump, also one in which the surfaces part, its frames are states between the
 /// one before and the one after. They have the claim [`ResultClaim::Moving`] and are no part of the path.
 pub struct AdhesiveProcess {
-    problem: AdhesiveProblem,
+    search: PlaceSearch,
     path: Vec<PathPoint>,
     steps: usize,
-    method: AdhesiveMethod,
-    stop: Stop,
 }
 
 impl AdhesiveProcess {
@@ -51,7 +47,12 @@ impl AdhesiveProcess {
         method: AdhesiveMethod,
         stop: Stop,
     ) -> Self {
-        Self { problem, path, steps: steps.max(1), method, stop }
+        Self { search: PlaceSearch::new(problem, method, stop), path, steps: steps.max(1) }
+    }
+
+    /// The search for places on the path.
+    pub(super) fn search(&self) -> &PlaceSearch {
+        &self.search
     }
 
     /// The loads of the path.
@@ -61,17 +62,17 @@ impl AdhesiveProcess {
 
     /// The range of the attraction.
     pub(super) fn range(&self) -> f64 {
-        self.problem.attraction().range()
+        self.search.problem().attraction().range()
     }
 
     /// The highest peak above the mean of the rigid surface.
     pub(super) fn highest(&self) -> f64 {
-        self.problem.problem().highest()
+        self.search.problem().problem().highest()
     }
 
     /// What a load of the path prescribes.
     pub(super) fn control(&self, load: Load) -> AdhesiveControl {
-        let problem = self.problem.problem();
+        let problem = self.search.problem().problem();
         match load {
             Load::MeanPressure(pressure) => AdhesiveControl::MeanPressure(pressure),
             Load::ReducedPressure(reduced) => {
@@ -81,87 +82,6 @@ impl AdhesiveProcess {
             Load::MeanGap(gap) => AdhesiveControl::MeanGap(gap),
             Load::Approach(approach) => AdhesiveControl::Approach(approach),
         }
-    }
-
-    /// The part of the work of adhesion to which the energies of states are found.
-    pub(super) fn noise(&self) -> f64 {
-        NOISE * self.stop.tolerance()
-    }
-
-    /// The attraction.
-    pub(super) fn attraction(&self) -> &Attraction {
-        self.problem.attraction()
-    }
-
-    /// The place under a control, from the last one.
-    pub(super) fn solve(
-        &self,
-        control: AdhesiveControl,
-        from: Option<&AdhesivePlace>,
-        observer: &mut dyn Observer,
-    ) -> Result<AdhesiveStep, AdhesionError> {
-        let start = from.and_then(AdhesivePlace::state);
-        if start.is_none() && self.stays_apart(control, from) {
-            return Ok(AdhesiveStep::apart());
-        }
-        self.step(control, start.map(|it| &**it), observer)
-    }
-
-    /// The place under a control, from the last one on its branch. On periodic grids a state of the fast method is not tested for stability.
-    pub(super) fn probe(
-        &self,
-        control: AdhesiveControl,
-        from: &AdhesivePlace,
-        branch: &Branch,
-        observer: &mut dyn Observer,
-    ) -> Result<AdhesiveStep, AdhesionError> {
-        let (AdhesiveMethod::Fast | AdhesiveMethod::Safe, Some(state)) = (self.method, from.state()) else {
-            return self.solve(control, Some(from), observer);
-        };
-        let carried = branch.carried_on(state, control);
-        let start = carried.as_ref().unwrap_or(state);
-        match self.method {
-            AdhesiveMethod::Fast => Ok(self.problem.probe(control, start, &self.stop, observer)?.into()),
-            _ => self.step(control, Some(start), observer),
-        }
-    }
-
-    /// Tests the stability of where a step leads, if it was not tested. A saddle is left.
-    pub(super) fn test_stability(
-        &self,
-        step: &mut AdhesiveStep,
-        observer: &mut dyn Observer,
-    ) -> Result<(), AdhesionError> {
-        let is_periodic = self.problem.problem().surface().grid().is_periodic();
-        let Some(state) = step.place.state().filter(|state| is_periodic && state.claim == ResultClaim::Stationary)
-        else {
-            return Ok(());
-        };
-        let tested = self.step(state.control, Some(state), observer)?;
-        *step = AdhesiveStep { work: sum(step.work, tested.work), ..tested };
-        Ok(())
-    }
-
-    fn step(
-        &self,
-        control: AdhesiveControl,
-        start: Option<&AdhesiveState>,
-        observer: &mut dyn Observer,
-    ) -> Result<AdhesiveStep, AdhesionError> {
-        match self.method {
-            AdhesiveMethod::Gfmd => {
-                let AdhesiveMotion { frames, outcome } = self.problem.motion(control, start, &self.stop, observer)?;
-                Ok(AdhesiveStep { frames, ..outcome.into() })
-            }
-            AdhesiveMethod::Fast | AdhesiveMethod::Safe => {
-                Ok(self.problem.solve(control, start, self.method, &self.stop, observer)?.into())
-            }
-        }
-    }
-
-    /// What has parted under a load that pulls stays apart.
-    fn stays_apart(&self, control: AdhesiveControl, from: Option<&AdhesivePlace>) -> bool {
-        from.is_some() && control.value() < 0.0
     }
 
     /// A place as a state of any history.
@@ -192,7 +112,7 @@ impl AdhesiveProcess {
                 HistoryState { contact: state.contact, point, claim: state.claim, numbers, fields, work }
             }
             AdhesivePlace::Apart => {
-                let shape = self.problem.problem().surface().grid().shape();
+                let shape = self.search.problem().problem().surface().grid().shape();
                 let numbers = HistoryNumbers {
                     net_pressure: Some(control.value()),
                     attraction: Some(0.0),
@@ -215,8 +135,8 @@ impl AdhesiveProcess {
 
     /// The contact of surfaces that have parted, drawn beyond the attraction.
     fn apart(&self, control: AdhesiveControl) -> Contact {
-        let problem = self.problem.problem();
-        let attraction = self.problem.attraction();
+        let problem = self.search.problem().problem();
+        let attraction = self.search.problem().attraction();
         let datum = problem.highest() + attraction.cutoff().min(APART * attraction.range());
         let zero = Field::zeros(problem.surface().grid().shape());
         let gap = problem.surface().height().mapv(|h| datum - h);
@@ -238,7 +158,7 @@ impl Process for AdhesiveProcess {
         for (number, point) in self.path.iter().enumerate() {
             let target = self.control(point.load);
             let Some(mut from) = last.take() else {
-                let AdhesiveStep { place, work, .. } = self.solve(target, None, observer)?;
+                let AdhesiveStep { place, work, .. } = self.search.solve(target, None, observer)?;
                 let visit = AdhesiveVisit::first(place, target, work);
                 let kept = last.insert(visit.kept());
                 each(self.told(visit, Some(number)))?;
@@ -251,7 +171,7 @@ impl Process for AdhesiveProcess {
                 let share = step as f64 / self.steps as f64;
                 let value = if step == self.steps { target.value() } else { begin + share * way };
                 let mut visits = Vec::new();
-                let walk = BranchWalk::new(self, &from, target.with_value(value), FINEST * way.abs());
+                let walk = BranchWalk::new(&self.search, &from, target.with_value(value), FINEST * way.abs());
                 let ended = walk.run(observer, &mut visits);
                 let reached = if ended.is_ok() { visits.pop() } else { None };
                 for visit in visits {

@@ -30,7 +30,7 @@ impl AdhesiveHand {
         let loads: Vec<Load> = process.loads().collect();
         let (first, rest) = loads.split_first().ok_or(AdhesionError::Pathless)?;
         let control = process.control(*first);
-        let AdhesiveStep { place, work, .. } = process.solve(control, None, &mut ())?;
+        let AdhesiveStep { place, work, .. } = process.search().solve(control, None, &mut ())?;
         place.fault().map_or(Ok(()), Err)?;
         let mut last = AdhesiveVisit::first(place, control, work);
         for load in rest {
@@ -60,7 +60,7 @@ impl AdhesiveHand {
 
     /// Goes on in one step, or in as many as it takes to find each state.
     fn step_to(&mut self, target: AdhesiveControl) -> Result<(), AdhesionError> {
-        self.last = match self.process.solve(target, Some(&self.last.place), &mut ()) {
+        self.last = match self.process.search().solve(target, Some(&self.last.place), &mut ()) {
             Ok(AdhesiveStep { place, work, .. }) if place.fault().is_none() => {
                 AdhesiveVisit::first(place, target, work)
             }
@@ -97,6 +97,6 @@ fn end_of(
 ) -> Result<AdhesiveVisit, AdhesionError> {
     let mut visits = Vec::new();
     let finest = FINEST * (target.value() - from.control.value()).abs();
-    BranchWalk::new(process, from, target, finest).run(&mut (), &mut visits)?;
+    BranchWalk::new(process.search(), from, target, finest).run(&mut (), &mut visits)?;
     Ok(visits.pop().expect("a step has an end"))
 }

@@ -88,7 +88,7 @@ impl AdhesionLedger {
     /// Adds a step on a branch, which loses nothing: what the integral misses is its error.
     pub fn add_smooth(&mut self, step: &EnergyBalance) {
         self.work += step.rise;
-        self.missed += step.lost;
+        self.missed += if step.is_convex { 0.0 } else { step.lost };
     }
 
     /// Adds a step that jumps. Where the surfaces part, the load works without a limit, which does not count.

@@ -1,9 +1,9 @@
 //! The way of a contact with adhesion from one control to another: along branches of states, and over the jumps between them.
 
-use super::adhesive::AdhesiveProcess;
 use super::adhesive_place::{
     AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less, sum,
 };
+use super::adhesive_search::PlaceSearch;
 use crate::adhesion::AdhesiveControl;
 use crate::contact::{Observer, Work};
 use crate::error::AdhesionError;
@@ -23,7 +23,7 @@ const SHOWN_OF_SNAPS: f64 = 1e-2;
 
 /// The part to which the energy of a jump is known, and, where the jump is not shown, the part of the energy lost so far.
 const LOCATED: f64 = 0.01;
-const LOCATED_OF_LOST: f64 = 2e-3;
+const LOCATED_OF_LOST: f64 = 5e-4;
 
 /// The part of a load that pulls by which the last state that holds may lie below the one that parts the surfaces.
 const PULL_OFF: f64 = 1e-3;
@@ -46,7 +46,7 @@ const LONGER: f64 = 2.0;
 
 /// The way from one control to another.
 pub(super) struct BranchWalk<'a> {
-    process: &'a AdhesiveProcess,
+    search: &'a PlaceSearch,
     begin: f64,
     end: AdhesiveControl,
     /// The width within which a jump is located.
@@ -75,11 +75,11 @@ struct Beyond {
 
 impl<'a> BranchWalk<'a> {
     /// The way from a place to a control, on which jumps are located within `finest`.
-    pub fn new(process: &'a AdhesiveProcess, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
+    pub fn new(search: &'a PlaceSearch, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
         let (at, from, branch) = (last.control.value(), last.place.clone(), last.branch.clone());
         let (ledger, work) = (last.ledger, Work::default());
-        let shown = if process.attraction().steepest().is_infinite() { SHOWN_OF_SNAPS } else { SHOWN };
-        Self { process, begin: at, end, finest, at, from, branch, ledger, beyond: None, shown, work }
+        let shown = if search.attraction().steepest().is_infinite() { SHOWN_OF_SNAPS } else { SHOWN };
+        Self { search, begin: at, end, finest, at, from, branch, ledger, beyond: None, shown, work }
     }
 
     /// Adds the places on the way: both sides of each jump with the frames between them, and the end. After an error they end with the last
@@ -106,16 +106,16 @@ impl<'a> BranchWalk<'a> {
         }
         let to = self.next();
         let width = (to - self.at).abs();
-        let mut step = self.process.probe(self.end.with_value(to), &self.from, &self.branch, observer)?;
+        let mut step = self.search.probe(self.end.with_value(to), &self.from, &self.branch, observer)?;
         if step.place.fault().is_some() {
             return self.go_around(to, step, observer, visits);
         }
         let mut balance = self.balance(&step.place);
-        if self.is_smooth(&balance) {
-            self.process.test_stability(&mut step, observer)?;
+        if self.is_smooth(&step.place, &balance) {
+            self.search.test_stability(&mut step, observer)?;
             balance = self.balance(&step.place);
         }
-        if self.is_smooth(&balance) {
+        if self.is_smooth(&step.place, &balance) {
             return Ok(self.go_on(to, step, &balance, visits));
         }
         let finest = self.finest_to(to, &step.place);
@@ -186,34 +186,45 @@ impl<'a> BranchWalk<'a> {
     }
 
     fn balance(&self, place: &AdhesivePlace) -> EnergyBalance {
-        self.branch.balance(&self.from, place, self.process.attraction())
+        self.branch.balance(&self.from, place, self.search.attraction())
     }
 
     /// The energy that a step may miss.
     fn allowed(&self, balance: &EnergyBalance) -> f64 {
-        let noise = self.process.noise() * self.process.attraction().work();
+        let noise = self.search.noise() * self.search.attraction().work();
         let [held, lost] = [MISSED * balance.held, MISSED_OF_LOST * self.ledger.lost];
         held.max(lost).max(MISSED_OF_RISE * balance.rise.abs()).max(noise)
     }
 
     /// Whether a step stays on its branch. A convex energy has only one.
-    fn is_smooth(&self, balance: &EnergyBalance) -> bool {
+    fn is_smooth(&self, after: &AdhesivePlace, balance: &EnergyBalance) -> bool {
         let allowed = self.allowed(balance);
-        balance.is_convex || balance.lost.abs() <= allowed && balance.swerve.abs() <= SWERVE * allowed
+        let is_straight = || {
+            let open = self.open_energy(after);
+            balance.swerve.abs() <= SWERVE * allowed || open.is_some_and(|open| self.is_open_enough(open))
+        };
+        balance.is_convex || balance.lost.abs() <= allowed && is_straight()
     }
 
-    /// Whether a step is a jump whose place and energy are known well enough. Within the width of the step the energy of a jump changes by the change
-    /// of the conjugate quantity, from where the branch would have gone on. What a step on a branch misses is never as large.
+    /// Whether a step is a jump whose place and energy are known well enough.
     fn is_located(&self, after: &AdhesivePlace, balance: &EnergyBalance, width: f64) -> bool {
-        let Some(change) = self.branch.change_beyond(&self.from, after) else { return false };
+        let Some(open) = self.open_energy(after) else { return false };
+        let is_known = open <= LOCATED * balance.lost;
         let is_small = balance.lost < self.shown * balance.held;
-        let known = 0.5 * width * change;
-        let is_known = known <= LOCATED * balance.lost;
-        if is_small {
-            is_known || known <= LOCATED_OF_LOST * self.ledger.lost
-        } else {
-            is_known && width <= self.finest
-        }
+        let is_jump = balance.lost > self.allowed(balance);
+        is_jump && if is_small { is_known || self.is_open_enough(open) } else { is_known && width <= self.finest }
+    }
+
+    /// The energy that a jump somewhere in a step may lose more or less: within the width of the step it changes by the change of the conjugate
+    /// quantity, from where the branch would have gone on. What a step on a branch misses is never as large. None where it is not known.
+    fn open_energy(&self, after: &AdhesivePlace) -> Option<f64> {
+        let width = (after.state()?.control.value() - self.at).abs();
+        self.branch.change_beyond(&self.from, after).map(|change| 0.5 * width * change)
+    }
+
+    /// Whether an energy does not count beside what was lost so far.
+    fn is_open_enough(&self, open: f64) -> bool {
+        open <= LOCATED_OF_LOST * self.ledger.lost
     }
 
     /// Accepts a step along the branch.
@@ -256,7 +267,7 @@ impl<'a> BranchWalk<'a> {
     /// Whether nodes have come within reach of an attraction that jumps there, or have left it: each of them has jumped.
     fn counts_small_losses(&self, after: &AdhesivePlace) -> bool {
         let (Some(before), Some(after)) = (self.from.state(), after.state()) else { return false };
-        let attraction = self.process.attraction();
+        let attraction = self.search.attraction();
         let is_within = |gap: &f64| *gap < attraction.cutoff();
         let mut pairs = before.contact.gap.iter().zip(&after.contact.gap);
         attraction.steepest().is_infinite() && pairs.any(|(before, after)| is_within(before) != is_within(after))
@@ -270,8 +281,8 @@ impl<'a> BranchWalk<'a> {
         observer: &mut dyn Observer,
         visits: &mut Vec<AdhesiveVisit>,
     ) -> Result<bool, AdhesionError> {
-        self.process.test_stability(&mut step, observer)?;
-        let balance = Branch::default().balance(&self.from, &step.place, self.process.attraction());
+        self.search.test_stability(&mut step, observer)?;
+        let balance = Branch::default().balance(&self.from, &step.place, self.search.attraction());
         let lost = balance.lost;
         let is_shown = lost > self.shown * balance.held;
         let AdhesiveStep { place, frames, work } = step;

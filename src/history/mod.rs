@@ -16,6 +16,7 @@
 mod adhesive;
 mod adhesive_hand;
 mod adhesive_place;
+mod adhesive_search;
 mod adhesive_totals;
 mod adhesive_walk;
 mod archive;
