@@ -1,4 +1,4 @@
-//! What is claimed of a state in equilibrium.
+//! The claim of a state in equilibrium: stable, marginal, a saddle, stationary or the solution.
 
 use super::attraction::Attraction;
 use super::control::AdhesiveControl;

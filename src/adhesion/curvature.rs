@@ -132,7 +132,7 @@ fn improved(energy: &mut GapEnergy<'_>, open: &OpenNodes, mut vector: Vec<f64>) 
     better
 }
 
-/// What the image of a vector of length one has beside its part along the vector.
+/// The part of the image of a vector of length one that is perpendicular to the vector.
 fn residual([vector, image]: &Imaged) -> Vec<f64> {
     let value = dot(vector, image);
     image.iter().zip(vector).map(|(a, x)| a - value * x).collect()

@@ -53,7 +53,7 @@ struct SearchNumbers {
     transforms: u64,
 }
 
-/// What is found of a state beside its fields.
+/// The numbers of a state that a search has found, without its fields.
 struct FoundState {
     method: &'static str,
     residual: f64,

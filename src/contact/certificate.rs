@@ -283,12 +283,12 @@ struct Bounds {
     /// `<m>` and the bound of `|m|^2`.
     room: [f64; 2],
     is_at_gap: bool,
-    /// What nodes that yield add; none on a hard wall.
+    /// The terms that nodes at the hardness add to the bound; none on a hard wall.
     yielding: Option<Yielding>,
     rounding: Rounding,
 }
 
-/// What bounds the error of a pressure of which some nodes are at their ceilings.
+/// The terms that bound the error of a pressure of which some nodes are at their ceilings.
 #[derive(Clone, Copy)]
 struct Yielding {
     /// Where no node is open: the bound of the mean gap, a length, and `2 <H_c - p> / <p>`, which is infinite at a given mean gap.

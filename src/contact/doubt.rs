@@ -1,6 +1,6 @@
-//! What is wrong with a result that was read from a file.
+//! The doubts about results that are read from files.
 
-/// What is wrong with a result that was read from a file.
+/// A doubt about a result that was read from a file: a fault that a check has found.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SavedDoubt {
     /// Pressures that pull.
@@ -24,7 +24,7 @@ pub enum SavedDoubt {
     Datum {
         /// The name of the quantity.
         name: &'static str,
-        /// What it is.
+        /// The value in the file.
         found: f64,
         /// What is prescribed.
         prescribed: f64,
@@ -78,7 +78,7 @@ pub enum SavedDoubt {
     Place {
         /// The name of the quantity.
         name: &'static str,
-        /// What it is.
+        /// The value in the file.
         found: f64,
     },
     /// A field without which the state cannot be checked.

@@ -16,7 +16,7 @@ const SAME_LOAD: f64 = 1e-6;
 /// How much larger a certificate may be that is computed again, from heights whose mean plane was taken off again.
 const ROUNDED: f64 = 1.01;
 
-/// The coarser grid is solved to this certificate, in at most so many iterations.
+/// The certificate to which the contact on the coarser grid is solved, and the most iterations of this solve.
 const COARSE: (f64, usize) = (1e-3, 10_000);
 
 /// The part up to which two contacts on the coarser grid are the same: solvers end there with certificates of up to 0.1.
