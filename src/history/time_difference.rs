@@ -9,6 +9,10 @@ use crate::surface::Field;
 const LEAST_MEAN: f64 = 0.25;
 /// The area of a node that comes into contact, in areas of its cell: of a patch that begins with it.
 const NODE: f64 = 0.5;
+/// The error of the area that is stated at least where the pressures have one, in areas of the cell of a node: edges are interpolated between nodes.
+const EDGE: f64 = 1e-3;
+/// The relative error of the pressures from which they have one.
+const SMALL: f64 = 1e-9;
 /// The part of what has flowed in nodes that came into contact in the last step which is stated as an error: it depends on when they came.
 const NEW: f64 = 0.1;
 /// The part of an error that the next step still states.
@@ -47,7 +51,8 @@ pub(super) fn errors_in_time(coarse: &CreepState, [fine, earlier, before]: [&Cre
     let size = rms(&fine.contact.pressure);
     let off = rms(&pressure).max(late_pressure(coarse, fine)).max(NEW * new_pressure(fine, earlier));
     let relative = if size > 0.0 { (off / size).min(1.0) } else { 0.0 };
-    let area = (coarse.relative_area() - fine.relative_area()).abs();
+    let edge = if relative > SMALL { EDGE / fine.contact.pressure.len() as f64 } else { 0.0 };
+    let area = (coarse.relative_area() - fine.relative_area()).abs().max(edge);
     let [other, energy] = [coarse.energy, fine.energy];
     let turnover = energy.work.abs().max(energy.stored).max(energy.lost);
     let balance = (energy.work - energy.stored - energy.lost).abs();
