@@ -83,9 +83,10 @@ impl History {
     }
 
     /// With adhesion a dictionary; otherwise None. It has the work and range of the attraction, process_zone (a length) and spacings (the same in
-    /// spacings of the grid), the numbers tabor, maugis and pastewka_robbins, lowest_pressure (of all states: the pull-off pressure if separated
+    /// spacings of the grid), grid_error (the estimated relative error of pull-off forces by the grid, for an attraction that jumps, such as
+    /// Dugdale's; otherwise None), the numbers tabor, maugis and pastewka_robbins, lowest_pressure (of all states: the pull-off pressure if separated
     /// is True), jumps (a list of dictionaries with state, energy, and mean_gap, mean_pressure and relative_area before and after), and
-    /// lost_in_jumps and lost_error (its estimated error), energies per area of the cell.
+    /// lost_in_jumps and lost_error (its estimated error; None on a free boundary), energies per area of the cell.
     #[getter]
     fn adhesion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.outcome.adhesion)

@@ -136,7 +136,7 @@ impl AdhesiveProblem {
     /// The state under a control that the fast method finds from the last state. Its stability is not tested: it is claimed as stationary.
     ///
     /// # Errors
-    /// Those of [`AdhesiveProblem::solve`].
+    /// The errors of [`AdhesiveProblem::solve`].
     pub(crate) fn probe(
         &self,
         control: AdhesiveControl,

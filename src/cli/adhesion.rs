@@ -38,6 +38,6 @@ pub fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) ->
         1 => "1 jump".to_owned(),
         count => format!("{count} jumps"),
     };
-    let error = units.energy_per_area(totals.lost_error);
-    writeln!(out, "energy lost per area: {jumps} in {count}, estimated error {error}")
+    let error = totals.lost_error.map(|error| format!(", estimated error {}", units.energy_per_area(error)));
+    writeln!(out, "energy lost per area: {jumps} in {count}{}", error.unwrap_or_default())
 }

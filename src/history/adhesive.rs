@@ -23,10 +23,15 @@ const APART: f64 = 30.0;
 ///
 /// `E_0 - E_1 - int P dd`.
 ///
-/// On a branch of states it is zero, but for the error of the integral. So a step that loses more is halved, until it loses nothing or is
-/// short: what it loses then is a jump, with a state before it and one after it. Steps between those of the path are not shown. Jumps that lose
-/// less than a thousandth of the energy of the attraction are not shown either, but their energy is counted. With an attraction that
-/// jumps, such as Dugdale's, each node that comes within its reach or leaves it is such a small jump.
+/// On a branch it is zero, but for the error of the integral, and the work of the load is the change of the energy. So a step that loses more is
+/// halved, until it loses nothing, or until the energy that it loses is known to 1 %: then it is a jump, with a state before it and one after it.
+/// Steps between those of the path are not shown. Jumps that lose less than a thousandth of the energy of the attraction are not shown either, but
+/// their energy is counted. With an attraction that jumps, such as Dugdale's, each node that comes within its reach or leaves it is a small jump, and
+/// the part is a hundredth.
+///
+/// The stated error of the energy lost adds up the widths of the steps with jumps times half the changes in them, and what the integrals miss
+/// on the branches. On free boundaries it is not known: the stability of states is not computed there, and a history in longer steps may stay on a branch
+/// that is no longer stable, and jump later.
 ///
 /// Under a mean pressure the surfaces may part; what is lost then depends on how far they go, and is not counted.
 ///
@@ -70,6 +75,11 @@ impl AdhesiveProcess {
         self.search.problem().problem().highest()
     }
 
+    /// Whether the grid is periodic: only then the stability of states is known.
+    fn is_periodic(&self) -> bool {
+        self.search.problem().problem().surface().grid().is_periodic()
+    }
+
     /// What a load of the path prescribes.
     pub(super) fn control(&self, load: Load) -> AdhesiveControl {
         let problem = self.search.problem().problem();
@@ -89,7 +99,7 @@ impl AdhesiveProcess {
         let AdhesiveVisit { place, control, ledger, jump, work, .. } = visit;
         let numbers = HistoryNumbers {
             dissipated: Some(ledger.lost),
-            dissipated_error: Some(ledger.error()),
+            dissipated_error: self.is_periodic().then(|| ledger.error()),
             work_done: Some(ledger.work),
             jump,
             ..HistoryNumbers::default()

@@ -16,16 +16,16 @@ pub(super) enum AdhesivePlace {
     Apart,
 }
 
-/// What a history with adhesion adds up, per area of the cell.
+/// The energies of a history with adhesion from its beginning to a place, per area of the cell.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct AdhesionLedger {
     /// Energy lost in jumps.
     pub lost: f64,
     /// Work of the load: on a branch the change of the energy.
     pub work: f64,
-    /// What the integrals of the steps on branches missed.
+    /// The sum of the differences between the integral of the pressure over the datum and the change of the energy, of all steps on branches.
     missed: f64,
-    /// What the places of the jumps within their steps leave open.
+    /// The sum of the energies that jumps may have lost more or less, since their places are known to a step only.
     spread: f64,
 }
 
@@ -48,7 +48,7 @@ pub(super) struct AdhesiveVisit {
     pub branch: Branch,
 }
 
-/// What is known of the branch of states that leads to a place.
+/// The last steps on the branch of states that leads to a place.
 #[derive(Clone, Default)]
 pub(super) struct Branch {
     /// The state before, on the same branch.
@@ -132,7 +132,7 @@ impl AdhesiveVisit {
         Self { place, control, ledger: AdhesionLedger::default(), jump: None, work, branch: Branch::default() }
     }
 
-    /// What the next step begins with.
+    /// The visit without its work, as the beginning of the next step.
     pub fn kept(&self) -> Self {
         Self { place: self.place.clone(), work: Work::default(), branch: self.branch.clone(), ..*self }
     }

@@ -97,7 +97,7 @@ impl PlaceSearch {
         }
     }
 
-    /// What has parted under a load that pulls stays apart.
+    /// Whether surfaces that have parted stay apart: under a load that pulls.
     fn stays_apart(&self, control: AdhesiveControl, from: Option<&AdhesivePlace>) -> bool {
         from.is_some() && control.value() < 0.0
     }

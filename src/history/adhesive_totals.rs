@@ -16,9 +16,9 @@ pub struct AdhesionTotals {
     pub jumps: Vec<AdhesionJump>,
     /// Energy lost in all jumps, per area of the cell.
     pub lost_in_jumps: f64,
-    /// Estimated error of `lost_in_jumps`: what the places of the jumps leave open, and what the integral of the pressure over the datum misses
-    /// on the branches between them, where nothing is lost.
-    pub lost_error: f64,
+    /// Estimated error of `lost_in_jumps`, per area of the cell: what the places of the jumps leave open, and what the integral of the pressure over the
+    /// datum misses on the branches between them, where nothing is lost. None on free boundaries, where the stability of states is not known.
+    pub lost_error: Option<f64>,
 }
 
 /// A jump: from one state to another one, under the same load.
@@ -65,7 +65,7 @@ impl AdhesionTotals {
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
             lost_in_jumps: of(|state| state.numbers.dissipated),
-            lost_error: of(|state| state.numbers.dissipated_error),
+            lost_error: last.numbers.dissipated_error,
         })
     }
 }

@@ -35,7 +35,7 @@ const LEAST: f64 = 1e-4;
 /// correction may hide a jump.
 const SWERVE: f64 = 1.0;
 
-/// The way is halved at most so many times.
+/// The most halvings of the way from one control to another.
 const HALVINGS: i32 = 30;
 
 /// The part of a step by which rounding moves its end.
@@ -65,9 +65,10 @@ pub(super) struct BranchWalk<'a> {
 /// The nearest control at which a step left the branch, was too long or found no state.
 struct Beyond {
     to: f64,
-    /// What is still missed on the way there if there is no jump: of third order in the length that is left.
+    /// The energy that a step from the present place to this control would miss if there were no jump. It falls with the third power of the length
+    /// of the step.
     missed: f64,
-    /// The control within which it is close enough to jump.
+    /// The width within which the step is accepted as a jump.
     width: f64,
     /// The nearest place that was found beyond, and its control.
     found: Option<(f64, AdhesiveStep)>,
@@ -113,6 +114,9 @@ impl<'a> BranchWalk<'a> {
         let mut balance = self.balance(&step.place);
         if self.is_smooth(&step.place, &balance) {
             self.search.test_stability(&mut step, observer)?;
+            if step.place.fault().is_some() {
+                return self.go_around(to, step, observer, visits);
+            }
             balance = self.balance(&step.place);
         }
         if self.is_smooth(&step.place, &balance) {
@@ -159,6 +163,12 @@ impl<'a> BranchWalk<'a> {
         if let Some((to, step)) = found {
             return self.jump(to, step, observer, visits);
         }
+        self.give_up(to, AdhesiveStep { work: Work::default(), ..failed })
+    }
+
+    /// Ends the way at a place that is no equilibrium, which is shown as such.
+    fn give_up(&mut self, to: f64, failed: AdhesiveStep) -> Result<bool, AdhesionError> {
+        self.work = sum(self.work, failed.work);
         (self.from, self.at) = (failed.place, to);
         self.from.fault().map_or(Ok(false), Err)
     }
@@ -282,6 +292,9 @@ impl<'a> BranchWalk<'a> {
         visits: &mut Vec<AdhesiveVisit>,
     ) -> Result<bool, AdhesionError> {
         self.search.test_stability(&mut step, observer)?;
+        if step.place.fault().is_some() {
+            return self.give_up(to, step);
+        }
         let balance = Branch::default().balance(&self.from, &step.place, self.search.attraction());
         let lost = balance.lost;
         let is_shown = lost > self.shown * balance.held;

@@ -95,7 +95,7 @@ pub struct HistoryNumbers {
     pub stick_share: Option<f64>,
     /// Dissipated energy since the beginning, per area of the cell.
     pub dissipated: Option<f64>,
-    /// Estimated error of the dissipated energy, with adhesion: per area of the cell.
+    /// Estimated error of the energy that jumps have lost with adhesion on a periodic grid, per area of the cell.
     pub dissipated_error: Option<f64>,
     /// Stored elastic energy, per area of the cell: all of it for a solid that creeps, that of the traction alone with friction.
     pub stored: Option<f64>,

@@ -59,7 +59,7 @@ pub const HISTORY_QUANTITIES: &[HistoryQuantity] = &[
     quantity("shift", "shift", HistoryUnit::Length, "Shift of the rigid surface along x since the beginning.", |it| it.numbers.shift),
     quantity("stick_share", "share that sticks", HistoryUnit::One, "Share of the nodes in contact that stick.", |it| it.numbers.stick_share),
     quantity("dissipated", "dissipated energy", HistoryUnit::EnergyPerArea, "Energy dissipated since the beginning, per area of the cell.", |it| it.numbers.dissipated),
-    quantity("dissipated_error", "error of the loss", HistoryUnit::EnergyPerArea, "Estimated error of the energy that jumps have lost with adhesion, per area of the cell.", |it| it.numbers.dissipated_error),
+    quantity("dissipated_error", "error of the loss", HistoryUnit::EnergyPerArea, "Estimated error of the energy that jumps have lost with adhesion, per area of the cell; not known on a free boundary.", |it| it.numbers.dissipated_error),
     quantity("stored", "stored energy", HistoryUnit::EnergyPerArea, "Stored elastic energy, per area of the cell; with friction, that of the traction alone, and with adhesion with the energy of the attraction.", |it| it.numbers.stored),
     quantity("work_done", "work of the load", HistoryUnit::EnergyPerArea, "Work of the load since the beginning, per area of the cell.", |it| it.numbers.work_done),
     quantity("time_error", "error in time", HistoryUnit::One, "Estimated relative error of the contact pressure, root mean square, that the length of the steps in time causes.", |it| it.numbers.time_error),

@@ -19,7 +19,7 @@ pub struct AdhesionRow {
     pub jumps: Option<u64>,
     /// Energy lost in all jumps but parting under the load, per area of the cell.
     pub lost_in_jumps: Option<f64>,
-    /// Estimated error of the energy lost in jumps, per area of the cell.
+    /// Estimated error of the energy lost in jumps, per area of the cell; none on a free boundary.
     pub lost_error: Option<f64>,
     /// Whether each state with contact was stable, or the solution.
     pub stable: Option<bool>,
@@ -106,7 +106,7 @@ impl AdhesionRow {
             largest_area: states.iter().filter(is_state).map(HistoryState::relative_area).reduce(f64::max),
             jumps: Some(totals.jumps.len() as u64),
             lost_in_jumps: Some(totals.lost_in_jumps),
-            lost_error: Some(totals.lost_error),
+            lost_error: totals.lost_error,
             stable: Some(states.iter().filter(is_state).all(is_certain)),
             states: Some(states.iter().filter(is_state).count() as u64),
             history_transforms: Some(states.iter().map(|state| state.work.transforms).sum()),

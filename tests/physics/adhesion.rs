@@ -107,7 +107,7 @@ fn pull_off_and_loop_of_a_sine() {
         .sum();
     let error = (totals.lost_in_jumps - closed).abs();
     assert!(totals.lost_in_jumps > 0.0 && error < 0.01 * closed, "{totals:?} {closed}");
-    assert!(totals.lost_error < 0.05 * closed && states.last().unwrap().numbers.work_done.unwrap() > 0.0);
+    assert!(totals.lost_error.unwrap() < 0.05 * closed && states.last().unwrap().numbers.work_done.unwrap() > 0.0);
 }
 
 /// From `alpha = ((3^(1/2)/2)^(3/2)/2^(1/2)) = 0.5699` on, a sine sticks everywhere without a load.

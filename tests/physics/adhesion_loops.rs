@@ -5,6 +5,7 @@ use asperity::contact::{ContactModulus, Load, Problem, Stop};
 use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
+use rand::{RngExt, SeedableRng, rngs::ChaCha8Rng};
 use std::cell::OnceCell;
 use std::f64::consts::PI;
 
@@ -13,41 +14,33 @@ struct Loop {
     problem: AdhesiveProblem,
     ends: [Load; 2],
     what: String,
-    /// What the load does in many steps, once it is known.
-    fine: OnceCell<f64>,
+    /// The loss in many steps, once it is known.
+    fine: OnceCell<Option<Loss>>,
 }
 
-/// What a loop lost, over the work of adhesion.
+/// The energies that a loop lost, over the work of adhesion.
 struct Loss {
     in_jumps: f64,
-    /// The integral of the pressure that the states show.
+    /// The loss by the integral of the pressure that the states show.
     by_load: f64,
-    error: f64,
+    /// The stated error of `in_jumps`; none on a free boundary.
+    error: Option<f64>,
     jumps: usize,
     transforms: u64,
 }
 
-/// Numbers that only look random, so that each loop can be made again: splitmix64.
-struct Draw(u64);
+fn between(draw: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
+    draw.random_range(from..to)
+}
 
-impl Draw {
-    fn between(&mut self, from: f64, to: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        from + (to - from) * ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn decades(&mut self, from: f64, to: f64) -> f64 {
-        self.between(from.ln(), to.ln()).exp()
-    }
+fn decades(draw: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
+    between(draw, from.ln(), to.ln()).exp()
 }
 
 impl Loop {
     /// One of many loops: lines and surfaces, periodic and free, at a mean gap, an approach or under a load.
     fn random(seed: u64) -> Self {
-        let mut draw = Draw(7919 * seed + 1);
+        let mut draw = ChaCha8Rng::seed_from_u64(seed);
         let form = [AttractionForm::Exponential, AttractionForm::Cubic, AttractionForm::Dugdale][(seed % 3) as usize];
         match seed / 3 % 6 {
             5 => Self::free(&mut draw, form),
@@ -55,32 +48,33 @@ impl Loop {
         }
     }
 
-    fn rough(draw: &mut Draw, form: AttractionForm, seed: u64, kind: u64) -> Self {
-        let modulus = draw.decades(0.3, 30.0);
-        let points = draw.between(0.0, 5.0) as usize;
+    fn rough(draw: &mut ChaCha8Rng, form: AttractionForm, seed: u64, kind: u64) -> Self {
+        let modulus = decades(draw, 0.3, 30.0);
+        let points = between(draw, 0.0, 5.0) as usize;
         let grid = match kind {
             4 => Grid::surface([[24, 30, 36, 40, 48][points]; 2], [1.0; 2]),
             _ => Grid::line([64, 96, 128, 200, 256][points], 1.0),
         };
         let grid = grid.unwrap();
         let spacing = grid.spacing()[1];
+        let rolloff_wavelength = between(draw, 0.3, 0.7);
         let spectrum = Spectrum {
-            hurst: draw.between(0.3, 1.0),
-            rolloff_wavelength: draw.between(0.3, 0.7),
-            short_cutoff: draw.between(4.0, 12.0) * spacing,
-            rms_gradient: draw.decades(0.05, 0.3),
+            hurst: between(draw, 0.3, 1.0),
+            rolloff_wavelength,
+            short_cutoff: (between(draw, 4.0, 12.0) * spacing).min(0.8 * rolloff_wavelength),
+            rms_gradient: decades(draw, 0.05, 0.3),
         };
         let surface = Surface::rough(grid, &spectrum, seed).unwrap();
         let problem = Problem::new(surface, ContactModulus(modulus), Load::MeanPressure(0.01 * modulus)).unwrap();
-        let (highest, zone) = (problem.highest(), draw.between(2.2, 7.0) * spacing);
-        let range = draw.decades(0.1, 1.0) * highest;
+        let (highest, zone) = (problem.highest(), between(draw, 2.2, 7.0) * spacing);
+        let range = decades(draw, 0.1, 1.0) * highest;
         let attraction = Attraction::new(form, modulus * range * range / (PI * zone), range).unwrap();
         let strength = attraction.strength();
         let ends = match kind {
-            3 => [draw.between(0.05, 0.5) * strength, -draw.between(0.0, 0.02) * strength].map(Load::MeanPressure),
+            3 => [between(draw, 0.05, 0.5) * strength, -between(draw, 0.0, 0.02) * strength].map(Load::MeanPressure),
             _ => {
-                let far = highest * draw.between(0.9, 1.2) + draw.between(0.2, 1.5) * range;
-                [far, highest * draw.between(0.1, 0.6)].map(Load::MeanGap)
+                let far = highest * between(draw, 0.9, 1.2) + between(draw, 0.2, 1.5) * range;
+                [far, highest * between(draw, 0.1, 0.6)].map(Load::MeanGap)
             }
         };
         let what = format!("{:?} {form:?}, {:.1} spacings", ends[0], zone / spacing);
@@ -88,10 +82,10 @@ impl Loop {
     }
 
     /// A cylinder or a sphere on a free boundary, with a process zone of some spacings.
-    fn free(draw: &mut Draw, form: AttractionForm) -> Self {
-        let (modulus, zone) = (draw.decades(0.3, 30.0), draw.between(2.5, 6.0));
-        let work = draw.decades(1e-3, 1e-2) * modulus;
-        let is_line = draw.between(0.0, 1.0) < 0.6;
+    fn free(draw: &mut ChaCha8Rng, form: AttractionForm) -> Self {
+        let (modulus, zone) = (decades(draw, 0.3, 30.0), between(draw, 2.5, 6.0));
+        let work = decades(draw, 1e-3, 1e-2) * modulus;
+        let is_line = between(draw, 0.0, 1.0) < 0.6;
         let width = (work / modulus).cbrt();
         let (grid, indenter) = match is_line {
             true => (Grid::line(96, 6.0 * width), Indenter::Cylinder { radius: 1.0 }),
@@ -103,7 +97,7 @@ impl Loop {
         let attraction = Attraction::new(form, work, range).unwrap();
         let scales = AdhesionScales::new(&problem, &attraction);
         let unit = width * width;
-        let ends = [-3.0 * unit - 2.0 * range, draw.between(0.2, 1.0) * unit].map(Load::Approach);
+        let ends = [-3.0 * unit - 2.0 * range, between(draw, 0.2, 1.0) * unit].map(Load::Approach);
         let what = format!("{} {form:?}, {:.1} spacings", if is_line { "cylinder" } else { "sphere" }, scales.spacings);
         Self { problem: AdhesiveProblem::new(problem, attraction).unwrap(), ends, what, fine: OnceCell::new() }
     }
@@ -128,15 +122,17 @@ impl Loop {
         Some(Loss {
             in_jumps: totals.lost_in_jumps / work,
             by_load: by_load(&states) / work,
-            error: totals.lost_error / work,
+            error: totals.lost_error.map(|error| error / work),
             jumps: totals.jumps.len(),
             transforms: states.iter().map(|state| state.work.transforms).sum(),
         })
     }
 
-    /// What the load does along the path in many steps; NaN where the surfaces part.
-    fn closed(&self) -> f64 {
-        *self.fine.get_or_init(|| self.loss(1000).map_or(f64::NAN, |it| it.by_load))
+    /// The loss by the integral of the pressure in many steps, and its own error: the difference from the jumps in these. None where the surfaces
+    /// part.
+    fn closed(&self) -> Option<[f64; 2]> {
+        let fine = self.fine.get_or_init(|| self.loss(1000)).as_ref()?;
+        Some([fine.by_load, (fine.by_load - fine.in_jumps).abs()])
     }
 }
 
@@ -155,6 +151,9 @@ fn by_load(states: &[HistoryState]) -> f64 {
     let stored = |state: &HistoryState| state.numbers.stored.unwrap();
     states.windows(2).map(work).sum::<f64>() - (stored(states.last().unwrap()) - stored(&states[0]))
 }
+
+/// The error of the energies of states, over the work of adhesion.
+const SOLVED: f64 = 1e-7;
 
 /// Whether a loss is another one to 2 %. Losses below a part of the work of adhesion are the error of the steps.
 fn agree(told: f64, closed: f64) -> bool {
@@ -184,43 +183,48 @@ fn jumps_without_a_long_way_are_told() {
     let fine = case.loss(1000).unwrap();
     for steps in [8, 32, 128] {
         let loss = case.loss(steps).unwrap();
-        let [missed, error] = [loss.in_jumps - fine.by_load, loss.error].map(|it| it / fine.by_load);
+        let [missed, error] = [loss.in_jumps - fine.by_load, loss.error.unwrap()].map(|it| it / fine.by_load);
         println!("{steps} steps: {:.4e}, {:+.2} % and told {:.2} %", loss.in_jumps, 1e2 * missed, 1e2 * error);
         assert!(missed.abs() < error.min(0.02) && error < 0.1 && loss.jumps > 0, "{steps}: {missed} {error}");
     }
 }
 
-/// A few loops of the sweep below.
-#[test]
-fn what_jumps_lose_is_what_the_load_did() {
-    for seed in [2, 3, 4, 9, 15] {
-        let case = Loop::random(seed);
-        let loss = case.loss(32).unwrap();
-        let closed = case.closed();
-        println!("{seed} {}: {:.4e} {closed:.4e} in {} jumps", case.what, loss.in_jumps, loss.jumps);
-        assert!(agree(loss.in_jumps, closed), "{seed} {}: {} {closed}", case.what, loss.in_jumps);
-    }
-}
-
-/// In a hundred loops, at 8, 32 and 128 steps, the jumps lose what the load did along the path.
-#[test]
-#[ignore = "takes minutes"]
-fn what_jumps_lose_is_what_the_load_did_in_a_hundred_loops() {
-    let mut missed = Vec::new();
-    for seed in 0..100 {
+/// Asserts of some loops, at 8, 32 and 128 steps, that the jumps lose what the load did to 2 %, and, on periodic grids, that the true error of this is
+/// below three times the stated one in 99 % of the cases, and never above ten times. Losses below a part of the work of adhesion, and errors
+/// below that of the integral, count as none.
+fn survey(seeds: impl Iterator<Item = u64>) {
+    let (mut missed, mut ratios) = (Vec::new(), Vec::new());
+    for seed in seeds {
         let case = Loop::random(seed);
         for steps in [8, 32, 128] {
-            let Some(loss) = case.loss(steps) else { continue };
-            let closed = case.closed();
+            let Some((loss, [closed, own])) = case.loss(steps).zip(case.closed()) else { continue };
             let Loss { in_jumps, jumps, transforms, error, .. } = loss;
             println!(
-                "{seed} {}, {steps} steps: {in_jumps:.4e} +- {error:.1e}, {closed:.4e} in {jumps} jumps, {transforms} transforms",
+                "{seed} {}, {steps} steps: {in_jumps:.4e} +- {error:?}, {closed:.4e} in {jumps} jumps, {transforms} transforms",
                 case.what
             );
+            let off = (in_jumps - closed).abs();
+            ratios.extend(error.map(|error| if off > own.max(SOLVED) { off / error } else { 0.0 }));
             if !agree(in_jumps, closed) {
                 missed.push((seed, steps, in_jumps, closed));
             }
         }
     }
+    ratios.sort_by(f64::total_cmp);
+    let at = |part: f64| ratios[((ratios.len() - 1) as f64 * part) as usize];
+    println!("{} cases, true over stated error: 99 % below {:.2}, largest {:.1}", ratios.len(), at(0.99), at(1.0));
     assert!(missed.is_empty(), "{missed:?}");
+    assert!(at(0.99) < 3.0 && at(1.0) <= 10.0, "{ratios:?}");
+}
+
+/// A few loops: lines with smooth attractions and with Dugdale's, at gaps and under a load, and a cylinder on a free boundary.
+#[test]
+fn what_jumps_lose_is_what_the_load_did() {
+    survey([15, 21, 41, 91, 99].into_iter());
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn what_jumps_lose_is_what_the_load_did_in_a_hundred_loops() {
+    survey(0..100);
 }
