@@ -5,6 +5,9 @@ use asperity::job::AdhesionOutcome;
 use asperity::quantity::number_in_words;
 use std::io::{self, Write};
 
+/// The part of the energy lost in jumps with rows from which the summary tells that there were smaller ones.
+const SMALLER: f64 = 1e-3;
+
 /// Numbers of the attraction, names and values for reading.
 pub fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> {
     let scales = &it.scales;
@@ -34,10 +37,12 @@ pub fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) ->
         Some(lowest) => writeln!(out, "\nlowest mean pressure {lowest}")?,
     }
     let jumps = units.energy_per_area(totals.lost_in_jumps);
+    let shown: f64 = totals.jumps.iter().map(|jump| jump.energy).sum();
+    let smaller = if totals.lost_in_jumps - shown > SMALLER * shown { " and smaller ones" } else { "" };
     let count = match totals.jumps.len() {
-        1 => "1 jump".to_owned(),
-        count => format!("{count} jumps"),
+        1 => format!("1 jump{smaller}"),
+        count => format!("{count} jumps{smaller}"),
     };
-    let error = totals.lost_error.map(|error| format!(", estimated error {}", units.energy_per_area(error)));
+    let error = totals.lost_error.map(|error| format!(", error of the steps {}", units.energy_per_area(error)));
     writeln!(out, "energy lost per area: {jumps} in {count}{}", error.unwrap_or_default())
 }

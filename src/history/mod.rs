@@ -56,7 +56,7 @@ pub use creep_path::CreepPath;
 pub use creep_process::CreepProcess;
 pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
-pub use cycle::cycle_losses;
+pub use cycle::{cycle_losses, open_cycles};
 pub use motion_process::{RollingProcess, SlidingProcess};
 pub use process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
 pub use quantity::{HISTORY_QUANTITIES, HistoryQuantity, HistoryUnit};

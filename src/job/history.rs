@@ -3,7 +3,7 @@
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Observer, Problem, ResultClaim, Status, warning_of_trail};
 use crate::error::{HistoryError, SetupError};
-use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses};
+use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
 use serde::Serialize;
@@ -86,7 +86,8 @@ impl HistoryOutcome {
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<HistoryState>) -> Result<Self, SetupError> {
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
         Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None, doubts: setup.warnings_of_creep() }
-            .with_time_errors(setup))
+            .with_time_errors(setup)
+            .with_open_cycles(setup))
     }
 
     /// The history, with a reason to doubt it where errors in time are above the tolerance.
@@ -108,6 +109,24 @@ impl HistoryOutcome {
                     "Read the stated errors in time, or use a smaller tolerance of the error in time",
                 )
                 .with_remedy("path.time-tolerance", None),
+            );
+        }
+        self
+    }
+
+    /// The outcome with a warning of cycles of the path after which the contact has not returned to its state.
+    fn with_open_cycles(mut self, setup: &Setup) -> Self {
+        let count = open_cycles(&setup.path_points(), &self.states);
+        if count > 0 {
+            self.doubts.push(
+                Warning::new(
+                    format!(
+                        "In {count} of the cycles of the path the load returns, but the contact does not return to its state, and \
+                         no energy lost per cycle is given"
+                    ),
+                    "Let the path go so far that the surfaces let go, or follow the cycle again",
+                )
+                .with_remedy("path.load", None),
             );
         }
         self

@@ -77,6 +77,19 @@ fn a_loop_jumps_in_and_out_and_is_written_to_every_file() {
     assert!(folder.join("loop.rrd").metadata().unwrap().len() > 10_000);
 }
 
+/// At 1.2 um the sine touches on the way back, and did not on the way in: the load returns, but the contact does not.
+#[test]
+fn a_loop_that_does_not_close_loses_no_energy_per_cycle() {
+    let folder = Folder::new();
+    let path = |far: &str| format!("{SINE} {STICKY} --mean-gap 1um --path-load {far},0.4um,{far} --path-steps 4");
+    let [open, closed] = ["1.2um", "1.6um"].map(|far| json(&folder, &path(far)));
+    assert!(open["energy_per_cycle"].as_array().is_none_or(Vec::is_empty), "{}", open["energy_per_cycle"]);
+    assert!(closed["energy_per_cycle"][0].as_f64().unwrap() > 0.0);
+    let words = folder.run(&path("1.2um"));
+    let (out, error) = (text(&words.stdout), text(&words.stderr));
+    assert!(!out.contains("per cycle and area") && error.contains("does not return to its state"), "{out}{error}");
+}
+
 #[test]
 fn a_pull_parts_the_surfaces_without_an_error() {
     let folder = Folder::new();
