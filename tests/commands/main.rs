@@ -6,6 +6,8 @@ mod certify;
 mod cli;
 #[path = "../common/command.rs"]
 mod command;
+mod drives;
+mod golden;
 mod guide;
 mod histories;
 mod inspect;
