@@ -4,8 +4,8 @@
 //! `cargo run --release --example jkr`
 
 use asperity::adhesion::{AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
-use asperity::contact::{ContactModulus, Load};
-use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
+use asperity::contact::{ContactModulus, Load, Quantity, State};
+use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::{Grid, Indenter, Problem, Stop};
 use std::f64::consts::PI;
 
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let problem = Problem::new(sine, ContactModulus(modulus), Load::MeanPressure(full))?;
         let attraction = Attraction::new(AttractionForm::Exponential, work, range * amplitude)?;
         let problem = AdhesiveProblem::new(problem, attraction)?;
-        let mut states: Vec<HistoryState> = Vec::new();
+        let mut states: Vec<State> = Vec::new();
         AdhesiveProcess::new(problem, path.to_vec(), 24, AdhesiveMethod::Fast, Stop::default()).run(
             &mut (),
             &mut |state| {
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("\nthe way back for rho 0.03:  gap   pressure      exact");
     for state in pulled {
-        let (gap, pressure) = (state.contact.mean_gap() / amplitude, state.numbers.net_pressure.unwrap_or(f64::NAN));
+        let (gap, pressure) = (state.contact.mean_gap() / amplitude, state.value(Quantity::MeanPressure));
         println!("{gap:>31.2} {:>10.5} {:>10.5}", pressure / full, at(gap));
     }
     Ok(())

@@ -5,8 +5,8 @@
 //! `cargo run --release --example sticky_rough`
 
 use asperity::adhesion::{AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
-use asperity::contact::{ContactModulus, Load, Problem, Stop};
-use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
+use asperity::contact::{ContactModulus, Load, Problem, Quantity, State, Stop};
+use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Surface};
 
@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         // pressed, released, and pulled until it parts
         let loads = [10e3, 0.0, -strength];
         let path = loads.map(|load| PathPoint { time: None, load: Load::MeanPressure(load), tangential: None });
-        let mut states: Vec<HistoryState> = Vec::new();
+        let mut states: Vec<State> = Vec::new();
         AdhesiveProcess::new(problem, path.to_vec(), 10, AdhesiveMethod::Fast, Stop::default()).run(
             &mut (),
             &mut |state| {
@@ -38,7 +38,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 Ok(())
             },
         )?;
-        let free = states.iter().find(|state| state.point == Some(1)).map_or(0.0, HistoryState::relative_area);
+        let free =
+            states.iter().find(|state| state.point == Some(1)).map_or(0.0, |it| it.value(Quantity::RelativeArea));
         let totals = AdhesionTotals::new(&states).ok_or("the states have adhesion")?;
         println!(
             "{:>5} mJ/m2 {:>11.3} {:>19.4} {:>10.2} Pa {:>16.2} Pa {:>16.2} Pa",

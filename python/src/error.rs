@@ -163,8 +163,8 @@ fn sentence(error: &BoxedError) -> String {
         Some(StudyError::Row { row, values, source }) => {
             return format!("row {} ({}): {}", row - 1, values, sentence_of_setup(source));
         }
-        Some(StudyError::AdhesionLoads) => {
-            return "a study with adhesion goes along a path: give one load, and further ones as path={'load': ...}"
+        Some(StudyError::HistoryLoads) => {
+            return "a study of histories goes along a path in each row: give one load, and further ones as path={'load': ...}"
                 .into();
         }
         Some(StudyError::Missing { rows, first, of }) => {

@@ -9,7 +9,7 @@ use crate::output::{check_not_read, check_output};
 use crate::problem::Problem;
 use crate::setup::Setup;
 use asperity::files::write_beside;
-use asperity::history::{HISTORY_QUANTITIES, HistoryField, HistoryState, HistoryUnit, archive_of_history};
+use asperity::history::{HISTORY_QUANTITIES, HistoryUnit, State, StateField, archive_of_history};
 use asperity::job::HistoryOutcome;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
@@ -37,7 +37,7 @@ impl History {
     pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Self> {
         let Problem { surface, rank, preparation, .. } = problem;
         let rank = *rank;
-        let contact = |state: &HistoryState| {
+        let contact = |state: &State| {
             let contact = Contact::new(state.contact.clone(), surface.clone(), setup.setup.clone(), rank);
             Py::new(py, Contact { state: Some(state.into()), preparation: preparation.clone(), ..contact })
         };
@@ -110,8 +110,8 @@ impl History {
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = PyDict::new(py);
         let Some(first) = self.outcome.states.first() else { return Ok(fields) };
-        for (place, HistoryField { name, .. }) in first.fields.iter().enumerate() {
-            let of_rank = |it: &HistoryState| -> ArrayD<f64> {
+        for (place, StateField { name, .. }) in first.fields.iter().enumerate() {
+            let of_rank = |it: &State| -> ArrayD<f64> {
                 let values = it.fields[place].values.clone();
                 if self.rank == 1 { values.index_axis_move(Axis(0), 0).into_dyn() } else { values.into_dyn() }
             };

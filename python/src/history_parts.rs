@@ -7,7 +7,7 @@ use crate::history::History;
 use crate::problem::Problem;
 use crate::state_numbers::StateNumbers;
 use asperity::contact::ResultClaim;
-use asperity::history::{HistoryField, HistoryState};
+use asperity::history::{State, StateField};
 use asperity::job::HistoryOutcome;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -26,8 +26,8 @@ type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
 #[pymethods]
 impl History {
     fn __eq__(&self, py: Python<'_>, other: &Self) -> PyResult<bool> {
-        let is_same = |(one, two): (&HistoryState, &HistoryState)| {
-            let fields = |it: &HistoryState| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
+        let is_same = |(one, two): (&State, &State)| {
+            let fields = |it: &State| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
             one.claim == two.claim && one.point == two.point && fields(one) == fields(two)
         };
         let [one, two] = [self, other].map(|it| &it.outcome.states);
@@ -56,11 +56,11 @@ impl History {
             rank: it.rank,
             preparation: contact.preparation.clone(),
         };
-        let fields = |state: &HistoryState| {
+        let fields = |state: &State| {
             let named = state.fields.iter();
             named.map(|it| (it.name.to_owned(), view(&it.values, slf.get().rank, slf.clone().into_any()))).collect()
         };
-        let state = |state: &HistoryState| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
+        let state = |state: &State| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
         let states = it.outcome.states.iter().map(state).collect();
         Ok((slf.get_type().getattr("_from_parts")?, (problem, it.contacts.clone_ref(py), states)))
     }
@@ -74,7 +74,7 @@ impl History {
             let fields = fields.iter().map(|(name, values)| named(name, field(values)?)).collect::<PyResult<_>>()?;
             let numbers = contact.state.clone().unwrap_or_else(|| StateNumbers(Vec::new()));
             let number = |name: &str| numbers.find(name);
-            Ok(HistoryState::from_parts(contact.contact.clone(), (point, claim), number, fields))
+            Ok(State::from_parts(contact.contact.clone(), (point, claim), number, fields))
         };
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;
@@ -84,7 +84,7 @@ impl History {
 }
 
 /// The field of a name with its values.
-pub fn named(name: &str, values: asperity::surface::Field) -> PyResult<HistoryField> {
-    let maker = HistoryField::MAKERS.iter().find(|(known, _)| *known == name);
+pub fn named(name: &str, values: asperity::surface::Field) -> PyResult<StateField> {
+    let maker = StateField::MAKERS.iter().find(|(known, _)| *known == name);
     maker.map(|(_, make)| make(values)).ok_or_else(|| py_error(format!("there is no field {name:?} of histories")))
 }

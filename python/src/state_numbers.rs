@@ -1,15 +1,15 @@
 //! The numbers of a state of a history.
 
 use asperity::contact::{StateKind, StateValues};
-use asperity::history::{HISTORY_QUANTITIES, HistoryState};
+use asperity::history::{HISTORY_QUANTITIES, State};
 use asperity::setup::ProcessKind;
 
 /// The numbers of a state of a history, one for each of [`HISTORY_QUANTITIES`]; none where the state has no such number.
 #[derive(Clone)]
 pub struct StateNumbers(pub Vec<Option<f64>>);
 
-impl From<&HistoryState> for StateNumbers {
-    fn from(state: &HistoryState) -> Self {
+impl From<&State> for StateNumbers {
+    fn from(state: &State) -> Self {
         Self(HISTORY_QUANTITIES.iter().map(|it| (it.value)(state)).collect())
     }
 }

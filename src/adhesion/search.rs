@@ -15,8 +15,8 @@ use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{
-    Certificate, Contact, Load, Multilevel, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Status,
-    Step, Stop, Work,
+    Certificate, Contact, Load, Multilevel, Observer, Problem, Quantity, ResultClaim, Solver, StateKind, StateValues,
+    Status, Step, Stop, Work,
 };
 use crate::error::AdhesionError;
 use crate::surface::Field;
@@ -372,12 +372,9 @@ impl<'a> StateSearch<'a> {
         };
         let parts = (Certificate::UNKNOWN, work, status);
         let touching = fields[0].iter().filter(|p| **p > 0.0).count();
-        let values = StateValues {
-            kind: StateKind::Adhesion,
-            mean_pressure: Some(mean_pressure),
-            relative_area: Some(touching as f64 / fields[0].len() as f64),
-            kappa_r: None,
-        };
+        let values = StateValues::new(StateKind::Adhesion)
+            .with(Quantity::MeanPressure, mean_pressure)
+            .with(Quantity::RelativeArea, touching as f64 / fields[0].len() as f64);
         let contact = Contact::from_parts(self.problem.clone(), fields.map(field), parts, method, None);
         AdhesiveState {
             control: self.control,

@@ -2,54 +2,14 @@
 
 use super::flow::FlowFinding;
 use super::units::{Units, significant};
-use asperity::contact::{Contact, OBSERVABLES, Observables, Plasticity, ResultClaim, Status};
+use asperity::contact::{Contact, Observables, Plasticity, Quantity, ResultClaim, Status, Unit};
 use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::Serialize;
 
-/// Observables in the rows that hold several or have a form of their own.
-const IN_OTHER_ROWS: [&str; 40] = [
-    "mean_pressure",
-    "reduced_pressure",
-    "reduced_pressure_contact",
-    "reduced_pressure_contact_counted",
-    "relative_area",
-    "relative_area_counted",
-    "relative_area_corrected",
-    "relative_area_error",
-    "rms_gradient",
-    "rms_gradient_contact",
-    "rms_gradient_contact_counted",
-    "rms_gradient_contact_corrected",
-    "kappa",
-    "kappa_counted",
-    "kappa_corrected",
-    "kappa_r",
-    "kappa_r_counted",
-    "kappa_r_corrected",
-    "kappa_r_error",
-    "mean_gap",
-    "mean_gap_over_rms_height",
-    "elastic_energy",
-    "approach",
-    "plastic_area",
-    "plastic_overlap",
-    "effective_modulus",
-    "max_pressure",
-    "patches",
-    "nodes_per_patch",
-    "unresolved_share",
-    "edges_of_shape",
-    "certificate",
-    "certificate_gap",
-    "pressure_error_bound",
-    "mean_gap_error_bound",
-    "friction",
-    "stiffness",
-    "mean_pressure_error",
-    "iterations",
-    "transforms",
-];
+/// Quantities that have rows of their own, without further words.
+const OTHERS: [Quantity; 4] =
+    [Quantity::RmsHeight, Quantity::MaxPressureOverModulus, Quantity::Penetration, Quantity::LoadError];
 
 /// The share of edges given by the shape is reported above this value.
 const MANY_OF_SHAPE: f64 = 0.05;
@@ -181,11 +141,10 @@ impl Finding {
     /// The observables that no other row holds.
     fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
-        let others = OBSERVABLES.iter().filter(|observable| !IN_OTHER_ROWS.contains(&observable.name));
-        others.filter_map(move |observable| {
-            let value = values[observable.name].as_f64()?;
-            let words = if observable.unit == "length" { units.length(value) } else { format!("{value:.6e}") };
-            Some((observable.name.replace('_', " "), words))
+        Quantity::found().filter(|it| OTHERS.contains(it)).filter_map(move |quantity| {
+            let value = values[quantity.name()].as_f64()?;
+            let words = if quantity.row().unit == Unit::Length { units.length(value) } else { format!("{value:.6e}") };
+            Some((quantity.name().replace('_', " "), words))
         })
     }
 }

@@ -1,13 +1,11 @@
 //! The rows of a summary about flow through a contact: leakage and conductance.
 
 use super::units::{Units, significant};
-use asperity::contact::Contact;
+use asperity::contact::{Contact, Quantity, StateField};
 use asperity::error::FlowError;
 use asperity::flow::{FlowAxis, Leakage};
 use asperity::quantity::number_in_words;
 use asperity::setup::Flow;
-use asperity::study::FlowRow;
-use asperity::surface::Field;
 use serde::Serialize;
 
 /// Leakage and conductance of a contact, each where it is asked for.
@@ -25,12 +23,12 @@ pub struct FlowFinding {
     /// Whether all nodes touch, so that nothing constricts the current.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_unconstricted: bool,
-    /// All values as a row of a table.
+    /// All values by their quantities.
     #[serde(skip)]
-    pub row: FlowRow,
+    pub numbers: Vec<(Quantity, f64)>,
     /// Flux over its mean, and pressure of the fluid, by their names in archives.
     #[serde(skip)]
-    pub fields: Vec<(String, Field)>,
+    pub fields: Vec<StateField>,
 }
 
 /// The leakage through the gap along one axis, by Reynolds' equation.
@@ -53,33 +51,33 @@ impl FlowFinding {
         if asked.is_none() {
             return Ok(None);
         }
-        let (row, leakages) = FlowRow::measure(contact, asked)?;
+        let flow = asked.measure(contact)?;
         let found = |it: &Leakage| {
             let is_x = it.axis == FlowAxis::X;
             let [open, joined] = match is_x {
-                true => [row.open_percolates_x, row.contact_percolates_x],
-                false => [row.open_percolates_y, row.contact_percolates_y],
-            };
+                true => [Quantity::OpenPercolatesX, Quantity::ContactPercolatesX],
+                false => [Quantity::OpenPercolatesY, Quantity::ContactPercolatesY],
+            }
+            .map(|it| flow.get(it) == Some(1.0));
             AxisFinding {
                 axis: it.axis,
-                open_percolates: open.unwrap_or_default(),
-                contact_percolates: joined.unwrap_or_default(),
+                open_percolates: open,
+                contact_percolates: joined,
                 leakage: [it.lower, it.upper],
                 hydraulic_gap: it.sigma().cbrt(),
             }
         };
-        let along = leakages.iter().map(found).collect();
-        let fields = leakages.into_iter().filter(|_| is_archived).flat_map(|it| {
-            let name = it.axis.name();
-            [(format!("flux_{name}"), it.flux), (format!("fluid_pressure_{name}"), it.pressure)]
-        });
+        let along = flow.leakages.iter().map(found).collect();
+        let per_area = flow.get(Quantity::ConductancePerArea);
+        let times_resistivity = flow.get(Quantity::ConductanceTimesResistivity);
+        let fields = flow.leakages.into_iter().filter(|_| is_archived).flat_map(Leakage::into_fields);
         let is_finite = |it: &f64| it.is_finite();
         Ok(Some(Self {
             along,
-            conductance_per_area: row.conductance_per_area.filter(is_finite),
-            conductance_times_resistivity: row.conductance_times_resistivity.filter(is_finite),
-            is_unconstricted: row.conductance_per_area.is_some_and(f64::is_infinite),
-            row,
+            conductance_per_area: per_area.filter(is_finite),
+            conductance_times_resistivity: times_resistivity.filter(is_finite),
+            is_unconstricted: per_area.is_some_and(f64::is_infinite),
+            numbers: flow.numbers,
             fields: fields.collect(),
         }))
     }

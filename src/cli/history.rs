@@ -13,86 +13,15 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Problem, StateKind, Status};
+use asperity::contact::{Problem, Quantity, QuantityKind, State, Status, Unit, archive_of_states};
 use asperity::error::{HistoryError, SlipError};
 use asperity::files::write_beside;
-use asperity::history::{HISTORY_QUANTITIES, HistoryQuantity, HistoryState, HistoryUnit, archive_of_history};
 use asperity::job::{AdhesionOutcome, HistoryOutcome};
 use asperity::quantity::number_in_words;
-use asperity::setup::{Part, ProcessKind, Setup};
+use asperity::setup::{Part, Setup};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::{self, Write, stdout};
-
-/// Columns of the table for reading, by process.
-const COLUMNS: [(ProcessKind, &[&str]); 5] = [
-    (
-        ProcessKind::Adhesion,
-        &[
-            "mean_pressure",
-            "mean_gap",
-            "approach",
-            "relative_area",
-            "mean_attraction",
-            "jump",
-            "dissipated",
-            "least_curvature",
-            "residual",
-        ],
-    ),
-    (
-        ProcessKind::Creep,
-        &[
-            "time",
-            "mean_pressure",
-            "relative_area",
-            "kappa_r",
-            "mean_gap",
-            "effective_pressure",
-            "dissipated",
-            "time_error",
-            "certificate",
-        ],
-    ),
-    (
-        ProcessKind::Slip,
-        &[
-            "mean_pressure",
-            "mean_traction",
-            "friction",
-            "shift",
-            "stick_share",
-            "dissipated",
-            "relative_area",
-            "traction_certificate",
-        ],
-    ),
-    (
-        ProcessKind::Sliding,
-        &[
-            "speed",
-            "friction",
-            "friction_full_contact",
-            "friction_persson",
-            "relative_area",
-            "mean_gap",
-            "max_pressure",
-            "certificate",
-        ],
-    ),
-    (
-        ProcessKind::Rolling,
-        &[
-            "creepage",
-            "friction",
-            "stick_share",
-            "relative_area",
-            "max_pressure",
-            "certificate",
-            "traction_certificate",
-        ],
-    ),
-];
 
 /// Everything that a script may want to know about a history, and the setup that repeats it.
 #[derive(Serialize)]
@@ -199,7 +128,7 @@ fn write(
     warnings: Vec<String>,
 ) -> Result<()> {
     let (subject, full) = (ProblemSummary::new(setup, problem)?, setup.clone().with_full_path());
-    let quantities = outcome.quantities();
+    let has_claims = outcome.kind.row().has_claims;
     if let Some(path) = outputs.table() {
         outcome.write_table(path)?;
     }
@@ -215,12 +144,12 @@ fn write(
     }
     let summary = HistorySummary {
         process: outcome.kind.into(),
-        claim: match outcome.adhesion {
-            Some(_) => "each state has a claim of its own",
-            None => outcome.states.first().map_or("", |state| state.claim.words()),
+        claim: match has_claims {
+            true => "each state has a claim of its own",
+            false => outcome.states.first().map_or("", |state| state.claim.words()),
         },
         adhesion: outcome.adhesion.clone(),
-        states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, &quantities)).collect(),
+        states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
         energy_per_cycle: outcome.cycles(setup),
         warnings,
         setup: full,
@@ -233,20 +162,29 @@ fn write(
     }
     warnings::print(&summary.warnings);
     if let Some(path) = outputs.archive() {
-        let bytes = archive_of_history(outcome.states, &quantities, summary.subject.rank, &summary.setup.to_toml());
+        let bytes = archive_of_states(&outcome.states, summary.subject.rank, &summary.setup.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     Ok(())
 }
 
 /// The numbers of a state, by their names.
-fn object(number: usize, state: &HistoryState, quantities: &[&HistoryQuantity]) -> Map<String, Value> {
+fn object(number: usize, state: &State, has_claims: bool) -> Map<String, Value> {
     let first = [("state".to_owned(), Value::from(number + 1)), ("status".to_owned(), word(state.contact.status))];
     let claim: &str = state.claim.into();
-    let is_adhesive = state.contact.values().kind == StateKind::Adhesion;
-    let claim = is_adhesive.then(|| ("claim".to_owned(), Value::from(claim)));
-    let value = |it: &&HistoryQuantity| Some((it.name.to_owned(), Value::from((it.value)(state)?)));
-    first.into_iter().chain(claim).chain(quantities.iter().filter_map(value)).collect()
+    let claim = has_claims.then(|| ("claim".to_owned(), Value::from(claim)));
+    let numbers =
+        state.numbers().into_iter().map(|(quantity, value)| (quantity.name().to_owned(), number_of(quantity, value)));
+    first.into_iter().chain(claim).chain(numbers).collect()
+}
+
+/// A number of a state as JSON.
+fn number_of(quantity: Quantity, value: f64) -> Value {
+    if quantity.row().kind == QuantityKind::Whole && quantity != Quantity::Transforms {
+        Value::from(value as u64)
+    } else {
+        Value::from(value)
+    }
 }
 
 fn word(status: Status) -> Value {
@@ -261,16 +199,14 @@ impl HistorySummary {
         let claim = self.adhesion.is_none().then(|| ("claim".to_owned(), self.claim.to_owned()));
         let of_adhesion = self.adhesion.iter().flat_map(|it| adhesion::rows(it, units));
         write_rows(self.subject.rows(units).into_iter().chain(claim).chain(of_adhesion), out)?;
-        let named = COLUMNS.iter().find(|(kind, _)| *kind == outcome.kind).map_or(&[][..], |(_, columns)| columns);
-        let has = |it: &&HistoryQuantity| outcome.states.iter().any(|state| (it.value)(state).is_some());
-        let find = |name: &&str| HISTORY_QUANTITIES.iter().find(|it| it.name == *name).filter(has);
-        let columns: Vec<&HistoryQuantity> = named.iter().filter_map(find).collect();
+        let has = |it: &Quantity| outcome.states.iter().any(|state| state.get(*it).is_some());
+        let columns: Vec<Quantity> = outcome.kind.row().columns.iter().copied().filter(has).collect();
         writeln!(out)?;
-        columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(it)))?;
+        columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(*it)))?;
         let is_claimed = self.adhesion.is_some();
         writeln!(out, "{}", if is_claimed { "  claim" } else { "" })?;
         for state in &outcome.states {
-            columns.iter().try_for_each(|it| write!(out, " {:>15}", cell(it, state, units)))?;
+            columns.iter().try_for_each(|it| write!(out, " {:>15}", cell(*it, state, units)))?;
             let claim: &str = if is_claimed { state.claim.into() } else { "" };
             writeln!(out, "{}{claim}", if is_claimed { "  " } else { "" })?;
         }
@@ -287,34 +223,31 @@ impl HistorySummary {
 }
 
 /// The heading of a column, of at most 15 letters.
-fn heading(quantity: &HistoryQuantity) -> &'static str {
-    match quantity.name {
-        "friction" => "friction",
-        "friction_full_contact" => "in full contact",
-        "friction_persson" => "Persson",
-        "effective_pressure" => "eff. pressure",
-        "stick_share" => "sticks",
-        "dissipated" => "energy lost",
-        "mean_attraction" => "attraction",
-        "jump" => "lost in jump",
-        "max_pressure" => "max. pressure",
-        "certificate" => "eta",
-        "traction_certificate" => "eta of traction",
-        _ => quantity.title,
+fn heading(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Friction => "friction",
+        Quantity::FrictionFullContact => "in full contact",
+        Quantity::FrictionPersson => "Persson",
+        Quantity::EffectivePressure => "eff. pressure",
+        Quantity::StickShare => "sticks",
+        Quantity::Dissipated => "energy lost",
+        Quantity::MeanAttraction => "attraction",
+        Quantity::Jump => "lost in jump",
+        Quantity::MaxPressure => "max. pressure",
+        Quantity::Certificate => "eta",
+        Quantity::TractionCertificate => "eta of traction",
+        _ => quantity.row().title,
     }
 }
 
 /// A number of a state with its unit, where that is known; a dash where there is none.
-fn cell(quantity: &HistoryQuantity, state: &HistoryState, units: Units) -> String {
-    let Some(value) = (quantity.value)(state) else { return "-".into() };
-    match quantity.unit {
-        HistoryUnit::Length => units.length(value),
-        HistoryUnit::Pressure => units.pressure(value),
-        HistoryUnit::EnergyPerArea => units.energy_per_area(value),
-        _ if quantity.name.contains("certificate")
-            || quantity.name.contains("error")
-            || quantity.name == "residual" =>
-        {
+fn cell(quantity: Quantity, state: &State, units: Units) -> String {
+    let Some(value) = state.get(quantity) else { return "-".into() };
+    match (quantity.row().unit, quantity) {
+        (Unit::Length, _) => units.length(value),
+        (Unit::Pressure, _) => units.pressure(value),
+        (Unit::EnergyPerArea, _) => units.energy_per_area(value),
+        (_, Quantity::Certificate | Quantity::TractionCertificate | Quantity::TimeError | Quantity::Residual) => {
             format!("{value:.1e}")
         }
         _ => number_in_words(value),

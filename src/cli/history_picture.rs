@@ -1,7 +1,6 @@
 //! The picture of a history.
 
-use asperity::contact::ResultClaim;
-use asperity::history::{HISTORY_QUANTITIES, HistoryState};
+use asperity::contact::{Quantity, ResultClaim, State};
 use asperity::job::HistoryOutcome;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use asperity::setup::ProcessChart;
@@ -14,21 +13,23 @@ const CLOSED: f64 = 1e-6;
 
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
 pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
-    let states: Vec<&HistoryState> = outcome.states.iter().filter(|it| it.claim != ResultClaim::Moving).collect();
-    let panels = outcome.kind.charts().map(|chart| panel(chart, &states));
+    let states: Vec<&State> = outcome.states.iter().filter(|it| it.claim != ResultClaim::Moving).collect();
+    let panels = outcome.kind.row().charts.map(|chart| panel(outcome, chart, &states));
     Figure { title: title.into(), panels: panels.into() }
 }
 
 /// A panel of the picture.
-fn panel(chart: ProcessChart, states: &[&HistoryState]) -> Panel {
-    let [x, y] = [chart.x, chart.y].map(|name| {
-        let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
-        let value = |(number, state): (usize, &HistoryState)| match found {
+fn panel(outcome: &HistoryOutcome, chart: ProcessChart, states: &[&State]) -> Panel {
+    let [x, y] = [chart.x, Some(chart.y)].map(|quantity| {
+        let value = |(number, state): (usize, &State)| match quantity {
             _ if state.claim == ResultClaim::Separated => f64::NAN,
-            Some(it) => (it.value)(state).unwrap_or(f64::NAN),
+            Some(it) => state.value(it),
             None => (number + 1) as f64,
         };
-        (found.map_or(name, |it| it.title), states.iter().copied().enumerate().map(value).collect::<Vec<f64>>())
+        (
+            quantity.map_or("state", |it| it.row().title),
+            states.iter().copied().enumerate().map(value).collect::<Vec<f64>>(),
+        )
     });
     let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
         let [low, high] = range(values);
@@ -38,13 +39,14 @@ fn panel(chart: ProcessChart, states: &[&HistoryState]) -> Panel {
         }
     };
     let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
-    let mut panel = Panel::new(format!("{} against {}", y.0, x.0), axis(&x, chart.is_logarithmic), axis(&y, false));
+    let mut panel =
+        Panel::new(format!("{} against {}", y.0, x.0), axis(&x, outcome.kind.row().is_logarithmic), axis(&y, false));
     let is_loop = is_closed(&x.1) || is_closed(&y.1);
-    if is_loop && chart.y == "mean_pressure" {
+    if is_loop && chart.y == Quantity::MeanPressure {
         panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());
     }
     panel.add("", Colour::ORANGE, Mark::Joined { symbol: Symbol::Circle, filled: true }, dots.iter().copied());
-    for jump in (1..states.len()).filter(|&i| states[i].numbers.jump.is_some()) {
+    for jump in (1..states.len()).filter(|&i| states[i].get(Quantity::Jump).is_some()) {
         panel.add("", Colour::BLACK, Mark::Arrow, [dots[jump - 1], dots[jump]]);
     }
     panel

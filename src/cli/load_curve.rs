@@ -14,15 +14,14 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Observables, Problem, Status, archive_of_loads_with, warnings_of};
+use asperity::contact::{Observables, Problem, State, Status, archive_of_states, warnings_of};
 use asperity::error::FileError;
 use asperity::files::write_beside;
 #[cfg(feature = "record")]
 use asperity::job::CurveRecording;
-use asperity::job::write_loads;
+use asperity::job::{LoadNumbers, write_loads};
 use asperity::setup::{Part, SetupTable};
-use asperity::study::{FlowRow, LoadCurve};
-use asperity::surface::Field;
+use asperity::study::LoadCurve;
 use serde::Serialize;
 use std::io::{self, Write, stdout};
 use std::path::Path;
@@ -44,7 +43,7 @@ struct LoadCurveSummary {
 struct Pressed {
     findings: Vec<Finding>,
     /// The contacts, if their fields are to be written.
-    contacts: Vec<Contact>,
+    states: Vec<State>,
     outcome: ExitStatus,
     /// Why the recording could not be finished, if it could not. The contacts are complete in any case.
     failure: Option<FileError>,
@@ -106,7 +105,7 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
     #[cfg(feature = "record")]
     let mut recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
-    let mut pressed = Pressed { findings: Vec::new(), contacts: Vec::new(), outcome: ExitStatus::Done, failure: None };
+    let mut pressed = Pressed { findings: Vec::new(), states: Vec::new(), outcome: ExitStatus::Done, failure: None };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
     let interrupted = interrupted()?;
     let ended = curve.press(
@@ -119,7 +118,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             outputs.complete(contact);
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let flow = FlowFinding::new(contact, &curve.setup.flow, outputs.archive().is_some())?;
-            let finding = Finding { flow, ..Finding::new(&curve.setup, contact) };
+            let mut finding = Finding { flow, ..Finding::new(&curve.setup, contact) };
             #[cfg(feature = "record")]
             if let Some(Err(failure)) =
                 recording.as_ref().map(|it| it.add(pressed.findings.len(), contact, &finding.observables))
@@ -127,8 +126,10 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
                 recording = None;
                 pressed.failure = Some(failure);
             }
+            let fields = finding.flow.iter_mut().flat_map(|it| std::mem::take(&mut it.fields)).collect();
+            let state = || State { fields, ..State::from_contact(contact.clone(), Some(pressed.findings.len())) };
+            pressed.states.extend(outputs.archive().map(|_| state()));
             pressed.findings.push(finding);
-            pressed.contacts.extend(outputs.archive().map(|_| contact.clone()));
             Ok(())
         },
     );
@@ -148,7 +149,7 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
 /// Writes and prints what came out.
 fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outputs, units: Units) -> Result<()> {
     let (subject, setup) = (ProblemSummary::new(&curve.setup, problem)?, curve.to_table());
-    let Pressed { findings, contacts, .. } = pressed;
+    let Pressed { findings, states, .. } = pressed;
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());
     warnings.extend(warnings_of(&observables, problem.law()));
@@ -158,14 +159,11 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     let warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
     if let Some(path) = outputs.archive() {
-        let bytes = archive_of_loads_with(&contacts, &flow_fields(&findings), subject.rank, &setup.to_toml());
+        let bytes = archive_of_states(&states, subject.rank, &setup.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
-        let rows: Vec<_> = findings.iter().map(|it| (it.status, it.observables)).collect();
-        let flow = |it: &Finding| it.flow.as_ref().map_or(FlowRow::default(), |it| it.row);
-        let flow: Option<Vec<FlowRow>> = (!curve.setup.flow.is_none()).then(|| findings.iter().map(flow).collect());
-        write_loads(path, &rows, flow.as_deref())?;
+        write_loads(path, &findings.iter().map(numbers_of).collect::<Vec<_>>())?;
     }
     if let Some(path) = outputs.picture() {
         picture::write(path, &picture::of_loads(&subject.title, &observables, units))?;
@@ -181,6 +179,12 @@ fn write(curve: &LoadCurve, problem: &Problem, pressed: Pressed, outputs: &Outpu
     }
     warnings::print(&summary.warnings);
     Ok(())
+}
+
+/// The numbers of a finding for a table.
+fn numbers_of(finding: &Finding) -> LoadNumbers<'_> {
+    let flow = finding.flow.as_ref().map_or(&[][..], |it| &it.numbers);
+    LoadNumbers { status: finding.status, observables: &finding.observables, flow }
 }
 
 impl LoadCurveSummary {
@@ -220,13 +224,6 @@ impl LoadCurveSummary {
             writeln!(out, "{reduced_pressure:>12.4e}{}", values.collect::<String>())
         })
     }
-}
-
-/// The fields of the flow under all loads, by their names in archives.
-fn flow_fields(findings: &[Finding]) -> Vec<(&str, Vec<&Field>)> {
-    let of_first = findings.first().and_then(|it| it.flow.as_ref()).map_or(&[][..], |it| &it.fields);
-    let under_all = |i: usize| findings.iter().filter_map(|it| Some(&it.flow.as_ref()?.fields.get(i)?.1)).collect();
-    of_first.iter().enumerate().map(|(i, (name, _))| (name.as_str(), under_all(i))).collect()
 }
 
 /// A number with some digits; a dash where it is not resolved.

@@ -19,7 +19,7 @@ use super::stress;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{PartialSlip, archive_of_slip, archive_with};
+use asperity::contact::{PartialSlip, State, archive_of_slip, archive_of_state};
 use asperity::diagnosis::Findings;
 use asperity::files::{check_apart, write_beside};
 use asperity::job::{Job, Solved, write_nodes};
@@ -157,9 +157,9 @@ impl Solve {
             let bytes = match &slip {
                 Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
                 None => {
-                    let fields = finding.flow.iter().flat_map(|it| it.fields.iter());
-                    let fields: Vec<_> = fields.map(|(name, field)| (name.as_str(), field)).collect();
-                    archive_with(&contact, &fields, subject.rank, Some(&text))
+                    let fields = finding.flow.iter().flat_map(|it| it.fields.iter().cloned()).collect();
+                    let state = State { fields, ..State::from_contact(contact.clone(), None) };
+                    archive_of_state(&state, subject.rank, Some(&text))
                 }
             };
             write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;

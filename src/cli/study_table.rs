@@ -1,6 +1,7 @@
 //! The printed tables of a study: its cost, and its means.
 
 use anyhow::Result;
+use asperity::contact::Quantity;
 use asperity::quantity::bytes_in_words;
 use asperity::study::{Campaign, Plan, Point, Spread};
 use indicatif::HumanDuration;
@@ -96,11 +97,11 @@ fn write_adhesion_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> 
         let spread = |of: fn(&Point) -> Option<f64>| {
             Spread::from_values(points.iter().filter(|it| it.is_converged()).filter_map(of))
         };
-        let [pull_off, pull_off_std] = short_words(spread(|it| it.adhesion.pull_off()));
-        let [lost, lost_std] = short_words(spread(|it| it.adhesion.lost()));
-        let [area, _] = words(spread(|it| it.adhesion.largest_area), 5);
-        let [jumps, _] = words(spread(|it| it.adhesion.jumps.map(|jumps| jumps as f64)), 1);
-        let parted = points.iter().filter(|it| it.adhesion.separated == Some(true)).count();
+        let [pull_off, pull_off_std] = short_words(spread(|it| it.pull_off()));
+        let [lost, lost_std] = short_words(spread(|it| it.lost()));
+        let [area, _] = words(spread(|it| it.get(Quantity::LargestArea)), 5);
+        let [jumps, _] = words(spread(|it| it.get(Quantity::Jumps)), 1);
+        let parted = points.iter().filter(|it| it.get(Quantity::Separated) == Some(1.0)).count();
         let choice = plan.words_but_seed(group * seeds);
         writeln!(
             out,

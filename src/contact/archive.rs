@@ -1,14 +1,14 @@
 //! The fields of contacts in one file.
 
-use crate::contact::{Contact, OBSERVABLES, Observable, PartialSlip, Resolved, State};
+use crate::contact::{Contact, PartialSlip, Quantity, Reading, Resolved, State};
 use crate::elastic::Stress;
-use crate::surface::{Field, PowerSpectrum};
+use crate::surface::PowerSpectrum;
 use ndarray::{
     Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr1, arr2, arr3, stack,
 };
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
 use std::io::Cursor;
-use std::slice::from_ref;
+use strum::IntoEnumIterator;
 
 /// The fields of a contact as `.npz`, with the `rank` of the array of heights, and all numbers that are reported for
 /// it.
@@ -26,7 +26,7 @@ use std::slice::from_ref;
 /// | `x`, and `y` of rank 2                               | `(nx)`, `(ny)`       | positions of columns and rows, from 0       |
 /// | `size`                                               | `(rank)`             | lengths of the cell along the axes          |
 /// | `contact_modulus`                                    | `()`                 | `E*`                                        |
-/// | those of [`OBSERVABLES`] with a meaning              | `()`                 | load, area and all else, by their names     |
+/// | those of [`Quantity`] with a meaning              | `()`                 | load, area and all else, by their names     |
 /// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
 /// | `status`, `solver`                                   | bytes                | how the solver stopped, and its name        |
 /// | `coarser`                                            | `(6)`                | the contact on the next coarser grid: relative area, rms gradient, `kappa_r`, reduced pressure, and numbers of edges; NaN if it is not known |
@@ -43,23 +43,18 @@ use std::slice::from_ref;
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet.
 pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
-    archive_with(contact, &[], rank, setup)
+    ArchiveWriter::new(&[contact], false, rank, setup)?.finish()
 }
 
-/// A contact as `.npz`: as [`archive`], with further fields of the shape of the pressure under their names. `asperity solve --flow`
-/// adds those of [`Leakage`](crate::flow::Leakage) along both axes: the magnitude of the flux over its mean (`flux_x`, `flux_y`), and the pressure of
-/// the fluid over its drop (`fluid_pressure_x`, `fluid_pressure_y`), which is NaN where nothing flows.
+/// One state as `.npz`: as [`archive`], with the further fields of the state under their names. Where the leakage was found, these are, along both axes, the
+/// magnitude of the flux over its mean (`flux_x`, `flux_y`), and the pressure of the fluid over its drop (`fluid_pressure_x`,
+/// `fluid_pressure_y`), which is NaN where nothing flows.
 ///
 /// # Errors
 /// The errors of [`archive`].
-pub fn archive_with(
-    contact: &Contact,
-    fields: &[(&str, &Field)],
-    rank: usize,
-    setup: Option<&str>,
-) -> Result<Vec<u8>, WriteNpzError> {
-    let mut archive = ArchiveWriter::new(from_ref(contact), false, rank, setup)?;
-    fields.iter().try_for_each(|(name, field)| archive.add_field(name, field.view()))?;
+pub fn archive_of_state(state: &State, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
+    let mut archive = ArchiveWriter::new(&[&state.contact], false, rank, setup)?;
+    state.fields.iter().try_for_each(|it| archive.add_field(it.name, it.values.view()))?;
     archive.finish()
 }
 
@@ -70,7 +65,7 @@ pub fn archive_with(
 /// # Errors
 /// The errors of [`archive`].
 pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
-    let mut archive = ArchiveWriter::new(from_ref(&slip.pressed), false, rank, setup)?;
+    let mut archive = ArchiveWriter::new(&[&slip.pressed], false, rank, setup)?;
     archive.add_field("traction", slip.traction().view())?;
     archive.add_field("stick", slip.sticks().view())?;
     archive.add_field("stick_pressure", slip.stuck.pressure.view())?;
@@ -125,52 +120,23 @@ pub fn archive_of_stress(
     Ok(npz.finish()?.into_inner())
 }
 
-/// The contacts of one surface under several loads as `.npz`: as [`archive`], with the loads along a further first axis of all but
-/// `height` and its spectrum, wavenumbers, positions, size and modulus.
+/// The states of a process as `.npz`: as [`archive_of_state`], with the states along a further first axis of all but `height` and its spectrum,
+/// wavenumbers, positions, size and modulus. A number that only some of the states have is NaN in the others. Two texts have a line for each state:
+/// its claim (`claim`), and the point of the path that it has reached (`point`), from 0, or `-` between two points. Where tractions of different
+/// bodies displace the surface into the solid, `displacement` includes it.
 ///
 /// # Errors
-/// The errors of the format, which fields of doubles do not meet, unless there are no contacts.
-pub fn archive_of_loads(contacts: &[Contact], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
-    archive_of_loads_with(contacts, &[], rank, setup)
-}
-
-/// The contacts of one surface under several loads as `.npz`: as [`archive_of_loads`], with further fields of all contacts under their names,
-/// such as those of [`archive_with`].
-///
-/// # Errors
-/// The errors of [`archive_of_loads`].
-pub fn archive_of_loads_with(
-    contacts: &[Contact],
-    fields: &[(&str, Vec<&Field>)],
-    rank: usize,
-    setup: &str,
-) -> Result<Vec<u8>, WriteNpzError> {
-    let mut archive = ArchiveWriter::new(contacts, true, rank, Some(setup))?;
-    archive.add_lists(fields)?;
-    archive.finish()
-}
-
-/// The contacts of the states of a history as `.npz`: as [`archive_of_loads`], with further `numbers` and `fields` of all states, each
-/// under its name along a first axis, and further `words`, one of each state on a line of a text. A number takes the place of the observable of
-/// its name.
-///
-/// # Errors
-/// The errors of [`archive_of_loads`].
-pub(crate) fn archive_of_states(
-    contacts: &[Contact],
-    numbers: &[(&str, Vec<f64>)],
-    fields: &[(&str, Vec<&Field>)],
-    words: &[(&str, Vec<String>)],
-    rank: usize,
-    setup: &str,
-) -> Result<Vec<u8>, WriteNpzError> {
-    let replaced: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
-    let mut archive = ArchiveWriter::without(contacts, &replaced, rank, setup)?;
-    for (name, values) in numbers {
-        archive.npz.add_array(*name, &ArrayView1::from(values))?;
+/// The errors of the format, which fields of doubles do not meet, unless there are no states.
+pub fn archive_of_states(states: &[State], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
+    let contacts: Vec<&Contact> = states.iter().map(|state| &state.contact).collect();
+    let mut archive = ArchiveWriter::new(&contacts, true, rank, Some(setup))?;
+    let points: Vec<String> =
+        states.iter().map(|it| it.point.map_or("-".to_owned(), |point| point.to_string())).collect();
+    archive.add_words("claim", states.iter().map(|it| it.claim.into()))?;
+    archive.add_words("point", points.iter().map(String::as_str))?;
+    for name in states.first().iter().flat_map(|first| first.fields.iter().map(|it| it.name)) {
+        archive.add_fields(name, states.iter().filter_map(|state| Some(state.field(name)?.view().into())))?;
     }
-    words.iter().try_for_each(|(name, of)| archive.add_words(name, of.iter().map(String::as_str)))?;
-    archive.add_lists(fields)?;
     archive.finish()
 }
 
@@ -206,29 +172,17 @@ const CURVES: [(&str, CurveOf); 5] = [
 ];
 
 /// An archive that is being written.
-struct ArchiveWriter<'n> {
+struct ArchiveWriter {
     npz: NpzWriter<Cursor<Vec<u8>>>,
     rank: usize,
-    /// Whether what depends on the load has a first axis of loads.
+    /// Whether what depends on the state has a first axis of states.
     is_list: bool,
-    /// Observables that are left out.
-    left_out: &'n [&'n str],
 }
 
-impl<'n> ArchiveWriter<'n> {
+impl ArchiveWriter {
     /// An archive of the contacts of one surface, if there are any.
-    fn new(contacts: &[Contact], is_list: bool, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
-        Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list, left_out: &[] }.with(contacts, setup)
-    }
-
-    /// An archive of a list of contacts without some observables.
-    fn without(contacts: &[Contact], left_out: &'n [&'n str], rank: usize, setup: &str) -> Result<Self, WriteNpzError> {
-        let npz = NpzWriter::new(Cursor::new(Vec::new()));
-        Self { npz, rank, is_list: true, left_out }.with(contacts, Some(setup))
-    }
-
-    fn with(self, contacts: &[Contact], setup: Option<&str>) -> Result<Self, WriteNpzError> {
-        let mut archive = self;
+    fn new(contacts: &[&Contact], is_list: bool, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
+        let mut archive = Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list };
         if let Some(first) = contacts.first() {
             archive.add_problem(first, setup)?;
             archive.add_contacts(first, contacts)?;
@@ -236,7 +190,7 @@ impl<'n> ArchiveWriter<'n> {
         Ok(archive)
     }
 
-    fn add_contacts(&mut self, first: &Contact, contacts: &[Contact]) -> Result<(), WriteNpzError> {
+    fn add_contacts(&mut self, first: &Contact, contacts: &[&Contact]) -> Result<(), WriteNpzError> {
         for (name, of) in CURVES {
             self.add_each(name, contacts.iter().map(|contact| Array1::from(of(contact)).into()))?;
         }
@@ -259,12 +213,10 @@ impl<'n> ArchiveWriter<'n> {
                 self.add_each(name, contacts.iter().map(|contact| arr0(of(contact)).into()))?;
             }
         }
-        let states: Vec<State<'_>> = contacts.iter().map(State::from).collect();
-        let left_out = self.left_out;
+        let readings: Vec<Reading<'_>> = contacts.iter().map(|contact| Reading::from(*contact)).collect();
         // a number without a meaning is absent
-        let has = |row: &&Observable| row.tells_of(first) && !left_out.contains(&row.name);
-        for row in OBSERVABLES.iter().filter(has) {
-            self.add_each(row.name, states.iter().map(|state| arr0((row.value)(state)).into()))?;
+        for quantity in Quantity::iter().filter(|it| contacts.iter().any(|contact| it.tells_of(contact))) {
+            self.add_each(quantity.name(), readings.iter().map(|it| arr0(it.value(quantity)).into()))?;
         }
         Ok(())
     }
@@ -316,11 +268,6 @@ impl<'n> ArchiveWriter<'n> {
         } else {
             self.add_each(name, fields)
         }
-    }
-
-    /// Adds further fields of all contacts under their names.
-    fn add_lists(&mut self, fields: &[(&str, Vec<&Field>)]) -> Result<(), WriteNpzError> {
-        fields.iter().try_for_each(|(name, of)| self.add_fields(name, of.iter().map(|field| field.view().into())))
     }
 
     /// Adds an array of each contact, those of a list along a first axis.

@@ -147,9 +147,14 @@ impl Contact {
         Self { values, ..self }
     }
 
+    /// The contact with other work, such as that of all solves since the state before.
+    pub fn with_work(self, work: Work) -> Self {
+        Self { work, ..self }
+    }
+
     /// What the state of a history knows better than its contact; nothing for a contact that is no state.
-    pub fn values(&self) -> StateValues {
-        self.values
+    pub fn values(&self) -> &StateValues {
+        &self.values
     }
 
     /// Whether the certificate met the tolerance.

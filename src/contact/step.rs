@@ -154,8 +154,8 @@ impl<'a> Step<'a> {
     }
 
     /// What the state of a history knows better than its contact; nothing for the step of a solver.
-    pub fn values(&self) -> StateValues {
-        self.values
+    pub fn values(&self) -> &StateValues {
+        &self.values
     }
 
     /// The step in a phase of the solver's scheme.

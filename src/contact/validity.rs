@@ -1,6 +1,8 @@
-//! For which states an observable has a meaning, and what a state knows better than its contact.
+//! For which states a quantity has a meaning, and the numbers that a process gives for a state.
 
-/// What a contact is a state of, as far as its observables depend on it.
+use crate::contact::Quantity;
+
+/// What a contact is a state of, as far as its quantities depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StateKind {
     /// A contact of an elastic solid, also one that yields, slips, slides or rolls.
@@ -12,7 +14,7 @@ pub enum StateKind {
     Adhesion,
 }
 
-/// The states for which an observable has a meaning. Where it has none, it is absent from files and tables, and NaN or zero in
+/// The states for which a quantity has a meaning. Where it has none, it is absent from files and tables, and NaN or zero in
 /// [`Observables`](crate::contact::Observables).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Validity {
@@ -20,42 +22,63 @@ pub enum Validity {
     Always,
     /// All states without adhesion.
     NoAdhesion,
-    /// States of an elastic solid whose load is that of the pressure between the surfaces. The observable is computed with the modulus of that
+    /// States of an elastic solid whose load is that of the pressure between the surfaces. The quantity is computed with the modulus of that
     /// solid, or from edges at which the pressure is that of an elastic solid.
     Elastic,
-    /// Those of an elastic solid with a hardness.
+    /// States without adhesion of a solid with a hardness.
     Yielding,
     /// Those of a contact that slides over a viscoelastic solid.
     Sliding,
 }
 
 impl Validity {
-    /// Whether the observable has a meaning for a state of a kind.
+    /// Whether the quantity has a meaning for a state of a kind.
     ///
     /// ```
-    /// use asperity::contact::{OBSERVABLES, StateKind};
-    /// let holds = |name: &str, kind| OBSERVABLES.iter().find(|it| it.name == name).is_some_and(|it| it.validity.holds(kind));
-    /// assert!(holds("mean_pressure", StateKind::Adhesion) && !holds("kappa_r", StateKind::Adhesion));
-    /// assert!(holds("kappa_r", StateKind::Creep) && !holds("elastic_energy", StateKind::Creep));
+    /// use asperity::contact::{Quantity, StateKind};
+    /// let holds = |quantity: Quantity, kind| quantity.row().validity.holds(kind);
+    /// assert!(holds(Quantity::MeanPressure, StateKind::Adhesion) && !holds(Quantity::KappaR, StateKind::Adhesion));
+    /// assert!(holds(Quantity::KappaR, StateKind::Creep) && !holds(Quantity::ElasticEnergy, StateKind::Creep));
     /// ```
     pub fn holds(self, kind: StateKind) -> bool {
         match self {
             Self::Always => true,
-            Self::NoAdhesion => kind != StateKind::Adhesion,
-            Self::Elastic | Self::Yielding | Self::Sliding => kind == StateKind::Elastic,
+            Self::NoAdhesion | Self::Yielding => kind != StateKind::Adhesion,
+            Self::Elastic | Self::Sliding => kind == StateKind::Elastic,
         }
     }
 }
 
-/// What a state knows better than the pressure of its contact. A number is none where that of the contact holds.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// The numbers that a process gives for a state of its own. Where it gives one, it stands in place of the number that is computed of the contact.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct StateValues {
     /// What the contact is a state of.
     pub kind: StateKind,
-    /// The mean pressure: with adhesion that of the contact less the attraction.
-    pub mean_pressure: Option<f64>,
-    /// The relative area: of a solid that creeps, by its effective pressure; with adhesion, the share of nodes that touch.
-    pub relative_area: Option<f64>,
-    /// `kappa_r`: of a solid that creeps, with its effective modulus.
-    pub kappa_r: Option<f64>,
+    numbers: Vec<(Quantity, f64)>,
+}
+
+impl StateValues {
+    /// No numbers of a state.
+    pub fn new(kind: StateKind) -> Self {
+        Self { kind, numbers: Vec::new() }
+    }
+
+    /// The values with one more number, if there is one. It replaces an earlier one.
+    pub fn with(mut self, quantity: Quantity, value: impl Into<Option<f64>>) -> Self {
+        if let Some(value) = value.into() {
+            self.numbers.retain(|(other, _)| *other != quantity);
+            self.numbers.push((quantity, value));
+        }
+        self
+    }
+
+    /// A number, if the process gives it.
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        self.numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
+    }
+
+    /// All numbers that the process gives.
+    pub fn numbers(&self) -> &[(Quantity, f64)] {
+        &self.numbers
+    }
 }

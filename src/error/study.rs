@@ -28,15 +28,15 @@ pub enum StudyError {
     /// A tangential load, which studies do not support.
     #[error("a study has no tangential loads: leave the friction out, or solve the setups one by one")]
     Friction,
-    /// A history, of which a study has one state for each row.
-    #[error(
-        "a study has one contact for each row, but this is a history: leave the path out, or give one speed of sliding, or solve the \
-         setups one by one"
-    )]
-    History,
-    /// Several loads of a study with adhesion.
-    #[error("a study with adhesion goes along a path: give one load, and further ones as path.load")]
-    AdhesionLoads,
+    /// A history, where contacts under loads are solved.
+    #[error("the setup describes a history: follow it, or leave the path out")]
+    OneContact,
+    /// One contact, where a history is followed.
+    #[error("the setup describes no history: give a path, several speeds or rolling")]
+    NoHistory,
+    /// Several loads of a study of histories.
+    #[error("a study of histories goes along a path in each row: give one load, and further ones as path.load")]
+    HistoryLoads,
     /// A row number that does not exist.
     #[error("there is no row {number}: give a number from 1 to {rows}")]
     NoRow { number: usize, rows: usize },

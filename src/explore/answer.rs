@@ -5,7 +5,7 @@ use super::height_name::plain_name;
 use super::knobs::Knobs;
 use super::refusal::{Refusal, plain};
 use super::session::{RunKind, Session};
-use crate::contact::OBSERVABLES;
+use crate::contact::Quantity;
 use crate::surface::HeightFile;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -92,7 +92,7 @@ impl Session {
             (path, "POST") if GETS.contains(&path) => Answer::wrong_method("GET"),
             (path, "GET") if POSTS.contains(&path) => Answer::wrong_method("POST"),
             (_, "POST") => self.carry_out(request),
-            ("/api/observables", _) => Answer::json(&OBSERVABLES),
+            ("/api/observables", _) => Answer::json(&Quantity::found().map(Quantity::row).collect::<Vec<_>>()),
             ("/api/state", _) => Answer::json(&self.report()),
             ("/api/runs", _) => Answer::json(&self.reports()),
             ("/api/heights", _) => Answer::json(&self.description()),

@@ -1,8 +1,7 @@
 //! A history, of a solid that creeps or with adhesion, as a solver whose steps are its states.
 
-use crate::contact::{Contact, Each, Observer, Problem, Solver, StateKind, Status, Step, Stop, Work};
+use crate::contact::{Contact, Each, Observer, Problem, Solver, State, StateKind, Status, Step, Stop, Work};
 use crate::error::{AdhesionError, Failure, HistoryError, SolveError};
-use crate::history::HistoryState;
 use crate::setup::Setup;
 use crate::surface::Field;
 use std::ops::ControlFlow;
@@ -74,11 +73,12 @@ impl HistorySolver<'_> {
     /// Shows a state as a step, and returns its contact with the work so far, and whether it goes on.
     fn show(
         &self,
-        state: HistoryState,
+        state: State,
         work: &mut Work,
         observer: &mut dyn Observer,
     ) -> Result<(Status, Contact), HistoryError> {
-        let HistoryState { mut contact, work: added, .. } = state;
+        let State { mut contact, .. } = state;
+        let added = contact.work;
         *work = Work {
             iterations: work.iterations + added.iterations.max(1),
             transforms: work.transforms + added.transforms,
@@ -89,7 +89,7 @@ impl HistorySolver<'_> {
         let [pressure, displacement] = [&contact.pressure, &contact.displacement].map(slice);
         let mut step =
             Step::new(&contact.problem, *work, &pressure, &displacement).with_certificate(contact.certificate);
-        step = step.with_values(contact.values());
+        step = step.with_values(contact.values().clone());
         if contact.values().kind == StateKind::Adhesion {
             // surfaces that attract each other may be apart
             step = step.with_datum(contact.gap[[0, 0]] - displacement[0] + contact.problem.height()[0]);

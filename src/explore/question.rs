@@ -2,7 +2,7 @@
 
 use super::refusal::Refusal;
 use super::words::Words;
-use crate::contact::OBSERVABLES;
+use crate::contact::Quantity;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 
@@ -121,7 +121,7 @@ impl Goal {
 
 /// Refuses a name that no observable has.
 fn check_observable(of: &str) -> Result<(), Refusal> {
-    if OBSERVABLES.iter().any(|it| it.name == of) {
+    if Quantity::found().any(|it| it.name() == of) {
         return Ok(());
     }
     Err(Refusal(format!("{of:?} is not a number of a run: give one such as \"kappa_r\"")))

@@ -1,16 +1,15 @@
 //! The numbers of the steps of a run.
 
-use crate::contact::{Contact, Failure, OBSERVABLES, Observer, State, Step, Wish, Work};
+use crate::contact::{Contact, Failure, Observer, Quantity, Reading, Step, Wish, Work};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use strum::IntoEnumIterator;
 
 /// The most steps whose numbers are kept; of more of them every second one is, of twice as many every fourth, and so on.
 const MOST: usize = 2000;
 /// Observables that are kept beside those that are traced.
-const COUNTED: [&str; 2] = ["iterations", "transforms"];
-/// One that is kept where it is known: of a contact that slides.
-const FRICTION: &str = "friction";
+const COUNTED: [Quantity; 2] = [Quantity::Iterations, Quantity::Transforms];
 
 /// The numbers of the steps of a run by their names, a column each, and the final contact as the last row. The step of a row in the
 /// recording is its number of `iterations`; what is not known at a step is null in JSON.
@@ -27,16 +26,15 @@ pub struct StepNumbers {
 }
 
 impl StepNumbers {
-    fn add<'a>(&mut self, work: Work, state: impl Into<State<'a>>) {
-        let state = state.into();
+    fn add<'a>(&mut self, work: Work, state: impl Into<Reading<'a>>) {
+        let reading = state.into();
         self.seconds.push(work.seconds);
-        for observable in OBSERVABLES.iter().filter(|it| it.is_traced || COUNTED.contains(&it.name)) {
-            self.columns.entry(observable.name).or_default().push((observable.value)(&state));
+        for quantity in Quantity::iter().filter(|it| it.row().is_traced || COUNTED.contains(it)) {
+            self.columns.entry(quantity.name()).or_default().push(reading.value(quantity));
         }
-        let found = OBSERVABLES.iter().find(|it| it.name == FRICTION);
-        let friction = found.map_or(f64::NAN, |it| (it.value)(&state));
-        if friction.is_finite() {
-            self.columns.entry(FRICTION).or_default().push(friction);
+        // of a contact that slides
+        if let Some(friction) = reading.get(Quantity::Friction) {
+            self.columns.entry(Quantity::Friction.name()).or_default().push(friction);
         }
     }
 

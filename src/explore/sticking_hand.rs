@@ -2,16 +2,16 @@
 
 use super::refusal::Refusal;
 use super::report::Numbers;
-use crate::contact::{Contact, Load};
+use crate::contact::{Contact, Load, Quantity, State};
 use crate::error::AdhesionError;
-use crate::history::{AdhesiveHand, HistoryState};
+use crate::history::AdhesiveHand;
 use crate::setup::Setup;
 
 /// The last state of a setup with adhesion under the hand.
 pub struct StickingHand {
     setup: Setup,
     hand: AdhesiveHand,
-    state: HistoryState,
+    state: State,
 }
 
 impl StickingHand {
@@ -41,7 +41,7 @@ impl StickingHand {
 
     /// The mean pressure, negative where the hand pulls.
     pub fn mean_pressure(&self) -> f64 {
-        self.state.numbers.net_pressure.unwrap_or(0.0)
+        self.state.get(Quantity::MeanPressure).unwrap_or(0.0)
     }
 
     /// The numbers of the state.

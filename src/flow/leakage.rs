@@ -5,7 +5,7 @@ use super::cycle::{Gradients, GroupCycle, GroupSize};
 use super::laplacian::Laplacian;
 use super::network::Network;
 use super::tree::ChannelTree;
-use crate::contact::Contact;
+use crate::contact::{Contact, StateField};
 use crate::error::FlowError;
 use crate::grid::Grid;
 use crate::surface::Field;
@@ -93,6 +93,14 @@ pub struct Leakage {
 impl Leakage {
     /// A tolerance that suits most: with it, four digits of the hydraulic gap `sigma^(1/3)` are certain.
     pub const TOLERANCE: f64 = 1e-4;
+
+    /// The flux and the pressure of the fluid as fields of a state.
+    pub fn into_fields(self) -> [StateField; 2] {
+        match self.axis {
+            FlowAxis::X => [StateField::flux_x(self.flux), StateField::fluid_pressure_x(self.pressure)],
+            FlowAxis::Y => [StateField::flux_y(self.flux), StateField::fluid_pressure_y(self.pressure)],
+        }
+    }
 
     /// The flow through gaps of shape `(ny, nx)`, along an axis, until the bounds are closer than the relative `tolerance`. Gaps of zero and
     /// below carry nothing.

@@ -3,9 +3,12 @@
 use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit};
 use super::adhesive_search::PlaceSearch;
 use super::adhesive_walk::BranchWalk;
-use super::process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
+use super::process::{EachState, PathPoint, Process};
 use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveProblem};
-use crate::contact::{Certificate, Contact, Load, Observer, ResultClaim, StateKind, StateValues, Status, Stop, Work};
+use crate::contact::{
+    Certificate, Contact, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status,
+    Stop, Work,
+};
 use crate::error::HistoryError;
 use crate::surface::Field;
 use std::sync::Arc;
@@ -95,56 +98,53 @@ impl AdhesiveProcess {
     }
 
     /// A place as a state of any history.
-    pub(super) fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> HistoryState {
+    pub(super) fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> State {
         let AdhesiveVisit { place, control, ledger, jump, work, .. } = visit;
-        let numbers = HistoryNumbers {
-            dissipated: Some(ledger.lost),
-            dissipated_error: self.is_periodic().then(|| ledger.error()),
-            work_done: Some(ledger.work),
-            jump,
-            ..HistoryNumbers::default()
-        };
+        let values = StateValues::new(StateKind::Adhesion)
+            .with(Quantity::Dissipated, ledger.lost)
+            .with(Quantity::DissipatedError, self.is_periodic().then(|| ledger.error()))
+            .with(Quantity::WorkDone, ledger.work)
+            .with(Quantity::Jump, jump);
         match place {
             AdhesivePlace::State(state) => {
                 let state = Arc::unwrap_or_clone(state);
-                let values = state.contact.values();
-                let numbers = HistoryNumbers {
-                    net_pressure: Some(state.mean_pressure),
-                    attraction: state.traction.mean(),
-                    relative_area: values.relative_area,
-                    stored: Some(state.energy),
-                    residual: Some(state.residual),
-                    least_curvature: state.least_curvature,
-                    curvature_error: state.curvature_error,
-                    ..numbers
-                };
-                let fields = vec![HistoryField::attraction(state.traction)];
-                HistoryState { contact: state.contact, point, claim: state.claim, numbers, fields, work }
+                let contact = state.contact;
+                let values = values
+                    .with(Quantity::MeanPressure, state.mean_pressure)
+                    .with(Quantity::ContactPressure, contact.mean_pressure())
+                    .with(Quantity::MeanAttraction, state.traction.mean())
+                    .with(Quantity::RelativeArea, contact.values().get(Quantity::RelativeArea))
+                    .with(Quantity::Stored, state.energy)
+                    .with(Quantity::Residual, state.residual)
+                    .with(Quantity::LeastCurvature, state.least_curvature)
+                    .with(Quantity::CurvatureError, state.curvature_error);
+                let fields = vec![StateField::attraction(state.traction)];
+                let contact = contact.with_work(work).with_values(values);
+                State { contact, point, claim: state.claim, fields }
             }
             AdhesivePlace::Apart => {
                 let shape = self.search.problem().problem().surface().grid().shape();
-                let numbers = HistoryNumbers {
-                    net_pressure: Some(control.value()),
-                    attraction: Some(0.0),
-                    relative_area: Some(0.0),
-                    stored: Some(0.0),
-                    residual: Some(0.0),
-                    ..numbers
-                };
-                HistoryState {
-                    contact: self.apart(control),
+                let nothing = [
+                    Quantity::ContactPressure,
+                    Quantity::MeanAttraction,
+                    Quantity::RelativeArea,
+                    Quantity::Stored,
+                    Quantity::Residual,
+                ];
+                let values = values.with(Quantity::MeanPressure, control.value());
+                let values = nothing.into_iter().fold(values, |values, it| values.with(it, 0.0));
+                State {
+                    contact: self.apart().with_work(work).with_values(values),
                     point,
                     claim: ResultClaim::Separated,
-                    numbers,
-                    fields: vec![HistoryField::attraction(Field::zeros(shape))],
-                    work,
+                    fields: vec![StateField::attraction(Field::zeros(shape))],
                 }
             }
         }
     }
 
     /// The contact of surfaces that have parted, drawn beyond the attraction.
-    fn apart(&self, control: AdhesiveControl) -> Contact {
+    fn apart(&self) -> Contact {
         let problem = self.search.problem().problem();
         let attraction = self.search.problem().attraction();
         let datum = problem.highest() + attraction.cutoff().min(APART * attraction.range());
@@ -153,12 +153,6 @@ impl AdhesiveProcess {
         let parts = (Certificate::UNKNOWN, Work::default(), Status::Converged);
         Contact::from_parts(problem.clone(), [zero.clone(), zero, gap], parts, "none", None)
             .expect("fields fit the grid")
-            .with_values(StateValues {
-                kind: StateKind::Adhesion,
-                mean_pressure: Some(control.value()),
-                relative_area: Some(0.0),
-                kappa_r: None,
-            })
     }
 }
 

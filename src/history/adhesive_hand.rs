@@ -3,9 +3,8 @@
 use super::adhesive::AdhesiveProcess;
 use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit};
 use super::adhesive_walk::BranchWalk;
-use super::process::HistoryState;
 use crate::adhesion::AdhesiveControl;
-use crate::contact::{Load, Work};
+use crate::contact::{Load, State, Work};
 use crate::error::AdhesionError;
 
 /// The longest step of a move over the range of the attraction, and the most steps of one: longer ones let go of what holds.
@@ -84,7 +83,7 @@ impl AdhesiveHand {
     }
 
     /// The state.
-    pub fn state(&self) -> HistoryState {
+    pub fn state(&self) -> State {
         self.process.told(self.last.kept(), None)
     }
 }

@@ -1,7 +1,6 @@
 //! What a history with adhesion adds up to.
 
-use super::HistoryState;
-use crate::contact::{ResultClaim, StateKind};
+use crate::contact::{Quantity, ResultClaim, State, StateKind};
 use serde::Serialize;
 
 /// What a history with adhesion adds up to. The frames of a motion do not count.
@@ -39,33 +38,33 @@ pub struct AdhesionJump {
 impl AdhesionTotals {
     /// The totals of the states of a history; none for one without adhesion. The state before a jump is the last one that is not a frame of the
     /// motion.
-    pub fn new(states: &[HistoryState]) -> Option<Self> {
+    pub fn new(states: &[State]) -> Option<Self> {
         let first = states.first()?;
         (first.contact.values().kind == StateKind::Adhesion).then_some(())?;
         let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
-        let pressure = |state: &HistoryState| state.numbers.net_pressure.unwrap_or(f64::NAN);
-        let is_frame = |state: &&HistoryState| state.claim == ResultClaim::Moving;
+        let pressure = |state: &State| state.value(Quantity::MeanPressure);
+        let is_frame = |state: &&State| state.claim == ResultClaim::Moving;
         let held = states.iter().filter(|state| state.claim != ResultClaim::Separated && !is_frame(state));
         let jump = |i: usize| {
-            let energy = states[i].numbers.jump?;
+            let energy = states[i].get(Quantity::Jump)?;
             let before = states[..i].iter().rfind(|state| !is_frame(state))?;
-            let pair = |of: &dyn Fn(&HistoryState) -> f64| [of(before), of(&states[i])];
+            let pair = |of: &dyn Fn(&State) -> f64| [of(before), of(&states[i])];
             Some(AdhesionJump {
                 state: i + 1,
                 mean_gap: pair(&|state| state.contact.mean_gap()),
                 mean_pressure: pair(&pressure),
-                relative_area: pair(&HistoryState::relative_area),
+                relative_area: pair(&|state| state.value(Quantity::RelativeArea)),
                 energy,
             })
         };
         let last = states.last()?;
-        let of = |value: fn(&HistoryState) -> Option<f64>| value(last).unwrap_or(0.0) - value(first).unwrap_or(0.0);
+        let of = |value: fn(&State) -> Option<f64>| value(last).unwrap_or(0.0) - value(first).unwrap_or(0.0);
         Some(Self {
             lowest_pressure: held.map(pressure).reduce(f64::min),
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
-            lost_in_jumps: of(|state| state.numbers.dissipated),
-            lost_error: last.numbers.dissipated_error,
+            lost_in_jumps: of(|state| state.get(Quantity::Dissipated)),
+            lost_error: last.get(Quantity::DissipatedError),
         })
     }
 }

@@ -1,8 +1,10 @@
 //! The process of a viscoelastic solid along a path of loads and times.
 
 use super::process::{EachState, PathPoint, Process};
-use super::{Creep, CreepPath, CreepState, CreepSteps, HistoryField, HistoryNumbers, HistoryState, TimeErrors};
-use crate::contact::{Load, Observer, Problem, ResultClaim, Solver, StateKind, StateValues, Stop};
+use super::{Creep, CreepPath, CreepState, CreepSteps, TimeErrors};
+use crate::contact::{
+    Load, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
+};
 use crate::elastic::Prony;
 use crate::error::{CreepError, HistoryError};
 
@@ -48,7 +50,7 @@ impl Process for CreepProcess<'_> {
             let is_point = reached.is_some();
             let point = if is_point { next.checked_sub(self.before) } else { None };
             next += usize::from(is_point);
-            each(state.into_history(point))?;
+            each(state.into_state(point))?;
         }
         Ok(())
     }
@@ -56,32 +58,27 @@ impl Process for CreepProcess<'_> {
 
 impl CreepState {
     /// The state as one of any history.
-    pub fn into_history(self, point: Option<usize>) -> HistoryState {
+    pub fn into_state(self, point: Option<usize>) -> State {
         let effective = self.effective_pressure().clone();
         let is_pressed = self.contact.mean_pressure() > 0.0;
         let resolved = self.resolved();
         let error = |of: fn(&TimeErrors) -> f64| self.time_errors.as_ref().map(of);
-        let numbers = HistoryNumbers {
-            time: Some(self.time),
-            effective_pressure: effective.mean(),
-            relative_area: Some(if is_pressed { resolved.relative_area } else { 0.0 }),
-            kappa_r: is_pressed.then_some(resolved.kappa_r),
-            dissipated: Some(self.energy.lost),
-            stored: Some(self.energy.stored),
-            work_done: Some(self.energy.work),
-            time_error: is_pressed.then(|| self.time_error()).flatten(),
-            mean_pressure_time_error: error(|it| it.mean_pressure),
-            mean_gap_time_error: error(|it| it.mean_gap),
-            relative_area_time_error: error(|it| it.relative_area),
-            dissipated_time_error: error(|it| it.lost),
-            work_time_error: error(|it| it.work),
-            history_bound: Some(self.error_bound()),
-            ..HistoryNumbers::default()
-        };
-        let fields = vec![HistoryField::remembered(effective - &self.contact.pressure)];
-        let HistoryNumbers { relative_area, kappa_r, .. } = numbers;
-        let values = StateValues { kind: StateKind::Creep, mean_pressure: None, relative_area, kappa_r };
-        let (claim, work, contact) = (ResultClaim::Solution, self.contact.work, self.contact.with_values(values));
-        HistoryState { contact, point, claim, numbers, fields, work }
+        let values = StateValues::new(StateKind::Creep)
+            .with(Quantity::Time, self.time)
+            .with(Quantity::EffectivePressure, effective.mean())
+            .with(Quantity::RelativeArea, if is_pressed { resolved.relative_area } else { 0.0 })
+            .with(Quantity::KappaR, is_pressed.then_some(resolved.kappa_r))
+            .with(Quantity::Dissipated, self.energy.lost)
+            .with(Quantity::Stored, self.energy.stored)
+            .with(Quantity::WorkDone, self.energy.work)
+            .with(Quantity::TimeError, is_pressed.then(|| self.time_error()).flatten())
+            .with(Quantity::MeanPressureTimeError, error(|it| it.mean_pressure))
+            .with(Quantity::MeanGapTimeError, error(|it| it.mean_gap))
+            .with(Quantity::RelativeAreaTimeError, error(|it| it.relative_area))
+            .with(Quantity::DissipatedTimeError, error(|it| it.lost))
+            .with(Quantity::WorkTimeError, error(|it| it.work))
+            .with(Quantity::HistoryBound, self.error_bound());
+        let fields = vec![StateField::remembered(effective - &self.contact.pressure)];
+        State { contact: self.contact.with_values(values), point, claim: ResultClaim::Solution, fields }
     }
 }

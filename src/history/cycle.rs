@@ -1,7 +1,7 @@
 //! The cycles of a path, and the energy that they lose.
 
-use super::{HistoryState, PathPoint};
-use crate::contact::StateKind;
+use super::PathPoint;
+use crate::contact::{Quantity, State, StateKind};
 
 /// The part of the energy lost by which the stored energy of a contact with adhesion may change in a closed cycle.
 const CLOSED: f64 = 0.01;
@@ -14,18 +14,18 @@ const SAME: f64 = 1e-3;
 /// others between them. A cycle in which a contact with adhesion does not return to its stored energy and its gap is left out.
 ///
 /// States name the point of the path that they have reached.
-pub fn cycle_losses(path: &[PathPoint], states: &[HistoryState]) -> Vec<f64> {
+pub fn cycle_losses(path: &[PathPoint], states: &[State]) -> Vec<f64> {
     let closed = cycles(path, states).into_iter().filter(|ends| is_closed(*ends, states));
-    closed.filter_map(|[from, to]| Some(to.numbers.dissipated? - from.numbers.dissipated?)).collect()
+    closed.filter_map(|[from, to]| Some(to.get(Quantity::Dissipated)? - from.get(Quantity::Dissipated)?)).collect()
 }
 
 /// The number of cycles of a path after which a contact with adhesion has not returned to its state.
-pub fn open_cycles(path: &[PathPoint], states: &[HistoryState]) -> usize {
+pub fn open_cycles(path: &[PathPoint], states: &[State]) -> usize {
     cycles(path, states).into_iter().filter(|ends| !is_closed(*ends, states)).count()
 }
 
 /// The first and the last state of each cycle of the loads.
-fn cycles<'a>(path: &[PathPoint], states: &'a [HistoryState]) -> Vec<[&'a HistoryState; 2]> {
+fn cycles<'a>(path: &[PathPoint], states: &'a [State]) -> Vec<[&'a State; 2]> {
     let is_same = |i: usize, j: usize| (path[i].load, path[i].tangential) == (path[j].load, path[j].tangential);
     let reached = |point: usize| states.iter().rev().find(|state| state.point == Some(point));
     let mut cycles = Vec::new();
@@ -44,12 +44,12 @@ fn cycles<'a>(path: &[PathPoint], states: &'a [HistoryState]) -> Vec<[&'a Histor
 }
 
 /// Whether a contact with adhesion has the same stored energy and the same gap at both ends of a cycle. Other contacts are not compared.
-fn is_closed([from, to]: [&HistoryState; 2], states: &[HistoryState]) -> bool {
+fn is_closed([from, to]: [&State; 2], states: &[State]) -> bool {
     if from.contact.values().kind != StateKind::Adhesion {
         return true;
     }
-    let stored = |state: &HistoryState| state.numbers.stored.unwrap_or(0.0);
-    let lost = [from, to].map(|state| state.numbers.dissipated.unwrap_or(0.0));
+    let stored = |state: &State| state.get(Quantity::Stored).unwrap_or(0.0);
+    let lost = [from, to].map(|state| state.get(Quantity::Dissipated).unwrap_or(0.0));
     let largest = states.iter().map(|state| stored(state).abs()).fold(0.0, f64::max);
     let moved = (&to.contact.gap - &from.contact.gap).iter().map(|by| by.abs()).fold(0.0, f64::max);
     (stored(to) - stored(from)).abs() <= (CLOSED * (lost[1] - lost[0]).abs()).max(SOLVED * largest)

@@ -8,7 +8,7 @@
 //! | [`AdhesiveProcess`] | a contact with an attraction, from the last state      | the state                      |
 //! | [`Rolling`]     | a line that rolls steadily, with friction                       | nothing: one state for each creepage or load |
 //!
-//! A [`Process`] makes the states of any of them along its path, as [`HistoryState`]s: tables, recordings and pictures know these.
+//! A [`Process`] makes the states of any of them along its path, as [`State`](crate::contact::State)s: tables, recordings and pictures know these.
 //!
 //! One picture holds for all processes that move. The rough surface lies above the solid and moves towards `+x` over it. The fields move with the
 //! surface. So new material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
@@ -19,7 +19,6 @@ mod adhesive_place;
 mod adhesive_search;
 mod adhesive_totals;
 mod adhesive_walk;
-mod archive;
 mod creep;
 mod creep_path;
 mod creep_process;
@@ -31,8 +30,6 @@ mod maxwell;
 mod motion_process;
 mod process;
 mod profile;
-mod quantity;
-mod restored;
 mod rolling;
 mod sliding;
 mod slip;
@@ -50,7 +47,6 @@ mod warm_start;
 pub use adhesive::AdhesiveProcess;
 pub use adhesive_hand::AdhesiveHand;
 pub use adhesive_totals::{AdhesionJump, AdhesionTotals};
-pub use archive::archive_of_history;
 pub use creep::Creep;
 pub use creep_path::CreepPath;
 pub use creep_process::CreepProcess;
@@ -58,8 +54,7 @@ pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
 pub use cycle::{cycle_losses, open_cycles};
 pub use motion_process::{RollingProcess, SlidingProcess};
-pub use process::{EachState, HistoryField, HistoryNumbers, HistoryState, PathPoint, Process};
-pub use quantity::{HISTORY_QUANTITIES, HistoryQuantity, HistoryUnit};
+pub use process::{EachState, PathPoint, Process};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};
 pub use sliding::Sliding;
 pub use slip::SlipHistory;

@@ -1,7 +1,10 @@
 //! Steady motions one after the other: speeds of sliding, creepages or loads of rolling.
 
-use super::{EachState, HistoryField, HistoryNumbers, HistoryState, Process, Rolling, RollingConditions, Sliding};
-use crate::contact::{MonotoneSets, Observer, Problem, ResultClaim, Solver, Stop, Work};
+use super::{EachState, Process, Rolling, RollingConditions, Sliding};
+use crate::contact::{
+    MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
+    Work,
+};
 use crate::elastic::Prony;
 use crate::error::HistoryError;
 use crate::surface::Field;
@@ -30,7 +33,7 @@ impl Process for SlidingProcess {
             let contact = MonotoneSets.solve_from(start.as_ref(), &problem, &self.stop, observer)?;
             let sliding = Sliding::new(contact)?;
             start = Some(sliding.contact.pressure.clone());
-            each(sliding.into_history(speed))?;
+            each(sliding.into_state(speed))?;
         }
         Ok(())
     }
@@ -38,19 +41,18 @@ impl Process for SlidingProcess {
 
 impl Sliding {
     /// The state as one of any history, at its speed.
-    pub fn into_history(self, speed: f64) -> HistoryState {
-        let numbers = HistoryNumbers {
-            speed: Some(speed),
-            effective_modulus: Some(self.contact.effective_modulus()),
-            friction: Some(self.friction),
-            lateral_friction: (!self.contact.problem.surface().grid().is_line()).then_some(self.lateral),
-            friction_full_contact: Some(self.full_contact),
-            friction_persson: Some(self.persson),
-            mean_traction: Some(self.friction * self.contact.mean_pressure()),
-            ..HistoryNumbers::default()
-        };
-        let (claim, work, contact) = (ResultClaim::Bounded, self.contact.work, self.contact);
-        HistoryState { contact, point: None, claim, numbers, fields: Vec::new(), work }
+    pub fn into_state(self, speed: f64) -> State {
+        let is_line = self.contact.problem.surface().grid().is_line();
+        let values = StateValues::new(StateKind::Elastic)
+            .with(Quantity::Speed, speed)
+            .with(Quantity::EffectiveModulus, self.contact.effective_modulus())
+            .with(Quantity::Friction, self.friction)
+            .with(Quantity::LateralFriction, (!is_line).then_some(self.lateral))
+            .with(Quantity::FrictionFullContact, self.full_contact)
+            .with(Quantity::FrictionPersson, self.persson)
+            .with(Quantity::MeanTraction, self.friction * self.contact.mean_pressure());
+        let contact = self.contact.with_values(values);
+        State { contact, point: None, claim: ResultClaim::Bounded, fields: Vec::new() }
     }
 }
 
@@ -71,7 +73,7 @@ impl RollingProcess {
 impl Process for RollingProcess {
     fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
         for conditions in &self.conditions {
-            each(Rolling::solve(&self.problem, *conditions, &self.stop, observer)?.into_history())?;
+            each(Rolling::solve(&self.problem, *conditions, &self.stop, observer)?.into_state())?;
         }
         Ok(())
     }
@@ -79,20 +81,19 @@ impl Process for RollingProcess {
 
 impl Rolling {
     /// The state as one of any history.
-    pub fn into_history(self) -> HistoryState {
+    pub fn into_state(self) -> State {
         let (sticks, mean_pressure) = (self.sticks(), self.contact.mean_pressure());
         let touching = self.contact.pressure.iter().filter(|p| **p > 0.0).count();
-        let numbers = HistoryNumbers {
-            creepage: Some(self.creepage()),
-            mean_traction: self.traction.mean(),
-            friction: self.traction.mean().map(|traction| traction / mean_pressure),
-            stick_share: Some(sticks.iter().filter(|it| **it).count() as f64 / touching as f64),
-            traction_certificate: Some(self.traction_certificate),
-            ..HistoryNumbers::default()
-        };
+        let values = StateValues::new(StateKind::Elastic)
+            .with(Quantity::Creepage, self.creepage())
+            .with(Quantity::MeanTraction, self.traction.mean())
+            .with(Quantity::Friction, self.traction.mean().map(|traction| traction / mean_pressure))
+            .with(Quantity::StickShare, sticks.iter().filter(|it| **it).count() as f64 / touching as f64)
+            .with(Quantity::TractionCertificate, self.traction_certificate);
         let claim = if self.conditions.beta == 0.0 { ResultClaim::Bounded } else { ResultClaim::RoundsConverged };
         let work = Work { transforms: self.transforms, ..self.contact.work };
-        let fields = vec![HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
-        HistoryState { contact: self.contact, point: None, claim, numbers, fields, work }
+        let fields = vec![StateField::traction(self.traction), StateField::slip(self.slip)];
+        let contact = self.contact.with_work(work).with_values(values);
+        State { contact, point: None, claim, fields }
     }
 }

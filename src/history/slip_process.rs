@@ -33,7 +33,7 @@ impl Process for SlipProcess<'_> {
                 let at = |i: usize| if step == steps { to[i] } else { from[i] + share * (to[i] - from[i]) };
                 let state = self.history.step(point.load.with_value(at(0)), at(1), observer)?;
                 (shift, dissipated) = (shift + state.shift, dissipated + state.dissipated);
-                each(state.into_history((step == steps).then_some(number), [shift, dissipated]))?;
+                each(state.into_state((step == steps).then_some(number), [shift, dissipated]))?;
             }
             from = to;
         }

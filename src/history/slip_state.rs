@@ -1,7 +1,6 @@
 //! The state of a contact after a step with friction.
 
-use super::{HistoryField, HistoryNumbers, HistoryState};
-use crate::contact::{Contact, ResultClaim, Work};
+use crate::contact::{Contact, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Work};
 use crate::surface::Field;
 use ndarray::Array2;
 use serde::Serialize;
@@ -108,23 +107,21 @@ impl SlipState {
     }
 
     /// The state as one of any history, with the shift and the dissipated energy since the beginning.
-    pub fn into_history(self, point: Option<usize>, [shift, dissipated]: [f64; 2]) -> HistoryState {
-        let numbers = HistoryNumbers {
-            mean_traction: Some(self.tangential),
-            friction: Some(self.tangential / self.contact.mean_pressure()),
-            shift: Some(shift),
-            stick_share: Some(self.stick_share()),
-            dissipated: Some(dissipated),
-            stored: Some(self.stored),
-            traction_certificate: Some(self.certificate.eta),
-            ..HistoryNumbers::default()
-        };
-        let along = [HistoryField::traction(self.traction), HistoryField::slip(self.slip)];
+    pub fn into_state(self, point: Option<usize>, [shift, dissipated]: [f64; 2]) -> State {
+        let values = StateValues::new(StateKind::Elastic)
+            .with(Quantity::MeanTraction, self.tangential)
+            .with(Quantity::Friction, self.tangential / self.contact.mean_pressure())
+            .with(Quantity::Shift, shift)
+            .with(Quantity::StickShare, self.stick_share())
+            .with(Quantity::Dissipated, dissipated)
+            .with(Quantity::Stored, self.stored)
+            .with(Quantity::TractionCertificate, self.certificate.eta);
+        let along = [StateField::traction(self.traction), StateField::slip(self.slip)];
         let across =
-            [self.traction_across.map(HistoryField::traction_across), self.slip_across.map(HistoryField::slip_across)];
+            [self.traction_across.map(StateField::traction_across), self.slip_across.map(StateField::slip_across)];
         let fields = along.into_iter().chain(across.into_iter().flatten()).collect();
-        let (claim, contact, work) = (self.claim, self.contact, self.work);
-        HistoryState { contact, point, claim, numbers, fields, work }
+        let contact = self.contact.with_work(self.work).with_values(values);
+        State { contact, point, claim: self.claim, fields }
     }
 
     /// Whether both the normal contact and the traction met their goals.

@@ -1,12 +1,13 @@
 //! A run of a setup with a history: creep, slip, sliding or rolling.
 
 use crate::adhesion::AdhesionScales;
-use crate::contact::{Observer, Problem, ResultClaim, Status, warning_of_trail};
+use crate::contact::{Observer, Problem, Quantity, ResultClaim, State, Status, warning_of_trail};
 use crate::error::{HistoryError, SetupError};
-use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses, open_cycles};
+use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// Errors in time of states with less than this part of the largest mean pressure are not compared with the tolerance.
 const SMALL: f64 = 1e-2;
@@ -25,7 +26,7 @@ pub struct HistoryOutcome {
     /// The attraction and what came of it, with adhesion.
     pub adhesion: Option<AdhesionOutcome>,
     /// The states, in their order.
-    pub states: Vec<HistoryState>,
+    pub states: Vec<State>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
     pub ended: Option<HistoryError>,
     /// Doubts about what the setup says.
@@ -48,7 +49,7 @@ pub struct AdhesionOutcome {
 }
 
 impl AdhesionOutcome {
-    fn new(setup: &Setup, problem: &Problem, states: &[HistoryState]) -> Result<Option<Self>, SetupError> {
+    fn new(setup: &Setup, problem: &Problem, states: &[State]) -> Result<Option<Self>, SetupError> {
         let (Some(adhesion), Some(totals)) = (&setup.adhesion, AdhesionTotals::new(states)) else { return Ok(None) };
         let attraction = adhesion.attraction()?;
         let scales = AdhesionScales::new(problem, &attraction);
@@ -64,7 +65,7 @@ impl HistoryOutcome {
     /// are kept.
     pub fn solve(setup: &Setup, problem: &Problem, observer: &mut dyn Observer) -> Result<Self, SetupError> {
         kind_of(setup)?;
-        let mut states: Vec<HistoryState> = Vec::new();
+        let mut states: Vec<State> = Vec::new();
         let Some(mut process) = setup.history(problem.clone())? else { unreachable!("a kind of process has one") };
         let ended = process.run(observer, &mut |state| {
             if state.contact.status == Status::StoppedByObserver {
@@ -83,7 +84,7 @@ impl HistoryOutcome {
     ///
     /// # Errors
     /// For a setup without a history, and for an attraction that cannot be.
-    pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<HistoryState>) -> Result<Self, SetupError> {
+    pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<State>) -> Result<Self, SetupError> {
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
         Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None, doubts: setup.warnings_of_creep() }
             .with_time_errors(setup)
@@ -95,7 +96,8 @@ impl HistoryOutcome {
         let tolerance = setup.time_tolerance();
         let largest = self.states.iter().map(|it| it.contact.mean_pressure()).fold(0.0, f64::max);
         let errors = self.states.iter().filter(|it| it.contact.mean_pressure() >= SMALL * largest);
-        let above: Vec<f64> = errors.filter_map(|it| it.numbers.time_error).filter(|it| *it > tolerance).collect();
+        let above: Vec<f64> =
+            errors.filter_map(|it| it.get(Quantity::TimeError)).filter(|it| *it > tolerance).collect();
         if !above.is_empty() {
             let most = above.iter().copied().fold(0.0, f64::max);
             self.doubts.push(
@@ -133,16 +135,15 @@ impl HistoryOutcome {
     }
 
     /// The quantities that the states have, in the order of their table.
-    pub fn quantities(&self) -> Vec<&'static HistoryQuantity> {
-        let has = |it: &&HistoryQuantity| self.states.iter().any(|state| (it.value)(state).is_some());
-        HISTORY_QUANTITIES.iter().filter(has).collect()
+    pub fn quantities(&self) -> Vec<Quantity> {
+        let numbers = self.states.iter().flat_map(|state| state.numbers());
+        let told: BTreeSet<Quantity> = numbers.map(|(quantity, _)| quantity).collect();
+        told.into_iter().collect()
     }
 
     /// The values of a quantity in all states; NaN where a state has none.
-    pub fn values(&self, name: &str) -> Vec<f64> {
-        let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
-        let value = |state: &HistoryState| found.and_then(|it| (it.value)(state)).unwrap_or(f64::NAN);
-        self.states.iter().map(value).collect()
+    pub fn values(&self, quantity: Quantity) -> Vec<f64> {
+        self.states.iter().map(|state| state.value(quantity)).collect()
     }
 
     /// The energy that each closed cycle of the path lost, per area of the cell.

@@ -1,22 +1,19 @@
 //! The recording of a history: one frame for each state.
 
 use super::history::HistoryOutcome;
-use crate::contact::Problem;
+use crate::contact::{Problem, Quantity, State, Unit};
 use crate::error::FileError;
-use crate::history::{HistoryQuantity, HistoryState, HistoryUnit};
 use crate::plot::Colour;
 use crate::record::{CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Timeline};
-use crate::setup::{ProcessKind, Setup};
+use crate::setup::Setup;
 use std::path::Path;
-
-/// Quantities without a curve: those that other curves or the axis show.
-const WITHOUT_CURVE: [&str; 5] = ["transforms", "certificate", "traction_certificate", "residual", "jump"];
 
 /// The largest distance of surfaces apart that a picture has room for, in heights of the highest peak.
 const MOST_APART: f64 = 3.0;
 
 /// Quantities whose curves stand first, in the rows of their own.
-const FIRST: [&str; 5] = ["friction", "mean_pressure", "relative_area", "dissipated", "kappa_r"];
+const FIRST: [Quantity; 5] =
+    [Quantity::Friction, Quantity::MeanPressure, Quantity::RelativeArea, Quantity::Dissipated, Quantity::KappaR];
 
 impl HistoryOutcome {
     /// Writes a recording of all states, on the timelines `step` and, where states have times, the one of [`Timeline::States`].
@@ -40,15 +37,15 @@ impl HistoryOutcome {
             title: format!("{}, {} states", scene.title, self.states.len()),
             description: format!("{}. {}.", setup.surface.description(), self.states[0].claim.words()),
             captions: (0..self.states.len()).map(|i| self.caption(i)).collect(),
-            curves: curves.iter().map(|it| recorded(it)).collect(),
+            curves: curves.iter().map(|it| recorded(*it)).collect(),
             axis: self.axis(),
             figure: None,
-            timeline: Timeline::States(self.states.iter().filter_map(|state| state.numbers.time).collect()),
+            timeline: Timeline::States(self.states.iter().filter_map(|state| state.get(Quantity::Time)).collect()),
             scenes: &[scene],
         };
         let recording = LoadRecording::create(path, &loads, Options::from(setup))?;
         for (i, state) in self.states.iter().enumerate() {
-            let values: Vec<f64> = curves.iter().map(|it| (it.value)(state).unwrap_or(f64::NAN)).collect();
+            let values: Vec<f64> = curves.iter().map(|it| state.value(*it)).collect();
             recording.values(i, &values)?;
             let further: Vec<(&'static str, &[f64])> =
                 state.fields.iter().map(|it| (it.name, it.values.as_slice().unwrap_or_default())).collect();
@@ -59,30 +56,31 @@ impl HistoryOutcome {
 
     /// The largest distance between the surfaces where they are closest, as far as a picture has room for it.
     fn apart(&self, problem: &Problem) -> f64 {
-        let least = |state: &HistoryState| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let least = |state: &State| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
         let most = self.states.iter().map(least).fold(0.0, f64::max);
         most.min(MOST_APART * problem.highest())
     }
 
     /// The quantities with curves, the most important ones first.
-    fn curves(&self) -> Vec<&'static HistoryQuantity> {
-        let axis = self.kind.axis();
-        let changes = |it: &HistoryQuantity| {
-            let values: Vec<f64> = self.states.iter().filter_map(it.value).filter(|it| it.is_finite()).collect();
+    fn curves(&self) -> Vec<Quantity> {
+        let axis = self.kind.row().axis;
+        let changes = |it: &Quantity| {
+            let values = self.states.iter().filter_map(|state| state.get(*it));
+            let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
             values.iter().any(|value| *value != values[0]) || values.len() == 1
         };
         let all = self.quantities().into_iter();
-        let mut curves: Vec<_> =
-            all.filter(|it| Some(it.name) != axis && !WITHOUT_CURVE.contains(&it.name) && changes(it)).collect();
-        curves.sort_by_key(|it| FIRST.iter().position(|name| *name == it.name).unwrap_or(FIRST.len()));
+        let mut curves: Vec<_> = all.filter(|it| Some(*it) != axis && it.row().has_curve && changes(it)).collect();
+        curves.sort_by_key(|it| FIRST.iter().position(|first| first == it).unwrap_or(FIRST.len()));
         curves
     }
 
     /// The axis of the charts: time, speed, or the number of the state.
     fn axis(&self) -> LoadAxis {
-        match self.kind.axis() {
-            Some("speed") => LoadAxis::log("speed", self.values("speed")),
-            Some(name) => LoadAxis::linear(name, self.values(name)),
+        let row = self.kind.row();
+        match row.axis {
+            Some(it) if row.is_logarithmic => LoadAxis::log(it.name(), self.values(it)),
+            Some(it) => LoadAxis::linear(it.name(), self.values(it)),
             None => LoadAxis::linear("state", (1..=self.states.len()).map(|i| i as f64).collect()),
         }
     }
@@ -90,12 +88,9 @@ impl HistoryOutcome {
     /// The state in a few words.
     fn caption(&self, i: usize) -> String {
         let state = &self.states[i];
-        let said: &[&str] = match self.kind {
-            ProcessKind::Adhesion => &["mean_pressure", "mean_gap"],
-            _ => &["time", "speed", "creepage", "friction"],
-        };
-        let words = self.quantities().into_iter().filter(|it| said.contains(&it.name)).filter_map(|it| {
-            (it.value)(state).map(|value| format!("{} {}", it.title, crate::quantity::number_in_words(value)))
+        let words = self.kind.row().caption.iter().filter_map(|it| {
+            let value = state.get(*it)?;
+            Some(format!("{} {}", it.row().title, crate::quantity::number_in_words(value)))
         });
         let words: Vec<String> = words.collect();
         if words.is_empty() { format!("state {}", i + 1) } else { words.join(", ") }
@@ -120,9 +115,9 @@ impl HistoryOutcome {
 }
 
 /// A quantity as a curve of a recording.
-fn recorded(quantity: &HistoryQuantity) -> RecordedCurve {
-    let colour = if quantity.unit == HistoryUnit::One { Colour::ORANGE } else { Colour::SKY };
-    let title = quantity.title;
+fn recorded(quantity: Quantity) -> RecordedCurve {
+    let colour = if quantity.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
+    let title = quantity.row().title;
     RecordedCurve { view: capital(title), name: title.into(), colour: colour.0, kind: CurveKind::Computed }
 }
 

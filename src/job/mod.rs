@@ -40,7 +40,7 @@ pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;
 pub use saved::{SavedFound, SavedResult};
-pub use tables::{write_loads, write_nodes};
+pub use tables::{LoadNumbers, write_loads, write_nodes};
 pub use watch::{Pass, ShowSteps, Watcher};
 
 #[cfg(feature = "record")]

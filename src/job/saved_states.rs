@@ -2,22 +2,22 @@
 
 use super::doubts::Doubts;
 use super::state_check::StateCheck;
-use crate::contact::{ArchiveReader, Contact, Problem, ResultClaim, SavedContact, Status};
+use crate::contact::{ArchiveReader, Contact, Problem, Quantity, ResultClaim, SavedContact, State, StateField, Status};
 use crate::error::{FileError, SetupError, StudyError};
-use crate::history::{HISTORY_QUANTITIES, HistoryField, HistoryState};
 use crate::setup::Setup;
 use crate::surface::Field;
 use ndarray::Axis;
+use strum::IntoEnumIterator;
 
 /// Numbers that all states have, and that may be undefined.
-const ALWAYS: [&str; 2] = ["relative_area", "kappa_r"];
+const ALWAYS: [Quantity; 2] = [Quantity::RelativeArea, Quantity::KappaR];
 
 /// What makes a field of a state, and its values in all states.
-type StateFields = (fn(Field) -> HistoryField, Vec<Field>);
+type StateFields = (fn(Field) -> StateField, Vec<Field>);
 
 /// The numbers and fields of the states in a file besides their contacts.
 struct StateColumns {
-    numbers: Vec<(&'static str, Vec<f64>)>,
+    numbers: Vec<(Quantity, Vec<f64>)>,
     fields: Vec<StateFields>,
     claims: Vec<ResultClaim>,
     points: Vec<Option<usize>>,
@@ -26,11 +26,11 @@ struct StateColumns {
 impl StateColumns {
     fn read(reader: &ArchiveReader) -> Result<Self, FileError> {
         let mut numbers = Vec::new();
-        for quantity in HISTORY_QUANTITIES {
-            numbers.extend(reader.numbers(quantity.name)?.map(|values| (quantity.name, values)));
+        for quantity in Quantity::iter() {
+            numbers.extend(reader.numbers(quantity.name())?.map(|values| (quantity, values)));
         }
         let mut fields = Vec::new();
-        for (name, made) in HistoryField::MAKERS {
+        for (name, made) in StateField::MAKERS {
             if reader.has(name)? {
                 fields.push((made, reader.fields(name)?));
             }
@@ -43,13 +43,13 @@ impl StateColumns {
     }
 
     /// A number of a state, if it has it.
-    fn number(&self, name: &str, state: usize) -> Option<f64> {
-        let (_, values) = self.numbers.iter().find(|(known, _)| *known == name)?;
-        Some(values[state]).filter(|it| !it.is_nan() || ALWAYS.contains(&name))
+    fn number(&self, quantity: Quantity, state: usize) -> Option<f64> {
+        let (_, values) = self.numbers.iter().find(|(known, _)| *known == quantity)?;
+        Some(values[state]).filter(|it| !it.is_nan() || ALWAYS.contains(&quantity))
     }
 
     /// The further fields of a state.
-    fn fields(&self, state: usize) -> Vec<HistoryField> {
+    fn fields(&self, state: usize) -> Vec<StateField> {
         self.fields.iter().map(|(made, of)| made(of[state].clone())).collect()
     }
 }
@@ -64,18 +64,18 @@ pub(super) fn certified_states(
     setup: &Setup,
     problem: &Problem,
     doubts: &mut Doubts<'_>,
-) -> Result<Vec<HistoryState>, StudyError> {
+) -> Result<Vec<State>, StudyError> {
     let columns = StateColumns::read(reader)?;
     let mut check = StateCheck::new(setup, problem)?;
     let mut states = Vec::with_capacity(contacts.len());
     for (number, saved) in contacts.into_iter().enumerate() {
         let (point, claim) = (columns.points[number], columns.claims[number]);
-        let of = |name: &str| columns.number(name, number);
+        let of = |quantity: Quantity| columns.number(quantity, number);
         let under = under_load(setup, problem, point, &saved);
         let parts = ([saved.pressure, saved.displacement, saved.gap], (saved.certificate, saved.work, saved.status));
         let contact = Contact::from_parts(under, parts.0, parts.1, saved.solver, saved.coarser);
         let contact = contact.map_err(SetupError::from)?;
-        let mut state = HistoryState::from_parts(contact, (point, claim), of, columns.fields(number));
+        let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
         let found = check.doubts(&mut state)?;
         if !found.is_empty() {
             state.claim = ResultClaim::Unchecked;

@@ -2,11 +2,12 @@
 
 use crate::adhesion::Attraction;
 use crate::contact::{
-    Certificate, Load, Problem, ResultClaim, SavedDoubt, Status, is_met, is_same, largest, pressure_doubts,
+    Certificate, Load, Problem, Quantity, ResultClaim, SavedDoubt, State, Status, is_met, is_same, largest,
+    pressure_doubts,
 };
 use crate::elastic::{Compliance, Coupling, Response};
 use crate::error::{SetupError, StudyError};
-use crate::history::{HistoryState, PathPoint};
+use crate::history::PathPoint;
 use crate::setup::{ProcessKind, Setup};
 use crate::surface::Field;
 use std::sync::Arc;
@@ -53,7 +54,7 @@ impl<'a> StateCheck<'a> {
     ///
     /// # Errors
     /// For fields and conditions that do not fit the solid.
-    pub fn doubts(&mut self, state: &mut HistoryState) -> Result<Vec<SavedDoubt>, StudyError> {
+    pub fn doubts(&mut self, state: &mut State) -> Result<Vec<SavedDoubt>, StudyError> {
         let mut doubts = self.missing(state);
         if !doubts.is_empty() {
             return Ok(doubts);
@@ -69,29 +70,29 @@ impl<'a> StateCheck<'a> {
             });
         }
         doubts.extend(self.friction_doubts(state)?);
-        self.traction = field(state, "traction").cloned();
+        self.traction = state.field("traction").cloned();
         self.reached = state.point.map_or(self.reached, |point| point + 1);
         Ok(doubts)
     }
 
     /// The fields without which a state cannot be checked.
-    fn missing(&self, state: &HistoryState) -> Vec<SavedDoubt> {
+    fn missing(&self, state: &State) -> Vec<SavedDoubt> {
         let needed: &[&'static str] = match self.kind {
             ProcessKind::Creep => &["stored_strain"],
             ProcessKind::Adhesion => &["attraction"],
             ProcessKind::Slip | ProcessKind::Rolling => &["traction"],
             ProcessKind::Sliding => &[],
         };
-        let missing = needed.iter().filter(|name| field(state, name).is_none());
+        let missing = needed.iter().filter(|name| state.field(name).is_none());
         missing.map(|name| SavedDoubt::Missing { name }).collect()
     }
 
     /// The problem of a state at rest or at its speed, which the setup must have.
-    fn moving(&self, state: &HistoryState, doubts: &mut Vec<SavedDoubt>) -> Result<Problem, StudyError> {
+    fn moving(&self, state: &State, doubts: &mut Vec<SavedDoubt>) -> Result<Problem, StudyError> {
         let unknown = |name: &'static str, found: f64| SavedDoubt::Place { name, found };
         match self.kind {
             ProcessKind::Sliding => {
-                let speed = state.numbers.speed.unwrap_or(f64::NAN);
+                let speed = state.value(Quantity::Speed);
                 if !self.setup.sliding.iter().any(|it| it.speed.contains(&speed)) {
                     doubts.push(unknown("speed", speed));
                     return Ok(self.problem.clone());
@@ -104,7 +105,7 @@ impl<'a> StateCheck<'a> {
     }
 
     /// A doubt whether the state is under a load of the path.
-    fn load_doubt(&self, state: &HistoryState) -> Option<SavedDoubt> {
+    fn load_doubt(&self, state: &State) -> Option<SavedDoubt> {
         let is_apart = matches!(state.claim, ResultClaim::Moving | ResultClaim::Separated);
         if is_apart && self.attraction.is_some() {
             return None;
@@ -129,11 +130,11 @@ impl<'a> StateCheck<'a> {
     }
 
     /// The loads between which that of a state lies: that of its point, or those of the points around it.
-    fn loads(&self, state: &HistoryState) -> Vec<Load> {
+    fn loads(&self, state: &State) -> Vec<Load> {
         if self.path.is_empty() {
             return vec![self.setup.load];
         }
-        if let Some(time) = state.numbers.time {
+        if let Some(time) = state.get(Quantity::Time) {
             return self.loads_at(time);
         }
         match state.point {
@@ -170,8 +171,8 @@ impl<'a> StateCheck<'a> {
     }
 
     /// What a state has of it.
-    fn found(&self, state: &HistoryState) -> f64 {
-        let attraction = field(state, "attraction").and_then(|it| it.mean()).unwrap_or(0.0);
+    fn found(&self, state: &State) -> f64 {
+        let attraction = state.field("attraction").and_then(|it| it.mean()).unwrap_or(0.0);
         match self.setup.load {
             Load::MeanGap(_) => state.contact.mean_gap(),
             Load::Approach(_) => state.contact.approach().unwrap_or(f64::NAN),
@@ -180,18 +181,18 @@ impl<'a> StateCheck<'a> {
     }
 
     /// The displacement by what acts besides the pressure.
-    fn further(&self, problem: &Problem, state: &HistoryState) -> Result<Field, StudyError> {
+    fn further(&self, problem: &Problem, state: &State) -> Result<Field, StudyError> {
         let grid = problem.surface().grid();
         let mut further = vec![0.0; problem.nodes()];
-        if let Some(memory) = field(state, "stored_strain") {
+        if let Some(memory) = state.field("stored_strain") {
             problem.response().displacement(values(memory), &mut further);
         }
-        if let Some(attraction) = field(state, "attraction") {
+        if let Some(attraction) = state.field("attraction") {
             problem.response().displacement(values(&(-attraction)), &mut further);
         }
         let beta = self.setup.dundurs_beta();
-        if let Some(traction) = field(state, "traction").filter(|_| beta != 0.0) {
-            let across = field(state, "traction_across").map(|it| it.to_owned());
+        if let Some(traction) = state.field("traction").filter(|_| beta != 0.0) {
+            let across = state.field("traction_across").map(|it| it.to_owned());
             let across = across.map_or_else(Vec::new, |it| it.into_iter().collect());
             let mut coupling = self.coupling(problem)?;
             coupling.by_traction([values(traction), &across], &mut further);
@@ -211,7 +212,7 @@ impl<'a> StateCheck<'a> {
     }
 
     /// Doubts whether displacement and gap are those of the pressure and of what acts besides, up to a constant.
-    fn field_doubts(&self, problem: &Problem, state: &HistoryState) -> Result<Vec<SavedDoubt>, StudyError> {
+    fn field_doubts(&self, problem: &Problem, state: &State) -> Result<Vec<SavedDoubt>, StudyError> {
         let contact = &state.contact;
         let further = self.further(problem, state)?;
         let mut own = Field::zeros(further.dim());
@@ -248,7 +249,7 @@ impl<'a> StateCheck<'a> {
     }
 
     /// A doubt whether the pressure solves its problem, for what acts besides as it is.
-    fn certificate_doubt(&self, problem: &Problem, state: &mut HistoryState) -> Result<Option<SavedDoubt>, StudyError> {
+    fn certificate_doubt(&self, problem: &Problem, state: &mut State) -> Result<Option<SavedDoubt>, StudyError> {
         let pressure = &state.contact.pressure;
         if pressure.iter().all(|p| *p == 0.0) {
             return Ok(None);
@@ -271,8 +272,8 @@ impl<'a> StateCheck<'a> {
     }
 
     /// Doubts whether a state with adhesion is in equilibrium with its own attraction.
-    fn adhesion_doubts(&self, state: &HistoryState) -> Vec<SavedDoubt> {
-        let (Some(attraction), Some(sigma)) = (&self.attraction, field(state, "attraction")) else { return Vec::new() };
+    fn adhesion_doubts(&self, state: &State) -> Vec<SavedDoubt> {
+        let (Some(attraction), Some(sigma)) = (&self.attraction, state.field("attraction")) else { return Vec::new() };
         let (contact, strength) = (&state.contact, attraction.strength());
         if state.claim == ResultClaim::Separated {
             let is_apart = largest(sigma) == 0.0 && largest(&contact.pressure) == 0.0;
@@ -307,12 +308,12 @@ impl<'a> StateCheck<'a> {
     }
 
     /// Doubts whether the traction is one that friction carries, and that follows from the state before.
-    fn friction_doubts(&self, state: &HistoryState) -> Result<Vec<SavedDoubt>, StudyError> {
-        let (Some(along), Some(friction)) = (field(state, "traction"), self.setup.friction) else {
+    fn friction_doubts(&self, state: &State) -> Result<Vec<SavedDoubt>, StudyError> {
+        let (Some(along), Some(friction)) = (state.field("traction"), self.setup.friction) else {
             return Ok(Vec::new());
         };
         let (pressure, mu) = (&state.contact.pressure, friction.coefficient);
-        let across = field(state, "traction_across");
+        let across = state.field("traction_across");
         let length = |i: usize| values(along)[i].hypot(across.map_or(0.0, |it| values(it)[i]));
         let most = mu * largest(pressure);
         let excess = (0..pressure.len()).map(|i| length(i) - mu * values(pressure)[i]).fold(0.0, f64::max);
@@ -329,13 +330,13 @@ impl<'a> StateCheck<'a> {
     }
 
     /// A doubt whether a traction carries a tangential load of the setup.
-    fn tangential_doubt(&self, state: &HistoryState, along: &Field) -> Option<SavedDoubt> {
+    fn tangential_doubt(&self, state: &State, along: &Field) -> Option<SavedDoubt> {
         let found = along.mean().unwrap_or(0.0);
         let prescribed: Vec<f64> = match self.kind {
             ProcessKind::Rolling => {
                 let rolling = self.setup.rolling.as_ref()?;
                 if rolling.tangential.is_empty() {
-                    let creepage = state.numbers.creepage.unwrap_or(f64::NAN);
+                    let creepage = state.value(Quantity::Creepage);
                     let is_known = rolling.creepage.iter().any(|it| (it - creepage).abs() <= SAME * it.abs());
                     return (!is_known).then_some(SavedDoubt::Place { name: "creepage", found: creepage });
                 }
@@ -390,11 +391,6 @@ impl<'a> StateCheck<'a> {
 /// Whether a doubt concerns single nodes.
 fn is_of_nodes(doubt: &SavedDoubt) -> bool {
     matches!(doubt, SavedDoubt::Tension { .. } | SavedDoubt::AboveHardness { .. })
-}
-
-/// A further field of a state.
-fn field<'s>(state: &'s HistoryState, name: &str) -> Option<&'s Field> {
-    state.fields.iter().find(|it| it.name == name).map(|it| &it.values)
 }
 
 fn values(field: &Field) -> &[f64] {

@@ -1,10 +1,9 @@
 //! Contacts, load curves and histories as tables of comma-separated values.
 
 use super::history::HistoryOutcome;
-use crate::contact::{Contact, Observables, Status};
+use crate::contact::{Contact, Observables, Quantity, QuantityKind, Status};
 use crate::error::FileError;
 use crate::files::{write_beside, write_csv};
-use crate::study::FlowRow;
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
@@ -39,26 +38,43 @@ pub fn write_nodes(path: &Path, contact: &Contact) -> Result<(), FileError> {
     write_csv(path, surface.grid().x().enumerate().map(node))
 }
 
-/// A row of a table of loads, before its observables.
-#[derive(Serialize)]
-struct LoadRow {
-    /// Number of the load, from 1.
-    load_number: usize,
-    status: Status,
-}
-
-/// Writes the observables of contacts under several loads, one load a row, with what flows where that is found.
+/// Writes the numbers of contacts under several loads, one load a row, with what flows where that is found.
 ///
 /// # Errors
-/// The errors of [`write_csv`].
-pub fn write_loads(path: &Path, loads: &[(Status, Observables)], flow: Option<&[FlowRow]>) -> Result<(), FileError> {
-    let row = |(i, &(status, observables)): (usize, &(Status, Observables))| {
-        (LoadRow { load_number: i + 1, status }, observables)
-    };
-    let rows = loads.iter().enumerate().map(row);
-    match flow {
-        None => write_csv(path, rows),
-        Some(flow) => write_csv(path, rows.zip(flow)),
+/// The errors of [`write_beside`].
+pub fn write_loads(path: &Path, loads: &[LoadNumbers<'_>]) -> Result<(), FileError> {
+    let flows = loads.first().map_or(&[][..], |first| first.flow);
+    write_beside(path, |file| {
+        let named = Quantity::found().chain(flows.iter().map(|(quantity, _)| *quantity));
+        let names = ["load_number", "status"].into_iter().chain(named.map(Quantity::name));
+        writeln!(file, "{}", names.collect::<Vec<_>>().join(","))?;
+        loads.iter().enumerate().try_for_each(|(i, load)| {
+            let found = Quantity::found().zip(load.observables.numbers()).map(|(it, value)| word(it, value));
+            let flow = load.flow.iter().map(|(it, value)| word(*it, *value));
+            let first = [(i + 1).to_string(), load.status.name().to_owned()];
+            let cells: Vec<String> = first.into_iter().chain(found).chain(flow).collect();
+            writeln!(file, "{}", cells.join(","))
+        })
+    })
+}
+
+/// The numbers of a contact under one of several loads.
+#[derive(Debug, Clone, Copy)]
+pub struct LoadNumbers<'a> {
+    /// How the solver stopped.
+    pub status: Status,
+    /// The numbers of the contact.
+    pub observables: &'a Observables,
+    /// What flows through it, as far as it was asked for.
+    pub flow: &'a [(Quantity, f64)],
+}
+
+/// A number as a word of a table.
+fn word(quantity: Quantity, value: f64) -> String {
+    match quantity.row().kind {
+        QuantityKind::Flag => (value == 1.0).to_string(),
+        QuantityKind::Whole => (value as u64).to_string(),
+        QuantityKind::Number => format!("{value:?}"),
     }
 }
 
@@ -72,11 +88,11 @@ impl HistoryOutcome {
         write_beside(path, |file| {
             let claimed = self.adhesion.is_some().then_some("claim");
             let first = ["state", "status"].into_iter().chain(claimed);
-            let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name)).collect();
+            let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name())).collect();
             writeln!(file, "{}", names.join(","))?;
             states.iter().enumerate().try_for_each(|(i, state)| {
                 let values =
-                    quantities.iter().map(|it| (it.value)(state).map_or(String::new(), |value| value.to_string()));
+                    quantities.iter().map(|it| state.get(*it).map_or(String::new(), |value| value.to_string()));
                 let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
                 let first = [(i + 1).to_string(), state.contact.status.name().to_owned()].into_iter().chain(claim);
                 let cells: Vec<String> = first.chain(values).collect();

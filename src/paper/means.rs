@@ -292,8 +292,7 @@ mod tests {
                     setup: String::new(),
                     version: String::new(),
                     observables,
-                    adhesion: Default::default(),
-                    flow: Default::default(),
+                    further: Vec::new(),
                     seconds: 0.0,
                 });
             }

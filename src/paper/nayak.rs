@@ -368,8 +368,7 @@ mod tests {
             setup: String::new(),
             version: String::new(),
             observables: Observables { reduced_pressure: 0.01, kappa, kappa_r: 1.7, ..Observables::default() },
-            adhesion: Default::default(),
-            flow: Default::default(),
+            further: Vec::new(),
             seconds: 0.0,
         }
     }

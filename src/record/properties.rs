@@ -5,9 +5,10 @@
 
 use super::draw::TRANSFORMS;
 use super::scene::Scene;
-use crate::contact::{Contact, Load, OBSERVABLES, Problem, Solver, State, Stop};
+use crate::contact::{Contact, Load, Problem, Quantity, Reading, Solver, Stop};
 use rerun::components::{Scalar, Text};
 use rerun::{AnyValues, RecordingStream, RecordingStreamResult};
+use strum::IntoEnumIterator;
 
 /// What is known of a scene before it is solved.
 pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
@@ -48,14 +49,14 @@ pub fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
 
 /// The end of a run and the observables of its result, except those that were known before.
 pub fn of_contact(contact: &Contact) -> AnyValues {
-    let state = State::from(contact);
-    let is_known = |name: &str| match name {
-        "rms_height" | "rms_gradient" => true,
-        "reduced_pressure" => reduced_pressure(&contact.problem).is_some(),
+    let reading = Reading::from(contact);
+    let is_known = |it: Quantity| match it {
+        Quantity::RmsHeight | Quantity::RmsGradient => true,
+        Quantity::ReducedPressure => reduced_pressure(&contact.problem).is_some(),
         _ => false,
     };
-    let observables = OBSERVABLES.iter().filter(|it| it.tells_of(contact) && !is_known(it.name));
-    let observables = observables.map(|observable| (property(observable.name), (observable.value)(&state)));
+    let told = Quantity::iter().filter(|it| it.tells_of(contact) && !is_known(*it));
+    let observables = told.map(|it| (property(it.name()), reading.value(it)));
     let ended = with_texts([("status", contact.status.to_string().as_str())]);
     with_numbers(ended, observables.chain([("solver_seconds", contact.work.seconds)]))
 }

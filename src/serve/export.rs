@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::worker;
-use crate::contact::{Failure, OBSERVABLES};
+use crate::contact::{Failure, Quantity};
 use crate::error::SetupError;
 use crate::explore::{Knobs, Lesson, LessonStep, MOST_POINTS_OF_MODULE, Refusal, RunKind, Session, Stock};
 use crate::files::fill_folder;
@@ -112,7 +112,8 @@ impl SiteExport {
             copy(&recording.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
             runs.push(json!({ "id": id, "is_sweep": *kind == RunKind::Sweep, "knobs": knobs }));
         }
-        Ok(json!({ "start": start, "lessons": lessons, "observables": OBSERVABLES, "first": first, "recorded": runs }))
+        let observables: Vec<_> = Quantity::found().map(Quantity::row).collect();
+        Ok(json!({ "start": start, "lessons": lessons, "observables": observables, "first": first, "recorded": runs }))
     }
 }
 

@@ -1,7 +1,9 @@
 //! What is found about the flow through a contact.
 
 use super::one_or_more;
+use crate::contact::{Contact, Quantity};
 use crate::error::FlowError;
+use crate::flow::{Conductance, FlowAxis, Leakage, Percolation};
 use serde::{Deserialize, Serialize};
 
 /// What is found about the flow through a contact, after it is solved: section `flow` of a scene.
@@ -81,4 +83,72 @@ impl Flow {
             false => Err(FlowError::Resistivity { first, second }),
         }
     }
+
+    /// What is asked for of a contact: numbers, and the leakages with their fields. On a line, none of it is along `y`.
+    ///
+    /// # Errors
+    /// The errors of [`Flow::resistivities`], [`Leakage::from_contact`] and [`Conductance::new`].
+    pub fn measure(&self, contact: &Contact) -> Result<FlowFound, FlowError> {
+        let mut found = FlowFound::default();
+        if self.leakage {
+            let is_line = contact.problem.surface().grid().is_line();
+            let percolation = Percolation::from_contact(contact);
+            for axis in FlowAxis::ALL.into_iter().take(if is_line { 1 } else { 2 }) {
+                let leakage = Leakage::from_contact(contact, axis, Leakage::TOLERANCE)?;
+                found.numbers.extend(numbers_of(&percolation, &leakage));
+                found.leakages.push(leakage);
+            }
+        }
+        if let Some([first, second]) = self.resistivities()? {
+            let Conductance { per_area, .. } = Conductance::new(contact, [first, second])?;
+            found.numbers.push((Quantity::ConductancePerArea, per_area));
+            found.numbers.push((Quantity::ConductanceTimesResistivity, per_area * (first + second)));
+        }
+        Ok(found)
+    }
+}
+
+/// What flows through a contact, as far as it was asked for.
+#[derive(Debug, Clone, Default)]
+pub struct FlowFound {
+    /// Percolation, leakage and conductance.
+    pub numbers: Vec<(Quantity, f64)>,
+    /// The leakages with their fields, along `x`, and of a surface along `y`.
+    pub leakages: Vec<Leakage>,
+}
+
+impl FlowFound {
+    /// A number, if it was asked for.
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        self.numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
+    }
+}
+
+/// The numbers of the flow along an axis.
+fn numbers_of(percolation: &Percolation, leakage: &Leakage) -> [(Quantity, f64); 5] {
+    let names = match leakage.axis {
+        FlowAxis::X => [
+            Quantity::OpenPercolatesX,
+            Quantity::ContactPercolatesX,
+            Quantity::LeakageLowerX,
+            Quantity::LeakageUpperX,
+            Quantity::HydraulicGapX,
+        ],
+        FlowAxis::Y => [
+            Quantity::OpenPercolatesY,
+            Quantity::ContactPercolatesY,
+            Quantity::LeakageLowerY,
+            Quantity::LeakageUpperY,
+            Quantity::HydraulicGapY,
+        ],
+    };
+    let flag = |is_true: bool| f64::from(u8::from(is_true));
+    let values = [
+        flag(percolation.open_percolates(leakage.axis)),
+        flag(percolation.contact_percolates(leakage.axis)),
+        leakage.lower,
+        leakage.upper,
+        leakage.sigma().cbrt(),
+    ];
+    [0, 1, 2, 3, 4].map(|i| (names[i], values[i]))
 }

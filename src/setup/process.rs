@@ -1,6 +1,6 @@
 //! The process of a setup: which history it describes, and what makes it.
 
-use super::{RollingMotion, Setup, Solid};
+use super::{ProcessKind, RollingMotion, Setup, Solid};
 use crate::adhesion::{AdhesiveMethod, AdhesiveMotion, AdhesiveProblem};
 use crate::contact::{Load, Problem, Solver};
 use crate::elastic::Prony;
@@ -10,7 +10,6 @@ use crate::history::{
     AdhesiveProcess, CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess,
     SlipHistory, SlipProcess,
 };
-use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The estimated relative error in time, if none is given.
 const TIME_TOLERANCE: f64 = 1e-2;
@@ -20,62 +19,6 @@ const STEPS_OF_TIME: usize = 32;
 
 /// Steps between two points of a path with adhesion, if no number is given.
 const STEPS_OF_ADHESION: usize = 20;
-
-/// The processes that a setup can describe.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
-pub enum ProcessKind {
-    /// A viscoelastic solid in time.
-    Creep,
-    /// Partial slip under normal and tangential loads.
-    Slip,
-    /// Steady sliding over a viscoelastic solid.
-    Sliding,
-    /// Steady rolling with friction.
-    Rolling,
-    /// Adhesion under loads up and down.
-    Adhesion,
-}
-
-/// A chart of the states of a process: one quantity against another one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ProcessChart {
-    /// Name of the quantity on the horizontal axis, or `state` for the number of the state.
-    pub x: &'static str,
-    /// Name of the quantity on the vertical axis.
-    pub y: &'static str,
-    /// Whether the horizontal axis is logarithmic.
-    pub is_logarithmic: bool,
-}
-
-impl ProcessKind {
-    /// The charts of its pictures.
-    pub fn charts(self) -> [ProcessChart; 2] {
-        let of = |x, [first, second]: [&'static str; 2], is_logarithmic| {
-            [first, second].map(|y| ProcessChart { x, y, is_logarithmic })
-        };
-        match self {
-            Self::Creep => of("time", ["relative_area", "mean_gap"], false),
-            Self::Adhesion => of("mean_gap", ["mean_pressure", "relative_area"], false),
-            Self::Slip => [
-                ProcessChart { x: "shift", y: "mean_traction", is_logarithmic: false },
-                ProcessChart { x: "state", y: "stick_share", is_logarithmic: false },
-            ],
-            Self::Sliding => of("speed", ["friction", "relative_area"], true),
-            Self::Rolling => of("creepage", ["friction", "stick_share"], false),
-        }
-    }
-
-    /// The quantity along which its states are drawn, by its name in [`HISTORY_QUANTITIES`](crate::history::HISTORY_QUANTITIES);
-    /// none for the number of the step.
-    pub fn axis(self) -> Option<&'static str> {
-        match self {
-            Self::Creep => Some("time"),
-            Self::Sliding => Some("speed"),
-            Self::Slip | Self::Rolling | Self::Adhesion => None,
-        }
-    }
-}
 
 impl Setup {
     /// The process that the setup describes; none for a contact without a history.

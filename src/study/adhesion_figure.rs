@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 type AdhesionPlot = (&'static str, &'static str, fn(&Point) -> Option<f64>);
 
 const PLOTS: [AdhesionPlot; 2] = [
-    ("pull-off pressure", "-min <p>", |it| it.adhesion.pull_off().filter(|_| it.is_converged())),
-    ("energy lost in jumps, per area", "Δ", |it| it.adhesion.lost().filter(|_| it.is_converged())),
+    ("pull-off pressure", "-min <p>", |it| it.pull_off().filter(|_| it.is_converged())),
+    ("energy lost in jumps, per area", "Δ", |it| it.lost().filter(|_| it.is_converged())),
 ];
 
 /// The curves of a panel, by the other values: places along `x`, and what was found there.

@@ -2,34 +2,17 @@
 
 use crate::setup::fnv1a;
 use csv::{StringRecord, WriterBuilder};
-use serde::Serialize;
 
 /// What check sums begin with that cover the names of the columns. Older ones have no such mark, and cover the fields of the row alone.
 const NAMED: &str = "named-";
 
 /// The last column `check` of a row: the hash FNV-1a of the names of the other columns and of their fields, as lines of comma-separated values, in
 /// hexadecimal digits.
-#[derive(Debug, Serialize)]
-pub struct Checksum {
-    check: String,
-}
+pub struct Checksum;
 
 impl Checksum {
     /// The name of the column.
     pub const NAME: &str = "check";
-
-    /// The check sum of a row that is written under the names of its fields.
-    pub fn from_row(row: impl Serialize) -> Self {
-        Self::from_lines(&lines(row))
-    }
-
-    /// The names of the fields of a row that is written with its check sum.
-    pub fn names(row: impl Serialize) -> StringRecord {
-        let lines = lines(row);
-        let mut names = csv::Reader::from_reader(lines.as_slice()).headers().cloned().unwrap_or_default();
-        names.push_field(Self::NAME);
-        names
-    }
 
     /// The check sum of a row of words under the names of their columns.
     pub fn from_words<T: AsRef<[u8]>>(
@@ -39,11 +22,7 @@ impl Checksum {
         let mut csv = WriterBuilder::new().flexible(true).from_writer(Vec::new());
         let written = csv.write_record(names).and_then(|()| csv.write_record(words));
         written.expect("words have a form in lines");
-        Self::from_lines(&csv.into_inner().expect("lines fit in memory")).check
-    }
-
-    fn from_lines(lines: &[u8]) -> Self {
-        Self { check: format!("{NAMED}{:016x}", fnv1a([lines])) }
+        format!("{NAMED}{:016x}", fnv1a([csv.into_inner().expect("lines fit in memory").as_slice()]))
     }
 
     /// Whether a row and the names of its columns, with that of the check sum as the last, have not changed since they were written.
@@ -55,13 +34,6 @@ impl Checksum {
             false => last == of_fields(fields),
         })
     }
-}
-
-/// A row below the names of its fields.
-fn lines(row: impl Serialize) -> Vec<u8> {
-    let mut csv = WriterBuilder::new().from_writer(Vec::new());
-    csv.serialize(row).expect("numbers and texts have a form in lines");
-    csv.into_inner().expect("lines fit in memory")
 }
 
 /// The check sum of tables that were written before check sums covered the names of the columns.

@@ -1,10 +1,8 @@
 //! Rows of a study as columns, from which tables are written.
 
-use super::adhesion_row::{ADHESION_COLUMNS, AdhesionColumn};
-use super::flow_row::{FLOW_COLUMNS, FlowColumn};
 use super::plan::{Plan, StudyRow};
-use super::point::Point;
-use crate::contact::{Load, OBSERVABLES, Observable};
+use super::point::{Point, further, word as word_of};
+use crate::contact::{Load, Quantity, QuantityKind};
 use crate::error::StudyError;
 use crate::setup::{ParameterAxis, Scalar, Setup, SetupTable};
 
@@ -60,8 +58,7 @@ struct RowSource<'a> {
 impl Plan {
     /// The columns of some rows with their `points`: number of the row, values from the lists, load, all fields of a
     /// [`Point`], and as `scene` the setup of the row, an inline TOML table on one line. Seconds are left out, since
-    /// they differ from run to run. With adhesion, the numbers of an [`AdhesionRow`](super::AdhesionRow) take the place of the observables.
-    /// Where leakage or conductance is asked for, those of a [`FlowRow`](super::FlowRow) follow them.
+    /// they differ from run to run. What flows, and of a history what its states add up to, follow the observables; with adhesion these are left out.
     ///
     /// # Errors
     /// The errors of [`Plan::realisation`].
@@ -105,25 +102,15 @@ impl Plan {
             text("setup", &|it| it.point.setup.clone()),
             text("version", &|it| it.point.version.clone()),
         ]);
-        if self.has_adhesion() {
-            columns.extend(ADHESION_COLUMNS.iter().map(|it| match *it {
-                AdhesionColumn::Number(name, of) => number(name, &|it| of(&it.point.adhesion)),
-                AdhesionColumn::Whole(name, of) => whole(name, &|it| of(&it.point.adhesion)),
-                AdhesionColumn::Text(name, of) => {
-                    text(name, &|it| of(&it.point.adhesion).map_or(String::new(), |value| value.to_string()))
-                }
-            }));
-        } else {
+        if !self.has_adhesion() {
             columns.extend(observed(&sources));
         }
-        if self.has_flow() {
-            columns.extend(FLOW_COLUMNS.iter().map(|it| match *it {
-                FlowColumn::Number(name, of) => number(name, &|it| of(&it.point.flow)),
-                FlowColumn::Text(name, of) => {
-                    text(name, &|it| of(&it.point.flow).map_or(String::new(), |value| value.to_string()))
-                }
-            }));
-        }
+        let told = further().filter(|it| points.iter().any(|point| point.get(*it).is_some()));
+        columns.extend(told.map(|it| match it.row().kind {
+            QuantityKind::Number => number(it.name(), &|row| row.point.get(it)),
+            QuantityKind::Whole => whole(it.name(), &|row| row.point.get(it).map(|value| value as u64)),
+            QuantityKind::Flag => text(it.name(), &|row| word_of(it, row.point.get(it))),
+        }));
         columns.push(text("scene", &|it| it.setup.to_line()));
         Ok(columns)
     }
@@ -137,14 +124,14 @@ impl Plan {
 /// The columns of the observables.
 fn observed(sources: &[RowSource<'_>]) -> Vec<Column> {
     let numbers: Vec<_> = sources.iter().map(|it| it.point.observables.numbers()).collect();
-    let of = |(i, it): (usize, &Observable)| {
+    let of = |(i, it): (usize, Quantity)| {
         let values = numbers.iter().map(|numbers| numbers[i]);
-        match it.is_whole {
-            true => column(it.name, ColumnValues::Whole(values.map(|value| Some(value as u64)).collect())),
-            false => column(it.name, ColumnValues::Number(values.map(Some).collect())),
+        match it.row().kind == QuantityKind::Whole {
+            true => column(it.name(), ColumnValues::Whole(values.map(|value| Some(value as u64)).collect())),
+            false => column(it.name(), ColumnValues::Number(values.map(Some).collect())),
         }
     };
-    OBSERVABLES.iter().enumerate().map(of).collect()
+    Quantity::found().enumerate().map(of).collect()
 }
 
 fn column(name: &str, values: ColumnValues) -> Column {

@@ -1,9 +1,8 @@
 //! Points, identified by their setup.
 
-use super::adhesion_row::AdhesionRow;
-use super::flow_row::FlowRow;
 use super::point::Point;
 use super::realisation::Realisation;
+use super::summary::Summary;
 use crate::contact::{Contact, Load, Observables, Observer};
 use crate::error::{SetupError, StudyError};
 use crate::setup::fnv1a;
@@ -42,7 +41,7 @@ impl<'a> Identity<'a> {
     /// For a height file that cannot be read.
     pub fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
         let setup = realisation.setup.fingerprint()?;
-        let is_reduced = realisation.setup.adhesion.is_none()
+        let is_reduced = !realisation.setup.is_history()?
             && realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
         let with_loads =
             || format!("{:016x}", fnv1a([setup.as_bytes(), format!("{:?}", realisation.loads).as_bytes()]));
@@ -79,32 +78,37 @@ impl<'a> Identity<'a> {
         watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(Point, &Contact),
     ) -> Result<(), StudyError> {
-        if self.realisation.setup.adhesion.is_some() {
+        if self.realisation.setup.is_history()? {
             return self.follow(watch, each);
         }
         let mut load = 0;
         self.realisation.press(watch, |contact| {
             load += 1;
-            let (flow, _) = FlowRow::measure(contact, &self.realisation.setup.flow).map_err(SetupError::from)?;
-            each(Point { flow, ..self.point(load, contact) }, contact);
+            let found = self.realisation.setup.flow.measure(contact).map_err(SetupError::from)?;
+            each(Point { further: found.numbers, ..self.point(load, contact) }, contact);
             Ok::<(), StudyError>(())
         })
     }
 
-    /// Follows the history of a realisation with adhesion, and shows its point with the contact of the last state.
+    /// Follows the history of a realisation, and shows its point with the contact of the last state.
     fn follow<O: Observer>(
         &self,
         mut watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(Point, &Contact),
     ) -> Result<(), StudyError> {
         let Some(&load) = self.realisation.loads.first() else { return Ok(()) };
-        let found = AdhesionRow::follow(&self.realisation.under(load), &mut watch(0))?;
+        let found = Summary::follow(&self.realisation.under(load), &mut watch(0))?;
+        let whole = self.point(1, &found.last);
         let point = Point {
             status: found.status,
-            observables: Observables::default(),
-            adhesion: found.row,
+            // with adhesion they say nothing of the way
+            observables: match self.realisation.setup.adhesion {
+                Some(_) => Observables::default(),
+                None => whole.observables,
+            },
+            further: found.numbers,
             seconds: found.seconds,
-            ..self.point(1, &found.last)
+            ..whole
         };
         each(point, &found.last);
         Ok(())
@@ -132,8 +136,7 @@ impl<'a> Identity<'a> {
             setup: self.setup.clone(),
             version: version(),
             observables: Observables::new(contact),
-            adhesion: AdhesionRow::default(),
-            flow: FlowRow::default(),
+            further: Vec::new(),
             seconds: contact.work.seconds,
         }
     }
@@ -142,7 +145,7 @@ impl<'a> Identity<'a> {
 /// Whether a point has a load. If the point does not contain the value, the number of the load (from 0) decides.
 fn is_under(point: &Point, number: usize, load: &Load) -> bool {
     match load {
-        Load::ReducedPressure(value) if !point.has_adhesion() => point.observables.reduced_pressure == *value,
+        Load::ReducedPressure(value) if !point.is_history() => point.observables.reduced_pressure == *value,
         _ => point.load == number + 1,
     }
 }

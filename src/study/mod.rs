@@ -14,7 +14,6 @@
 
 #[cfg(feature = "figures")]
 mod adhesion_figure;
-mod adhesion_row;
 mod campaign;
 mod check;
 mod column;
@@ -23,7 +22,6 @@ mod drawing;
 mod estimate;
 mod expense;
 mod flattened;
-mod flow_row;
 mod identity;
 mod known;
 mod ledger;
@@ -38,17 +36,16 @@ mod realisation;
 mod refinement;
 mod shard;
 mod spread;
+mod summary;
 mod sweep;
 mod table;
 #[cfg(all(feature = "figures", feature = "parquet"))]
 mod views;
 
-pub use adhesion_row::AdhesionRow;
 pub use campaign::Campaign;
 pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;
-pub use flow_row::{FLOW_COLUMNS, FlowColumn, FlowRow};
 pub use identity::NUMERICS;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};

@@ -45,7 +45,6 @@ pub struct Plan {
     loads: Vec<Load>,
     realisations: usize,
     has_adhesion: bool,
-    has_flow: bool,
     /// The files that it names.
     files: Vec<PathBuf>,
     /// The text that it was read from, to name lines of.
@@ -103,13 +102,11 @@ impl Plan {
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
         let first = table.clone().setup().map_err(located)?;
-        if first.is_history()? && first.adhesion.is_none() {
-            return Err(StudyError::History);
+        let is_history = first.is_history()?;
+        if is_history && loads.as_ref().is_some_and(|loads| loads.len() > 1) {
+            return Err(StudyError::HistoryLoads);
         }
-        if first.adhesion.is_some() && loads.as_ref().is_some_and(|loads| loads.len() > 1) {
-            return Err(StudyError::AdhesionLoads);
-        }
-        if first.friction.is_some() {
+        if first.friction.is_some() && !is_history {
             return Err(StudyError::Friction);
         }
         let loads = loads.unwrap_or_else(|| vec![first.load]);
@@ -118,19 +115,14 @@ impl Plan {
             return Err(StudyError::TooManyRows { rows, most: Self::MOST_ROWS });
         }
         axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
-        let (has_adhesion, has_flow) = (first.adhesion.is_some(), !first.flow.is_none());
+        let has_adhesion = first.adhesion.is_some();
         let realisations = rows as usize / loads.len();
-        Ok(Self { table, axes, realisations, has_adhesion, has_flow, loads, files, text: text.into() })
+        Ok(Self { table, axes, realisations, has_adhesion, loads, files, text: text.into() })
     }
 
     /// Whether each row is the history of a setup with adhesion.
     pub(super) fn has_adhesion(&self) -> bool {
         self.has_adhesion
-    }
-
-    /// Whether each row has what flows through its contact.
-    pub(super) fn has_flow(&self) -> bool {
-        self.has_flow
     }
 
     /// The paths of all files that it names, those in lists as well.

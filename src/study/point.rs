@@ -1,11 +1,10 @@
 //! A solved point of a study.
 
-use super::adhesion_row::AdhesionRow;
 use super::check::Checksum;
-use super::flow_row::FlowRow;
-use crate::contact::{Observables, Status};
+use crate::contact::{Observables, Quantity, QuantityKind, Status};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
+use strum::IntoEnumIterator;
 
 /// A solved point: a realisation under one of its loads, the status of the solver, and the results.
 ///
@@ -40,32 +39,80 @@ pub struct Point {
     pub setup: String,
     /// Version of the program, with the revision of its numerics.
     pub version: String,
-    /// The numbers that were found.
+    /// The numbers of the contact, or of the last state of a history; zero with adhesion.
     #[serde(skip)]
     pub observables: Observables,
-    /// What was found with adhesion; the observables are zero then.
+    /// Further numbers: what flows through the contact, as far as it was asked for, and of a history what its states add up to, and what its process
+    /// knows of the last one.
     #[serde(skip)]
-    pub adhesion: AdhesionRow,
-    /// What flows through the contact, as far as it was asked for.
-    #[serde(skip)]
-    pub flow: FlowRow,
+    pub further: Vec<(Quantity, f64)>,
     /// Seconds of the solver, which differ from run to run.
     #[serde(skip)]
     pub seconds: f64,
 }
 
-/// What a point took.
-#[derive(Serialize)]
-struct Spent {
-    seconds: f64,
+/// Columns of a point before its numbers.
+const META: usize = 13;
+
+/// The first further numbers of a line, in their order. Lines of earlier versions end with them.
+const FIRST: [Quantity; 21] = [
+    Quantity::LowestPressure,
+    Quantity::Separated,
+    Quantity::LargestArea,
+    Quantity::Jumps,
+    Quantity::LostInJumps,
+    Quantity::LostError,
+    Quantity::Stable,
+    Quantity::States,
+    Quantity::HistoryTransforms,
+    Quantity::OpenPercolatesX,
+    Quantity::OpenPercolatesY,
+    Quantity::ContactPercolatesX,
+    Quantity::ContactPercolatesY,
+    Quantity::LeakageLowerX,
+    Quantity::LeakageUpperX,
+    Quantity::LeakageLowerY,
+    Quantity::LeakageUpperY,
+    Quantity::HydraulicGapX,
+    Quantity::HydraulicGapY,
+    Quantity::ConductancePerArea,
+    Quantity::ConductanceTimesResistivity,
+];
+
+/// The further numbers of a line, in their order.
+pub(super) fn further() -> impl Iterator<Item = Quantity> {
+    let others = Quantity::iter().filter(|it| it.row().is_known_by_process() && !FIRST.contains(it));
+    FIRST.into_iter().chain(others)
+}
+
+/// A further number as a word.
+pub(super) fn word(quantity: Quantity, value: Option<f64>) -> String {
+    match (value, quantity.row().kind) {
+        (None, _) => String::new(),
+        (Some(value), QuantityKind::Flag) => (value == 1.0).to_string(),
+        (Some(value), QuantityKind::Whole) => format!("{value}"),
+        (Some(value), QuantityKind::Number) => format!("{value:?}"),
+    }
+}
+
+/// The further number in a word.
+fn number(word: &str) -> Option<f64> {
+    match word {
+        "true" => Some(1.0),
+        "false" => Some(0.0),
+        _ => word.parse().ok(),
+    }
 }
 
 impl Point {
     /// Points as lines of comma-separated values without a head, all numbers to the last bit, each line with its check sum.
     pub fn to_lines<'a>(points: impl IntoIterator<Item = &'a Self>) -> String {
         let mut csv = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-        let mut rows = points.into_iter().map(Self::row);
-        let written = rows.try_for_each(|row| csv.serialize((&row, Checksum::from_row(&row))));
+        let mut lines = points.into_iter().map(|point| {
+            let (names, words) = point.words(true, further(), true);
+            words.iter().cloned().chain([Checksum::from_words(&names, &words)]).collect::<Vec<_>>()
+        });
+        let written = lines.try_for_each(|line| csv.write_record(line));
         let text = written.ok().and_then(|()| String::from_utf8(csv.into_inner().ok()?).ok());
         text.expect("numbers and texts have a form in lines")
     }
@@ -76,16 +123,75 @@ impl Point {
         csv.into_records().flatten().filter_map(|record| Self::from_record(&record)).collect()
     }
 
-    /// All that is written of the point.
-    fn row(&self) -> impl Serialize {
-        (self, self.observables, self.adhesion, self.flow, Spent { seconds: self.seconds })
+    /// The names and the words of its columns, in their order, without a check sum: with or without the numbers of the contact, and with some further
+    /// numbers and the seconds.
+    pub(super) fn words(
+        &self,
+        has_observables: bool,
+        further: impl IntoIterator<Item = Quantity>,
+        has_seconds: bool,
+    ) -> (Vec<String>, Vec<String>) {
+        let mut csv = csv::Writer::from_writer(Vec::new());
+        let written = if has_observables { csv.serialize((self, self.observables)) } else { csv.serialize(self) };
+        written.expect("numbers and texts have a form in lines");
+        let text = csv.into_inner().expect("lines fit in memory");
+        let mut lines = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_slice()).into_records();
+        let mut line = || lines.next().and_then(Result::ok).expect("a head and a line were written");
+        let [mut names, mut words] = [line(), line()].map(|it| it.iter().map(str::to_owned).collect::<Vec<_>>());
+        for quantity in further {
+            names.push(quantity.name().into());
+            words.push(word(quantity, self.get(quantity)));
+        }
+        if has_seconds {
+            names.push("seconds".into());
+            words.push(format!("{:?}", self.seconds));
+        }
+        (names, words)
     }
 
     fn from_record(record: &StringRecord) -> Option<Self> {
-        let (point, observables, adhesion, flow, seconds, _): (Self, Observables, AdhesionRow, FlowRow, f64, String) =
-            record.deserialize(None).ok()?;
-        let point = Self { observables, adhesion, flow, seconds, ..point };
-        Checksum::holds(&Checksum::names(point.row()), record).then_some(point)
+        let before = META + Quantity::found().count();
+        let behind = record.len().checked_sub(before + 2)?;
+        let head: StringRecord = record.iter().take(before).collect();
+        let (point, observables): (Self, Observables) = head.deserialize(None).ok()?;
+        let further: Vec<Quantity> = further().take(behind).collect();
+        let words = record.iter().skip(before).zip(&further);
+        let numbers = words.filter_map(|(word, quantity)| Some((*quantity, number(word)?))).collect();
+        let seconds = record.get(record.len() - 2)?.parse().ok()?;
+        let point = Self { observables, further: numbers, seconds, ..point };
+        let (mut names, _) = point.words(true, further, true);
+        names.push(Checksum::NAME.into());
+        Checksum::holds(&names.into(), record).then_some(point)
+    }
+
+    /// The point in a row of a table under the names of its columns, if the row is as it was written.
+    ///
+    /// # Errors
+    /// For a row that is no point.
+    pub(super) fn from_named(record: &StringRecord, names: &StringRecord) -> csv::Result<Option<Self>> {
+        let point: Self = record.deserialize(Some(names))?;
+        let observables = record.deserialize(Some(names))?;
+        let named = names.iter().zip(record).filter_map(|(name, word)| {
+            let quantity = Quantity::find(name).filter(|it| it.row().is_known_by_process())?;
+            Some((quantity, number(word)?))
+        });
+        let further = named.collect();
+        Ok(Checksum::holds(names, record).then_some(Self { observables, further, ..point }))
+    }
+
+    /// A further number, if the point has it.
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        self.further.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
+    }
+
+    /// The pull-off pressure of a history with adhesion: minus the lowest pressure, where the surfaces stuck.
+    pub fn pull_off(&self) -> Option<f64> {
+        self.get(Quantity::LowestPressure).map(|lowest| (-lowest).max(0.0))
+    }
+
+    /// Energy lost in all jumps; none where the surfaces parted under the load, since that jump has no end.
+    pub fn lost(&self) -> Option<f64> {
+        self.get(Quantity::LostInJumps).filter(|_| self.get(Quantity::Separated) == Some(0.0))
     }
 
     /// Whether the certificate met the tolerance. Other points are kept in tables, but left out of means.
@@ -93,9 +199,14 @@ impl Point {
         self.status == Status::Converged
     }
 
+    /// Whether the point is a history.
+    pub fn is_history(&self) -> bool {
+        self.get(Quantity::States).is_some()
+    }
+
     /// Whether the point has the history of a setup with adhesion.
     pub fn has_adhesion(&self) -> bool {
-        self.adhesion.states.is_some()
+        self.get(Quantity::Jumps).is_some()
     }
 
     /// Whether the solver converged and the grid resolves the contact. Other points are kept in tables, but left out of

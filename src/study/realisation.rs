@@ -22,7 +22,7 @@ impl Realisation {
     /// `each` is called with each contact, and an error of it ends the realisation.
     ///
     /// # Errors
-    /// [`StudyError::History`] for a setup with a history; for impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
+    /// [`StudyError::OneContact`] for a setup with a history; for impossible surfaces and loads, and the errors of `each`. Contacts that did not converge are shown,
     /// too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,
@@ -31,7 +31,7 @@ impl Realisation {
     ) -> Result<(), E> {
         let Some(&first) = self.loads.first() else { return Ok(()) };
         if self.setup.is_history().map_err(StudyError::from)? {
-            return Err(StudyError::History.into());
+            return Err(StudyError::OneContact.into());
         }
         let curve = LoadCurve { setup: self.under(first), loads: self.loads.clone() };
         let problem = curve.setup.problem().map_err(StudyError::from)?;

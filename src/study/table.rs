@@ -1,9 +1,10 @@
 //! A table of points on disk, which grows while a study runs.
 
 use super::check::Checksum;
-use super::point::Point;
+use super::point::{Point, further};
+use crate::contact::Quantity;
 use crate::error::FileError;
-use crate::files::{check_target, write_csv};
+use crate::files::{check_target, write_beside, write_csv};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::fs::OpenOptions;
@@ -65,11 +66,7 @@ impl Table {
         let mut seconds = seconds.into_iter().map(|Seconds { seconds, .. }| seconds);
         let points = finished(&self.path, |record, names| {
             let seconds = seconds.next().unwrap_or(f64::NAN);
-            let observables = record.deserialize(Some(names))?;
-            let adhesion = record.deserialize(Some(names))?;
-            let flow = record.deserialize(Some(names))?;
-            let point = Point { observables, adhesion, flow, seconds, ..record.deserialize(Some(names))? };
-            Ok(Checksum::holds(names, record).then_some(point))
+            Ok(Point::from_named(record, names)?.map(|point| Point { seconds, ..point }))
         })?;
         let mut points: Vec<Point> = points.into_iter().flatten().collect();
         points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
@@ -94,16 +91,21 @@ impl Table {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn finish(&self, points: &[Point]) -> Result<(), FileError> {
-        if points.iter().any(Point::has_adhesion) {
-            let rows = points.iter().map(|point| (point, point.adhesion));
-            write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
-        } else if points.iter().any(|point| point.flow.is_some()) {
-            let rows = points.iter().map(|point| (point, point.observables, point.flow));
-            write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
-        } else {
-            let rows = points.iter().map(|point| (point, point.observables));
-            write_csv(&self.path, rows.map(|row| (row, Checksum::from_row(row))))?;
-        }
+        let has_observables = !points.iter().any(Point::has_adhesion);
+        let told: Vec<Quantity> = further().filter(|it| points.iter().any(|point| point.get(*it).is_some())).collect();
+        write_beside(&self.path, |file| {
+            let mut csv = csv::Writer::from_writer(file);
+            for (number, point) in points.iter().enumerate() {
+                let (mut names, mut words) = point.words(has_observables, told.iter().copied(), false);
+                words.push(Checksum::from_words(&names, &words));
+                names.push(Checksum::NAME.into());
+                if number == 0 {
+                    csv.write_record(names)?;
+                }
+                csv.write_record(words)?;
+            }
+            csv.flush()
+        })?;
         self.settle(points)
     }
 

@@ -1,8 +1,7 @@
 //! Results that are read again: what holds comes back as it was, and what does not is said in a sentence.
 
-use asperity::contact::{ResultClaim, Status, archive, archive_of_loads, archive_of_slip};
+use asperity::contact::{ResultClaim, State, Status, archive, archive_of_slip, archive_of_states};
 use asperity::error::StudyError;
-use asperity::history::archive_of_history;
 use asperity::job::{HistoryOutcome, Job, SavedFound, SavedResult};
 use asperity::setup::{Setup, SetupTable};
 use asperity::study::LoadCurve;
@@ -50,20 +49,19 @@ fn saved(scene: &str) -> Vec<u8> {
     let setup: Setup = table.setup().unwrap();
     if let Some(loads) = loads {
         let curve = LoadCurve { setup, loads };
-        let mut contacts = Vec::new();
+        let mut states = Vec::new();
         let problem = curve.problem().unwrap();
-        let keep = |_, contact: &asperity::Contact| {
-            contacts.push(contact.clone());
+        let keep = |load, contact: &asperity::Contact| {
+            states.push(State::from_contact(contact.clone(), Some(load)));
             Ok::<_, StudyError>(())
         };
         curve.press(&problem, |_| (), keep).unwrap();
-        return archive_of_loads(&contacts, 1, &text).unwrap();
+        return archive_of_states(&states, 1, &text).unwrap();
     }
     if setup.is_history().unwrap() {
         let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
         assert!(outcome.ended.is_none());
-        let quantities = outcome.quantities();
-        return archive_of_history(outcome.states, &quantities, 1, &text).unwrap();
+        return archive_of_states(&outcome.states, 1, &text).unwrap();
     }
     let solved = Job::new(setup).run(&mut ()).unwrap().solved.swap_remove(0);
     match solved.slip {
@@ -214,7 +212,7 @@ fn states_that_do_not_hold_say_why_and_claim_nothing() {
         let parts = change(&Parts::of(&scenes[name]));
         check_doubted(name, &parts, words);
         let SavedFound::History(outcome) = parts.read().unwrap().found else { panic!("{name} is a history") };
-        let is_claimed = |it: &asperity::history::HistoryState| it.claim != ResultClaim::Unchecked;
+        let is_claimed = |it: &State| it.claim != ResultClaim::Unchecked;
         assert!(outcome.states.iter().all(|it| is_claimed(it) == (it.contact.status == Status::Converged)), "{name}");
     };
     let text =

@@ -1,7 +1,9 @@
 //! Distributions of pressure and gap, the spectrum of the pressure, and the elastic energy, against exact solutions.
 
 use crate::common::solve;
-use asperity::contact::{Contact, ContactModulus, Distribution, Load, Multilevel, Problem, archive, archive_of_loads};
+use asperity::contact::{
+    Contact, ContactModulus, Distribution, Load, Multilevel, Problem, State, archive, archive_of_states,
+};
 use asperity::surface::{Indenter, PowerSpectrum, Spectrum};
 use asperity::theory::Westergaard;
 use asperity::{Grid, Surface};
@@ -112,7 +114,8 @@ fn archives_hold_distributions_and_spectra() {
     };
     let spectrum = contacts[1].pressure_spectrum();
     let one = |name| read(archive(&contacts[1], 2, None).unwrap(), name);
-    let all = |name| read(archive_of_loads(&contacts, 2, "").unwrap(), name);
+    let states = contacts.clone().map(|contact| State::from_contact(contact, None));
+    let all = |name| read(archive_of_states(&states, 2, "").unwrap(), name);
     let waves = spectrum.density.len();
     assert_eq!(one("pressure_spectrum").into_raw_vec_and_offset().0, spectrum.density);
     assert_eq!(one("wavenumber").into_raw_vec_and_offset().0, spectrum.wavenumber);

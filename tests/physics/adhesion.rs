@@ -4,8 +4,8 @@ use asperity::Grid;
 use asperity::adhesion::{
     AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, AdhesiveState, Attraction, AttractionForm,
 };
-use asperity::contact::{ContactModulus, Load, Problem, ResultClaim, Stop};
-use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
+use asperity::contact::{ContactModulus, Load, Problem, Quantity, ResultClaim, State, Stop};
+use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::surface::Indenter;
 use std::f64::consts::PI;
 
@@ -28,7 +28,7 @@ fn state(problem: &AdhesiveProblem, control: AdhesiveControl, from: Option<&Adhe
 }
 
 /// The states along a path of loads.
-fn follow(problem: &AdhesiveProblem, loads: &[Load], steps: usize) -> Vec<HistoryState> {
+fn follow(problem: &AdhesiveProblem, loads: &[Load], steps: usize) -> Vec<State> {
     let path = loads.iter().map(|&load| PathPoint { time: None, load, tangential: None }).collect();
     let mut states = Vec::new();
     let mut process = AdhesiveProcess::new(problem.clone(), path, steps, AdhesiveMethod::Fast, Stop::default());
@@ -101,13 +101,13 @@ fn pull_off_and_loop_of_a_sine() {
         .windows(2)
         .map(|pair| {
             let [before, after] = [&pair[0], &pair[1]];
-            let pressure = before.numbers.net_pressure.unwrap() + after.numbers.net_pressure.unwrap();
+            let pressure = before.value(Quantity::MeanPressure) + after.value(Quantity::MeanPressure);
             -0.5 * pressure * (after.contact.mean_gap() - before.contact.mean_gap())
         })
         .sum();
     let error = (totals.lost_in_jumps - closed).abs();
     assert!(totals.lost_in_jumps > 0.0 && error < 0.01 * closed, "{totals:?} {closed}");
-    assert!(totals.lost_error.unwrap() < 0.05 * closed && states.last().unwrap().numbers.work_done.unwrap() > 0.0);
+    assert!(totals.lost_error.unwrap() < 0.05 * closed && states.last().unwrap().value(Quantity::WorkDone) > 0.0);
 }
 
 /// From `alpha = ((3^(1/2)/2)^(3/2)/2^(1/2)) = 0.5699` on, a sine sticks everywhere without a load.
@@ -156,7 +156,7 @@ fn a_cylinder_with_dugdales_attraction_follows_baney_and_hui() {
             let states = follow(&problem, &[Load::Force(0.0), Load::Force(-1.1 * force), Load::Force(-1.5 * force)], 8);
             assert!(states[0].claim == ResultClaim::Stationary);
             let lowest = AdhesionTotals::new(&states).unwrap().lowest_pressure.unwrap();
-            [lowest * length / force, states[0].relative_area() * length / 2.0 / half_width]
+            [lowest * length / force, states[0].value(Quantity::RelativeArea) * length / 2.0 / half_width]
         });
         let [p, a]: [f64; 2] = [0, 1].map(|i| 2.0 * found[1][i] - found[0][i]);
         assert!((p / pull_off - 1.0).abs() < 0.01 && (a / unloaded - 1.0).abs() < 0.01, "{found:?}: {p} {a}");
@@ -198,7 +198,7 @@ fn a_sphere_with_dugdales_attraction_follows_maugis() {
                 let error = lowest * area / force / pull_off - 1.0;
                 assert!(error > 0.5 * told && error < 2.0 * told, "{lambda}, {points} points: {error} {told}");
             }
-            [lowest * area / force, (states[0].relative_area() / PI).sqrt() * size]
+            [lowest * area / force, (states[0].value(Quantity::RelativeArea) / PI).sqrt() * size]
         });
         let (p, a): (f64, f64) = (2.0 * found[1][0] - found[0][0], found[1][1]);
         assert!((p / pull_off - 1.0).abs() < 0.01 && (a / unloaded - 1.0).abs() < 0.01, "{found:?}: {p} {a}");

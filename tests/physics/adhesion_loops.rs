@@ -1,8 +1,8 @@
 //! Closed paths with adhesion: what the jumps lose is what the load did.
 
 use asperity::adhesion::{AdhesionScales, AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
-use asperity::contact::{ContactModulus, Load, Problem, Stop};
-use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
+use asperity::contact::{ContactModulus, Load, Problem, Quantity, State, Stop};
+use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
 use rand::{RngExt, SeedableRng, rngs::ChaCha8Rng};
@@ -137,10 +137,10 @@ impl Loop {
 }
 
 /// What the load does by the integral of the pressure over the datum from state to state, less the increase of the energy, per area.
-fn by_load(states: &[HistoryState]) -> f64 {
-    let work = |pair: &[HistoryState]| {
+fn by_load(states: &[State]) -> f64 {
+    let work = |pair: &[State]| {
         let [pressures, gaps] = [
-            [0, 1].map(|i| pair[i].numbers.net_pressure.unwrap()),
+            [0, 1].map(|i| pair[i].value(Quantity::MeanPressure)),
             [0, 1].map(|i| {
                 pair[i].contact.gap[[0, 0]] + pair[i].contact.problem.surface().height()[[0, 0]]
                     - pair[i].contact.displacement[[0, 0]]
@@ -148,7 +148,7 @@ fn by_load(states: &[HistoryState]) -> f64 {
         ];
         -0.5 * (pressures[0] + pressures[1]) * (gaps[1] - gaps[0])
     };
-    let stored = |state: &HistoryState| state.numbers.stored.unwrap();
+    let stored = |state: &State| state.value(Quantity::Stored);
     states.windows(2).map(work).sum::<f64>() - (stored(states.last().unwrap()) - stored(&states[0]))
 }
 

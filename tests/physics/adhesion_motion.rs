@@ -4,9 +4,9 @@ use asperity::adhesion::{
     AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveOutcome, AdhesiveProblem, AdhesiveState, Attraction,
     AttractionForm,
 };
-use asperity::contact::{ContactModulus, Each, Load, Problem, ResultClaim, Stop};
+use asperity::contact::{ContactModulus, Each, Load, Problem, Quantity, ResultClaim, State, Stop};
 use asperity::error::AdhesionError;
-use asperity::history::{AdhesionTotals, AdhesiveProcess, HistoryState, PathPoint, Process};
+use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
 use std::f64::consts::PI;
@@ -49,7 +49,7 @@ fn fast(problem: &AdhesiveProblem, control: AdhesiveControl) -> AdhesiveState {
     state(problem.solve(control, None, AdhesiveMethod::Fast, &Stop::default(), &mut ()).unwrap())
 }
 
-fn follow(problem: &AdhesiveProblem, loads: &[Load], steps: usize, method: AdhesiveMethod) -> Vec<HistoryState> {
+fn follow(problem: &AdhesiveProblem, loads: &[Load], steps: usize, method: AdhesiveMethod) -> Vec<State> {
     let path = loads.iter().map(|&load| PathPoint { time: None, load, tangential: None }).collect();
     let mut states = Vec::new();
     let told = AdhesiveProcess::new(problem.clone(), path, steps, method, Stop::default()).run(&mut (), &mut |state| {
@@ -142,12 +142,15 @@ fn a_history_of_motions_parts_at_the_same_pull() {
     assert!(lowest < 0.0 && (of_motion / lowest - 1.0).abs() < 0.01, "{lowest} {of_motion}");
     // the frames lead from the last contact away, all under the pull that is not held
     let parted = moving.iter().position(|state| state.claim == ResultClaim::Separated).unwrap();
-    let frames: Vec<&HistoryState> = moving.iter().filter(|state| state.claim == ResultClaim::Moving).collect();
+    let frames: Vec<&State> = moving.iter().filter(|state| state.claim == ResultClaim::Moving).collect();
     let begin = moving.iter().position(|state| state.claim == ResultClaim::Moving).unwrap();
     assert!(frames.len() > 5 && begin + frames.len() == parted && parted > 1);
     assert!(frames.windows(2).all(|pair| pair[1].contact.mean_gap() > pair[0].contact.mean_gap()));
-    assert!(moving[begin - 1].relative_area() > 0.0 && frames.last().unwrap().relative_area() == 0.0);
-    assert!(frames.iter().all(|it| it.numbers.net_pressure.unwrap() < of_motion && it.numbers.jump.is_none()));
+    assert!(
+        moving[begin - 1].value(Quantity::RelativeArea) > 0.0
+            && frames.last().unwrap().value(Quantity::RelativeArea) == 0.0
+    );
+    assert!(frames.iter().all(|it| it.value(Quantity::MeanPressure) < of_motion && it.get(Quantity::Jump).is_none()));
 }
 
 /// At given mean gaps, in and out: jumps and lost energies are those of the fast method.
@@ -168,7 +171,7 @@ fn a_loop_of_motions_loses_the_same_energy_in_the_same_jumps() {
         // the state before the jump stands before its frames
         let before = moving[..found.state - 1].iter().rposition(|state| state.claim != ResultClaim::Moving).unwrap();
         assert!(found.state - 1 - before > 3, "few frames before state {}", found.state);
-        assert_eq!(found.mean_pressure[0], moving[before].numbers.net_pressure.unwrap());
+        assert_eq!(found.mean_pressure[0], moving[before].value(Quantity::MeanPressure));
     }
     // beside the frames, both histories have the same states
     let calm = moving.iter().filter(|state| state.claim != ResultClaim::Moving);

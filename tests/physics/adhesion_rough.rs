@@ -3,7 +3,7 @@
 use asperity::adhesion::{
     AdhesiveControl, AdhesiveMethod, AdhesiveOutcome, AdhesiveProblem, AdhesiveState, Attraction, AttractionForm,
 };
-use asperity::contact::{ContactModulus, Each, Load, Problem, ResultClaim, Stop};
+use asperity::contact::{ContactModulus, Each, Load, Problem, Quantity, ResultClaim, Stop};
 use asperity::error::AdhesionError;
 use asperity::history::{AdhesiveProcess, PathPoint, Process};
 use asperity::surface::Spectrum;
@@ -135,8 +135,8 @@ fn rough_surfaces_stick_on_one_side_of_the_number_of_pastewka_and_robbins() {
             });
             told.unwrap();
             // on the way back, without a load
-            let unloaded = states.iter().find(|it| it.numbers.net_pressure.unwrap() <= 0.0).unwrap();
-            [problem.scales().pastewka_robbins, unloaded.relative_area()]
+            let unloaded = states.iter().find(|it| it.value(Quantity::MeanPressure) <= 0.0).unwrap();
+            [problem.scales().pastewka_robbins, unloaded.value(Quantity::RelativeArea)]
         };
         let [not, sticky] = [1e-6, 6e-5].map(pull);
         assert!(not[0] > 2.0 && sticky[0] < 0.5);

@@ -1,6 +1,6 @@
 //! The quantities of a contact whose errors are measured.
 
-use crate::contact::{Observables, State};
+use crate::contact::{Observables, Reading};
 use crate::theory::Exact;
 
 /// The names of the quantities: area and `kappa_r` have resolved edges, unless their nodes are counted.
@@ -16,7 +16,7 @@ pub const KAPPA_R_COUNTED: usize = 5;
 pub type QuantityValues = [Option<f64>; QUANTITIES.len()];
 
 /// The values of a contact, or of a step on the finest grid.
-pub fn found<'a>(state: impl Into<State<'a>>) -> QuantityValues {
+pub fn found<'a>(state: impl Into<Reading<'a>>) -> QuantityValues {
     let it = Observables::new(state);
     let best = [it.relative_area, it.kappa_r, it.mean_gap, it.max_pressure];
     let [area, kappa_r, gap, peak] = best.map(Some);

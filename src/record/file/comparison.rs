@@ -2,7 +2,7 @@
 
 use super::output::Output;
 use super::recording::{Name, stream};
-use crate::contact::Observable;
+use crate::contact::Quantity;
 use crate::error::FileError;
 use crate::record::draw::{COMPARED, drawn, log_run_style, title, traced};
 use crate::record::layout::{Compared, copy, send_comparison};
@@ -16,7 +16,7 @@ use std::path::Path;
 /// Entity of the text about the runs.
 const TEXT: &str = "/compare/runs";
 /// Observables that converge to a value above zero.
-const SETTLING: [&str; 3] = ["relative_area", "kappa", "kappa_r"];
+const SETTLING: [Quantity; 3] = [Quantity::RelativeArea, Quantity::Kappa, Quantity::KappaR];
 /// Letters of the longest name that leaves room for curves beside the legend.
 const LONGEST_NAME: usize = 40;
 /// Room above the curves that settle at some value, over the largest of these values.
@@ -105,8 +105,8 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
             playback.blueprint.as_ref().and_then(|blueprint| copy(blueprint, &root)).map(|it| it.titled(&name)),
         );
     }
-    let mut observables: Vec<&Observable> = traced().collect();
-    observables.sort_by_key(|observable| !COMPARED.contains(&observable.name));
+    let mut observables: Vec<Quantity> = traced().collect();
+    observables.sort_by_key(|quantity| !COMPARED.contains(quantity));
     let curves = observables.into_iter().map(|observable| log_curves(to, runs, observable));
     let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
     let rows: String = runs.iter().map(ComparedRun::row).collect();
@@ -120,12 +120,8 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
 }
 
 /// Records the curves of an observable of all runs, and those of its exact values as far as they differ.
-fn log_curves(
-    to: &RecordingStream,
-    runs: &[ComparedRun<'_>],
-    observable: &Observable,
-) -> RecordingStreamResult<Compared> {
-    let (name, root) = (drawn(observable), format!("/compare/{}", drawn(observable)));
+fn log_curves(to: &RecordingStream, runs: &[ComparedRun<'_>], quantity: Quantity) -> RecordingStreamResult<Compared> {
+    let (name, root) = (drawn(quantity), format!("/compare/{}", drawn(quantity)));
     let mut entities = Vec::new();
     for (number, run) in runs.iter().enumerate() {
         let entity = format!("{root}/{:02}", number + 1);
@@ -145,6 +141,6 @@ fn log_curves(
         entities.push(entity);
     }
     let highest = runs.iter().filter_map(|run| last(&name)(&run)).fold(0.0, f64::max);
-    let settles = SETTLING.contains(&observable.name) && highest > 0.0;
-    Ok(Compared { title: title(observable), entities, most: settles.then_some(ROOM * highest) })
+    let settles = SETTLING.contains(&quantity) && highest > 0.0;
+    Ok(Compared { title: title(quantity), entities, most: settles.then_some(ROOM * highest) })
 }

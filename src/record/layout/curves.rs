@@ -1,5 +1,6 @@
 //! The curves of a scene, beside its pictures.
 
+use crate::contact::Quantity;
 use crate::record::draw::{
     ContainerKind, Corner, PHASE, Pane, PaneView, Place, Stage, drawn, entity_under, title, traced,
 };
@@ -68,11 +69,17 @@ pub fn curves(stage: &Stage, is_low: bool) -> Pane {
 /// Views of observables that are not beside others: `kappa` on the axis of the area over the reduced pressure, the others on axes that
 /// fit them.
 fn others(stage: &Stage) -> impl Iterator<Item = Pane> {
-    let elsewhere = ["kappa_r", "kappa_r_counted", "relative_area", "relative_area_counted", "certificate"];
-    traced().filter(move |observable| !elsewhere.contains(&observable.name)).map(|observable| {
+    let elsewhere = [
+        Quantity::KappaR,
+        Quantity::KappaRCounted,
+        Quantity::RelativeArea,
+        Quantity::RelativeAreaCounted,
+        Quantity::Certificate,
+    ];
+    traced().filter(move |quantity| !elsewhere.contains(quantity)).map(|observable| {
         let entity = format!("{}/trace/{}", stage.root, drawn(observable));
-        match (observable.name, stage.ends().kappa) {
-            ("kappa", Some(most)) => PaneView::settling(&title(observable), vec![entity], [0.0, most], None),
+        match (observable, stage.ends().kappa) {
+            (Quantity::Kappa, Some(most)) => PaneView::settling(&title(observable), vec![entity], [0.0, most], None),
             _ => PaneView::named(&title(observable), vec![entity]),
         }
     })

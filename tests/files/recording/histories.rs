@@ -73,7 +73,7 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
         (1e12, "time = [0, 1e12, 1e12], load = [0.1, 0.1, 0.05], steps = 3", "time in 1 s", 1.0),
     ] {
         let outcome = recorded(&path, time, of_path);
-        let exact = outcome.values("time");
+        let exact = outcome.values(asperity::contact::Quantity::Time);
         let chunks = chunks(&path);
         let names: BTreeSet<String> =
             chunks.iter().flat_map(|chunk| chunk.timelines().keys().map(ToString::to_string)).collect();

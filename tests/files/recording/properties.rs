@@ -1,7 +1,7 @@
 //! Properties of recordings, read back: what makes a table of a folder of them.
 
 use super::{cylinder, rough_line, stores};
-use asperity::contact::{Load, Multilevel, OBSERVABLES, PolonskyKeer, Solver, State};
+use asperity::contact::{Load, Multilevel, PolonskyKeer, Quantity, Reading, Solver};
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cell, Recipe, Setup};
 use asperity::surface::Spectrum;
@@ -10,6 +10,7 @@ use rerun::components::{Scalar, Text};
 use rerun::{Component, StoreKind};
 use std::collections::BTreeMap;
 use std::path::Path;
+use strum::IntoEnumIterator;
 
 const DOCUMENTATION: &str = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/doc/record.md"));
 
@@ -52,14 +53,14 @@ fn rough(path: &Path) -> Setup {
     let recording = Recording::create(path, &[Scene::from_setup(&setup, &problem)], Options::default()).unwrap();
     let contact = Multilevel.solve(&problem, &setup.stop, &mut recording.recorder(0)).unwrap().converged().unwrap();
     recording.finish().unwrap();
-    let (numbers, state) = (numbers(path, "contact"), State::from(&contact));
-    for observable in OBSERVABLES {
+    let (numbers, state) = (numbers(path, "contact"), Reading::from(&contact));
+    for observable in Quantity::iter() {
         if !observable.tells_of(&contact) {
-            assert!(!numbers.contains_key(property(observable.name)), "{}", observable.name);
+            assert!(!numbers.contains_key(property(observable.name())), "{}", observable.name());
             continue;
         }
-        let [found, expected] = [numbers[property(observable.name)][0], (observable.value)(&state)].map(f64::to_bits);
-        assert_eq!(found, expected, "{}", observable.name);
+        let [found, expected] = [numbers[property(observable.name())][0], state.value(observable)].map(f64::to_bits);
+        assert_eq!(found, expected, "{}", observable.name());
     }
     setup
 }
@@ -80,7 +81,7 @@ fn a_solve_tells_what_it_was_and_what_came_out() {
     assert_eq!(Setup::from_toml(&texts["setup"]).unwrap(), setup);
     let section = DOCUMENTATION.split("# Properties").nth(1).unwrap().split("\n# ").next().unwrap();
     for name in numbers.keys().chain(texts.keys()) {
-        let is_observable = OBSERVABLES.iter().any(|observable| observable.name == name);
+        let is_observable = Quantity::iter().any(|observable| observable.name() == name);
         assert!(is_observable || section.contains(&format!("`{name}`")), "{name} is not documented");
     }
 }

@@ -1,7 +1,7 @@
 //! The lessons of the page, played to their ends: what they tell is what the program gives.
 
 use super::Page;
-use asperity::contact::{Contact, ContactModulus, Load, Multilevel, OBSERVABLES, Solver, StateKind};
+use asperity::contact::{Contact, ContactModulus, Load, Multilevel, Quantity, Solver, StateKind};
 use asperity::flow::{FlowAxis, Leakage, PercolationLoad};
 use asperity::surface::{Lay, RandomRoughness, Spectrum};
 use asperity::{Grid, Problem, Stop};
@@ -82,7 +82,7 @@ fn every_lesson_is_played_to_its_end() {
                 (_, true) => StateKind::Creep,
                 _ => StateKind::Elastic,
             };
-            let shown = OBSERVABLES.iter().filter(|row| row.is_traced && row.validity.holds(kind)).map(|row| row.name);
+            let shown = Quantity::traced().filter(|it| it.row().validity.holds(kind)).map(Quantity::name);
             for of in shown.chain(asked).chain(["iterations", "transforms"]) {
                 assert!(played.number(of).is_finite(), "{name}, step {}: {of}", at + 1);
             }

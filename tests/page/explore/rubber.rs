@@ -1,6 +1,7 @@
 //! Solids that creep: knobs, setups, sliding, and contacts in the course of time.
 
 use super::{Page, with};
+use asperity::contact::Quantity;
 use asperity::explore::{Knobs, Session, Start, Stock};
 use asperity::history::Sliding;
 use asperity::job::HistoryOutcome;
@@ -155,8 +156,8 @@ fn a_contact_in_time_is_that_of_a_softer_solid() {
     let setup = Setup::from_toml(run["setup"].as_str().unwrap()).unwrap();
     let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
     let last = outcome.states.last().unwrap();
-    assert_eq!(Some(number(&run, "relative_area")), last.numbers.relative_area);
-    assert_eq!(Some(number(&run, "kappa_r")), last.numbers.kappa_r);
+    assert_eq!(Some(number(&run, "relative_area")), last.get(Quantity::RelativeArea));
+    assert_eq!(Some(number(&run, "kappa_r")), last.get(Quantity::KappaR));
     // the file that the page offers has the numbers of the state
     let arrays = page.get(&format!("/save/{}.npz", run["id"].as_str().unwrap()));
     let mut npz = ndarray_npy::NpzReader::new(std::io::Cursor::new(arrays.body)).unwrap();

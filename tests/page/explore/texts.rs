@@ -1,6 +1,6 @@
 //! What the page says: each language says all of it, and all that is said is asked for.
 
-use asperity::contact::OBSERVABLES;
+use asperity::contact::Quantity;
 use asperity::explore::{KNOBS, Knob, KnobGroup, KnobKind};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,7 +51,7 @@ fn languages_say_the_same() {
 #[test]
 fn numbers_are_explained_as_everywhere() {
     let english = english();
-    for row in OBSERVABLES {
+    for row in Quantity::found().map(Quantity::row) {
         let explained = english.get(&format!("number.{}.tip", row.name));
         assert_eq!(explained.is_some(), english.contains_key(&format!("number.{}", row.name)), "{}", row.name);
         assert!(!row.is_traced || explained.is_some(), "{} is in the table without a name", row.name);

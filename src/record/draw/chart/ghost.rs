@@ -19,13 +19,13 @@ pub struct Ghost {
 impl Ghost {
     /// A ghost without steps. The `name` distinguishes its curves from others.
     pub fn new(name: &str) -> Self {
-        let compared = traced().filter(|observable| COMPARED.contains(&observable.name));
+        let compared = traced().filter(|observable| COMPARED.contains(observable));
         Self { name: name.into(), traces: ObservableTraces::new(compared), pressure: None }
     }
 
     /// Records all curves under `root`, each value at its own step.
     pub(in crate::record) fn log(&self, to: &RecordingStream, root: &str) -> RecordingStreamResult<()> {
-        for (observable, trace) in &self.traces.0 {
+        for &(observable, ref trace) in &self.traces.0 {
             let entity = entity_under(root, &drawn(observable));
             let style = SeriesLines::new().with_names([format!("{}: {}", self.name, title(observable))]);
             to.log_static(entity.as_str(), &style.with_colors([palette::colour(palette::GHOST)]).with_widths([1.8]))?;

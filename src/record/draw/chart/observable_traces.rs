@@ -1,8 +1,9 @@
 //! Numbers of observables at every step, and how they are called.
 
-use crate::contact::{Contact, OBSERVABLES, Observable, State, Step, Work};
+use crate::contact::{Contact, Quantity, Reading, Step, Work};
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, TimeColumn};
 use std::borrow::Cow;
+use strum::IntoEnumIterator;
 
 /// Timeline of relaxation steps.
 pub const STEP: &str = "step";
@@ -12,73 +13,73 @@ pub const SECONDS: &str = "seconds";
 pub const TRANSFORMS: &str = "transforms";
 
 /// Observables that are compared between scenes and with an earlier solve.
-pub const COMPARED: [&str; 3] = ["kappa_r", "relative_area", "certificate"];
+pub const COMPARED: [Quantity; 3] = [Quantity::KappaR, Quantity::RelativeArea, Quantity::Certificate];
 
 /// Observables that are recorded for programs, and not drawn.
-const NOT_DRAWN: [&str; 1] = ["mean_gap"];
+const NOT_DRAWN: [Quantity; 1] = [Quantity::MeanGap];
 
 /// The observables that are drawn step by step; the certificate as its logarithm.
-pub fn traced() -> impl Iterator<Item = &'static Observable> {
-    OBSERVABLES.iter().filter(|observable| observable.is_traced)
+pub fn traced() -> impl Iterator<Item = Quantity> {
+    Quantity::traced()
 }
 
 /// The observables that are recorded step by step.
-pub fn recorded() -> impl Iterator<Item = &'static Observable> {
-    OBSERVABLES.iter().filter(|observable| observable.is_traced || NOT_DRAWN.contains(&observable.name))
+pub fn recorded() -> impl Iterator<Item = Quantity> {
+    Quantity::iter().filter(|it| it.row().is_traced || NOT_DRAWN.contains(it))
 }
 
-pub fn title(observable: &Observable) -> String {
-    let words = observable.name.replace('_', " ") + " ";
+pub fn title(quantity: Quantity) -> String {
+    let words = quantity.name().replace('_', " ") + " ";
     let name = words.replace("kappa r ", "kappa_r ").trim_end().to_owned();
     let name = name.replace(" counted", ", nodes counted");
-    if is_logarithmic(observable) { format!("log10 {name} {}", observable.symbol) } else { name }
+    if is_logarithmic(quantity) { format!("log10 {name} {}", quantity.row().symbol) } else { name }
 }
 
-pub fn is_logarithmic(observable: &Observable) -> bool {
-    observable.name == "certificate"
+pub fn is_logarithmic(quantity: Quantity) -> bool {
+    quantity == Quantity::Certificate
 }
 
 /// The name of the entity that is drawn for an observable.
-pub fn drawn(observable: &Observable) -> String {
-    let end = if is_logarithmic(observable) { "_log10" } else { "" };
-    format!("{}{end}", observable.name)
+pub fn drawn(quantity: Quantity) -> String {
+    let end = if is_logarithmic(quantity) { "_log10" } else { "" };
+    format!("{}{end}", quantity.name())
 }
 
 /// Curves of observables.
 #[derive(Debug, Clone)]
-pub struct ObservableTraces(pub Vec<(&'static Observable, Trace)>);
+pub struct ObservableTraces(pub Vec<(Quantity, Trace)>);
 
 /// A number of every step, each with the work up to it.
 #[derive(Debug, Clone, Default)]
 pub struct Trace(pub Vec<(Work, f64)>);
 
 impl ObservableTraces {
-    pub fn new(observables: impl Iterator<Item = &'static Observable>) -> Self {
-        Self(observables.map(|observable| (observable, Trace::default())).collect())
+    pub fn new(quantities: impl Iterator<Item = Quantity>) -> Self {
+        Self(quantities.map(|quantity| (quantity, Trace::default())).collect())
     }
 
     pub fn add(&mut self, step: &Step<'_>) {
-        let state = State::from(step);
-        for (observable, trace) in &mut self.0 {
-            trace.add(step.work(), Some((observable.value)(&state)));
+        let reading = Reading::from(step);
+        for (quantity, trace) in &mut self.0 {
+            trace.add(step.work(), reading.get(*quantity));
         }
     }
 
     /// Ends with the numbers of the contact, whose fields are the last frame: they take the place of those of the last step, which may be
     /// another state.
     pub fn end(&mut self, contact: &Contact) {
-        let state = State::from(contact);
-        for (observable, trace) in &mut self.0 {
+        let reading = Reading::from(contact);
+        for (quantity, trace) in &mut self.0 {
             trace.0.pop_if(|(work, _)| work.iterations == contact.work.iterations);
-            trace.add(contact.work, Some((observable.value)(&state)));
+            trace.add(contact.work, reading.get(*quantity));
         }
     }
 }
 
 impl Trace {
     /// The curve of an observable that is drawn of these values.
-    pub fn drawn(&self, observable: &Observable) -> Cow<'_, Self> {
-        if !is_logarithmic(observable) {
+    pub fn drawn(&self, quantity: Quantity) -> Cow<'_, Self> {
+        if !is_logarithmic(quantity) {
             return Cow::Borrowed(self);
         }
         let logarithms = self.0.iter().map(|&(work, value)| (work, value.log10()));

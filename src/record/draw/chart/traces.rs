@@ -3,7 +3,7 @@
 use super::observable_traces::{
     COMPARED, ObservableTraces, Trace, drawn, is_logarithmic, recorded, times, title, traced,
 };
-use crate::contact::{Contact, Energy, Observable, Phase, Work};
+use crate::contact::{Contact, Energy, Phase, Quantity, Work};
 use crate::plot::Colour;
 use crate::record::draw::drawing::{Drawing, Place, RunDrawing, RunStep, Subject};
 use crate::record::draw::ink::palette::{self, SERIES};
@@ -11,7 +11,7 @@ use crate::record::draw::ink::pane::Pane;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
 
 /// Observables that count nodes, drawn faintly beside those whose edges are resolved.
-const COUNTED: [&str; 2] = ["kappa_r_counted", "relative_area_counted"];
+const COUNTED: [Quantity; 2] = [Quantity::KappaRCounted, Quantity::RelativeAreaCounted];
 
 /// Widths of curves: on coarse grids, whose values may leave the axis, and on the finest one.
 const COARSE_WIDTH: f32 = 0.7;
@@ -113,7 +113,7 @@ impl TracesOfRun {
     /// Sends the changes of the line width: curves are thin on coarse grids, and thick on the finest grid.
     fn flush_widths(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let widths = std::mem::take(&mut self.widths);
-        for observable in traced().filter(|observable| !widths.is_empty() && has_levels(observable)) {
+        for observable in traced().filter(|it| !widths.is_empty() && has_levels(*it)) {
             let style = SeriesLines::update_fields().with_widths(widths.iter().map(|(_, width)| *width));
             let entity = format!("{}/trace/{}", self.root, drawn(observable));
             to.send_columns(entity, times(&widths), style.columns_of_unit_batches()?)?;
@@ -143,8 +143,8 @@ impl RunDrawing for TracesOfRun {
 
     fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let Self { root, observables, besides, .. } = self;
-        for (observable, trace) in &observables.0 {
-            trace.log(to, format!("{root}/trace/{}", observable.name))?;
+        for &(observable, ref trace) in &observables.0 {
+            trace.log(to, format!("{root}/trace/{}", observable.name()))?;
             if is_logarithmic(observable) {
                 trace.drawn(observable).log(to, format!("{root}/trace/{}", drawn(observable)))?;
             }
@@ -163,8 +163,8 @@ impl RunDrawing for TracesOfRun {
 }
 
 /// Whether the line width of its curve shows if the grid is coarse.
-fn has_levels(observable: &Observable) -> bool {
-    !COUNTED.contains(&observable.name)
+fn has_levels(quantity: Quantity) -> bool {
+    !COUNTED.contains(&quantity)
 }
 
 /// Records names and colours of the curves under `root`, those of exact values where there are any. Beside other
@@ -182,7 +182,7 @@ fn log_styles(
     };
     let observables = traced().map(|it| {
         let width = if has_levels(it) { None } else { Some(FAINT_WIDTH) };
-        (it.name, drawn(it), title(it), width)
+        (it.name(), drawn(it), title(it), width)
     });
     let besides = BESIDES.iter().map(|&(entity, name)| {
         let width = if is_exact(entity) { FAINT_WIDTH } else { FINE_WIDTH };
@@ -229,12 +229,14 @@ pub fn log_run_style(
 /// Curves that are compared between scenes take the colour of their scene.
 fn series_colour(entity: &str, i: usize, scene: Option<(usize, &str)>) -> Colour {
     let [first, second, rest @ ..] = SERIES;
-    match (entity, scene) {
-        (_, Some((scene, _))) if COMPARED.contains(&entity) => SERIES[scene % SERIES.len()],
-        ("kappa", Some(_)) => palette::FAINT,
-        _ if COUNTED.contains(&entity) => palette::FAINT,
-        ("kappa_r", None) => first,
-        ("kappa", None) => second,
+    let quantity = Quantity::find(entity);
+    let is_among = |all: &[Quantity]| quantity.is_some_and(|it| all.contains(&it));
+    match (quantity, scene) {
+        (_, Some((scene, _))) if is_among(&COMPARED) => SERIES[scene % SERIES.len()],
+        (Some(Quantity::Kappa), Some(_)) => palette::FAINT,
+        _ if is_among(&COUNTED) => palette::FAINT,
+        (Some(Quantity::KappaR), None) => first,
+        (Some(Quantity::Kappa), None) => second,
         _ => rest[i % rest.len()],
     }
 }

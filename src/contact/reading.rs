@@ -1,0 +1,143 @@
+//! Reading of a contact, of a state or of a step: its quantities, each computed when it is asked for.
+
+use crate::contact::{
+    Certificate, Contact, Counted, Load, Patches, Problem, Quantity, QuantityRow, Resolution, Resolved, StateKind,
+    StateValues, Step, Work, hysteretic_friction,
+};
+use ndarray::ArrayView1;
+use std::cell::LazyCell;
+
+/// A contact, a state of a process, or a step of a solver, of which quantities are read. Values that need a pass over the nodes are computed on
+/// first use, and once.
+pub struct Reading<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) work: Work,
+    pub(super) values: &'a StateValues,
+    /// The certificate; NaN where it is not known.
+    pub(super) certificate: Certificate,
+    /// The contact stiffness; NaN if it was not requested.
+    pub(super) stiffness: f64,
+    pub(super) counted: Lazy<'a, Counted>,
+    pub(super) resolved: Lazy<'a, Resolved>,
+    pub(super) patches: Lazy<'a, Patches>,
+    /// Area and gradient of the contact on the next coarser grid, if they are known.
+    pub(super) coarser: Option<&'a Resolved>,
+    pub(super) mean_gap: Lazy<'a, f64>,
+    /// The elastic energy; NaN where it is not known.
+    pub(super) elastic_energy: Lazy<'a, f64>,
+    /// The approach; NaN if it is not known, or not defined.
+    pub(super) approach: Lazy<'a, f64>,
+    pub(super) plastic_area: Lazy<'a, f64>,
+    pub(super) plastic_overlap: Lazy<'a, f64>,
+    pub(super) mean_pressure: Lazy<'a, f64>,
+    pub(super) max_pressure: Lazy<'a, f64>,
+    /// The hysteretic friction; NaN at rest.
+    pub(super) friction: Lazy<'a, f64>,
+}
+
+pub(super) type Lazy<'a, T> = LazyCell<T, Box<dyn FnOnce() -> T + 'a>>;
+
+fn lazy<'a, T>(make: impl FnOnce() -> T + 'a) -> Lazy<'a, T> {
+    LazyCell::new(Box::new(make))
+}
+
+impl Reading<'_> {
+    /// A number of the state, if it has it: that of its process, or the one that is computed of the contact where that has a meaning.
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        let QuantityRow { read, validity, .. } = quantity.row();
+        let own = self.values.get(quantity);
+        let value = own.or_else(|| read.filter(|_| validity.holds(self.values.kind)).map(|read| read(self)));
+        value.filter(|value| !value.is_nan())
+    }
+
+    /// The same; NaN where the state does not have it.
+    pub fn value(&self, quantity: Quantity) -> f64 {
+        self.get(quantity).unwrap_or(f64::NAN)
+    }
+
+    /// How well the grid resolves the contact.
+    pub(super) fn resolution(&self) -> Resolution {
+        let grid = self.problem.surface().grid();
+        Resolution::new(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
+    }
+
+    /// The modulus by which pressures are reduced, from those that are.
+    pub(super) fn effective_modulus(&self) -> f64 {
+        *self.mean_pressure / (self.counted.reduced_pressure * self.problem.rms_gradient())
+    }
+
+    /// The reduced pressure: that of the state, or the prescribed one, to the last bit, or else the computed one, as that of a contact that
+    /// moves, whose modulus depends on the motion.
+    pub(super) fn reduced_pressure(&self) -> f64 {
+        match (self.values.get(Quantity::MeanPressure), self.problem.load()) {
+            (Some(pressure), _) => pressure / (self.problem.rms_gradient() * self.problem.contact_modulus()),
+            (None, Load::ReducedPressure(prescribed)) if !self.problem.is_moving() => prescribed,
+            (None, _) => self.counted.reduced_pressure,
+        }
+    }
+
+    /// `kappa_r` of the contact. Of a solid that creeps, the effective modulus is not known here.
+    pub(super) fn kappa_r(&self) -> f64 {
+        if self.values.kind == StateKind::Creep { f64::NAN } else { self.resolved.kappa_r }
+    }
+
+    /// The stiffness times the error of the gap, divided by the mean pressure.
+    pub(super) fn mean_pressure_error(&self) -> f64 {
+        if self.problem.datum().is_none() {
+            return 0.0;
+        }
+        self.stiffness * self.certificate.eta * self.problem.rms_height() / *self.mean_pressure
+    }
+}
+
+impl<'a> From<&'a Contact> for Reading<'a> {
+    fn from(contact: &'a Contact) -> Self {
+        Self {
+            problem: &contact.problem,
+            work: contact.work,
+            values: contact.values(),
+            certificate: contact.certificate,
+            stiffness: contact.known_stiffness().unwrap_or(f64::NAN),
+            counted: lazy(|| contact.counted()),
+            resolved: lazy(|| contact.resolved()),
+            patches: lazy(|| contact.patches()),
+            coarser: contact.coarser.as_ref(),
+            mean_gap: lazy(|| contact.mean_gap()),
+            elastic_energy: lazy(|| contact.elastic_energy()),
+            approach: lazy(|| contact.approach().unwrap_or(f64::NAN)),
+            plastic_area: lazy(|| contact.plasticity().area),
+            plastic_overlap: lazy(|| contact.plasticity().overlap),
+            mean_pressure: lazy(|| contact.mean_pressure()),
+            max_pressure: lazy(|| contact.max_pressure()),
+            friction: lazy(|| contact.friction()),
+        }
+    }
+}
+
+impl<'a> From<&'a Step<'_>> for Reading<'a> {
+    fn from(step: &'a Step<'_>) -> Self {
+        let pressure = || ArrayView1::from(step.pressure());
+        Self {
+            problem: step.problem(),
+            work: step.work(),
+            values: step.values(),
+            stiffness: f64::NAN,
+            certificate: step.certificate().copied().unwrap_or(Certificate::UNKNOWN),
+            counted: lazy(|| *step.counted()),
+            resolved: lazy(|| *step.resolved()),
+            patches: lazy(|| step.patches().clone()),
+            coarser: None,
+            mean_gap: lazy(|| step.mean_gap()),
+            elastic_energy: lazy(|| f64::NAN),
+            approach: lazy(|| f64::NAN),
+            plastic_area: lazy(move || {
+                let yielding = pressure().iter().filter(|p| step.problem().law().yields(**p)).count();
+                yielding as f64 / pressure().len() as f64
+            }),
+            plastic_overlap: lazy(|| step.mean_gap() - step.separation()),
+            mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),
+            max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
+            friction: lazy(|| hysteretic_friction(step.problem(), step.pressure(), step.displacement())[1]),
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! A state: a contact that a process has made, whatever process it is.
+
+use crate::contact::{Contact, Quantity, Reading, ResultClaim, StateKind, StateValues, Work};
+use crate::surface::Field;
+use strum::IntoEnumIterator;
+
+/// A state: a contact, and what the process that has made it knows besides. One contact alone is a state as well.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// The contact under the normal load of the state, with the numbers of the process among its [`values`](Contact::values), and with the work since the
+    /// state before.
+    pub contact: Contact,
+    /// The point of the path that it has reached, from 0; none between two points.
+    pub point: Option<usize>,
+    /// The claim of the state: what its certificate proves about energy, pressure and mean gap.
+    pub claim: ResultClaim,
+    /// Further fields of the process.
+    pub fields: Vec<StateField>,
+}
+
+/// A field of a state besides those of its contact.
+#[derive(Debug, Clone)]
+pub struct StateField {
+    /// Its name, such as `traction`.
+    pub name: &'static str,
+    /// Its title in pictures.
+    pub title: &'static str,
+    /// Its symbol on an axis, with what it is divided by: the contact modulus, or the rms height.
+    pub symbol: &'static str,
+    /// Whether it is a pressure; else it is a length.
+    pub is_pressure: bool,
+    /// Its values, shape `(ny, nx)`.
+    pub values: Field,
+}
+
+/// Numbers of a saved state that stand in place of those of its contact: the way to the state has a part in them.
+const SAVED: [Quantity; 4] = [Quantity::Friction, Quantity::EffectiveModulus, Quantity::RelativeArea, Quantity::KappaR];
+
+impl State {
+    /// The state of a contact that was solved for itself.
+    pub fn from_contact(contact: Contact, point: Option<usize>) -> Self {
+        let claim = contact.claim();
+        Self { contact, point, claim, fields: Vec::new() }
+    }
+
+    /// The state of a contact whose numbers and further fields were saved.
+    pub fn from_parts(
+        contact: Contact,
+        (point, claim): (Option<usize>, ResultClaim),
+        number: impl Fn(Quantity) -> Option<f64>,
+        fields: Vec<StateField>,
+    ) -> Self {
+        let has = |name: &str| fields.iter().any(|it| it.name == name);
+        let kind = match (has("attraction"), has("stored_strain")) {
+            (true, _) => StateKind::Adhesion,
+            (false, true) => StateKind::Creep,
+            (false, false) => StateKind::Elastic,
+        };
+        let is_own = |it: &Quantity| {
+            let is_net = *it == Quantity::MeanPressure && kind == StateKind::Adhesion;
+            it.row().is_known_by_process() || SAVED.contains(it) || is_net
+        };
+        let own = Quantity::iter().filter(is_own);
+        let values = own.fold(StateValues::new(kind), |values, it| values.with(it, number(it)));
+        let transforms = number(Quantity::Transforms).map_or(contact.work.transforms, |it| it as u64);
+        let work = Work { transforms, ..contact.work };
+        let contact = contact.with_work(work).with_values(values);
+        Self { contact, point, claim, fields }
+    }
+
+    /// A number of the state, if it has it.
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        if quantity.tells_of(&self.contact) { Reading::from(&self.contact).get(quantity) } else { None }
+    }
+
+    /// The same; NaN where the state does not have it.
+    pub fn value(&self, quantity: Quantity) -> f64 {
+        self.get(quantity).unwrap_or(f64::NAN)
+    }
+
+    /// All numbers of the state, in the order of the table.
+    pub fn numbers(&self) -> Vec<(Quantity, f64)> {
+        let reading = Reading::from(&self.contact);
+        let told = Quantity::iter().filter(|it| it.tells_of(&self.contact));
+        told.filter_map(|it| Some((it, reading.get(it)?))).collect()
+    }
+
+    /// A further field, if the state has it.
+    pub fn field(&self, name: &str) -> Option<&Field> {
+        self.fields.iter().find(|it| it.name == name).map(|it| &it.values)
+    }
+}
+
+impl StateField {
+    /// The traction along `x` on the solid.
+    pub fn traction(values: Field) -> Self {
+        let (title, symbol) = ("Traction along x on the solid", "τ / E*");
+        Self { name: "traction", title, symbol, is_pressure: true, values }
+    }
+
+    /// The slip of the surface of the solid along `x` relative to the rigid surface, from the state before to this one.
+    pub fn slip(values: Field) -> Self {
+        let (title, symbol) = ("Slip of the solid along x in this step", "slip / h_rms");
+        Self { name: "slip", title, symbol, is_pressure: false, values }
+    }
+
+    /// The traction along `y` on the solid.
+    pub fn traction_across(values: Field) -> Self {
+        let (title, symbol) = ("Traction along y on the solid", "τ_y / E*");
+        Self { name: "traction_across", title, symbol, is_pressure: true, values }
+    }
+
+    /// The slip of the surface of the solid along `y` relative to the rigid surface, from the state before to this one.
+    pub fn slip_across(values: Field) -> Self {
+        let (title, symbol) = ("Slip of the solid along y in this step", "slip_y / h_rms");
+        Self { name: "slip_across", title, symbol, is_pressure: false, values }
+    }
+
+    /// The traction by which the surfaces attract each other.
+    pub fn attraction(values: Field) -> Self {
+        let (title, symbol) = ("Attraction between the surfaces", "σ / E*");
+        Self { name: "attraction", title, symbol, is_pressure: true, values }
+    }
+
+    /// The magnitude of the flux of a leakage along `x` over its mean.
+    pub fn flux_x(values: Field) -> Self {
+        let (title, symbol) = ("Flux of the leakage along x, over its mean", "|J_x| / <J_x>");
+        Self { name: "flux_x", title, symbol, is_pressure: false, values }
+    }
+
+    /// The pressure of a fluid that leaks along `x`, over its drop.
+    pub fn fluid_pressure_x(values: Field) -> Self {
+        let (title, symbol) = ("Pressure of the fluid along x, over its drop", "p_f / Δp");
+        Self { name: "fluid_pressure_x", title, symbol, is_pressure: false, values }
+    }
+
+    /// The magnitude of the flux of a leakage along `y` over its mean.
+    pub fn flux_y(values: Field) -> Self {
+        let (title, symbol) = ("Flux of the leakage along y, over its mean", "|J_y| / <J_y>");
+        Self { name: "flux_y", title, symbol, is_pressure: false, values }
+    }
+
+    /// The pressure of a fluid that leaks along `y`, over its drop.
+    pub fn fluid_pressure_y(values: Field) -> Self {
+        let (title, symbol) = ("Pressure of the fluid along y, over its drop", "p_f / Δp");
+        Self { name: "fluid_pressure_y", title, symbol, is_pressure: false, values }
+    }
+
+    /// What a solid that creeps remembers, as the pressure that would cause the same displacement of the glassy solid.
+    pub fn remembered(values: Field) -> Self {
+        let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");
+        Self { name: "stored_strain", title, symbol, is_pressure: true, values }
+    }
+}
+
+/// The name of a field, and what makes it of its values.
+type FieldMaker = (&'static str, fn(Field) -> StateField);
+
+impl StateField {
+    /// The names of all fields, such as `traction`, and what makes them of their values.
+    pub const MAKERS: [FieldMaker; 6] = [
+        ("traction", Self::traction),
+        ("slip", Self::slip),
+        ("traction_across", Self::traction_across),
+        ("slip_across", Self::slip_across),
+        ("attraction", Self::attraction),
+        ("stored_strain", Self::remembered),
+    ];
+}

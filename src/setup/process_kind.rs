@@ -1,0 +1,154 @@
+//! The processes that a setup can describe, and what each of them offers.
+
+use crate::contact::Quantity;
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
+
+/// The processes that a setup can describe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ProcessKind {
+    /// A viscoelastic solid in time.
+    Creep,
+    /// Partial slip under normal and tangential loads.
+    Slip,
+    /// Steady sliding over a viscoelastic solid.
+    Sliding,
+    /// Steady rolling with friction.
+    Rolling,
+    /// Adhesion under loads up and down.
+    Adhesion,
+}
+
+/// What is shown of the states of a process.
+#[derive(Debug)]
+pub struct ProcessRow {
+    /// The quantity along which states are drawn; none for the number of the state.
+    pub axis: Option<Quantity>,
+    /// Whether this axis is logarithmic.
+    pub is_logarithmic: bool,
+    /// The charts of its pictures.
+    pub charts: [ProcessChart; 2],
+    /// The columns of the table for reading.
+    pub columns: &'static [Quantity],
+    /// What names a state in a recording.
+    pub caption: &'static [Quantity],
+    /// Whether the states differ in what they claim, so that each states its own claim.
+    pub has_claims: bool,
+}
+
+/// A chart of the states of a process: one quantity against another one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ProcessChart {
+    /// The quantity on the horizontal axis; none for the number of the state.
+    pub x: Option<Quantity>,
+    /// The quantity on the vertical axis.
+    pub y: Quantity,
+}
+
+const fn against(x: Quantity, y: Quantity) -> ProcessChart {
+    ProcessChart { x: Some(x), y }
+}
+
+const CREEP: ProcessRow = ProcessRow {
+    axis: Some(Quantity::Time),
+    is_logarithmic: false,
+    charts: [against(Quantity::Time, Quantity::RelativeArea), against(Quantity::Time, Quantity::MeanGap)],
+    columns: &[
+        Quantity::Time,
+        Quantity::MeanPressure,
+        Quantity::RelativeArea,
+        Quantity::KappaR,
+        Quantity::MeanGap,
+        Quantity::EffectivePressure,
+        Quantity::Dissipated,
+        Quantity::TimeError,
+        Quantity::Certificate,
+    ],
+    caption: &[Quantity::Time],
+    has_claims: false,
+};
+
+const SLIP: ProcessRow = ProcessRow {
+    axis: None,
+    is_logarithmic: false,
+    charts: [against(Quantity::Shift, Quantity::MeanTraction), ProcessChart { x: None, y: Quantity::StickShare }],
+    columns: &[
+        Quantity::MeanPressure,
+        Quantity::MeanTraction,
+        Quantity::Friction,
+        Quantity::Shift,
+        Quantity::StickShare,
+        Quantity::Dissipated,
+        Quantity::RelativeArea,
+        Quantity::TractionCertificate,
+    ],
+    caption: &[Quantity::Friction],
+    has_claims: false,
+};
+
+const SLIDING: ProcessRow = ProcessRow {
+    axis: Some(Quantity::Speed),
+    is_logarithmic: true,
+    charts: [against(Quantity::Speed, Quantity::Friction), against(Quantity::Speed, Quantity::RelativeArea)],
+    columns: &[
+        Quantity::Speed,
+        Quantity::Friction,
+        Quantity::FrictionFullContact,
+        Quantity::FrictionPersson,
+        Quantity::RelativeArea,
+        Quantity::MeanGap,
+        Quantity::MaxPressure,
+        Quantity::Certificate,
+    ],
+    caption: &[Quantity::Speed, Quantity::Friction],
+    has_claims: false,
+};
+
+const ROLLING: ProcessRow = ProcessRow {
+    axis: None,
+    is_logarithmic: false,
+    charts: [against(Quantity::Creepage, Quantity::Friction), against(Quantity::Creepage, Quantity::StickShare)],
+    columns: &[
+        Quantity::Creepage,
+        Quantity::Friction,
+        Quantity::StickShare,
+        Quantity::RelativeArea,
+        Quantity::MaxPressure,
+        Quantity::Certificate,
+        Quantity::TractionCertificate,
+    ],
+    caption: &[Quantity::Creepage, Quantity::Friction],
+    has_claims: false,
+};
+
+const ADHESION: ProcessRow = ProcessRow {
+    axis: None,
+    is_logarithmic: false,
+    charts: [against(Quantity::MeanGap, Quantity::MeanPressure), against(Quantity::MeanGap, Quantity::RelativeArea)],
+    columns: &[
+        Quantity::MeanPressure,
+        Quantity::MeanGap,
+        Quantity::Approach,
+        Quantity::RelativeArea,
+        Quantity::MeanAttraction,
+        Quantity::Jump,
+        Quantity::Dissipated,
+        Quantity::LeastCurvature,
+        Quantity::Residual,
+    ],
+    caption: &[Quantity::MeanPressure, Quantity::MeanGap],
+    has_claims: true,
+};
+
+impl ProcessKind {
+    /// What is shown of its states.
+    pub fn row(self) -> &'static ProcessRow {
+        match self {
+            Self::Creep => &CREEP,
+            Self::Slip => &SLIP,
+            Self::Sliding => &SLIDING,
+            Self::Rolling => &ROLLING,
+            Self::Adhesion => &ADHESION,
+        }
+    }
+}
