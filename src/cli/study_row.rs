@@ -9,7 +9,8 @@ use asperity::files::check_named;
 use asperity::job::{Job, JobRun};
 use asperity::record::Recording;
 use asperity::setup::Extras;
-use asperity::study::{Loading, Plan};
+use asperity::study::Plan;
+use asperity::history::{Loading, PathPoint, Process};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
@@ -23,15 +24,13 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
         ));
     }
     setup.cost(&Extras { is_recorded: true, ..Extras::default() })?.check(setup.solver.name())?;
-    let (problem, mut loading) = (setup.problem()?, Loading::default());
-    let solver = setup.solver();
+    let mut loading = Loading::new(setup.problem()?, setup.solver(), setup.stop);
     for (number, &load) in plan.loads()[..row.load].iter().enumerate() {
         let mut progress = Progress::new(&format!("load {}", number + 1));
-        let before = loading.problem(&problem, load)?;
-        loading.take(solver.solve_from(loading.start(), &before, &setup.stop, &mut progress)?);
+        loading.move_to(PathPoint::under(load), &mut progress)?;
     }
-    let problem = loading.problem(&problem, setup.load)?;
-    let job = Job::from_run(JobRun { problem: Some(problem), ..JobRun::new(setup) }).started_from(loading.start());
+    let (problem, start) = (loading.problem(setup.load)?, loading.start().cloned());
+    let job = Job::from_run(JobRun { problem: Some(problem), ..JobRun::new(setup.clone()) }).started_from(start.as_ref());
     let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
     let solved = job.run(&mut Bars)?.solved.swap_remove(0);
     warnings::print(&warnings::in_flags(&solved.warnings()));

@@ -43,9 +43,6 @@ pub enum AdhesionError {
     /// A damped motion on a free boundary.
     #[error("damped motion needs a periodic boundary: choose the adhesion method fast or safe")]
     FreeMotion,
-    /// A history without loads.
-    #[error("the path has no loads: give one at least")]
-    Pathless,
     /// The state was not found.
     #[error(
         "the state with adhesion was not found in {steps} iterations: its residual is {residual:.1e}. Allow more iterations or a larger \

@@ -58,6 +58,12 @@ pub enum HistoryError {
     Motion(#[from] MotionError),
     #[error(transparent)]
     Adhesion(AdhesionError),
+    /// A load that is not a pressure, on a surface that has yielded.
+    #[error("the {load} cannot be solved after the surface has yielded: give pressures, or leave the hardness out")]
+    Unload { load: &'static str },
+    /// A path without points.
+    #[error("the path has no points: give at least one")]
+    Pathless,
     /// An observer stopped the history.
     #[error("the history was stopped")]
     Stopped,

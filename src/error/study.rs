@@ -1,6 +1,6 @@
 //! Studies that cannot be solved or merged.
 
-use super::{FileError, SetupError, SolveError};
+use super::{FileError, HistoryError, SetupError, SolveError};
 use crate::quantity::bytes_in_words;
 use std::path::PathBuf;
 
@@ -13,9 +13,6 @@ pub enum StudyError {
     Solve(#[from] SolveError),
     #[error(transparent)]
     File(#[from] FileError),
-    /// A load that is not a pressure, on a surface that has yielded.
-    #[error("the {load} cannot be solved after the surface has yielded: give pressures, or leave the hardness out")]
-    Unload { load: &'static str },
     /// A list of loads, grids or surfaces that is empty or out of order.
     #[error("the {what} are {values}: give at least one value, in ascending order, each once")]
     List { what: &'static str, values: String },
@@ -76,4 +73,13 @@ pub enum StudyError {
         path.display()
     )]
     OtherShare { path: PathBuf, points: usize },
+}
+
+impl From<HistoryError> for StudyError {
+    fn from(error: HistoryError) -> Self {
+        match error {
+            HistoryError::Solve(error) => error.into(),
+            error => SetupError::from(error).into(),
+        }
+    }
 }

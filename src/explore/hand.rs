@@ -7,6 +7,7 @@ use super::section::{Section, Shear};
 use super::source::SurfaceSource;
 use super::sticking_hand::StickingHand;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
+use crate::history::{Loading, PathPoint, Process};
 use crate::setup::{ProcessKind, Setup};
 use crate::surface::Field;
 use serde::{Deserialize, Serialize};
@@ -124,8 +125,9 @@ fn solve(problem: &Problem, setup: &Setup, before: &mut Option<Field>) -> Result
     let stop = Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS).map_err(|it| Refusal(it.to_string()))?;
     let shape = problem.surface().grid().shape();
     let start = before.take().filter(|field| field.dim() == shape.into());
-    let solved = fast_solver(setup).solve_from(start.as_ref(), problem, &stop, &mut ());
-    let contact = solved.map_err(|fault| Refusal(fault.to_string()))?;
+    let mut loading = Loading::new(problem.clone(), fast_solver(setup), stop).started_from(start);
+    let solved = loading.move_to(PathPoint::under(problem.load()), &mut ());
+    let contact = solved.map_err(|fault| Refusal(fault.to_string()))?.contact;
     *before = Some(contact.pressure.clone());
     Ok(contact)
 }

@@ -3,14 +3,14 @@
 use super::refusal::Refusal;
 use super::report::Numbers;
 use crate::contact::{Contact, Load, Quantity, State};
-use crate::error::AdhesionError;
-use crate::history::AdhesiveHand;
+use crate::error::HistoryError;
+use crate::history::{AdhesiveProcess, PathPoint, Process};
 use crate::setup::Setup;
 
 /// The last state of a setup with adhesion under the hand.
 pub struct StickingHand {
     setup: Setup,
-    hand: AdhesiveHand,
+    process: AdhesiveProcess,
     state: State,
 }
 
@@ -22,16 +22,17 @@ impl StickingHand {
     /// A sentence for an attraction that cannot be solved here, and for a state that was not found.
     pub fn moved(setup: &Setup, before: Option<Self>, load: Option<Load>) -> Result<Self, Refusal> {
         let setup = Setup { record: Default::default(), ..setup.clone() };
-        let refused = |error: AdhesionError| Refusal(error.to_string());
-        let mut hand = match before.filter(|it| it.setup == setup) {
-            Some(it) => it.hand,
-            None => AdhesiveHand::new(setup.adhesive(setup.problem()?)?).map_err(refused)?,
+        let refused = |error: HistoryError| Refusal(error.to_string());
+        let mut process = match before.filter(|it| it.setup == setup) {
+            Some(it) => it.process,
+            None => setup.adhesive(setup.problem()?)?,
         };
-        if let Some(load) = load {
-            hand.move_to(load).map_err(refused)?;
-        }
-        let state = hand.state();
-        Ok(Self { setup, hand, state })
+        let state = match load {
+            Some(load) => process.move_to(PathPoint::under(load), &mut ()),
+            None => process.at_end(&mut ()),
+        };
+        let state = state.map_err(refused)?;
+        Ok(Self { setup, process, state })
     }
 
     /// The contact.

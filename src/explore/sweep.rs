@@ -10,6 +10,7 @@ use super::session_recording::SessionRecording;
 use super::tape::SweepTape;
 use crate::contact::{Contact, Each, Failure, Law, Load, Observables, Problem, Step};
 use crate::error::ProblemError;
+use crate::history::{Loading, Process};
 use crate::setup::{Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
@@ -96,11 +97,12 @@ impl Press<'_> {
         let turn = self.turn;
         let mut watch =
             Each(|_: &Step<'_>| if turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
-        let mut start = None;
+        let setup = self.setup;
+        let all = loads.iter().map(|load| Load::ReducedPressure(*load)).collect();
+        let mut loading = Loading::new(problem.clone(), fast_solver(setup), setup.stop).along(all);
         for (number, &load) in loads.iter().enumerate() {
-            let problem = at_load(problem, load)?;
-            let solver = fast_solver(self.setup);
-            let contact = solver.solve_from(start.as_ref(), &problem, &self.setup.stop, &mut watch)?;
+            let Some(state) = loading.next(&mut watch) else { break };
+            let contact = state?.contact;
             if !turn.goes_on() {
                 break;
             }
@@ -108,7 +110,6 @@ impl Press<'_> {
             if self.report.points.last().is_some_and(|point| point.observables.relative_area >= FULL) {
                 break;
             }
-            start = Some(contact.pressure);
         }
         Ok(())
     }

@@ -3,18 +3,24 @@
 use super::adhesive_place::{AdhesivePlace, AdhesiveStep, AdhesiveVisit};
 use super::adhesive_search::PlaceSearch;
 use super::adhesive_walk::BranchWalk;
-use super::process::{EachState, PathPoint, Process};
+use super::process::{PathPoint, Process};
 use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveProblem};
 use crate::contact::{
     Certificate, Contact, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status,
     Stop, Work,
 };
-use crate::error::HistoryError;
+use crate::error::{AdhesionError, HistoryError};
 use crate::surface::Field;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// The part of the way from one point of the path to the next within which a jump is located.
 const FINEST: f64 = 5e-5;
+
+/// The same by hand, the longest step of a move over the range of the attraction, and the most steps of one.
+const FINEST_BY_HAND: f64 = 1e-3;
+const LONGEST: f64 = 0.25;
+const MOST_STEPS: f64 = 64.0;
 
 /// Ranges of the attraction at which surfaces that have parted are drawn, where the attraction has no cut-off.
 const APART: f64 = 30.0;
@@ -44,6 +50,15 @@ pub struct AdhesiveProcess {
     search: PlaceSearch,
     path: Vec<PathPoint>,
     steps: usize,
+    /// The next point of the path, and the next step on the way to it, from 1.
+    at: (usize, usize),
+    /// The control at the point before.
+    begin: Option<f64>,
+    last: Option<AdhesiveVisit>,
+    /// States that were found and not yet given.
+    queue: VecDeque<State>,
+    /// Why the history ends behind them.
+    ended: Option<HistoryError>,
 }
 
 impl AdhesiveProcess {
@@ -55,27 +70,14 @@ impl AdhesiveProcess {
         method: AdhesiveMethod,
         stop: Stop,
     ) -> Self {
-        Self { search: PlaceSearch::new(problem, method, stop), path, steps: steps.max(1) }
-    }
-
-    /// The search for places on the path.
-    pub(super) fn search(&self) -> &PlaceSearch {
-        &self.search
-    }
-
-    /// The loads of the path.
-    pub(super) fn loads(&self) -> impl Iterator<Item = Load> {
-        self.path.iter().map(|point| point.load)
+        let (queue, begin, last, ended) = Default::default();
+        let search = PlaceSearch::new(problem, method, stop);
+        Self { search, path, steps: steps.max(1), at: (0, 1), begin, last, queue, ended }
     }
 
     /// The range of the attraction.
-    pub(super) fn range(&self) -> f64 {
+    fn range(&self) -> f64 {
         self.search.problem().attraction().range()
-    }
-
-    /// The highest peak above the mean of the rigid surface.
-    pub(super) fn highest(&self) -> f64 {
-        self.search.problem().problem().highest()
     }
 
     /// Whether the grid is periodic: only then the stability of states is known.
@@ -84,7 +86,7 @@ impl AdhesiveProcess {
     }
 
     /// What a load of the path prescribes.
-    pub(super) fn control(&self, load: Load) -> AdhesiveControl {
+    fn control(&self, load: Load) -> AdhesiveControl {
         let problem = self.search.problem().problem();
         match load {
             Load::MeanPressure(pressure) => AdhesiveControl::MeanPressure(pressure),
@@ -98,7 +100,7 @@ impl AdhesiveProcess {
     }
 
     /// A place as a state of any history.
-    pub(super) fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> State {
+    fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> State {
         let AdhesiveVisit { place, control, ledger, jump, work, .. } = visit;
         let values = StateValues::new(StateKind::Adhesion)
             .with(Quantity::Dissipated, ledger.lost)
@@ -156,38 +158,153 @@ impl AdhesiveProcess {
     }
 }
 
-impl Process for AdhesiveProcess {
-    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
-        let mut last: Option<AdhesiveVisit> = None;
-        for (number, point) in self.path.iter().enumerate() {
-            let target = self.control(point.load);
-            let Some(mut from) = last.take() else {
-                let AdhesiveStep { place, work, .. } = self.search.solve(target, None, observer)?;
-                let visit = AdhesiveVisit::first(place, target, work);
-                let kept = last.insert(visit.kept());
-                each(self.told(visit, Some(number)))?;
-                kept.place.fault().map_or(Ok(()), Err)?;
-                continue;
-            };
-            let begin = from.control.value();
-            let way = target.value() - begin;
-            for step in 1..=self.steps {
-                let share = step as f64 / self.steps as f64;
-                let value = if step == self.steps { target.value() } else { begin + share * way };
-                let mut visits = Vec::new();
-                let walk = BranchWalk::new(&self.search, &from, target.with_value(value), FINEST * way.abs());
-                let ended = walk.run(observer, &mut visits);
-                let reached = if ended.is_ok() { visits.pop() } else { None };
-                for visit in visits {
-                    each(self.told(visit, None))?;
-                }
-                ended?;
-                let reached = reached.expect("a step has an end");
-                from = reached.kept();
-                each(self.told(reached, (step == self.steps).then_some(number)))?;
-            }
-            last = Some(from);
+impl AdhesiveProcess {
+    /// Begins at the first point of the path, or goes one step towards the next one. The states stand in the queue then, with the error that ends the
+    /// history, if there is one.
+    fn advance(&mut self, observer: &mut dyn Observer) -> Result<(), HistoryError> {
+        let (number, step) = self.at;
+        let target = self.control(self.path[number].load);
+        let Some(from) = self.last.take() else {
+            let AdhesiveStep { place, work, .. } = self.search.solve(target, None, observer)?;
+            let visit = AdhesiveVisit::first(place, target, work);
+            let kept = visit.kept();
+            self.queue.push_back(self.told(visit, Some(number)));
+            self.at = (number + 1, 1);
+            return self.last.insert(kept).place.fault().map_or(Ok(()), Err).map_err(HistoryError::from);
+        };
+        let begin = *self.begin.get_or_insert(from.control.value());
+        let (way, is_there) = (target.value() - begin, step == self.steps);
+        let share = step as f64 / self.steps as f64;
+        let value = if is_there { target.value() } else { begin + share * way };
+        let mut visits = Vec::new();
+        let walk = BranchWalk::new(&self.search, &from, target.with_value(value), FINEST * way.abs());
+        let ended = walk.run(observer, &mut visits);
+        let reached = if ended.is_ok() { visits.pop() } else { None };
+        for visit in visits {
+            let state = self.told(visit, None);
+            self.queue.push_back(state);
+        }
+        ended?;
+        let reached = reached.expect("a step has an end");
+        self.last = Some(reached.kept());
+        let state = self.told(reached, is_there.then_some(number));
+        self.queue.push_back(state);
+        self.at = if is_there { (number + 1, 1) } else { (number, step + 1) };
+        if is_there {
+            self.begin = None;
         }
         Ok(())
+    }
+}
+
+impl Process for AdhesiveProcess {
+    fn next(&mut self, observer: &mut dyn Observer) -> Option<Result<State, HistoryError>> {
+        loop {
+            if let Some(state) = self.queue.pop_front() {
+                return Some(Ok(state));
+            }
+            if let Some(error) = self.ended.take() {
+                return Some(Err(error));
+            }
+            if self.at.0 >= self.path.len() {
+                return None;
+            }
+            if let Err(error) = self.advance(observer) {
+                // nothing comes after an error but the states before it
+                (self.ended, self.at) = (Some(error), (self.path.len(), 1));
+            }
+        }
+    }
+
+    /// Moves from load to load in short steps where a length is given: longer ones let go of what holds. A jump takes place in one of them. A contact
+    /// that has not begun comes from the end of its path.
+    fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
+        let target = self.control(point.load);
+        let mut last = self.come_to_end(observer)?;
+        let (begin, range) = (self.reached(&last, target).value(), self.range());
+        let way = target.value() - begin;
+        let steps = match target {
+            AdhesiveControl::MeanPressure(_) => 1,
+            _ => (way.abs() / (LONGEST * range)).ceil().clamp(1.0, MOST_STEPS) as usize,
+        };
+        for step in 1..=steps {
+            let value = if step == steps { target.value() } else { begin + way * step as f64 / steps as f64 };
+            last = self.step_to(&last, target.with_value(value), observer)?;
+        }
+        let state = self.told(last.kept(), None);
+        self.last = Some(last);
+        Ok(state)
+    }
+}
+
+impl AdhesiveProcess {
+    /// The state at the end of the path, or where the hand is, without the steps of the path.
+    ///
+    /// # Errors
+    /// The errors of [`AdhesiveProblem::solve`](crate::adhesion::AdhesiveProblem::solve), and [`HistoryError::Pathless`].
+    pub fn at_end(&mut self, observer: &mut dyn Observer) -> Result<State, HistoryError> {
+        let last = self.come_to_end(observer)?;
+        let state = self.told(last.kept(), None);
+        self.last = Some(last);
+        Ok(state)
+    }
+
+    /// The last place, or that at the end of the path if there is none.
+    fn come_to_end(&mut self, observer: &mut dyn Observer) -> Result<AdhesiveVisit, HistoryError> {
+        if let Some(last) = &self.last {
+            return Ok(last.kept());
+        }
+        let controls: Vec<AdhesiveControl> = self.path.iter().map(|point| self.control(point.load)).collect();
+        let (first, rest) = controls.split_first().ok_or(HistoryError::Pathless)?;
+        self.at = (self.path.len(), 1);
+        let AdhesiveStep { place, work, .. } = self.search.solve(*first, None, observer)?;
+        place.fault().map_or(Ok(()), Err)?;
+        let mut last = AdhesiveVisit::first(place, *first, work);
+        for control in rest {
+            last = self.walked(&last, *control, observer)?;
+        }
+        Ok(last)
+    }
+
+    /// The place after one step by hand, or after as many as it takes to find each state.
+    fn step_to(
+        &self,
+        last: &AdhesiveVisit,
+        target: AdhesiveControl,
+        observer: &mut dyn Observer,
+    ) -> Result<AdhesiveVisit, HistoryError> {
+        match self.search.solve(target, Some(&last.place), observer) {
+            Ok(AdhesiveStep { place, work, .. }) if place.fault().is_none() => {
+                Ok(AdhesiveVisit::first(place, target, work))
+            }
+            Ok(_) | Err(AdhesionError::NotFound { .. }) => {
+                let from = AdhesiveVisit::first(last.place.clone(), self.reached(last, target), Work::default());
+                self.walked(&from, target, observer)
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Where a contact is, in the terms of a control.
+    fn reached(&self, last: &AdhesiveVisit, target: AdhesiveControl) -> AdhesiveControl {
+        let AdhesivePlace::State(state) = &last.place else { return target };
+        target.with_value(match target {
+            AdhesiveControl::MeanPressure(_) => state.mean_pressure,
+            AdhesiveControl::MeanGap(_) => state.mean_gap(),
+            AdhesiveControl::Approach(_) => self.search.problem().problem().highest() - state.datum,
+        })
+    }
+
+    /// The last of the places on the way to a control.
+    fn walked(
+        &self,
+        from: &AdhesiveVisit,
+        target: AdhesiveControl,
+        observer: &mut dyn Observer,
+    ) -> Result<AdhesiveVisit, HistoryError> {
+        let mut visits = Vec::new();
+        let finest = FINEST_BY_HAND * (target.value() - from.control.value()).abs();
+        BranchWalk::new(&self.search, from, target, finest).run(observer, &mut visits)?;
+        Ok(visits.pop().expect("a step has an end"))
     }
 }

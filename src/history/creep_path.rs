@@ -55,6 +55,15 @@ impl CreepPath {
         Self::new(vec![(0.0, load), (duration, load)])
     }
 
+    /// The path with one more point: at a time, or at that of the last point.
+    ///
+    /// # Errors
+    /// The errors of [`CreepPath::new`].
+    pub fn extended(&self, time: Option<f64>, load: Load) -> Result<Self, CreepError> {
+        let last = self.points.last().map_or(0.0, |(time, _)| *time);
+        Self::new(self.points.iter().copied().chain([(time.unwrap_or(last), load)]).collect())
+    }
+
     /// The points, a time and a load each.
     pub fn points(&self) -> &[(f64, Load)] {
         &self.points

@@ -1,6 +1,6 @@
 //! The process of a viscoelastic solid along a path of loads and times.
 
-use super::process::{EachState, PathPoint, Process};
+use super::process::{PathPoint, Process};
 use super::{Creep, CreepPath, CreepState, CreepSteps, TimeErrors};
 use crate::contact::{
     Load, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
@@ -14,6 +14,8 @@ pub struct CreepProcess<'s> {
     points: Vec<(f64, Load)>,
     /// Points that were put before those of the path.
     before: usize,
+    /// The next point.
+    next: usize,
 }
 
 impl<'s> CreepProcess<'s> {
@@ -37,22 +39,32 @@ impl<'s> CreepProcess<'s> {
             Some(count) => CreepSteps::fixed(creep, path, count, solver, stop)?,
             None => CreepSteps::adaptive(creep, path, tolerance, solver, stop)?,
         };
-        Ok(Self { steps, points, before: usize::from(begin.is_some()) })
+        Ok(Self { steps, points, before: usize::from(begin.is_some()), next: 0 })
     }
 }
 
 impl Process for CreepProcess<'_> {
-    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
-        let mut next = 0;
+    fn next(&mut self, observer: &mut dyn Observer) -> Option<Result<State, HistoryError>> {
+        let state = match self.steps.next_watched(observer)? {
+            Ok(state) => state,
+            Err(error) => return Some(Err(error.into())),
+        };
+        let reached =
+            self.points.get(self.next).filter(|(time, load)| *time == state.time && Some(*load) == state.load);
+        let is_point = reached.is_some();
+        let point = if is_point { self.next.checked_sub(self.before) } else { None };
+        self.next += usize::from(is_point);
+        Some(Ok(state.into_state(point)))
+    }
+
+    /// Goes on to a time, in steps of its own; the load changes linearly on the way. Without a time, or at the last one, it jumps.
+    fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
+        self.steps.extend(point.time, point.load)?;
+        let mut last = None;
         while let Some(state) = self.steps.next_watched(observer) {
-            let state = state?;
-            let reached = self.points.get(next).filter(|(time, load)| *time == state.time && Some(*load) == state.load);
-            let is_point = reached.is_some();
-            let point = if is_point { next.checked_sub(self.before) } else { None };
-            next += usize::from(is_point);
-            each(state.into_state(point))?;
+            last = Some(state?);
         }
-        Ok(())
+        Ok(last.ok_or(HistoryError::Pathless)?.into_state(None))
     }
 }
 

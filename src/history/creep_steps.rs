@@ -166,6 +166,15 @@ impl<'a> CreepSteps<'a> {
         }
     }
 
+    /// Lets the path go on to one more point: at a time, or at that of its last point.
+    ///
+    /// # Errors
+    /// The errors of [`CreepPath::new`].
+    pub fn extend(&mut self, time: Option<f64>, load: Load) -> Result<(), CreepError> {
+        self.path = self.path.extended(time, load)?;
+        Ok(())
+    }
+
     /// Steps that were repeated with a shorter one so far.
     pub fn rejected(&self) -> usize {
         self.rejected

@@ -2,6 +2,7 @@
 //!
 //! | process         | a step is                                                       | it carries                     |
 //! |-----------------|-----------------------------------------------------------------|--------------------------------|
+//! | [`Loading`]     | a contact under the next load                                   | the pressure, and what has yielded |
 //! | [`Creep`]       | a contact with other heights, under a load that is larger by a factor | what a viscoelastic solid remembers |
 //! | [`SlipHistory`] | a normal contact, then a traction below `mu p`                  | the traction                   |
 //! | [`Sliding`]     | a contact that slides steadily over a viscoelastic solid        | nothing: one state for each speed |
@@ -14,7 +15,6 @@
 //! surface. So new material of the solid enters the contact at its `+x` side. Tractions act on the solid below.
 
 mod adhesive;
-mod adhesive_hand;
 mod adhesive_place;
 mod adhesive_search;
 mod adhesive_totals;
@@ -26,6 +26,8 @@ mod creep_state;
 mod creep_steps;
 mod cycle;
 mod discs;
+mod flattened;
+mod loading;
 mod maxwell;
 mod motion_process;
 mod process;
@@ -45,7 +47,6 @@ mod time_step;
 mod warm_start;
 
 pub use adhesive::AdhesiveProcess;
-pub use adhesive_hand::AdhesiveHand;
 pub use adhesive_totals::{AdhesionJump, AdhesionTotals};
 pub use creep::Creep;
 pub use creep_path::CreepPath;
@@ -53,6 +54,7 @@ pub use creep_process::CreepProcess;
 pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
 pub use cycle::{cycle_losses, open_cycles};
+pub use loading::Loading;
 pub use motion_process::{RollingProcess, SlidingProcess};
 pub use process::{EachState, PathPoint, Process};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};

@@ -1,6 +1,6 @@
 //! Steady motions one after the other: speeds of sliding, creepages or loads of rolling.
 
-use super::{EachState, Process, Rolling, RollingConditions, Sliding};
+use super::{PathPoint, Process, Rolling, RollingConditions, Sliding};
 use crate::contact::{
     MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
     Work,
@@ -15,27 +15,46 @@ pub struct SlidingProcess {
     prony: Prony,
     speeds: Vec<f64>,
     stop: Stop,
+    /// The number of the next speed.
+    next: usize,
+    /// The pressure at the speed before.
+    start: Option<Field>,
 }
 
 impl SlidingProcess {
     /// The process of a problem at rest on a solid with a memory.
     pub fn new(problem: Problem, prony: Prony, speeds: Vec<f64>, stop: Stop) -> Self {
-        Self { problem, prony, speeds, stop }
+        Self { problem, prony, speeds, stop, next: 0, start: None }
     }
 }
 
 impl Process for SlidingProcess {
-    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
-        let terms: Vec<(f64, f64)> = self.prony.terms().iter().map(|term| (term.ratio, term.time)).collect();
-        let mut start: Option<Field> = None;
-        for &speed in &self.speeds {
-            let problem = self.problem.clone().sliding(speed, &terms)?;
-            let contact = MonotoneSets.solve_from(start.as_ref(), &problem, &self.stop, observer)?;
-            let sliding = Sliding::new(contact)?;
-            start = Some(sliding.contact.pressure.clone());
-            each(sliding.into_state(speed))?;
+    fn next(&mut self, observer: &mut dyn Observer) -> Option<Result<State, HistoryError>> {
+        let speed = *self.speeds.get(self.next)?;
+        self.next += 1;
+        let state = self.slide(self.problem.clone(), speed, observer);
+        if state.is_err() {
+            self.next = self.speeds.len();
         }
-        Ok(())
+        Some(state)
+    }
+
+    /// Slides under another load, at the last speed.
+    fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
+        let speed = self.speeds.get(self.next.saturating_sub(1)).copied().unwrap_or(0.0);
+        let problem = self.problem.clone().with_load(point.load)?;
+        self.slide(problem, speed, observer)
+    }
+}
+
+impl SlidingProcess {
+    fn slide(&mut self, problem: Problem, speed: f64, observer: &mut dyn Observer) -> Result<State, HistoryError> {
+        let terms: Vec<(f64, f64)> = self.prony.terms().iter().map(|term| (term.ratio, term.time)).collect();
+        let problem = problem.sliding(speed, &terms)?;
+        let contact = MonotoneSets.solve_from(self.start.as_ref(), &problem, &self.stop, observer)?;
+        let sliding = Sliding::new(contact)?;
+        self.start = Some(sliding.contact.pressure.clone());
+        Ok(sliding.into_state(speed))
     }
 }
 
@@ -61,21 +80,34 @@ pub struct RollingProcess {
     problem: Problem,
     conditions: Vec<RollingConditions>,
     stop: Stop,
+    /// The number of the next conditions.
+    next: usize,
 }
 
 impl RollingProcess {
     /// The process of a problem at rest.
     pub fn new(problem: Problem, conditions: Vec<RollingConditions>, stop: Stop) -> Self {
-        Self { problem, conditions, stop }
+        Self { problem, conditions, stop, next: 0 }
     }
 }
 
 impl Process for RollingProcess {
-    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
-        for conditions in &self.conditions {
-            each(Rolling::solve(&self.problem, *conditions, &self.stop, observer)?.into_state())?;
+    fn next(&mut self, observer: &mut dyn Observer) -> Option<Result<State, HistoryError>> {
+        let conditions = *self.conditions.get(self.next)?;
+        self.next += 1;
+        let rolling = Rolling::solve(&self.problem, conditions, &self.stop, observer);
+        if rolling.is_err() {
+            self.next = self.conditions.len();
         }
-        Ok(())
+        Some(rolling.map(Rolling::into_state).map_err(HistoryError::from))
+    }
+
+    /// Rolls under another load, in the last conditions.
+    fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
+        let last = self.conditions.get(self.next.saturating_sub(1)).copied();
+        let conditions = last.ok_or(HistoryError::Pathless)?;
+        let problem = self.problem.clone().with_load(point.load)?;
+        Ok(Rolling::solve(&problem, conditions, &self.stop, observer)?.into_state())
     }
 }
 

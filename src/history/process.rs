@@ -14,16 +14,38 @@ pub struct PathPoint {
     pub tangential: Option<f64>,
 }
 
-/// A process that makes the next state of a contact from the last one: creep, slip, sliding, rolling. It knows its path.
+/// A process that makes the next state of a contact from the last one: loads one after the other, creep, slip, sliding, rolling, adhesion.
 ///
-/// Tables, recordings and pictures know states, and no process.
+/// A process knows its path, and goes along it state by state; or it is moved by hand, to any point. Recordings, tables, archives and pictures know
+/// states, and no process.
 pub trait Process {
-    /// Goes along the path, and gives each state to `each` as soon as it is solved. The observer sees the steps of all solves.
+    /// The next state along the path; none at its end, and after an error. The observer sees the steps of all solves.
+    fn next(&mut self, observer: &mut dyn Observer) -> Option<Result<State, HistoryError>>;
+
+    /// Moves the contact from its last state to a point, whatever the path is.
+    ///
+    /// # Errors
+    /// For a point that the process cannot reach, and those of the solver.
+    fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError>;
+
+    /// Goes along the path to its end, and gives each state to `each` as soon as it is solved.
     ///
     /// # Errors
     /// An error for a load that is impossible, and those of the solver and of `each`. The history ends there.
-    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError>;
+    fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
+        while let Some(state) = self.next(observer) {
+            each(state?)?;
+        }
+        Ok(())
+    }
 }
 
 /// What receives the states of a history.
 pub type EachState<'e> = dyn FnMut(State) -> Result<(), HistoryError> + 'e;
+
+impl PathPoint {
+    /// A point with a load alone.
+    pub fn under(load: Load) -> Self {
+        Self { time: None, load, tangential: None }
+    }
+}

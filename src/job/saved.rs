@@ -9,7 +9,8 @@ use crate::contact::{
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
 use crate::setup::{Cell, Setup, SetupTable};
-use crate::study::{LoadCurve, Loading};
+use crate::history::Loading;
+use crate::study::LoadCurve;
 use crate::surface::{Field, Plateaus, Surface};
 use std::path::Path;
 use std::sync::Arc;
@@ -233,12 +234,13 @@ impl SavedArchive<'_> {
         }
         let curve = LoadCurve { setup: setup.clone(), loads };
         let problem = curve.problem_of(self.surface.clone())?;
-        let (mut loading, mut contacts) = (Loading::default(), Vec::with_capacity(count));
+        let mut loading = Loading::new(problem, setup.solver(), setup.stop);
+        let mut contacts = Vec::with_capacity(count);
         for (number, (saved, &load)) in self.contacts()?.iter().zip(&curve.loads).enumerate() {
-            let problem = loading.problem(&problem, load)?;
+            let problem = loading.problem(load)?;
             let certified = saved.certified(&problem, &setup.stop).map_err(SetupError::from)?;
             doubts.add(Some(number), certified.doubts);
-            loading.take(certified.contact.clone());
+            loading.take(&certified.contact);
             contacts.push(certified.contact);
         }
         Ok(SavedFound::Curve(contacts))

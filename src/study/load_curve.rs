@@ -1,17 +1,15 @@
 //! A contact under several loads, one after the other.
 
-use super::flattened::Flattened;
 use crate::contact::{Contact, Load, Observer, Problem};
 use crate::error::{SetupError, StudyError};
+use crate::history::{Loading, Process};
 use crate::setup::{Cost, Extras, Setup, SetupTable};
-use crate::surface::{Field, Surface};
+use crate::surface::Surface;
 use std::sync::Arc;
 
 /// A contact under several loads, one after the other; each solve starts from the previous contact.
 ///
-/// With a hardness, plastic deformation remains: a load that is not higher than an earlier one is solved on the surface
-/// after the highest load, see [`Contact::unloaded_surface`], which is elastic. A higher load is solved on the original
-/// surface with the hardness, so loading does not depend on the intermediate loads.
+/// With a hardness, plastic deformation remains, see [`Loading`].
 ///
 /// ```
 /// use asperity::contact::Load;
@@ -99,46 +97,16 @@ impl LoadCurve {
         mut watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(usize, &Contact) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut loading = Loading::default();
-        for (number, &load) in self.loads.iter().enumerate() {
-            let problem = loading.problem(problem, load)?;
-            let (solver, stop) = (self.setup.solver(), &self.setup.stop);
-            let contact = solver.solve_from(loading.start(), &problem, stop, &mut watch(number));
-            let contact = contact.map_err(StudyError::from)?;
-            each(number, &contact)?;
-            loading.take(contact);
+        let mut loading = self.loading(problem);
+        for number in 0..self.loads.len() {
+            let Some(state) = loading.next(&mut watch(number)) else { break };
+            each(number, &state.map_err(StudyError::from)?.contact)?;
         }
         Ok(())
     }
-}
 
-/// The state that a contact passes from one load to the next: its pressure, from which the next solve starts, and its
-/// plastic deformation.
-#[derive(Default)]
-pub struct Loading {
-    start: Option<Field>,
-    flattened: Option<Flattened>,
-}
-
-impl Loading {
-    /// `problem` under the next load, on the surface that the loads before have left.
-    ///
-    /// # Errors
-    /// For a load that cannot be, such as a mean gap after the surface has yielded.
-    pub fn problem(&self, problem: &Problem, load: Load) -> Result<Problem, StudyError> {
-        let problem = problem.clone().with_load(load).map_err(SetupError::from)?;
-        let elastic = self.flattened.as_ref().map_or(Ok(None), |it| it.elastic(&problem))?;
-        Ok(elastic.unwrap_or(problem))
-    }
-
-    /// The pressure to start the next solve from, shape `(ny, nx)`.
-    pub fn start(&self) -> Option<&Field> {
-        self.start.as_ref()
-    }
-
-    /// Takes the contact under a load.
-    pub fn take(&mut self, contact: Contact) {
-        self.flattened = Flattened::by(&contact).or(self.flattened.take());
-        self.start = Some(contact.pressure);
+    /// The process of the loads on a problem.
+    pub fn loading(&self, problem: &Problem) -> Loading<'_> {
+        Loading::new(problem.clone(), self.setup.solver(), self.setup.stop).along(self.loads.clone())
     }
 }

@@ -124,7 +124,7 @@ impl Loop {
             by_load: by_load(&states) / work,
             error: totals.lost_error.map(|error| error / work),
             jumps: totals.jumps.len(),
-            transforms: states.iter().map(|state| state.work.transforms).sum(),
+            transforms: states.iter().map(|state| state.contact.work.transforms).sum(),
         })
     }
 

@@ -177,7 +177,7 @@ fn a_loop_of_motions_loses_the_same_energy_in_the_same_jumps() {
     let calm = moving.iter().filter(|state| state.claim != ResultClaim::Moving);
     assert!(calm.clone().count().abs_diff(fast.len()) <= 2);
     assert!(calm.clone().all(|state| matches!(state.claim, ResultClaim::Stable | ResultClaim::Marginal)));
-    assert!(moving.iter().all(|state| state.work.transforms > 0));
+    assert!(moving.iter().all(|state| state.contact.work.transforms > 0));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A surface that has yielded.
 
 use crate::contact::{Contact, Problem};
-use crate::error::StudyError;
+use crate::error::HistoryError;
 use crate::surface::Surface;
 use std::sync::Arc;
 
@@ -24,15 +24,15 @@ impl Flattened {
     /// The problem of this surface instead of `problem` if its load is lower than a load that the surface has carried.
     ///
     /// # Errors
-    /// [`StudyError::Unload`] under a load that is no pressure.
-    pub fn elastic(&self, problem: &Problem) -> Result<Option<Problem>, StudyError> {
+    /// [`HistoryError::Unload`] under a load that is no pressure.
+    pub fn elastic(&self, problem: &Problem) -> Result<Option<Problem>, HistoryError> {
         let Some(mean_pressure) = problem.mean_pressure() else {
-            return Err(StudyError::Unload { load: problem.load().name() });
+            return Err(HistoryError::Unload { load: problem.load().name() });
         };
         if mean_pressure > self.mean_pressure * (1.0 + 1e-12) {
             return Ok(None);
         }
         let elastic = problem.yielded(self.surface.clone(), mean_pressure);
-        Ok(Some(elastic.map_err(crate::error::SetupError::from)?))
+        Ok(Some(elastic?))
     }
 }
