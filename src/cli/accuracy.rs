@@ -1,6 +1,5 @@
 //! `asperity accuracy`: error against run time.
 
-#[cfg(feature = "record")]
 use super::choice::choice;
 use super::choice::count;
 use super::exit_status::{ExitStatus, usage};
@@ -12,7 +11,6 @@ use asperity::error::FileError;
 use asperity::files::check_target;
 use asperity::lab::accuracy::{AccuracyScene, Experiment, Measurements, figure, write_rows};
 use asperity::plot::{write_png, write_svg};
-#[cfg(feature = "record")]
 use asperity::setup::Part;
 use clap::{Args, ValueEnum};
 use std::io::{Write, stdout};
@@ -62,11 +60,9 @@ pub struct Accuracy {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Record the solvers side by side on the finest grid of each scene, into the same folder
-    #[cfg(feature = "record")]
     #[arg(long, requires = "out")]
     record: bool,
     /// Parts to record, as for `solve`
-    #[cfg(feature = "record")]
     #[arg(long, value_name = "PART[,PART]", value_delimiter = ',', requires = "record", value_parser = choice::<Part>())]
     record_what: Vec<Part>,
 }
@@ -91,7 +87,6 @@ impl Accuracy {
             all.push(findings);
             if let Some(folder) = &self.out {
                 write_files(folder, &all)?;
-                #[cfg(feature = "record")]
                 if self.record {
                     let path = folder.join(format!("{}.rrd", experiment.scene.name()));
                     asperity::lab::accuracy::record(&path, experiment, &self.record_what, bar)?;

@@ -7,7 +7,6 @@ use super::fields::{lay_load, poisson, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::output::write_json;
-#[cfg(feature = "record")]
 use super::recording_args::RecordingArgs;
 use super::warnings;
 use super::wrote::wrote;
@@ -51,7 +50,6 @@ pub struct Certify {
     displacement: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs<OfProblem>,
-    #[cfg(feature = "record")]
     #[command(flatten)]
     shown: RecordingArgs,
     /// Write fields and numbers (.npz); for a line also the nodes (.csv) or a picture of where the error is (.png,
@@ -70,10 +68,7 @@ impl Certify {
         let field = rows(read_field(path, quantity.name())?)?;
         let mut table = self.scene.table()?;
         let is_loaded = lay_load(&mut table, quantity, &field)?;
-        #[cfg(feature = "record")]
         let recorded = self.shown.record.as_deref();
-        #[cfg(not(feature = "record"))]
-        let recorded = None;
         let read = self.scene.files(&table).into_iter().chain([path.into()]);
         check_apart(self.out.as_deref().into_iter().chain(recorded), read)?;
         let setup = table.setup()?;
@@ -122,7 +117,6 @@ impl Certify {
         if let Some(path) = &self.out {
             check_named(path, &["npz", "csv", "png", "svg"])?;
         }
-        #[cfg(feature = "record")]
         self.shown.check()?;
         Ok(())
     }
@@ -141,13 +135,8 @@ impl Certify {
         let frame = Frame { values: claim.values().to_vec(), seconds: None };
         let name = path.display().to_string();
         let replay = Replay::new(&name, claim.quantity(), [Ok(frame)].into_iter());
-        #[cfg(feature = "record")]
-        {
-            let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), name);
-            self.shown.watch(&title, setup, problem, (&replay, None), &mut ())
-        }
-        #[cfg(not(feature = "record"))]
-        Ok(asperity::contact::Solver::solve(&replay, problem, &setup.stop, &mut ())?)
+        let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), name);
+        self.shown.watch(&title, setup, problem, (&replay, None), &mut ())
     }
 
     /// Writes and prints what came out.
@@ -170,7 +159,6 @@ impl Certify {
             verdict.write_text(&mut stdout())?
         }
         warnings::print(&verdict.warnings);
-        #[cfg(feature = "record")]
         self.shown.report();
         self.out.iter().for_each(|path| wrote(path));
         Ok(())

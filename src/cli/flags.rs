@@ -1,11 +1,9 @@
 //! The flags that describe a contact to solve.
 
 use super::choice::one_of;
-#[cfg(feature = "record")]
 use super::exit_status::usage;
 use super::units::Units;
 use super::warnings;
-#[cfg(feature = "record")]
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
@@ -45,8 +43,8 @@ pub struct OfProblem;
 impl Extent for OfSetup {
     const LOAD: &'static str = LOAD;
 
-    fn takes(flag: &Flag) -> bool {
-        flag.section() != "record" || cfg!(feature = "record")
+    fn takes(_: &Flag) -> bool {
+        true
     }
 }
 
@@ -100,7 +98,6 @@ pub struct SceneArgs<E> {
 
 impl<E: Extent> SceneArgs<E> {
     /// A scene as it is in its file.
-    #[cfg(feature = "serve")]
     pub fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
     }
@@ -140,7 +137,6 @@ impl<E: Extent> SceneArgs<E> {
 
 /// The setup in a scene or a result, or one of the heights in any other file.
 fn read(path: &Path) -> Result<SetupTable> {
-    #[cfg(feature = "record")]
     if let Some(setups) = asperity::record::setups(path)? {
         print_if_cut_off(path)?;
         return match setups.as_slice() {

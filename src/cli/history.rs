@@ -95,7 +95,6 @@ fn counted(states: usize) -> String {
 
 /// Refuses outputs that a history does not have.
 fn check(setup: &Setup, outputs: &Outputs) -> Result<()> {
-    #[cfg(feature = "record")]
     if outputs.live {
         return usage("--live shows the steps of one solve, but a history has many: use --record FILE.rrd");
     }
@@ -135,7 +134,6 @@ fn write(
     if let Some(path) = outputs.picture() {
         picture::write(path, &super::history_picture::draw(&subject.title, &outcome))?;
     }
-    #[cfg(feature = "record")]
     if let Some(path) = outputs.recording() {
         outcome.record(path, setup, problem)?;
     }

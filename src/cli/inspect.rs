@@ -9,14 +9,12 @@ use super::interrupt::interrupted;
 use super::iteration::Iteration;
 use super::output::write_json;
 use super::progress::Progress;
-#[cfg(feature = "record")]
 use super::recording_args::RecordingArgs;
 use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
-#[cfg(feature = "record")]
 use asperity::files::check_apart;
 use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
 use asperity::setup::{Cost, Setup, SetupTable};
@@ -64,7 +62,6 @@ pub struct Inspect {
     reference: Option<PathBuf>,
     #[command(flatten)]
     scene: SceneArgs<OfProblem>,
-    #[cfg(feature = "record")]
     #[command(flatten)]
     shown: RecordingArgs,
     /// Explain why the iteration was slow: slow wavelengths, nodes that change their state often, plateaus, contact
@@ -78,14 +75,12 @@ pub struct Inspect {
 
 impl Inspect {
     pub fn run(&self) -> Result<ExitStatus> {
-        #[cfg(feature = "record")]
         self.shown.check()?;
         let mut table = self.scene.table()?;
         check_one_load(&mut table)?;
         if !table.has_load() {
             return Err(ClaimError::NoLoad.into());
         }
-        #[cfg(feature = "record")]
         check_apart(self.shown.record.as_deref(), self.read(&table)?)?;
         let setup = table.setup()?;
         Cost::from_fields(&setup.check()?, FIELDS).check("an iteration")?;
@@ -97,7 +92,6 @@ impl Inspect {
     }
 
     /// The files that are read.
-    #[cfg(feature = "record")]
     fn read(&self, table: &SetupTable) -> Result<Vec<PathBuf>> {
         let steps = step_files(&self.steps)?.into_iter().chain(self.times.clone()).chain(self.reference.clone());
         Ok(self.scene.files(table).into_iter().chain(steps).collect())
@@ -167,7 +161,6 @@ impl Inspect {
         if contact.failure.is_none() {
             if self.json { write_json(&iteration, &mut stdout())? } else { iteration.write_text(&mut stdout())? }
         }
-        #[cfg(feature = "record")]
         self.shown.report();
         settle(&contact)
     }
@@ -195,15 +188,8 @@ impl Inspect {
         observer: &mut dyn Observer,
     ) -> Result<Contact> {
         let mut watching = (observer, Progress::new(replay.name()));
-        #[cfg(feature = "record")]
-        {
-            let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), replay.name());
-            self.shown.watch(&title, setup, problem, (replay, Some(end)), &mut watching)
-        }
-        #[cfg(not(feature = "record"))]
-        drop(end);
-        #[cfg(not(feature = "record"))]
-        Ok(replay.solve(problem, &setup.stop, &mut watching)?)
+        let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), replay.name());
+        self.shown.watch(&title, setup, problem, (replay, Some(end)), &mut watching)
     }
 }
 

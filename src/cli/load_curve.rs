@@ -17,7 +17,6 @@ use anyhow::Result;
 use asperity::contact::{Observables, Problem, State, Status, archive_of_states, warnings_of};
 use asperity::error::FileError;
 use asperity::files::write_beside;
-#[cfg(feature = "record")]
 use asperity::job::CurveRecording;
 use asperity::job::{LoadNumbers, write_loads};
 use asperity::setup::{Part, SetupTable};
@@ -51,7 +50,6 @@ struct Pressed {
 
 /// Solves the contacts of a curve, and writes and prints them.
 pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> Result<ExitStatus> {
-    #[cfg(feature = "record")]
     if outputs.live {
         return usage(
             "--live shows the steps under one load, but several are given: give one load, or use --record FILE.rrd",
@@ -103,7 +101,6 @@ pub fn run(curve: &LoadCurve, outputs: &Outputs, units: Units, is_dry: bool) -> 
 
 /// Solves and records the contacts. Ctrl-C ends it after the last load that is solved.
 fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pressed> {
-    #[cfg(feature = "record")]
     let mut recording = outputs.recording().map(|path| CurveRecording::create(path, curve, problem)).transpose()?;
     let mut pressed = Pressed { findings: Vec::new(), states: Vec::new(), outcome: ExitStatus::Done, failure: None };
     let title = |number: usize| format!("load {} of {}", number + 1, curve.loads.len());
@@ -119,7 +116,6 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
             pressed.outcome = pressed.outcome.max(settle(contact)?);
             let flow = FlowFinding::new(contact, &curve.setup.flow, outputs.archive().is_some())?;
             let mut finding = Finding { flow, ..Finding::new(&curve.setup, contact) };
-            #[cfg(feature = "record")]
             if let Some(Err(failure)) =
                 recording.as_ref().map(|it| it.add(pressed.findings.len(), contact, &finding.observables))
             {
@@ -139,7 +135,6 @@ fn press(curve: &LoadCurve, problem: &Problem, outputs: &Outputs) -> Result<Pres
         }
         ended => ended?,
     }
-    #[cfg(feature = "record")]
     if let Some(Err(failure)) = recording.map(CurveRecording::finish) {
         pressed.failure = Some(failure);
     }

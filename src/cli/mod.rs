@@ -7,14 +7,11 @@ mod certify;
 mod choice;
 mod claim_report;
 mod command_style;
-#[cfg(feature = "record")]
 mod compare;
 mod completions;
-#[cfg(feature = "record")]
 mod demo;
 mod density;
 mod exit_status;
-#[cfg(feature = "serve")]
 mod explore;
 mod fields;
 mod finding;
@@ -33,7 +30,6 @@ mod paper;
 mod picture;
 mod problem_summary;
 mod progress;
-#[cfg(feature = "record")]
 mod recording_args;
 mod seal;
 mod slip;
@@ -42,14 +38,12 @@ mod solve_plan;
 mod stability;
 mod stress;
 mod study;
-#[cfg(feature = "record")]
 mod study_row;
 mod study_table;
 mod surface;
 mod survey;
 mod texture;
 mod units;
-#[cfg(feature = "serve")]
 mod view;
 mod warnings;
 mod words;
@@ -100,15 +94,12 @@ enum Command {
     ///
     /// The result is one recording. Its first tab shows the curves of all runs together: certificate, kappa_r, area and
     /// others. The curves are named by the settings in which the runs differ. Each recording is also in its own tab.
-    #[cfg(feature = "record")]
     Compare(compare::Compare),
     /// Write shell completions
     Completions(completions::Completions),
     /// Record smooth (Hertz) and rough contacts side by side, line and surface, solved by GFMD
-    #[cfg(feature = "record")]
     Demo(demo::Demo),
     /// Open the interactive page: change parameters and see the contact
-    #[cfg(feature = "serve")]
     Explore(explore::Explore),
     /// Analyse another solver's iterations, from files of its steps
     ///
@@ -149,7 +140,6 @@ enum Command {
     /// Generate a surface, or describe one
     Surface(Box<surface::Describe>),
     /// Open a recording in the browser, or compare several
-    #[cfg(feature = "serve")]
     #[command(after_help = "Examples:\n  asperity view demo.rrd\n  asperity view demo.rrd --port 9000 --no-open")]
     View(view::View),
 }
@@ -178,12 +168,9 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
         Command::Certify(certify) => certify.run(),
-        #[cfg(feature = "record")]
         Command::Compare(compare) => compare.run(),
         Command::Completions(completions) => completions.run(Cli::command()),
-        #[cfg(feature = "record")]
         Command::Demo(demo) => demo.run(),
-        #[cfg(feature = "serve")]
         Command::Explore(explore) => explore.run(),
         Command::Inspect(inspect) => inspect.run(),
         Command::Man(man) => man.run(Cli::command()),
@@ -194,7 +181,6 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Stability(stability) => stability.run(),
         Command::Study(study) => study.run(),
         Command::Surface(describe) => describe.run(),
-        #[cfg(feature = "serve")]
         Command::View(view) => view.run(),
     }
 }

@@ -15,15 +15,13 @@ const STRESS: &[&str] = &["npz"];
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
-#[cfg_attr(feature = "record", command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
+#[command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true))]
 pub struct Outputs {
     /// Record every step of the solver, or the contact under each of several loads, for the Rerun viewer; an existing
     /// recording with this name is replaced at the end
-    #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,
     /// Show the steps live in the installed Rerun viewer
-    #[cfg(feature = "record")]
     #[arg(long)]
     pub live: bool,
     /// Write fields, distributions, spectra, numbers and setup (.npz), a table of the loads or of the nodes of a line
@@ -56,12 +54,7 @@ pub struct Outputs {
 impl Outputs {
     /// The recording.
     pub fn recording(&self) -> Option<&Path> {
-        #[cfg(feature = "record")]
-        {
-            self.record.as_deref()
-        }
-        #[cfg(not(feature = "record"))]
-        None
+        self.record.as_deref()
     }
 
     /// The work besides solving, for a number of loads.

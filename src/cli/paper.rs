@@ -76,7 +76,6 @@ pub struct PaperCommand {
     #[arg(long)]
     fresh: bool,
     /// Do not write recordings
-    #[cfg(feature = "record")]
     #[arg(long)]
     no_record: bool,
 }
@@ -141,7 +140,6 @@ impl PaperCommand {
             tolerance: self.tolerance,
             workers: self.workers.map(NonZeroUsize::get),
             is_fresh: self.fresh,
-            #[cfg(feature = "record")]
             is_recorded: !self.no_record,
             ..paper
         }

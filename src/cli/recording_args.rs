@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
-#[cfg_attr(feature = "record", command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true)))]
+#[command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true))]
 pub struct RecordingArgs {
     /// Record the result for the Rerun viewer, like the steps of a solver
     #[arg(long, value_name = "FILE.rrd")]

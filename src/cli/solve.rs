@@ -11,7 +11,6 @@ use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
-#[cfg(feature = "record")]
 use super::recording_args::open;
 use super::slip::SlipFinding;
 use super::solve_plan::{self, SolvePlan};
@@ -134,7 +133,6 @@ impl Solve {
             Some(auto) => job.refined(auto),
             None => job,
         };
-        #[cfg(feature = "record")]
         if self.outputs.record.is_some() || self.outputs.live {
             return job.recorded(open(self.outputs.record.as_deref(), self.outputs.live));
         }

@@ -2,7 +2,6 @@
 
 use super::problem_summary::solver_of;
 use asperity::quantity::bytes_in_words;
-#[cfg(feature = "record")]
 use asperity::record::{Options, Size};
 use asperity::setup::{Cost, Extras, Setup, available_bytes};
 use asperity::study::Refinement;
@@ -14,7 +13,6 @@ pub struct SolvePlan<'a> {
     pub cost: &'a Cost,
     /// The length of a list of loads, if there is one.
     pub loads: Option<usize>,
-    #[cfg_attr(not(feature = "record"), expect(dead_code))]
     pub is_recorded: bool,
     /// Whether a first pass finds the final state, with which the steps are compared.
     pub is_passed_twice: bool,
@@ -43,7 +41,6 @@ pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     if let Some(loads) = loads {
         writeln!(out, "  loads       {loads}, each solved from the contact under the previous load")?;
     }
-    #[cfg(feature = "record")]
     match loads {
         _ if !plan.is_recorded => {}
         Some(loads) => write_recording_of_loads(setup, cost, loads, out)?,
@@ -53,7 +50,6 @@ pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
 }
 
 /// Writes the estimated size of the recording.
-#[cfg(feature = "record")]
 fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Result<()> {
     let options = Options::from(setup);
     let size = Size::new(options.what, &cost.grid);
@@ -75,7 +71,6 @@ fn write_recording(setup: &Setup, cost: &Cost, out: &mut impl Write) -> io::Resu
 }
 
 /// Writes the estimated size of a recording over `loads` loads.
-#[cfg(feature = "record")]
 fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut impl Write) -> io::Result<()> {
     let size = Size::new(Options::from(setup).what, &cost.grid);
     let frame = size.frame + size.contact;

@@ -3,7 +3,6 @@
 use super::choice::{bytes, count};
 use super::exit_status::{ExitStatus, Usage, usage};
 use super::progress::blank;
-#[cfg(feature = "record")]
 use super::study_row;
 use super::study_table::{write_expenses, write_means};
 use super::wrote::wrote;
@@ -59,11 +58,9 @@ pub struct Study {
     #[arg(long)]
     dry_run: bool,
     /// Record the steps of the row with this number, instead of solving the study
-    #[cfg(feature = "record")]
     #[arg(long, value_name = "ROW", requires = "record", conflicts_with_all = ["shard", "out", "dry_run", "fresh"])]
     record_row: Option<usize>,
     /// The recording of that row
-    #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd", requires = "record_row")]
     record: Option<PathBuf>,
 }
@@ -71,7 +68,6 @@ pub struct Study {
 impl Study {
     pub fn run(&self) -> Result<ExitStatus> {
         let plan = Plan::read(&self.study)?;
-        #[cfg(feature = "record")]
         if let (Some(row), Some(path)) = (self.record_row, &self.record) {
             check_apart([path], [self.study.as_path()].into_iter().chain(plan.files()))?;
             return study_row::record(&plan, row, path);

@@ -13,7 +13,6 @@ use anyhow::Result;
 use asperity::Grid;
 use asperity::error::FileError;
 use asperity::files::{check_apart, check_named};
-#[cfg(feature = "record")]
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
 use asperity::surface::{
@@ -43,7 +42,6 @@ pub struct Describe {
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer
-    #[cfg(feature = "record")]
     #[arg(long, value_name = "FILE.rrd", help_heading = "Output")]
     record: Option<PathBuf>,
     /// Write the power spectrum, averaged over directions, as two columns that --spectrum reads: wavenumber and density
@@ -115,7 +113,6 @@ impl Describe {
         if let Some(path) = &self.out {
             check_named(path, &Scan::endings())?;
         }
-        #[cfg(feature = "record")]
         if let Some(path) = &self.record {
             check_named(path, &["rrd"])?;
         }
@@ -123,10 +120,7 @@ impl Describe {
             check_named(path, &["csv"])?;
         }
         let table = self.scene.table()?;
-        #[cfg(feature = "record")]
         let written = self.out.iter().chain(&self.psd).chain(&self.record);
-        #[cfg(not(feature = "record"))]
-        let written = self.out.iter().chain(&self.psd);
         check_apart(written, self.scene.files(&table))?;
         let (mut recipe, cell) = table.surface()?;
         let uneven = even(&mut recipe)?;
@@ -137,7 +131,6 @@ impl Describe {
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
         self.out.iter().try_for_each(|path| statistics.check_unit(&recipe, path))?;
-        #[cfg(feature = "record")]
         if let Some(path) = &self.record {
             statistics.record(path, &recipe, &height, grid)?;
         }
@@ -154,7 +147,6 @@ impl Describe {
             statistics.write(&mut stdout())?
         }
         warnings::print(&statistics.warnings);
-        #[cfg(feature = "record")]
         self.record.iter().for_each(|path| wrote(path));
         self.out.iter().chain(&self.psd).for_each(|path| wrote(path));
         Ok(ExitStatus::Done)
@@ -256,7 +248,6 @@ impl Origin {
 
 impl Statistics {
     /// Records heights, which must not be void.
-    #[cfg(feature = "record")]
     fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
         let survey = self.whole_survey("the surface cannot be recorded")?;
         let mut text = Vec::new();

@@ -6,7 +6,6 @@ use anyhow::Result;
 use asperity::setup::FLAGS;
 use asperity::warning::{Remedy, Warning};
 use std::io::{Write, stderr};
-#[cfg(feature = "record")]
 use std::path::Path;
 
 /// Warnings as texts with the flags that help.
@@ -32,7 +31,6 @@ pub fn print(warnings: &[String]) {
 ///
 /// # Errors
 /// For a file that cannot be read.
-#[cfg(feature = "record")]
 pub fn print_if_cut_off(path: &Path) -> Result<()> {
     if asperity::record::is_cut_off(path)? {
         let path = path.display();

@@ -12,8 +12,7 @@ pub fn wrote(path: &Path) {
 fn opened(path: &Path) -> String {
     let (name, word) = (path.display().to_string(), word(path));
     match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
-        Some("rrd") if cfg!(feature = "serve") => format!("asperity view {word}"),
-        Some("rrd") => format!("rerun {word}"),
+        Some("rrd") => format!("asperity view {word}"),
         Some("sdf" | "x3p" | "xyz") => format!("asperity surface {word}"),
         Some("toml") => format!("asperity solve {word}"),
         Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
