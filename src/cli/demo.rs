@@ -7,7 +7,7 @@ use anyhow::Result;
 use asperity::contact::{Gfmd, Load, Observables};
 use asperity::files::check_named;
 use asperity::job::{Job, JobRun, Solved};
-use asperity::record::Recording;
+use asperity::record::Target;
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
 use asperity::surface::{Indenter, Spectrum};
 use clap::Args;
@@ -55,8 +55,8 @@ impl Demo {
         };
         let [first, rest @ ..] = exhibits.each_ref().map(run);
         let job = rest.into_iter().fold(Job::from_run(first), Job::beside);
-        let job = job.recorded(|scenes, options| Recording::create(&self.out, scenes, options));
-        let solved = job.run(&mut Bars)?.solved;
+        let job = job.recorded(Target::File(self.out.clone()));
+        let solved = job.run(&mut Bars::default())?.solved;
         write_table(&exhibits, &solved)?;
         let outcome = solved
             .iter()

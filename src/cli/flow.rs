@@ -1,11 +1,9 @@
 //! The rows of a summary about flow through a contact: leakage and conductance.
 
 use super::units::{Units, significant};
-use asperity::contact::{Contact, Quantity, StateField};
-use asperity::error::FlowError;
+use asperity::contact::Quantity;
 use asperity::flow::{FlowAxis, Leakage};
 use asperity::quantity::number_in_words;
-use asperity::setup::Flow;
 use serde::Serialize;
 
 /// Leakage and conductance of a contact, each where it is asked for.
@@ -26,9 +24,6 @@ pub struct FlowFinding {
     /// All values by their quantities.
     #[serde(skip)]
     pub numbers: Vec<(Quantity, f64)>,
-    /// Flux over its mean, and pressure of the fluid, by their names in archives.
-    #[serde(skip)]
-    pub fields: Vec<StateField>,
 }
 
 /// The leakage through the gap along one axis, by Reynolds' equation.
@@ -45,41 +40,51 @@ struct AxisFinding {
     hydraulic_gap: f64,
 }
 
-impl FlowFinding {
-    /// What is asked for, if anything is. The fields of the flow are kept for an archive only.
-    pub fn new(contact: &Contact, asked: &Flow, is_archived: bool) -> Result<Option<Self>, FlowError> {
-        if asked.is_none() {
-            return Ok(None);
-        }
-        let flow = asked.measure(contact)?;
-        let found = |it: &Leakage| {
-            let is_x = it.axis == FlowAxis::X;
-            let [open, joined] = match is_x {
-                true => [Quantity::OpenPercolatesX, Quantity::ContactPercolatesX],
-                false => [Quantity::OpenPercolatesY, Quantity::ContactPercolatesY],
-            }
-            .map(|it| flow.get(it) == Some(1.0));
-            AxisFinding {
-                axis: it.axis,
-                open_percolates: open,
-                contact_percolates: joined,
-                leakage: [it.lower, it.upper],
-                hydraulic_gap: it.sigma().cbrt(),
-            }
+impl AxisFinding {
+    /// What was found along an axis.
+    fn new(axis: FlowAxis, get: impl Fn(Quantity) -> Option<f64>) -> Option<Self> {
+        let names = match axis {
+            FlowAxis::X => [
+                Quantity::OpenPercolatesX,
+                Quantity::ContactPercolatesX,
+                Quantity::LeakageLowerX,
+                Quantity::LeakageUpperX,
+                Quantity::HydraulicGapX,
+            ],
+            FlowAxis::Y => [
+                Quantity::OpenPercolatesY,
+                Quantity::ContactPercolatesY,
+                Quantity::LeakageLowerY,
+                Quantity::LeakageUpperY,
+                Quantity::HydraulicGapY,
+            ],
         };
-        let along = flow.leakages.iter().map(found).collect();
-        let per_area = flow.get(Quantity::ConductancePerArea);
-        let times_resistivity = flow.get(Quantity::ConductanceTimesResistivity);
-        let fields = flow.leakages.into_iter().filter(|_| is_archived).flat_map(Leakage::into_fields);
+        let [open, joined, lower, upper, hydraulic_gap] = names.map(get);
+        Some(Self {
+            axis,
+            open_percolates: open? == 1.0,
+            contact_percolates: joined? == 1.0,
+            leakage: [lower?, upper?],
+            hydraulic_gap: hydraulic_gap?,
+        })
+    }
+}
+
+impl FlowFinding {
+    /// What was found, if anything was.
+    pub fn from_numbers(numbers: &[(Quantity, f64)]) -> Option<Self> {
+        let get = |quantity: Quantity| numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value);
         let is_finite = |it: &f64| it.is_finite();
-        Ok(Some(Self {
+        let per_area = get(Quantity::ConductancePerArea);
+        let along: Vec<AxisFinding> =
+            FlowAxis::ALL.into_iter().filter_map(|axis| AxisFinding::new(axis, get)).collect();
+        (!along.is_empty() || per_area.is_some()).then(|| Self {
             along,
             conductance_per_area: per_area.filter(is_finite),
-            conductance_times_resistivity: times_resistivity.filter(is_finite),
+            conductance_times_resistivity: get(Quantity::ConductanceTimesResistivity).filter(is_finite),
             is_unconstricted: per_area.is_some_and(f64::is_infinite),
-            numbers: flow.numbers,
-            fields: fields.collect(),
-        }))
+            numbers: numbers.to_vec(),
+        })
     }
 
     /// Names and values for reading.

@@ -1,14 +1,11 @@
 //! `asperity solve` with a history: creep, slip, sliding or rolling.
 
 use super::adhesion;
-use super::exit_status::{ExitStatus, usage};
-use super::interrupt::{Interruption, interrupted};
+use super::exit_status::ExitStatus;
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
-use super::progress::Progress;
-use super::solve_plan::{self, SolvePlan};
 use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
@@ -16,12 +13,13 @@ use anyhow::Result;
 use asperity::contact::{Problem, Quantity, QuantityKind, State, Status, Unit, archive_of_states};
 use asperity::error::{HistoryError, SlipError};
 use asperity::files::write_beside;
-use asperity::job::{AdhesionOutcome, HistoryOutcome};
+use asperity::job::{AdhesionOutcome, HistoryOutcome, Solved};
 use asperity::quantity::number_in_words;
-use asperity::setup::{Part, Setup};
+use asperity::setup::Setup;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::{self, Write, stdout};
+use std::path::Path;
 
 /// Everything that a script may want to know about a history, and the setup that repeats it.
 #[derive(Serialize)]
@@ -41,28 +39,10 @@ struct HistorySummary {
     setup: Setup,
 }
 
-/// Follows the history of a setup, and writes and prints its states.
-pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Result<ExitStatus> {
-    check(setup, outputs)?;
-    let cost = setup.cost(&outputs.extras(1))?;
-    outputs.check()?;
-    if is_dry {
-        let plan = SolvePlan { setup, cost: &cost, loads: None, is_recorded: false, is_passed_twice: false };
-        solve_plan::write(&plan, &mut stdout())?;
-        let states = setup.expected_states()?;
-        writeln!(stdout(), "  states      about {states}, each solved from the state before; all are kept in memory")?;
-    }
-    cost.check(setup.solver.name())?;
-    if is_dry {
-        return Ok(ExitStatus::Done);
-    }
-    let problem = setup.problem()?;
-    let of_surface = setup.surface.warnings(problem.surface());
-    if outputs.strict {
-        warnings::refuse_if_strict(&warnings::in_flags(&of_surface), true)?;
-    }
-    let mut observer = (Interruption(interrupted()?), Progress::new("history"));
-    let mut outcome = HistoryOutcome::solve(setup, &problem, &mut observer)?;
+/// Writes and prints the states of a history.
+pub fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outputs, Units)) -> Result<ExitStatus> {
+    let mut all = warnings::in_flags(&solved.warnings());
+    let (setup, Some(mut outcome)) = (solved.setup, solved.history) else { return Ok(ExitStatus::Done) };
     let ended = outcome.ended.take();
     let is_stopped = matches!(ended, Some(HistoryError::Stopped));
     let failure = ended.filter(|_| !is_stopped);
@@ -74,13 +54,15 @@ pub fn run(setup: &Setup, outputs: &Outputs, units: Units, is_dry: bool) -> Resu
         warnings::print(&[format!("interrupted: {} solved and written", counted(outcome.states.len()))]);
     }
     let is_converged = outcome.states.iter().all(|state| state.contact.is_converged());
-    let mut all = of_surface;
-    all.extend(outcome.warnings());
-    let mut all = warnings::in_flags(&all);
     all.extend(failed);
     warnings::refuse_if_strict(&all, outputs.strict)?;
-    write(setup, &problem, outcome, (outputs, units), all)?;
-    outputs.files().for_each(wrote);
+    let unwritten = outcome.failure.take();
+    write_files(&setup, problem, outcome, (outputs, units), all)?;
+    let is_whole = |path: &&Path| unwritten.is_none() || Some(*path) != outputs.recording();
+    outputs.files().filter(is_whole).for_each(wrote);
+    if let Some(failure) = unwritten {
+        return Err(failure.into());
+    }
     Ok(match (is_stopped, is_converged && !has_failed) {
         (true, _) => ExitStatus::Interrupted,
         (false, true) => ExitStatus::Done,
@@ -93,33 +75,7 @@ fn counted(states: usize) -> String {
     if states == 1 { "1 state".into() } else { format!("{states} states") }
 }
 
-/// Refuses outputs that a history does not have.
-fn check(setup: &Setup, outputs: &Outputs) -> Result<()> {
-    if outputs.live {
-        return usage("--live shows the steps of one solve, but a history has many: use --record FILE.rrd");
-    }
-    if outputs.stiffness {
-        return usage("--stiffness is for one contact, but a history has many states: leave it out");
-    }
-    if outputs.stress.is_some() {
-        return usage("--stress is for one contact, but a history has many states: leave it out");
-    }
-    if setup.record.every.is_some() {
-        return usage(
-            "--record-every is for the steps of one solve, but every state of a history is recorded: leave it out",
-        );
-    }
-    if let Some(part) = setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) {
-        let part = part.name();
-        return usage(format!(
-            "the recording part {part} shows the steps of one solve, but a history has many: leave it out"
-        ));
-    }
-    Ok(())
-}
-
-/// Writes and prints what came out.
-fn write(
+fn write_files(
     setup: &Setup,
     problem: &Problem,
     outcome: HistoryOutcome,
@@ -133,9 +89,6 @@ fn write(
     }
     if let Some(path) = outputs.picture() {
         picture::write(path, &super::history_picture::draw(&subject.title, &outcome))?;
-    }
-    if let Some(path) = outputs.recording() {
-        outcome.record(path, setup, problem)?;
     }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;

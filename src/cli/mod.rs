@@ -36,6 +36,7 @@ mod slip;
 mod solve;
 mod solve_plan;
 mod stability;
+mod state_watch;
 mod stress;
 mod study;
 mod study_row;

@@ -1,9 +1,12 @@
 //! The files that a solve writes.
 
+use super::exit_status::usage;
+use anyhow::Result;
 use asperity::contact::Contact;
 use asperity::error::FileError;
 use asperity::files::check_named;
-use asperity::setup::Extras;
+use asperity::job::{StateArchive, StateTable};
+use asperity::setup::{Extras, Part, ProcessKind, Setup};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -95,6 +98,44 @@ impl Outputs {
         if self.stiffness {
             contact.stiffness();
         }
+    }
+
+    /// Refuses outputs that the states of a run do not have.
+    pub fn check_states(&self, kind: ProcessKind, setup: &Setup) -> Result<()> {
+        let is_list = kind == ProcessKind::Loads;
+        if self.stiffness && !is_list {
+            return usage("--stiffness is for one contact, but a history has many states: leave it out");
+        }
+        if self.stress.is_some() {
+            return usage("--stress is for one contact, but a history has many states: leave it out");
+        }
+        if setup.record.every.is_some() {
+            return usage(match is_list {
+                true => {
+                    "--record-every is for the steps under one load, but the contact under each load is recorded: leave it out"
+                }
+                false => {
+                    "--record-every is for the steps of one solve, but every state of a history is recorded: leave it out"
+                }
+            });
+        }
+        let Some(part) = setup.record.what.iter().find(|part| Part::OF_A_RUN.contains(part)) else { return Ok(()) };
+        let part = part.name();
+        usage(match is_list {
+            true => format!(
+                "the recording part {part} shows the steps under one load, but several are given: give one load, or \
+                 leave the part out"
+            ),
+            false => {
+                format!("the recording part {part} shows the steps of one solve, but a history has many: leave it out")
+            }
+        })
+    }
+
+    /// Removes what grew beside the files that are written at the end.
+    pub fn discard_parts(&self) {
+        self.table().map(StateTable::discard);
+        self.archive().map(StateArchive::discard);
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.

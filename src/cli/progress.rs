@@ -1,11 +1,14 @@
 //! A progress bar on a terminal.
 
 use super::command_style::is_quiet;
+use super::interrupt::Interruption;
 use asperity::contact::{Failure, Observer, Phase, Problem, Solver, Step, Stop, Wish};
 use asperity::job::{Pass, Watcher};
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Places on the bar from the first certificate to the tolerance.
@@ -34,16 +37,32 @@ pub fn bar(title: &str) -> Box<dyn Observer> {
     Box::new(Progress::new(title))
 }
 
-/// A bar for each solve of a job.
-pub struct Bars;
+/// A bar for each solve of a job. Ctrl-C ends a run with several states after the last state that is solved.
+#[derive(Default)]
+pub struct Bars {
+    interrupted: Option<Arc<AtomicBool>>,
+}
 
 impl Watcher for Bars {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
-        bar(&match pass {
+        let title = match pass {
             Pass::Grid(run) | Pass::Solve(run, _) => run.label().to_owned(),
             Pass::Reference(run) => format!("{}, first pass", run.label()),
             Pass::Stick(_) => "stick zone".into(),
-        })
+            Pass::State(run, _, number) => match run.loads.len() {
+                0 => format!("state {}", number + 1),
+                loads => format!("load {} of {loads}", number + 1),
+            },
+        };
+        let interruption = self.interrupted.clone().filter(|_| matches!(pass, Pass::State(..))).map(Interruption);
+        Box::new((interruption, Progress::new(&title)))
+    }
+}
+
+impl Bars {
+    /// Bars of a run that Ctrl-C ends.
+    pub fn until(interrupted: Arc<AtomicBool>) -> Self {
+        Self { interrupted: Some(interrupted) }
     }
 }
 
@@ -63,7 +82,9 @@ impl Progress {
         let bar = blank("{prefix} [{wide_bar}] {msg} ({elapsed})");
         bar.set_length(LENGTH);
         bar.set_prefix(title.to_owned());
-        bar.enable_steady_tick(Duration::from_millis(200));
+        if !bar.is_hidden() {
+            bar.enable_steady_tick(Duration::from_millis(200));
+        }
         Self { bar, tolerance: f64::NAN, coarse: 0, level: None }
     }
 

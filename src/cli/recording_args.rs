@@ -7,7 +7,7 @@ use asperity::diagnosis::Reference;
 use asperity::error::FileError;
 use asperity::files::check_named;
 use asperity::job::{self, Job, JobRun};
-use asperity::record::{Options, Recording, Scene};
+use asperity::record::Target;
 use asperity::setup::Setup;
 use clap::{ArgGroup, Args};
 use std::path::{Path, PathBuf};
@@ -48,18 +48,16 @@ impl RecordingArgs {
     ) -> Result<Contact> {
         let run = JobRun { reference, ..JobRun::from_other(title, setup.clone(), problem.clone(), steps) };
         let job = Job::from_run(run);
-        let job = match &self.record {
-            None if !self.live => job,
-            path => job.recorded(open(path.as_deref(), self.live)),
+        let job = match target(self.record.as_deref(), self.live) {
+            None => job,
+            Some(target) => job.recorded(target),
         };
         Ok(job.run(&mut job::ShowSteps(observer))?.solved.swap_remove(0).contact)
     }
 }
 
-/// Begins a recording in the installed viewer if it is live, else in a file.
-pub fn open(path: Option<&Path>, is_live: bool) -> impl FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> {
-    move |scenes, options| match path {
-        Some(path) if !is_live => Recording::create(path, scenes, options),
-        _ => Recording::shown(path, scenes, options),
-    }
+/// The installed viewer if the recording is live, else a file; none if nothing is recorded.
+pub fn target(path: Option<&Path>, is_live: bool) -> Option<Target<'static>> {
+    let path = path.map(PathBuf::from);
+    if is_live { Some(Target::Viewer(path)) } else { path.map(Target::File) }
 }

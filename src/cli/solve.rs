@@ -1,6 +1,6 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
-use super::exit_status::{ExitStatus, settle, usage};
+use super::exit_status::{ExitStatus, Interrupted, settle, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
 use super::flow::FlowFinding;
@@ -11,18 +11,21 @@ use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
-use super::recording_args::open;
+use super::recording_args::target;
 use super::slip::SlipFinding;
 use super::solve_plan::{self, SolvePlan};
+use super::state_watch::StateWatch;
 use super::stress;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{PartialSlip, State, archive_of_slip, archive_of_state};
 use asperity::diagnosis::Findings;
+use asperity::error::{HistoryError, SetupError};
 use asperity::files::{check_apart, write_beside};
-use asperity::job::{Job, Solved, write_nodes};
-use asperity::setup::{Auto, Setup, SetupTable};
+use asperity::flow::Leakage;
+use asperity::job::{Job, JobRun, Solved, StateArchive, StateTable, write_nodes};
+use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write, stdout};
@@ -60,44 +63,83 @@ impl Solve {
         refuse_study(&table)?;
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
-        let units = self.scene.units(&setup.surface);
-        if setup.is_history()? {
-            return match loads {
-                Some(_) => usage("a history needs one load, but several are given: give one, and a path of loads"),
-                None if auto.is_some() || self.diagnose || self.unload => {
-                    usage("--refine auto, --diagnose and --unload do not go with a history: leave them out")
-                }
-                None => history::run(&setup, &self.outputs, units, self.dry_run),
-            };
-        }
-        match loads {
-            Some(_) if auto.is_some() => {
+        self.check(&setup, loads.is_some(), auto.is_some())?;
+        let run = match loads {
+            Some(loads) if self.unload => JobRun::of_loads(LoadCurve { setup, loads }.and_back()),
+            Some(loads) => JobRun::of_loads(LoadCurve { setup, loads }),
+            None => JobRun::new(setup),
+        };
+        self.solve(run, auto)
+    }
+
+    /// Refuses flags that do not go together.
+    fn check(&self, setup: &Setup, has_loads: bool, is_auto: bool) -> Result<()> {
+        let is_history = setup.is_history()?;
+        match has_loads {
+            true if is_history => {
+                usage("a history needs one load, but several are given: give one, and a path of loads")
+            }
+            false if is_history && (is_auto || self.diagnose || self.unload) => {
+                usage("--refine auto, --diagnose and --unload do not go with a history: leave them out")
+            }
+            true if is_auto => {
                 usage("--refine auto needs one load, but several are given: give one load, or a number for --refine")
             }
-            Some(_) if self.diagnose => usage("--diagnose needs one load, but several are given: give one"),
-            Some(_) if setup.friction.is_some() => {
+            true if self.diagnose => usage("--diagnose needs one load, but several are given: give one"),
+            true if setup.friction.is_some() => {
                 usage("a tangential load needs one normal load, but several are given: give one")
             }
-            Some(_) if self.outputs.stress.is_some() => {
-                usage("--stress needs one load, but several are given: give one")
-            }
-            Some(loads) if self.unload => {
-                load_curve::run(&LoadCurve { setup, loads }.and_back(), &self.outputs, units, self.dry_run)
-            }
-            Some(loads) => load_curve::run(&LoadCurve { setup, loads }, &self.outputs, units, self.dry_run),
-            None if self.unload => {
+            true if self.outputs.stress.is_some() => usage("--stress needs one load, but several are given: give one"),
+            false if self.unload && !is_history => {
                 usage("--unload needs several loads, but one is given: give more, such as 1e-3..1e-1:13")
             }
-            None => self.solve(setup, auto),
+            _ => Ok(()),
         }
     }
 
-    /// Solves a setup under its one load, on a grid that is found first if it is not given.
-    fn solve(&self, setup: Setup, auto: Option<Auto>) -> Result<ExitStatus> {
+    /// Solves a run: one contact, on a grid that is found first if it is not given, or several states.
+    fn solve(&self, run: JobRun<'static>, auto: Option<Auto>) -> Result<ExitStatus> {
         let Self { outputs, .. } = self;
-        let job = self.job(setup, auto).with_extras(outputs.extras(1));
+        let (kind, loads) = (run.kind()?, run.loads.clone());
+        kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
+        let rank = run.setup.surface.rank(&run.setup.grid)?;
+        let job = self.job(run, kind, rank, auto).with_extras(outputs.extras(loads.len().max(1)));
         let cost = job.cost()?;
         outputs.check()?;
+        if kind.is_none() {
+            self.check_contact(&job, &cost)?;
+        }
+        if self.dry_run {
+            return self.plan(&job, &cost, kind, loads.len());
+        }
+        cost.check(job.setup().solver.name())?;
+        let ready = job.prepare()?;
+        if outputs.strict {
+            warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;
+        }
+        let Some(kind) = kind else {
+            let mut outcome = ready.run(&mut Bars::default())?;
+            let solved = outcome.solved.swap_remove(0);
+            outputs.complete(&solved.contact);
+            return self.write(solved, outcome.diagnosis);
+        };
+        let setup = ready.setup().clone();
+        let problem = ready.problem().clone();
+        let mut watch = StateWatch::new(&setup, outputs, kind)?;
+        let solved = ready.run(&mut watch).map_err(before_the_first)?.solved.swap_remove(0);
+        let written = match kind {
+            ProcessKind::Loads => {
+                load_curve::write(solved, &loads, &problem, watch, (outputs, self.scene.units(&setup.surface)))
+            }
+            _ => history::write(solved, &problem, (outputs, self.scene.units(&setup.surface))),
+        };
+        outputs.discard_parts();
+        written
+    }
+
+    /// Refuses outputs that one contact does not have.
+    fn check_contact(&self, job: &Job<'_>, cost: &Cost) -> Result<()> {
+        let Self { outputs, .. } = self;
         if let Some(path) = outputs.table().filter(|_| !cost.grid.is_line()) {
             return usage(format!("{}: a .csv of nodes is for lines only; for a surface give a .npz", path.display()));
         }
@@ -105,38 +147,50 @@ impl Solve {
             job.setup().check_stress(&cost.grid)?;
             stress::check(&cost.grid, outputs.stress_row)?;
         }
-        if self.dry_run {
-            let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
-            let is_recorded = outputs.recording().is_some();
-            solve_plan::write(
-                &SolvePlan { setup, cost: &cost, loads: None, is_recorded, is_passed_twice },
-                &mut stdout(),
-            )?;
-            job.refinement().map_or(Ok(()), |refinement| solve_plan::write_grids(refinement, &mut stdout()))?;
-            cost.check(setup.solver.name())?;
-            return Ok(ExitStatus::Done);
-        }
-        let ready = job.prepare()?;
-        if outputs.strict {
-            warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;
-        }
-        let mut outcome = ready.run(&mut Bars)?;
-        let solved = outcome.solved.swap_remove(0);
-        outputs.complete(&solved.contact);
-        self.write(solved, outcome.diagnosis)
+        Ok(())
     }
 
-    /// The job that the flags ask for.
-    fn job(&self, setup: Setup, auto: Option<Auto>) -> Job<'_> {
-        let job = Job::new(setup).diagnosed(self.diagnose);
+    /// Says what the run would cost, and solves nothing.
+    fn plan(&self, job: &Job<'_>, cost: &Cost, kind: Option<ProcessKind>, loads: usize) -> Result<ExitStatus> {
+        let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
+        let is_history = kind.is_some_and(|kind| kind != ProcessKind::Loads);
+        let is_recorded = self.outputs.recording().is_some() && !is_history;
+        let loads = (loads > 0).then_some(loads);
+        solve_plan::write(&SolvePlan { setup, cost, loads, is_recorded, is_passed_twice }, &mut stdout())?;
+        if is_history {
+            let states = setup.expected_states()?;
+            writeln!(
+                stdout(),
+                "  states      about {states}, each solved from the state before; all are kept in memory"
+            )?;
+        }
+        job.refinement().map_or(Ok(()), |refinement| solve_plan::write_grids(refinement, &mut stdout()))?;
+        cost.check(setup.solver.name())?;
+        Ok(ExitStatus::Done)
+    }
+
+    /// The job that the flags ask for. States go to a table and an archive as they come.
+    fn job(&self, run: JobRun<'static>, kind: Option<ProcessKind>, rank: usize, auto: Option<Auto>) -> Job<'static> {
+        let Self { outputs, .. } = self;
+        let job = Job::from_run(run).diagnosed(self.diagnose);
         let job = match auto {
             Some(auto) => job.refined(auto),
             None => job,
         };
-        if self.outputs.record.is_some() || self.outputs.live {
-            return job.recorded(open(self.outputs.record.as_deref(), self.outputs.live));
+        let job = match target(outputs.recording(), outputs.live) {
+            Some(target) => job.recorded(target),
+            None => job,
+        };
+        let Some(kind) = kind else { return job };
+        let job = job.keeping_last(kind == ProcessKind::Loads && outputs.archive().is_none());
+        let job = match outputs.table() {
+            Some(path) => job.with_sink(StateTable::beside(path)),
+            None => job,
+        };
+        match outputs.archive() {
+            Some(path) => job.with_sink(StateArchive::beside(path, rank)),
+            None => job,
         }
-        job
     }
 
     /// Writes and prints what came out.
@@ -145,8 +199,8 @@ impl Solve {
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
         let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
-        let flow = FlowFinding::new(&contact, &setup.flow, outputs.archive().is_some())?;
-        let finding = Finding { flow, ..finding };
+        let flow = setup.flow.measure(&contact)?;
+        let finding = Finding { flow: FlowFinding::from_numbers(&flow.numbers), ..finding };
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
@@ -155,7 +209,7 @@ impl Solve {
             let bytes = match &slip {
                 Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
                 None => {
-                    let fields = finding.flow.iter().flat_map(|it| it.fields.iter().cloned()).collect();
+                    let fields = flow.leakages.into_iter().flat_map(Leakage::into_fields).collect();
                     let state = State { fields, ..State::from_contact(contact.clone(), None) };
                     archive_of_state(&state, subject.rank, Some(&text))
                 }
@@ -206,5 +260,13 @@ fn refuse_study(table: &SetupTable) -> Result<()> {
             axis.len()
         )),
         None => Ok(()),
+    }
+}
+
+/// The error of a run, which Ctrl-C may have ended before there was a state.
+fn before_the_first(error: SetupError) -> anyhow::Error {
+    match error {
+        SetupError::History(HistoryError::Stopped) => Interrupted.into(),
+        error => error.into(),
     }
 }

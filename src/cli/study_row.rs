@@ -6,11 +6,11 @@ use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::check_named;
+use asperity::history::{Loading, PathPoint, Process};
 use asperity::job::{Job, JobRun};
-use asperity::record::Recording;
+use asperity::record::Target;
 use asperity::setup::Extras;
 use asperity::study::Plan;
-use asperity::history::{Loading, PathPoint, Process};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
@@ -30,9 +30,10 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
         loading.move_to(PathPoint::under(load), &mut progress)?;
     }
     let (problem, start) = (loading.problem(setup.load)?, loading.start().cloned());
-    let job = Job::from_run(JobRun { problem: Some(problem), ..JobRun::new(setup.clone()) }).started_from(start.as_ref());
-    let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
-    let solved = job.run(&mut Bars)?.solved.swap_remove(0);
+    let job =
+        Job::from_run(JobRun { problem: Some(problem), ..JobRun::new(setup.clone()) }).started_from(start.as_ref());
+    let job = job.recorded(Target::File(path.into()));
+    let solved = job.run(&mut Bars::default())?.solved.swap_remove(0);
     warnings::print(&warnings::in_flags(&solved.warnings()));
     if solved.contact.failure.is_none() {
         wrote(path);

@@ -3,14 +3,16 @@
 use crate::contact::{Certificate, Resolved, SavedContact, Status, Work};
 use crate::error::FileError;
 use crate::surface::{Field, has_field, read_fields, read_fields_shape, read_text};
-use ndarray::{ArrayD, Axis, Ix2};
+use ndarray::{ArrayD, Axis, Ix2, concatenate};
 use std::path::{Path, PathBuf};
 
-/// An archive that [`archive`](crate::contact::archive) or one of its kin has written. Arrays are read when they are asked for; nothing in them is
+/// An archive that [`archive`](crate::contact::archive) or one of its kin has written, or a folder with an archive of each state. Arrays are read when they are asked for; nothing in them is
 /// believed but their shapes, which are checked.
 #[derive(Debug)]
 pub struct ArchiveReader {
     path: PathBuf,
+    /// The archives that it consists of: one, or those of the states in a folder.
+    parts: Vec<PathBuf>,
     setup: String,
     /// The number of axes of the heights.
     rank: usize,
@@ -19,27 +21,32 @@ pub struct ArchiveReader {
 }
 
 impl ArchiveReader {
-    /// Opens an archive.
+    /// Opens an archive, or a folder with an archive of each state, which a run leaves that was killed.
     ///
     /// # Errors
     /// [`FileError::Read`] for a file that cannot be read, and [`FileError::Format`] for one that is no result.
     pub fn open(path: &Path) -> Result<Self, FileError> {
-        let Some(setup) = read_text(path, "setup")? else {
+        let parts = if path.is_dir() { parts_of(path)? } else { vec![path.to_owned()] };
+        let Some(first) = parts.first() else {
+            return Err(wrong(path, "it is a folder without archives of states: give a file .npz"));
+        };
+        let Some(setup) = read_text(first, "setup")? else {
             return Err(wrong(path, "it is not a saved result: give a file .npz with arrays and a setup"));
         };
-        let [heights, pressure] = ["height", "pressure"].map(|name| read_fields_shape(path, name));
+        let [heights, pressure] = ["height", "pressure"].map(|name| read_fields_shape(first, name));
         let (rank, axes) = (heights?.len(), pressure?);
         let list = match axes.len() {
             _ if !(1..=2).contains(&rank) => {
                 return Err(wrong(path, format!("its heights have {rank} axes: a line has 1, a surface 2")));
             }
             found if found == rank => None,
+            found if found == rank + 1 && path.is_dir() => Some(parts.len()),
             found if found == rank + 1 => Some(axes[0]),
             found => return Err(wrong(path, format!("its pressure has {found} axes, but its heights have {rank}"))),
         };
         match list {
             Some(0) => Err(wrong(path, "it contains no contacts")),
-            _ => Ok(Self { path: path.into(), setup, rank, list }),
+            _ => Ok(Self { path: path.into(), parts, setup, rank, list }),
         }
     }
 
@@ -73,7 +80,11 @@ impl ArchiveReader {
     /// # Errors
     /// [`FileError::Format`] for an archive that is cut short.
     pub fn has(&self, name: &'static str) -> Result<bool, FileError> {
-        has_field(&self.path, name)
+        let mut has = false;
+        for part in &self.parts {
+            has |= has_field(part, name)?;
+        }
+        Ok(has)
     }
 
     /// The heights, shape `(ny, nx)`.
@@ -81,15 +92,35 @@ impl ArchiveReader {
     /// # Errors
     /// The errors of [`ArchiveReader::fields`].
     pub fn height(&self) -> Result<Field, FileError> {
-        self.field("height", read_fields(&self.path, "height")?)
+        self.field("height", read_fields(&self.parts[0], "height")?)
     }
 
-    /// All numbers of an array.
+    /// All numbers of an array that all contacts share, such as `size`.
+    ///
+    /// # Errors
+    /// For an array that is not there.
+    pub fn shared(&self, name: &'static str) -> Result<Vec<f64>, FileError> {
+        Ok(read_fields(&self.parts[0], name)?.into_iter().collect())
+    }
+
+    /// All numbers of an array, those of the contacts one after the other.
     ///
     /// # Errors
     /// For an array that is not there.
     pub fn values(&self, name: &'static str) -> Result<Vec<f64>, FileError> {
-        Ok(read_fields(&self.path, name)?.into_iter().collect())
+        Ok(self.read(name)?.into_iter().collect())
+    }
+
+    /// An array; of a folder, those of its archives along a first axis.
+    fn read(&self, name: &'static str) -> Result<ArrayD<f64>, FileError> {
+        let arrays: Vec<ArrayD<f64>> =
+            self.parts.iter().map(|part| read_fields(part, name)).collect::<Result<_, _>>()?;
+        let views: Vec<_> = arrays.iter().map(|array| array.view()).collect();
+        match views.as_slice() {
+            [one] => Ok(one.to_owned()),
+            several => concatenate(Axis(0), several)
+                .map_err(|_| self.wrong(format!("the archives of its states do not fit each other in `{name}`"))),
+        }
     }
 
     /// The fields of a name, one of each contact, shape `(ny, nx)`.
@@ -97,14 +128,15 @@ impl ArchiveReader {
     /// # Errors
     /// [`FileError::Format`] for an array that is not there, of another shape than the pressure, or with values that are not finite.
     pub fn fields(&self, name: &'static str) -> Result<Vec<Field>, FileError> {
-        let [array, pressure] = [name, "pressure"].map(|name| read_fields_shape(&self.path, name));
-        let (found, expected) = (array?, pressure?);
-        if found != expected {
-            return Err(
-                self.wrong(format!("its array `{name}` has the shape {found:?}, but its pressure has {expected:?}"))
-            );
+        for part in &self.parts {
+            let [array, pressure] = [name, "pressure"].map(|name| read_fields_shape(part, name));
+            let (found, expected) = (array?, pressure?);
+            if found != expected {
+                return Err(self
+                    .wrong(format!("its array `{name}` has the shape {found:?}, but its pressure has {expected:?}")));
+            }
         }
-        let array = read_fields(&self.path, name)?;
+        let array = self.read(name)?;
         match self.list {
             None => Ok(vec![self.field(name, array)?]),
             Some(_) => array.outer_iter().map(|it| self.field(name, it.to_owned())).collect(),
@@ -129,7 +161,15 @@ impl ArchiveReader {
         if !self.has(name)? {
             return Ok(None);
         }
-        let (values, count) = (self.values(name)?, self.count());
+        let mut values = Vec::new();
+        for part in &self.parts {
+            match has_field(part, name)? {
+                true => values.extend(read_fields(part, name)?),
+                // a number that only some states have
+                false => values.push(f64::NAN),
+            }
+        }
+        let count = self.count();
         match values.len() == count {
             true => Ok(Some(values)),
             false => Err(self.wrong(format!("its array `{name}` has {} numbers, not {count}", values.len()))),
@@ -141,8 +181,11 @@ impl ArchiveReader {
     /// # Errors
     /// [`FileError::Format`] for another number of them.
     pub fn words(&self, name: &str) -> Result<Vec<String>, FileError> {
-        let (text, count) = (read_text(&self.path, name)?.unwrap_or_default(), self.count());
-        let words: Vec<String> = text.lines().map(str::to_owned).collect();
+        let (mut words, count) = (Vec::new(), self.count());
+        for part in &self.parts {
+            let text = read_text(part, name)?.unwrap_or_default();
+            words.extend(text.lines().map(str::to_owned));
+        }
         match words.len() == count {
             true => Ok(words),
             false => Err(self.wrong(format!("its text `{name}` has {} lines, not {count}", words.len()))),
@@ -182,6 +225,16 @@ impl ArchiveReader {
     fn wrong(&self, reason: impl Into<String>) -> FileError {
         wrong(&self.path, reason)
     }
+}
+
+/// The archives in a folder, by their names.
+fn parts_of(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    let failed = |source| FileError::Read { path: folder.into(), source };
+    let entries = std::fs::read_dir(folder).map_err(failed)?;
+    let mut parts = entries.map(|entry| Ok(entry.map_err(failed)?.path())).collect::<Result<Vec<_>, _>>()?;
+    parts.retain(|path| path.extension().is_some_and(|ending| ending == "npz"));
+    parts.sort_unstable();
+    Ok(parts)
 }
 
 fn wrong(path: &Path, reason: impl Into<String>) -> FileError {

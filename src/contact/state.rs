@@ -1,6 +1,6 @@
 //! A state: a contact that a process has made, whatever process it is.
 
-use crate::contact::{Contact, Quantity, Reading, ResultClaim, StateKind, StateValues, Work};
+use crate::contact::{Contact, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work};
 use crate::surface::Field;
 use strum::IntoEnumIterator;
 
@@ -27,8 +27,8 @@ pub struct StateField {
     pub title: &'static str,
     /// Its symbol on an axis, with what it is divided by: the contact modulus, or the rms height.
     pub symbol: &'static str,
-    /// Whether it is a pressure; else it is a length.
-    pub is_pressure: bool,
+    /// Its unit: a pressure, a length, or none.
+    pub unit: Unit,
     /// Its values, shape `(ny, nx)`.
     pub values: Field,
 }
@@ -95,61 +95,61 @@ impl StateField {
     /// The traction along `x` on the solid.
     pub fn traction(values: Field) -> Self {
         let (title, symbol) = ("Traction along x on the solid", "τ / E*");
-        Self { name: "traction", title, symbol, is_pressure: true, values }
+        Self { name: "traction", title, symbol, unit: Unit::Pressure, values }
     }
 
     /// The slip of the surface of the solid along `x` relative to the rigid surface, from the state before to this one.
     pub fn slip(values: Field) -> Self {
         let (title, symbol) = ("Slip of the solid along x in this step", "slip / h_rms");
-        Self { name: "slip", title, symbol, is_pressure: false, values }
+        Self { name: "slip", title, symbol, unit: Unit::Length, values }
     }
 
     /// The traction along `y` on the solid.
     pub fn traction_across(values: Field) -> Self {
         let (title, symbol) = ("Traction along y on the solid", "τ_y / E*");
-        Self { name: "traction_across", title, symbol, is_pressure: true, values }
+        Self { name: "traction_across", title, symbol, unit: Unit::Pressure, values }
     }
 
     /// The slip of the surface of the solid along `y` relative to the rigid surface, from the state before to this one.
     pub fn slip_across(values: Field) -> Self {
         let (title, symbol) = ("Slip of the solid along y in this step", "slip_y / h_rms");
-        Self { name: "slip_across", title, symbol, is_pressure: false, values }
+        Self { name: "slip_across", title, symbol, unit: Unit::Length, values }
     }
 
     /// The traction by which the surfaces attract each other.
     pub fn attraction(values: Field) -> Self {
         let (title, symbol) = ("Attraction between the surfaces", "σ / E*");
-        Self { name: "attraction", title, symbol, is_pressure: true, values }
+        Self { name: "attraction", title, symbol, unit: Unit::Pressure, values }
     }
 
     /// The magnitude of the flux of a leakage along `x` over its mean.
     pub fn flux_x(values: Field) -> Self {
         let (title, symbol) = ("Flux of the leakage along x, over its mean", "|J_x| / <J_x>");
-        Self { name: "flux_x", title, symbol, is_pressure: false, values }
+        Self { name: "flux_x", title, symbol, unit: Unit::One, values }
     }
 
     /// The pressure of a fluid that leaks along `x`, over its drop.
     pub fn fluid_pressure_x(values: Field) -> Self {
         let (title, symbol) = ("Pressure of the fluid along x, over its drop", "p_f / Δp");
-        Self { name: "fluid_pressure_x", title, symbol, is_pressure: false, values }
+        Self { name: "fluid_pressure_x", title, symbol, unit: Unit::One, values }
     }
 
     /// The magnitude of the flux of a leakage along `y` over its mean.
     pub fn flux_y(values: Field) -> Self {
         let (title, symbol) = ("Flux of the leakage along y, over its mean", "|J_y| / <J_y>");
-        Self { name: "flux_y", title, symbol, is_pressure: false, values }
+        Self { name: "flux_y", title, symbol, unit: Unit::One, values }
     }
 
     /// The pressure of a fluid that leaks along `y`, over its drop.
     pub fn fluid_pressure_y(values: Field) -> Self {
         let (title, symbol) = ("Pressure of the fluid along y, over its drop", "p_f / Δp");
-        Self { name: "fluid_pressure_y", title, symbol, is_pressure: false, values }
+        Self { name: "fluid_pressure_y", title, symbol, unit: Unit::One, values }
     }
 
     /// What a solid that creeps remembers, as the pressure that would cause the same displacement of the glassy solid.
     pub fn remembered(values: Field) -> Self {
         let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");
-        Self { name: "stored_strain", title, symbol, is_pressure: true, values }
+        Self { name: "stored_strain", title, symbol, unit: Unit::Pressure, values }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::error::FileError;
 use crate::job::Job;
 use crate::plot::Colour;
 use crate::record::{
-    CurveKind, Ghost, LoadAxis, LoadRecording, Loads, Options, Output, RecordedCurve, Recording, Scene, Timeline,
+    CurveKind, Ghost, LoadAxis, LoadRecording, Loads, Options, Output, RecordedCurve, Scene, Target, Timeline,
 };
 use crate::setup::{Part, Record, Setup};
 use std::sync::Arc;
@@ -33,11 +33,7 @@ pub fn recorded<'a>(
     begun: impl FnOnce(TapeBytes) + 'a,
 ) -> Job<'a> {
     let options = Options { ghost, ..options(record, window) };
-    job.recorded_with(options, |scenes, options| {
-        let (recording, live) = Recording::live(id, scenes, options)?;
-        begun(live);
-        Ok(recording)
-    })
+    job.recorded_with(options, Target::Temporary(id.into(), Box::new(begun)))
 }
 
 /// The options of a recording for the viewer on the page.
@@ -123,8 +119,10 @@ impl SweepTape {
         };
         let mut parts = setup.record.clone();
         parts.what.extend([Part::Traces, Part::Mask]);
-        let (recording, live) = LoadRecording::live(&report.id, &loads, options(&parts, window))?;
-        Ok((Self { recording, curves }, live))
+        let mut live = None;
+        let target = Target::Temporary(report.id.clone(), Box::new(|output| live = Some(output)));
+        let recording = LoadRecording::to(target, &loads, options(&parts, window))?;
+        Ok((Self { recording, curves }, live.ok_or("the recording has not begun")?))
     }
 
     /// Records the contact under load number `number`, from 0 on.

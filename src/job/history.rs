@@ -1,8 +1,12 @@
 //! A run of a setup with a history: creep, slip, sliding or rolling.
 
+use super::follow::StateKeeping;
+use super::run::JobRun;
+use super::sink::Posed;
+use super::watch::ShowSteps;
 use crate::adhesion::AdhesionScales;
-use crate::contact::{Observer, Problem, Quantity, ResultClaim, State, Status, warning_of_trail};
-use crate::error::{HistoryError, SetupError};
+use crate::contact::{Observables, Observer, Problem, Quantity, ResultClaim, State, warning_of_trail, warnings_of};
+use crate::error::{FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
@@ -29,6 +33,8 @@ pub struct HistoryOutcome {
     pub states: Vec<State>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
     pub ended: Option<HistoryError>,
+    /// Why a recording, table or archive of the states could not be written, if it could not.
+    pub failure: Option<FileError>,
     /// Doubts about what the setup says.
     doubts: Vec<Warning>,
 }
@@ -64,20 +70,13 @@ impl HistoryOutcome {
     /// The errors of [`Setup::history`], and those of the first state. A failure of a later one ends the history, and the states before it
     /// are kept.
     pub fn solve(setup: &Setup, problem: &Problem, observer: &mut dyn Observer) -> Result<Self, SetupError> {
-        kind_of(setup)?;
-        let mut states: Vec<State> = Vec::new();
-        let Some(mut process) = setup.history(problem.clone())? else { unreachable!("a kind of process has one") };
-        let ended = process.run(observer, &mut |state| {
-            if state.contact.status == Status::StoppedByObserver {
-                return Err(HistoryError::Stopped);
-            }
-            states.push(state);
-            Ok(())
-        });
-        match ended {
-            Err(error) if states.is_empty() => Err(error.into()),
-            ended => Ok(Self { ended: ended.err(), ..Self::from_states(setup, problem, states)? }),
-        }
+        JobRun::new(setup.clone()).follow(
+            0,
+            problem,
+            &mut Vec::new(),
+            StateKeeping::default(),
+            &mut ShowSteps(observer),
+        )
     }
 
     /// The history of states that were found before, such as those of a file.
@@ -85,10 +84,17 @@ impl HistoryOutcome {
     /// # Errors
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<State>) -> Result<Self, SetupError> {
+        let reason = || SetupError::Path { reason: "the setup has no history".into() };
+        let kind = setup.process()?.ok_or_else(reason)?;
+        Self::from_posed(&Posed { setup, problem, kind, loads: &[] }, states)
+    }
+
+    pub(super) fn from_posed(posed: &Posed<'_>, states: Vec<State>) -> Result<Self, SetupError> {
+        let Posed { setup, problem, kind, .. } = *posed;
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
-        Ok(Self { kind: kind_of(setup)?, adhesion, states, ended: None, doubts: setup.warnings_of_creep() }
-            .with_time_errors(setup)
-            .with_open_cycles(setup))
+        let doubts = setup.warnings_of_creep();
+        let outcome = Self { kind, adhesion, states, ended: None, failure: None, doubts };
+        Ok(outcome.with_time_errors(setup).with_open_cycles(setup))
     }
 
     /// The history, with a reason to doubt it where errors in time are above the tolerance.
@@ -153,6 +159,9 @@ impl HistoryOutcome {
 
     /// Reasons to doubt the states.
     pub fn warnings(&self) -> Vec<Warning> {
+        if self.kind == ProcessKind::Loads {
+            return self.warnings_of_loads();
+        }
         let missed = self.states.iter().filter(|state| !state.contact.is_converged()).count();
         let goal = match self.kind {
             ProcessKind::Adhesion => "are not converged: equilibrium is missed by more than the tolerance",
@@ -189,6 +198,17 @@ impl HistoryOutcome {
         let trail = warning_of_trail(self.states.iter().map(|state| &state.contact));
         let missed = self.doubts.iter().cloned().chain(missed);
         missed.chain(coarse).chain(snapping).chain(trail).chain(self.unstable()).collect()
+    }
+
+    /// Reasons to doubt contacts under a list of loads.
+    fn warnings_of_loads(&self) -> Vec<Warning> {
+        let Some(first) = self.states.first() else { return Vec::new() };
+        let observables: Vec<Observables> = self.states.iter().map(|state| Observables::new(&state.contact)).collect();
+        let mut warnings = warnings_of(&observables.iter().collect::<Vec<_>>(), first.contact.problem.law());
+        // a grid is found under one load only: several take a number
+        let remedies = warnings.iter_mut().flat_map(|it| &mut it.remedies).filter(|it| it.key == "grid.refine");
+        remedies.for_each(|it| it.value = None);
+        warnings
     }
 
     /// Warnings about states with adhesion that are in equilibrium, but not stable, or not known to be.
@@ -236,9 +256,4 @@ fn in_words(numbers: &[usize]) -> String {
         [one] => format!("state {one}"),
         [first, .., last] => format!("states {first} to {last}"),
     }
-}
-
-/// The process of a setup with a history.
-fn kind_of(setup: &Setup) -> Result<ProcessKind, SetupError> {
-    setup.process()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })
 }

@@ -18,43 +18,42 @@
 //! # Ok::<(), asperity::error::SetupError>(())
 //! ```
 
-#[cfg(feature = "record")]
-mod curve;
 mod doubts;
+mod follow;
 mod history;
-#[cfg(feature = "record")]
-mod history_recording;
 mod outcome;
 mod ready;
 mod run;
 mod saved;
 mod saved_states;
+mod sink;
+mod state_archive;
 mod state_check;
+#[cfg(feature = "record")]
+mod state_recording;
+mod state_table;
 mod tables;
 mod watch;
 
-#[cfg(feature = "record")]
-pub use curve::CurveRecording;
 pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};
 pub use ready::Ready;
 pub use run::JobRun;
 pub use saved::{SavedFound, SavedResult};
+pub use sink::{Posed, StateSink};
+pub use state_archive::StateArchive;
+#[cfg(feature = "record")]
+pub use state_recording::StateRecording;
+pub use state_table::StateTable;
 pub use tables::{LoadNumbers, write_loads, write_nodes};
 pub use watch::{Pass, ShowSteps, Watcher};
 
-#[cfg(feature = "record")]
-use crate::error::FileError;
 use crate::error::SetupError;
 #[cfg(feature = "record")]
-use crate::record::{Options, Recording, Scene};
+use crate::record::{Options, Target};
 use crate::setup::{Auto, Cost, Extras, Part, Setup};
 use crate::study::Refinement;
 use crate::surface::Field;
-
-/// A function that begins a recording of scenes: in a file, in a viewer, or elsewhere.
-#[cfg(feature = "record")]
-pub type OpenRecording<'a> = Box<dyn FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a>;
 
 /// One run of a setup, and of other setups beside it in the same recording.
 pub struct Job<'a> {
@@ -63,8 +62,10 @@ pub struct Job<'a> {
     start: Option<&'a Field>,
     is_diagnosed: bool,
     extras: Extras,
+    keeps_last: bool,
+    sinks: Vec<Box<dyn StateSink + 'a>>,
     #[cfg(feature = "record")]
-    recorded: Option<(OpenRecording<'a>, Options)>,
+    recorded: Option<(Target<'a>, Options)>,
 }
 
 impl<'a> Job<'a> {
@@ -81,6 +82,8 @@ impl<'a> Job<'a> {
             start: None,
             is_diagnosed: false,
             extras: Extras::default(),
+            keeps_last: false,
+            sinks: Vec::new(),
             #[cfg(feature = "record")]
             recorded: None,
         }
@@ -120,22 +123,29 @@ impl<'a> Job<'a> {
         Self { extras, ..self }
     }
 
-    /// The job with a recording of every step. `open` begins the recording; its parts are those of the setup of the
-    /// first run.
+    /// The job with a recording that goes to a target: of every step of one contact, or of every state of several. Its parts are those of the
+    /// setup of the first run.
     #[cfg(feature = "record")]
-    pub fn recorded(self, open: impl FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a) -> Self {
+    pub fn recorded(self, target: Target<'a>) -> Self {
         let options = self.runs[0].options();
-        self.recorded_with(options, open)
+        self.recorded_with(options, target)
     }
 
-    /// The job with a recording of every step, with these options. `open` begins the recording.
+    /// The same with these options.
     #[cfg(feature = "record")]
-    pub fn recorded_with(
-        self,
-        options: Options,
-        open: impl FnOnce(&[Scene<'_>], Options) -> Result<Recording, FileError> + 'a,
-    ) -> Self {
-        Self { recorded: Some((Box::new(open), options)), ..self }
+    pub fn recorded_with(self, options: Options, target: Target<'a>) -> Self {
+        Self { recorded: Some((target, options)), ..self }
+    }
+
+    /// The job that keeps only the last of several states. A watcher and the sinks see all of them.
+    pub fn keeping_last(self, keeps_last: bool) -> Self {
+        Self { keeps_last, ..self }
+    }
+
+    /// The job with something else that receives the states of its first run, one after the other, if it has several.
+    pub fn with_sink(mut self, sink: impl StateSink + 'a) -> Self {
+        self.sinks.push(Box::new(sink));
+        self
     }
 
     /// The setup of the first run, on the coarsest grid if the grid is automatic.
@@ -158,7 +168,7 @@ impl<'a> Job<'a> {
     /// # Errors
     /// The errors of [`Setup::cost`].
     pub fn cost(&self) -> Result<Cost, SetupError> {
-        self.setup().cost(&self.extras())
+        self.runs[0].cost(&self.extras())
     }
 
     /// The work in addition to the solve.

@@ -1,5 +1,6 @@
 //! The results of a job.
 
+use super::history::HistoryOutcome;
 use crate::contact::{Contact, Observables, PartialSlip, warning_of_rim, warning_of_trail, warnings_of};
 use crate::diagnosis::Findings;
 use crate::setup::Setup;
@@ -14,13 +15,15 @@ pub struct Outcome {
     pub diagnosis: Option<Findings>,
 }
 
-/// The contact of one run. A recording that could not be finished stands in [`Contact::failure`]; the contact is
-/// complete in any case.
+/// What one run has found. A recording that could not be finished stands in [`Contact::failure`], or in [`HistoryOutcome::failure`]; contact and states
+/// are complete in any case.
 pub struct Solved {
     /// The setup that was solved, on its final grid.
     pub setup: Setup,
-    /// The contact.
+    /// The contact; of a run with several states, that of the last one.
     pub contact: Contact,
+    /// The states, of a run with several.
+    pub history: Option<HistoryOutcome>,
     /// The stick and slip areas under the tangential load of the setup; none for a contact that is not converged.
     pub slip: Option<PartialSlip>,
     /// Whether area and `kappa_r` were accurate enough on the last grid, if the grid was automatic.
@@ -30,8 +33,12 @@ pub struct Solved {
 impl Solved {
     /// Reasons to doubt the surface and the contact.
     pub fn warnings(&self) -> Vec<Warning> {
-        let Self { setup, contact, is_settled, .. } = self;
+        let Self { setup, contact, history, is_settled, .. } = self;
         let mut warnings = setup.surface.warnings(contact.problem.surface());
+        if let Some(history) = history {
+            warnings.extend(history.warnings());
+            return warnings;
+        }
         warnings.extend(warnings_of(&[&Observables::new(contact)], contact.problem.law()));
         warnings.extend(warning_of_rim(contact));
         warnings.extend(warning_of_trail([contact]));

@@ -1,8 +1,13 @@
 //! A job whose surfaces are made.
 
 use super::Job;
+use super::follow::StateKeeping;
+use super::history::HistoryOutcome;
 use super::outcome::{Outcome, Solved};
 use super::run::JobRun;
+use super::sink::StateSink;
+#[cfg(feature = "record")]
+use super::state_recording::StateRecording;
 use super::watch::{Pass, Watcher};
 use crate::contact::{Contact, Observer, PartialSlip, Problem};
 use crate::diagnosis::{Diagnosis, Reference};
@@ -25,11 +30,6 @@ impl<'a> Job<'a> {
     /// # Errors
     /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
     pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
-        if self.runs.iter().any(|run| run.setup.is_history().unwrap_or(false)) {
-            let reason =
-                "this is the run of one contact, but the setup describes a history: follow the history instead";
-            return Err(SetupError::Path { reason: reason.into() });
-        }
         let extras = self.extras();
         self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;
         Ok(Ready { job: self })
@@ -48,6 +48,11 @@ impl Ready<'_> {
     /// The problem of the first run.
     pub fn problem(&self) -> &Problem {
         problem(&self.job.runs[0])
+    }
+
+    /// The setup of the first run.
+    pub fn setup(&self) -> &Setup {
+        &self.job.runs[0].setup
     }
 
     /// Reasons to doubt the surfaces.
@@ -74,9 +79,11 @@ impl Ready<'_> {
         self.find_references(watch)?;
         let run = &self.job.runs[0];
         let mut diagnosis = self.job.is_diagnosed.then(|| Diagnosis::new(problem(run), run.reference.clone()));
-        let contacts = self.solve(&mut diagnosis, watch)?;
-        let solved = contacts.into_iter().enumerate();
-        let solved = solved.map(|(i, contact)| self.solved(i, contact, i > 0 || is_settled, watch));
+        let found = self.solve(&mut diagnosis, watch)?.into_iter().enumerate();
+        let solved = found.map(|(i, found)| match found {
+            Found::Contact(contact) => self.solved(i, *contact, i > 0 || is_settled, watch),
+            Found::States(states) => Ok(self.followed(i, *states)),
+        });
         Ok(Outcome {
             solved: solved.collect::<Result<_, _>>()?,
             diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
@@ -110,18 +117,22 @@ impl Ready<'_> {
     }
 
     /// Solves all runs one after the other, and records them on request.
-    fn solve(
-        &mut self,
-        diagnosis: &mut Option<Diagnosis>,
-        watch: &mut dyn Watcher,
-    ) -> Result<Vec<Contact>, SetupError> {
+    fn solve(&mut self, diagnosis: &mut Option<Diagnosis>, watch: &mut dyn Watcher) -> Result<Vec<Found>, SetupError> {
         #[cfg(feature = "record")]
-        if let Some((open, options)) = self.job.recorded.take() {
-            let scenes: Vec<_> = self.job.runs.iter().map(|run| run.scene(problem(run))).collect();
-            let recording = open(&scenes, options)?;
-            return self.solve_recorded(recording, diagnosis, watch);
+        if let Some((target, options)) = self.job.recorded.take() {
+            if self.job.runs[0].kind()?.is_none() {
+                let scenes: Vec<_> = self.job.runs.iter().map(|run| run.scene(problem(run))).collect();
+                let recording = Recording::to(target, &scenes, options)?;
+                return self.solve_recorded(recording, diagnosis, watch);
+            }
+            self.job.sinks.push(Box::new(StateRecording::new(target, options)));
         }
-        (0..self.job.runs.len()).map(|i| self.solve_run(i, &mut (), diagnosis, watch)).collect()
+        let mut sinks = std::mem::take(&mut self.job.sinks);
+        let mut solve = |i: usize| match self.job.runs[i].kind()? {
+            None => self.solve_run(i, &mut (), diagnosis, watch),
+            Some(_) => self.follow_run(i, &mut sinks, watch),
+        };
+        (0..self.job.runs.len()).map(&mut solve).collect()
     }
 
     #[cfg(feature = "record")]
@@ -130,13 +141,26 @@ impl Ready<'_> {
         recording: Recording,
         diagnosis: &mut Option<Diagnosis>,
         watch: &mut dyn Watcher,
-    ) -> Result<Vec<Contact>, SetupError> {
+    ) -> Result<Vec<Found>, SetupError> {
         let solve = |i| self.solve_run(i, &mut recording.recorder(i), diagnosis, watch);
-        let mut contacts = (0..self.job.runs.len()).map(solve).collect::<Result<Vec<_>, _>>()?;
-        if let (Err(failure), Some(last)) = (recording.finish(), contacts.last_mut()) {
+        let mut found = (0..self.job.runs.len()).map(solve).collect::<Result<Vec<_>, _>>()?;
+        if let (Err(failure), Some(Found::Contact(last))) = (recording.finish(), found.last_mut()) {
             last.fail(failure);
         }
-        Ok(contacts)
+        Ok(found)
+    }
+
+    /// Follows run number `i`, which has several states. Those of the first run go to the sinks.
+    fn follow_run(
+        &self,
+        i: usize,
+        sinks: &mut Vec<Box<dyn StateSink + '_>>,
+        watch: &mut dyn Watcher,
+    ) -> Result<Found, SetupError> {
+        let (run, mut none) = (&self.job.runs[i], Vec::new());
+        let keeps = StateKeeping { has_fields: self.job.extras.archived > 0, is_last_only: self.job.keeps_last };
+        let sinks = if i == 0 { sinks } else { &mut none };
+        Ok(Found::States(Box::new(run.follow(i, problem(run), sinks, keeps, watch)?)))
     }
 
     /// Solves run number `i`, shown to a recorder, to the diagnosis if it is the first, and to its own observer.
@@ -146,11 +170,19 @@ impl Ready<'_> {
         recorder: &mut dyn Observer,
         diagnosis: &mut Option<Diagnosis>,
         watch: &mut dyn Watcher,
-    ) -> Result<Contact, SetupError> {
+    ) -> Result<Found, SetupError> {
         let (run, is_first) = (&self.job.runs[i], i == 0);
         let mut seen = (recorder, is_first.then_some(diagnosis), watch.observer(Pass::Solve(run, i)));
         let start = self.job.start.filter(|_| is_first);
-        Ok(run.solver().solve_from(start, problem(run), &run.setup.stop, &mut seen)?)
+        let contact = run.solver().solve_from(start, problem(run), &run.setup.stop, &mut seen)?;
+        Ok(Found::Contact(Box::new(contact)))
+    }
+
+    /// The states of a run with several.
+    fn followed(&self, i: usize, states: HistoryOutcome) -> Solved {
+        let last = states.states.last().expect("a history has a first state");
+        let (setup, contact) = (self.job.runs[i].setup.clone(), last.contact.clone());
+        Solved { setup, contact, history: Some(states), slip: None, is_settled: true }
     }
 
     /// A contact with its stick area under the tangential load of its setup.
@@ -168,8 +200,14 @@ impl Ready<'_> {
             PartialSlip::solve(contact.clone(), friction, solver, stop, &mut watch.observer(Pass::Stick(run)))
         };
         let slip = friction.map(stick).transpose()?;
-        Ok(Solved { setup: run.setup.clone(), contact, slip, is_settled })
+        Ok(Solved { setup: run.setup.clone(), contact, history: None, slip, is_settled })
     }
+}
+
+/// What a run has found.
+enum Found {
+    Contact(Box<Contact>),
+    States(Box<HistoryOutcome>),
 }
 
 /// The problem of a run, which exists when the job is ready.

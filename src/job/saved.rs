@@ -8,8 +8,8 @@ use crate::contact::{
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
-use crate::setup::{Cell, Setup, SetupTable};
 use crate::history::Loading;
+use crate::setup::{Cell, Setup, SetupTable};
 use crate::study::LoadCurve;
 use crate::surface::{Field, Plateaus, Surface};
 use std::path::Path;
@@ -109,7 +109,7 @@ fn surface(reader: &ArchiveReader, setup: &Setup, doubts: &mut Doubts<'_>) -> Re
     }
     let shape = saved.dim();
     let points = if reader.rank() == 1 { vec![shape.1] } else { vec![shape.0, shape.1] };
-    let cell = Cell { points, size: reader.values("size")?, refine: None, ..setup.grid.clone() };
+    let cell = Cell { points, size: reader.shared("size")?, refine: None, ..setup.grid.clone() };
     let grid = cell.grid()?;
     let plateaus = plateaus(&grid, &saved, setup.grid.refine())?;
     let plain = Surface::new(grid, saved.clone()).map_err(SetupError::from)?;

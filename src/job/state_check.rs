@@ -81,7 +81,7 @@ impl<'a> StateCheck<'a> {
             ProcessKind::Creep => &["stored_strain"],
             ProcessKind::Adhesion => &["attraction"],
             ProcessKind::Slip | ProcessKind::Rolling => &["traction"],
-            ProcessKind::Sliding => &[],
+            ProcessKind::Sliding | ProcessKind::Loads => &[],
         };
         let missing = needed.iter().filter(|name| state.field(name).is_none());
         missing.map(|name| SavedDoubt::Missing { name }).collect()

@@ -1,7 +1,7 @@
 //! The observers of the solves of a job.
 
 use super::run::JobRun;
-use crate::contact::Observer;
+use crate::contact::{Observer, State};
 
 /// A solve of a job that is about to begin.
 #[derive(Clone, Copy)]
@@ -12,6 +12,8 @@ pub enum Pass<'a> {
     Reference(&'a JobRun<'a>),
     /// A main solve of the job, and its number, from 0.
     Solve(&'a JobRun<'a>, usize),
+    /// The solves for a state of a run with several, by the number of the run and that of the state, from 0.
+    State(&'a JobRun<'a>, usize, usize),
     /// The solve under the smaller load, which gives the stick area under a tangential load.
     Stick(&'a JobRun<'a>),
 }
@@ -22,6 +24,11 @@ pub enum Pass<'a> {
 pub trait Watcher {
     /// The observer of a solve.
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_>;
+
+    /// Gets each state of a run with several, by the number of the run.
+    fn state(&mut self, run: usize, state: &State) {
+        let _ = (run, state);
+    }
 }
 
 /// Shows every step of the main solves to one observer, but not those of the first pass and of the solves for slip.
@@ -30,7 +37,7 @@ pub struct ShowSteps<'o>(pub &'o mut dyn Observer);
 impl Watcher for ShowSteps<'_> {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
         match pass {
-            Pass::Solve(..) => Box::new(&mut *self.0),
+            Pass::Solve(..) | Pass::State(..) => Box::new(&mut *self.0),
             Pass::Grid(_) | Pass::Reference(_) | Pass::Stick(_) => Box::new(()),
         }
     }

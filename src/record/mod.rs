@@ -48,7 +48,7 @@ mod setups;
 mod size;
 
 pub use draw::{CurveKind, Ghost, LoadAxis, RecordedCurve};
-pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, Timeline, compare, record_survey};
+pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, Target, Timeline, compare, record_survey};
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::{FurtherField, Scene};

@@ -7,8 +7,8 @@ use crate::elastic::Prony;
 use crate::error::{AdhesionError, SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
-    AdhesiveProcess, CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess,
-    SlipHistory, SlipProcess,
+    AdhesiveProcess, CreepProcess, Loading, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess,
+    SlidingProcess, SlipHistory, SlipProcess,
 };
 
 /// The estimated relative error in time, if none is given.
@@ -123,7 +123,7 @@ impl Setup {
             Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1).saturating_add(self.expected_frames()),
             Some(ProcessKind::Sliding) => self.sliding.as_ref().map_or(0, |it| it.speed.len()),
             Some(ProcessKind::Rolling) => self.rolling.as_ref().map_or(0, rolling),
-            None => 0,
+            Some(ProcessKind::Loads) | None => 0,
         })
     }
 
@@ -192,7 +192,7 @@ impl Setup {
             return motion("gfmd cannot solve histories: choose another solver".into());
         }
         match process {
-            ProcessKind::Creep => Ok(()),
+            ProcessKind::Loads | ProcessKind::Creep => Ok(()),
             ProcessKind::Adhesion if self.solver != super::Method::default() => {
                 motion(format!("adhesion has methods of its own, not {}: leave the solver out", self.solver.name()))
             }
@@ -277,6 +277,7 @@ impl Setup {
         let (solver, stop): (&dyn Solver, _) = (self.solver.solver(), self.stop);
         let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
         let process: Box<dyn Process + '_> = match kind {
+            ProcessKind::Loads => Box::new(Loading::new(problem, self.solver(), stop).along(vec![self.load])),
             ProcessKind::Creep => Box::new(self.creep(problem)?),
             ProcessKind::Adhesion => Box::new(self.adhesive(problem)?),
             ProcessKind::Slip => {

@@ -3,10 +3,12 @@
 use crate::contact::Quantity;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
-/// The processes that a setup can describe.
+/// The processes that a setup, or a list of loads, can describe.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ProcessKind {
+    /// One load after the other.
+    Loads,
     /// A viscoelastic solid in time.
     Creep,
     /// Partial slip under normal and tangential loads.
@@ -48,6 +50,28 @@ pub struct ProcessChart {
 const fn against(x: Quantity, y: Quantity) -> ProcessChart {
     ProcessChart { x: Some(x), y }
 }
+
+const LOADS: ProcessRow = ProcessRow {
+    axis: Some(Quantity::ReducedPressure),
+    is_logarithmic: true,
+    charts: [
+        against(Quantity::ReducedPressure, Quantity::RelativeArea),
+        against(Quantity::ReducedPressure, Quantity::KappaR),
+    ],
+    columns: &[
+        Quantity::ReducedPressure,
+        Quantity::MeanPressure,
+        Quantity::MeanGap,
+        Quantity::RelativeArea,
+        Quantity::RelativeAreaCounted,
+        Quantity::Kappa,
+        Quantity::KappaR,
+        Quantity::Patches,
+        Quantity::Certificate,
+    ],
+    caption: &[Quantity::ReducedPressure],
+    has_claims: false,
+};
 
 const CREEP: ProcessRow = ProcessRow {
     axis: Some(Quantity::Time),
@@ -144,6 +168,7 @@ impl ProcessKind {
     /// What is shown of its states.
     pub fn row(self) -> &'static ProcessRow {
         match self {
+            Self::Loads => &LOADS,
             Self::Creep => &CREEP,
             Self::Slip => &SLIP,
             Self::Sliding => &SLIDING,

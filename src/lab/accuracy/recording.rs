@@ -6,7 +6,7 @@ use crate::diagnosis::Reference;
 use crate::error::SetupError;
 use crate::job::{self, Job, JobRun, Pass};
 use crate::lab::{ObserverMaker, Rival};
-use crate::record::Recording;
+use crate::record::Target;
 use crate::setup::{Part, Record, Setup};
 use std::path::Path;
 use std::sync::Arc;
@@ -36,7 +36,7 @@ pub fn record(path: &Path, experiment: &Experiment, what: &[Part], watch: Observ
         ..JobRun::new(Setup { solver: rival.method, ..setup.clone() })
     });
     let job = rest.into_iter().fold(Job::from_run(first), Job::beside);
-    let job = job.recorded(|scenes, options| Recording::create(path, scenes, options));
+    let job = job.recorded(Target::File(path.into()));
     let outcome = job.run(&mut Titled(watch))?;
     let failed = outcome.solved.iter().map(|it| &it.contact).find(|contact| contact.failure.is_some());
     failed.and_then(Contact::fault).map_or(Ok(()), |fault| Err(fault.into()))
@@ -49,7 +49,7 @@ impl job::Watcher for Titled {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
         match pass {
             Pass::Solve(run, _) => (self.0)(&format!("recording {}", run.label())),
-            Pass::Grid(_) | Pass::Reference(_) | Pass::Stick(_) => Box::new(()),
+            Pass::Grid(_) | Pass::Reference(_) | Pass::State(..) | Pass::Stick(_) => Box::new(()),
         }
     }
 }

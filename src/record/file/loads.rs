@@ -7,6 +7,7 @@
 use super::output::Output;
 use super::recording::{Name, Recording, stages};
 use super::state_times::StateTimes;
+use super::target::Target;
 use crate::contact::Contact;
 use crate::error::FileError;
 use crate::plot;
@@ -103,14 +104,21 @@ impl LoadRecording {
         Self::begin(Output::create(path)?, None, loads, options)
     }
 
-    /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
+    /// Begins a recording that goes to a target.
     ///
     /// # Errors
-    /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
-    #[cfg(feature = "explore")]
-    pub fn live(id: &str, loads: &Loads<'_>, options: Options) -> Result<(Self, Output), FileError> {
-        let output = Output::temporary()?;
-        Ok((Self::begin(output.clone(), Some(id), loads, options)?, output))
+    /// [`FileError::NoViewer`] where a viewer is asked for and there is none, else the errors of [`LoadRecording::create`].
+    pub fn to(target: Target<'_>, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
+        let (output, id) = target.open()?;
+        Self::begin(output, id.as_deref(), loads, options)
+    }
+
+    /// Names load number `load`, from 0 on, where its words were not known at the beginning.
+    pub fn caption(&mut self, load: usize, words: String) {
+        if load >= self.captions.len() {
+            self.captions.resize(load + 1, String::new());
+        }
+        self.captions[load] = words;
     }
 
     fn begin(output: Output, id: Option<&str>, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {

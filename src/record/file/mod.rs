@@ -11,6 +11,7 @@ mod recording;
 mod schedule;
 mod state_times;
 mod survey;
+mod target;
 mod writer;
 mod writer_thread;
 
@@ -22,3 +23,4 @@ pub use recorder::Recorder;
 pub use recording::Recording;
 pub use schedule::Schedule;
 pub use survey::record_survey;
+pub use target::Target;

@@ -55,7 +55,6 @@ impl Output {
     }
 
     /// A temporary file. It has no name where the system allows that, and goes with its last `Output`, or with the process.
-    #[cfg(feature = "explore")]
     pub(super) fn temporary() -> Result<Self, FileError> {
         Self::new(&std::env::temp_dir(), tempfile::tempfile(), FlushPace::LIVE, None)
     }

@@ -2,7 +2,7 @@
 
 use super::background_task::BackgroundTask;
 use super::output::Output;
-use super::pieces::Pieces;
+use super::target::Target;
 use super::writer::{UNFINISHED, Writer};
 use crate::error::FileError;
 use crate::record::description;
@@ -37,36 +37,13 @@ impl Recording {
         Self::begin(Output::create(path)?, None, scenes, options)
     }
 
-    /// Starts the installed viewer, or takes the one that runs, and begins a recording that it shows. A file at `path` gets it
-    /// as well, if there is one.
+    /// Begins a recording of scenes that goes to a target.
     ///
     /// # Errors
-    /// [`FileError::NoViewer`] where there is no viewer, else the errors of [`Recording::create`].
-    pub fn shown(path: Option<&Path>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
-        Self::begin(Output::shown(path)?, None, scenes, options)
-    }
-
-    /// Begins a recording that others take in `pieces` as it grows. A file at `path` gets it as well, if there is one.
-    ///
-    /// # Errors
-    /// The errors of [`Recording::create`].
-    pub fn streamed(
-        path: Option<&Path>,
-        pieces: Pieces,
-        scenes: &[Scene<'_>],
-        options: Options,
-    ) -> Result<Self, FileError> {
-        Self::begin(Output::seen(path, Box::new(pieces))?, None, scenes, options)
-    }
-
-    /// Begins a recording under the name `id` in a temporary file, and returns the means to read it.
-    ///
-    /// # Errors
-    /// [`FileError::Target`] if no temporary file can be made, [`FileError::Write`] if writing to it fails.
-    #[cfg(feature = "explore")]
-    pub fn live(id: &str, scenes: &[Scene<'_>], options: Options) -> Result<(Self, Output), FileError> {
-        let output = Output::temporary()?;
-        Ok((Self::begin(output.clone(), Some(id), scenes, options)?, output))
+    /// [`FileError::NoViewer`] where a viewer is asked for and there is none, else the errors of [`Recording::create`].
+    pub fn to(target: Target<'_>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {
+        let (output, id) = target.open()?;
+        Self::begin(output, id.as_deref(), scenes, options)
     }
 
     fn begin(output: Output, id: Option<&str>, scenes: &[Scene<'_>], options: Options) -> Result<Self, FileError> {

@@ -2,7 +2,7 @@
 
 use super::{Options, chunks, rough_line, stores};
 use asperity::contact::{Each, Gfmd, Solver, Step};
-use asperity::record::{Pieces, Recording, Scene};
+use asperity::record::{Pieces, Recording, Scene, Target};
 use asperity::{Problem, Stop};
 use rerun::StoreKind;
 use std::collections::BTreeSet;
@@ -53,7 +53,8 @@ fn pieces_behind_each_other_are_the_recording_at_any_moment() {
     let (path, joined) = (folder.path().join("file.rrd"), folder.path().join("joined.rrd"));
     let pieces = Pieces::default();
     let scenes = [Scene::new("it", &problem)];
-    let recording = Recording::streamed(Some(&path), pieces.clone(), &scenes, Options::default()).unwrap();
+    let recording =
+        Recording::to(Target::Pieces(pieces.clone(), Some(path.clone())), &scenes, Options::default()).unwrap();
     let mut taken = Vec::new();
     solve(&problem, &recording, |_| {
         std::thread::sleep(Duration::from_millis(2));

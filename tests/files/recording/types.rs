@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::kinds::{self, KINDS};
+use asperity::record::Target;
 use rerun::external::arrow::array::Array;
 use std::path::PathBuf;
 
@@ -67,11 +68,13 @@ fn so_it_is_in_the_recordings_of_the_explorer() {
     for problem in [rough_line(), rough_surface()] {
         let what = Parts::on(problem.surface().grid());
         let options = Options { what, ..Options::default() };
-        let (recording, output) = Recording::live("it", &[Scene::new("contact", &problem)], options).unwrap();
+        let mut output = None;
+        let target = Target::Temporary("it".into(), Box::new(|begun| output = Some(begun)));
+        let recording = Recording::to(target, &[Scene::new("contact", &problem)], options).unwrap();
         PolonskyKeer.solve(&problem, &Stop::default(), &mut recording.recorder(0)).unwrap();
         recording.finish().unwrap();
         let path = folder.path().join("live.rrd");
-        std::fs::write(&path, output.read(0, u64::MAX).unwrap()).unwrap();
+        std::fs::write(&path, output.unwrap().read(0, u64::MAX).unwrap()).unwrap();
         check(&path);
     }
 }

@@ -1,0 +1,48 @@
+//! What the command line sees of the states of a run.
+
+use super::exit_status::{ExitStatus, settle};
+use super::finding::Finding;
+use super::flow::FlowFinding;
+use super::interrupt::interrupted;
+use super::outputs::Outputs;
+use super::progress::Bars;
+use anyhow::Result;
+use asperity::contact::{Observer, State};
+use asperity::job::{Pass, Watcher};
+use asperity::setup::{ProcessKind, Setup};
+
+/// Bars for the solves of each state, and the findings under each of a list of loads.
+pub struct StateWatch<'a> {
+    bars: Bars,
+    setup: &'a Setup,
+    outputs: &'a Outputs,
+    kind: ProcessKind,
+    /// The findings, of a list of loads.
+    pub findings: Vec<Finding>,
+    /// How the solves ended, of a list of loads.
+    pub status: ExitStatus,
+}
+
+impl<'a> StateWatch<'a> {
+    /// A watch of the states of a setup, which Ctrl-C ends.
+    pub fn new(setup: &'a Setup, outputs: &'a Outputs, kind: ProcessKind) -> Result<Self> {
+        let bars = Bars::until(interrupted()?);
+        Ok(Self { bars, setup, outputs, kind, findings: Vec::new(), status: ExitStatus::Done })
+    }
+}
+
+impl Watcher for StateWatch<'_> {
+    fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
+        self.bars.observer(pass)
+    }
+
+    fn state(&mut self, _: usize, state: &State) {
+        if self.kind != ProcessKind::Loads {
+            return;
+        }
+        self.outputs.complete(&state.contact);
+        let flow = FlowFinding::from_numbers(state.contact.values().numbers());
+        self.findings.push(Finding { flow, ..Finding::new(self.setup, &state.contact) });
+        self.status = self.status.max(settle(&state.contact).unwrap_or(ExitStatus::NotConverged));
+    }
+}

@@ -1,0 +1,107 @@
+//! The states of a run, one after the other.
+
+use super::history::HistoryOutcome;
+use super::run::JobRun;
+use super::sink::{Posed, StateSink};
+use super::watch::{Pass, Watcher};
+use crate::contact::{Problem, State, Status};
+use crate::error::{FileError, HistoryError, SetupError};
+use crate::history::{Loading, Process};
+use crate::setup::Flow;
+
+/// What is kept of the states of a run.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct StateKeeping {
+    /// Whether the fields of what flows are kept.
+    pub has_fields: bool,
+    /// Whether only the last state is kept.
+    pub is_last_only: bool,
+}
+
+impl JobRun<'_> {
+    /// What makes the states of the run of a problem.
+    fn process(&self, problem: &Problem) -> Result<Box<dyn Process + '_>, SetupError> {
+        let setup = &self.setup;
+        if !self.loads.is_empty() {
+            let loading = Loading::new(problem.clone(), setup.solver(), setup.stop);
+            return Ok(Box::new(loading.along(self.loads.clone())));
+        }
+        let reason = "the setup describes one contact, and no history".into();
+        setup.history(problem.clone())?.ok_or(SetupError::Path { reason })
+    }
+
+    /// Follows the run to its end, or until an observer stops it, and gives each state to the sinks. States have the fields of what flows through them
+    /// where these are asked for. A failure of a sink is kept, and the run goes on.
+    ///
+    /// # Errors
+    /// Those of the first state. A failure of a later one ends the history, and the states before it are kept.
+    pub(super) fn follow(
+        &self,
+        number: usize,
+        problem: &Problem,
+        sinks: &mut Vec<Box<dyn StateSink + '_>>,
+        keeping: StateKeeping,
+        watch: &mut dyn Watcher,
+    ) -> Result<HistoryOutcome, SetupError> {
+        let kind = self.kind()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })?;
+        let posed = Posed { setup: &self.setup, problem, kind, loads: &self.loads };
+        let mut process = self.process(problem)?;
+        let (mut states, mut failure, mut count) = (Vec::<State>::new(), None, 0);
+        let ended = loop {
+            let state = match process.next(&mut *watch.observer(Pass::State(self, number, count))) {
+                None => break None,
+                Some(Err(error)) if count == 0 => return Err(error.into()),
+                Some(Err(error)) => break Some(error),
+                Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
+                    break Some(HistoryError::Stopped);
+                }
+                Some(Ok(state)) => with_flow(state, &self.setup.flow, keeping.has_fields)?,
+            };
+            watch.state(number, &state);
+            give(sinks, &mut failure, |sink| sink.state(&posed, count, &state));
+            count += 1;
+            if keeping.is_last_only {
+                states.clear();
+            }
+            states.push(state);
+        };
+        if states.is_empty() {
+            return Err(HistoryError::Stopped.into());
+        }
+        let mut outcome = HistoryOutcome::from_posed(&posed, states)?;
+        outcome.ended = ended;
+        give(sinks, &mut failure, |sink| sink.end(&posed, &outcome));
+        outcome.failure = failure;
+        Ok(outcome)
+    }
+}
+
+/// Gives something to each sink. A sink that fails gets nothing more.
+fn give(
+    sinks: &mut Vec<Box<dyn StateSink + '_>>,
+    failure: &mut Option<FileError>,
+    mut to: impl FnMut(&mut dyn StateSink) -> Result<(), FileError>,
+) {
+    sinks.retain_mut(|sink| match to(&mut **sink) {
+        Ok(()) => true,
+        Err(error) => {
+            failure.get_or_insert(error);
+            false
+        }
+    });
+}
+
+/// The state with what flows through it.
+fn with_flow(mut state: State, asked: &Flow, has_fields: bool) -> Result<State, SetupError> {
+    if asked.is_none() {
+        return Ok(state);
+    }
+    let found = asked.measure(&state.contact)?;
+    let values = state.contact.values().clone();
+    let values = found.numbers.iter().fold(values, |values, (quantity, value)| values.with(*quantity, *value));
+    state.contact = state.contact.with_values(values);
+    if has_fields {
+        state.fields.extend(found.leakages.into_iter().flat_map(|it| it.into_fields()));
+    }
+    Ok(state)
+}

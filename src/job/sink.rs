@@ -1,0 +1,37 @@
+//! What receives the states of a run while it goes on.
+
+use super::history::HistoryOutcome;
+use crate::contact::{Load, Problem, State};
+use crate::error::FileError;
+use crate::setup::{ProcessKind, Setup};
+
+/// A run whose setup was checked and whose surface was made.
+#[derive(Clone, Copy)]
+pub struct Posed<'a> {
+    /// What is solved.
+    pub setup: &'a Setup,
+    /// Its problem; that of a list of loads is under the largest of them.
+    pub problem: &'a Problem,
+    /// What makes its states.
+    pub kind: ProcessKind,
+    /// The list of loads, if there is one.
+    pub loads: &'a [Load],
+}
+
+/// What receives the states of a run, each as soon as it is solved: a recording, a table, an archive.
+pub trait StateSink {
+    /// Takes a state by its number, from 0 on.
+    ///
+    /// # Errors
+    /// For what cannot be written. The sink gets nothing more then, and the run goes on.
+    fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError>;
+
+    /// Takes all states at the end of the run.
+    ///
+    /// # Errors
+    /// For what cannot be written.
+    fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
+        let _ = (posed, outcome);
+        Ok(())
+    }
+}

@@ -1,0 +1,276 @@
+//! The recording of the states of a run: one frame for each, as soon as it is solved.
+
+use super::history::HistoryOutcome;
+use super::sink::{Posed, StateSink};
+use crate::contact::{Load, Observables, Quantity, State, Unit};
+use crate::error::FileError;
+use crate::plot::Colour;
+use crate::quantity::number_in_words;
+use crate::record::{
+    CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Target, Timeline,
+};
+use crate::setup::{ProcessKind, Setup};
+use std::path::{Path, PathBuf};
+
+/// The largest distance of surfaces apart that a picture has room for, in heights of the highest peak.
+const MOST_APART: f64 = 3.0;
+
+/// Room for further fields while their largest values are not known, over those of the first state.
+const ROOM: f64 = 4.0;
+
+/// Quantities whose curves stand first, in the rows of their own.
+const FIRST: [Quantity; 5] =
+    [Quantity::Friction, Quantity::MeanPressure, Quantity::RelativeArea, Quantity::Dissipated, Quantity::KappaR];
+
+/// A recording of the states of a run, which grows state by state.
+///
+/// The loads of a list are known before, and with them the axes of its recording. The states of a history are not: they are recorded by their numbers
+/// first, on axes by the first state. If the history ends, its file is replaced by the one of [`HistoryOutcome::record`], whose axes fit all states. A
+/// killed run leaves what was reached.
+pub struct StateRecording<'a> {
+    target: Option<Target<'a>>,
+    options: Options,
+    begun: Option<Begun>,
+}
+
+/// A recording that has begun.
+struct Begun {
+    recording: LoadRecording,
+    curves: Vec<StateCurve>,
+    /// The file of a history, which is written again at its end.
+    draft: Option<PathBuf>,
+}
+
+/// A curve over the states: how it is drawn, and its value.
+type StateCurve = (RecordedCurve, Box<dyn Fn(&State) -> f64>);
+
+impl<'a> StateRecording<'a> {
+    /// The recording that goes to a target.
+    pub fn new(target: Target<'a>, options: Options) -> Self {
+        Self { target: Some(target), options, begun: None }
+    }
+
+    fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
+        let Some(target) = self.target.take() else { return Ok(()) };
+        let is_list = posed.kind == ProcessKind::Loads;
+        let draft = target.file().filter(|_| !is_list).map(Path::to_owned);
+        let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first)) };
+        let expected = posed.setup.expected_states().unwrap_or(0).max(2);
+        let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
+        let scene = Scene {
+            exact: None,
+            further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
+            ..Scene::from_setup(&setup, posed.problem)
+        };
+        let (title, description) = (&scene.title, posed.setup.surface.description());
+        let count = posed.loads.len();
+        let loads = Loads {
+            title: if is_list { format!("{title}, {count} loads") } else { title.clone() },
+            description: match is_list {
+                true => format!("{description}, each load solved from the previous contact."),
+                false => format!("{description}. {}.", first.claim.words()),
+            },
+            captions: posed.loads.iter().map(Load::to_string).collect(),
+            curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
+            axis: if is_list { axis_of_loads(posed.loads) } else { numbered(expected) },
+            figure: None,
+            timeline: if is_list { Timeline::Loads } else { Timeline::States(Vec::new()) },
+            scenes: &[scene],
+        };
+        let recording = LoadRecording::to(target, &loads, self.options.clone())?;
+        self.begun = Some(Begun { recording, curves, draft });
+        Ok(())
+    }
+}
+
+impl StateSink for StateRecording<'_> {
+    fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError> {
+        if self.begun.is_none() {
+            self.begin(posed, state)?;
+        }
+        let Some(Begun { recording, curves, .. }) = &mut self.begun else { return Ok(()) };
+        if posed.kind != ProcessKind::Loads {
+            recording.caption(number, caption(posed.kind, number, state));
+        }
+        add(recording, number, curves, state)
+    }
+
+    fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
+        let Some(Begun { recording, draft, .. }) = self.begun.take() else { return Ok(()) };
+        recording.finish()?;
+        match draft {
+            Some(path) => outcome.record_with(&path, posed.setup, posed.problem, self.options.clone()),
+            None => Ok(()),
+        }
+    }
+}
+
+impl HistoryOutcome {
+    /// Writes a recording of all states, on the timelines `step` and, where states have times, the one of [`Timeline::States`].
+    ///
+    /// # Errors
+    /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
+    pub fn record(&self, path: &Path, setup: &Setup, problem: &crate::contact::Problem) -> Result<(), FileError> {
+        self.record_with(path, setup, problem, Options::from(setup))
+    }
+
+    fn record_with(
+        &self,
+        path: &Path,
+        setup: &Setup,
+        problem: &crate::contact::Problem,
+        options: Options,
+    ) -> Result<(), FileError> {
+        let states: Vec<&State> = self.states.iter().collect();
+        let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
+        let Some(highest) = highest else { return Ok(()) };
+        let posed = Posed { setup, problem, kind: self.kind, loads: &[] };
+        let scene = Scene {
+            exact: None,
+            apart: self.apart(problem),
+            further: further(&posed, &states, 1.0),
+            ..Scene::from_setup(setup, &highest.contact.problem)
+        };
+        let curves = curves(&self.changing());
+        let loads = Loads {
+            title: format!("{}, {} states", scene.title, states.len()),
+            description: format!("{}. {}.", setup.surface.description(), states[0].claim.words()),
+            captions: states.iter().enumerate().map(|(i, state)| caption(self.kind, i, state)).collect(),
+            curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
+            axis: self.axis(),
+            figure: None,
+            timeline: Timeline::States(states.iter().filter_map(|state| state.get(Quantity::Time)).collect()),
+            scenes: &[scene],
+        };
+        let mut recording = LoadRecording::create(path, &loads, options)?;
+        states.iter().enumerate().try_for_each(|(i, state)| add(&mut recording, i, &curves, state))?;
+        recording.finish()
+    }
+
+    /// The largest distance between the surfaces where they are closest, as far as a picture has room for it.
+    fn apart(&self, problem: &crate::contact::Problem) -> f64 {
+        let least = |state: &State| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = self.states.iter().map(least).fold(0.0, f64::max);
+        most.min(MOST_APART * problem.highest())
+    }
+
+    /// The quantities with curves whose values change.
+    fn changing(&self) -> Vec<Quantity> {
+        let axis = self.kind.row().axis;
+        let changes = |it: &Quantity| {
+            let values = self.states.iter().filter_map(|state| state.get(*it));
+            let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+            values.iter().any(|value| *value != values[0]) || values.len() == 1
+        };
+        let all = self.quantities().into_iter();
+        all.filter(|it| Some(*it) != axis && it.row().has_curve && changes(it)).collect()
+    }
+
+    /// The axis of the charts: the quantity along which the process goes, or the number of the state.
+    fn axis(&self) -> LoadAxis {
+        let row = self.kind.row();
+        match row.axis {
+            Some(it) if row.is_logarithmic => LoadAxis::log(it.name(), self.values(it)),
+            Some(it) => LoadAxis::linear(it.name(), self.values(it)),
+            None => numbered(self.states.len()),
+        }
+    }
+}
+
+/// The numbers of some states as an axis.
+fn numbered(states: usize) -> LoadAxis {
+    LoadAxis::linear("state", (1..=states).map(|i| i as f64).collect())
+}
+
+/// Adds a state to a recording.
+fn add(recording: &mut LoadRecording, number: usize, curves: &[StateCurve], state: &State) -> Result<(), FileError> {
+    recording.values(number, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
+    let further: Vec<(&'static str, &[f64])> =
+        state.fields.iter().map(|it| (it.name, it.values.as_slice().unwrap_or_default())).collect();
+    recording.state(0, number, &state.contact, &further)
+}
+
+/// The quantities with curves that the first state of a history has.
+fn told(posed: &Posed<'_>, first: &State) -> Vec<Quantity> {
+    let axis = posed.kind.row().axis;
+    let all = first.numbers().into_iter().map(|(quantity, _)| quantity);
+    all.filter(|it| it.row().has_curve && Some(*it) != axis).collect()
+}
+
+/// The curves of quantities, the most important ones first.
+fn curves(quantities: &[Quantity]) -> Vec<StateCurve> {
+    let mut quantities = quantities.to_vec();
+    quantities.sort_by_key(|it| FIRST.iter().position(|first| first == it).unwrap_or(FIRST.len()));
+    let of = |it: Quantity| {
+        let colour = if it.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
+        let title = it.row().title;
+        (curve(&capital(title), title, colour), Box::new(move |state: &State| state.value(it)) as Box<_>)
+    };
+    quantities.into_iter().map(of).collect()
+}
+
+/// The curves over a list of loads.
+fn curves_of_loads() -> Vec<StateCurve> {
+    let of = |view: &str, name: &str, colour, of: fn(&Observables) -> Option<f64>| -> StateCurve {
+        let value = move |state: &State| of(&Observables::new(&state.contact)).unwrap_or(f64::NAN);
+        (curve(view, name, colour), Box::new(value))
+    };
+    vec![
+        of("Relative area", "a_rel", Colour::SKY, Observables::resolved_area),
+        of("kappa_r", "kappa_r", Colour::ORANGE, Observables::resolved_kappa_r),
+        of("kappa", "kappa", Colour::SKY, Observables::resolved_kappa),
+        of("Mean gap over rms height", "<g> / h_rms", Colour::ORANGE, |it| Some(it.mean_gap_over_rms_height)),
+    ]
+}
+
+fn curve(view: &str, name: &str, colour: Colour) -> RecordedCurve {
+    RecordedCurve { view: view.into(), name: name.into(), colour: colour.0, kind: CurveKind::Computed }
+}
+
+/// The axis of a list of loads: logarithmic for pressures, linear for mean gaps.
+fn axis_of_loads(loads: &[Load]) -> LoadAxis {
+    let values = loads.iter().map(Load::value).collect();
+    match loads.first() {
+        Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values),
+        Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values),
+        Some(Load::Force(_)) => LoadAxis::log("force", values),
+        Some(Load::Approach(_)) => LoadAxis::log("approach", values),
+        Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values),
+    }
+}
+
+/// A state in a few words.
+fn caption(kind: ProcessKind, number: usize, state: &State) -> String {
+    let words = kind.row().caption.iter().filter_map(|it| {
+        let value = state.get(*it)?;
+        Some(format!("{} {}", it.row().title, number_in_words(value)))
+    });
+    let words: Vec<String> = words.collect();
+    if words.is_empty() { format!("state {}", number + 1) } else { words.join(", ") }
+}
+
+/// The further fields of some states, with their ranges over these, times some room.
+fn further(posed: &Posed<'_>, states: &[&State], room: f64) -> Vec<FurtherField> {
+    let Some(first) = states.first() else { return Vec::new() };
+    let drawn = first.fields.iter().enumerate().filter(|(_, it)| it.unit != Unit::One);
+    let field = |(place, it): (usize, &crate::contact::StateField)| {
+        let values = states.iter().filter_map(|state| state.fields.get(place)).flat_map(|it| it.values.iter());
+        let ends = [f64::INFINITY, f64::NEG_INFINITY];
+        let [low, high] = values.fold(ends, |[low, high], value| [low.min(*value), high.max(*value)]);
+        let unit = match it.unit {
+            Unit::Pressure => posed.problem.contact_modulus(),
+            _ => posed.problem.rms_height(),
+        };
+        FurtherField::new(it.name, it.title, (it.symbol, unit), [room * low, room * high])
+    };
+    drawn.map(field).collect()
+}
+
+/// A title that begins with a capital letter, unless it is a symbol.
+fn capital(title: &str) -> String {
+    if title.contains('_') {
+        return title.into();
+    }
+    let mut letters = title.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,52 @@
+//! The table of the states of a run that goes on.
+
+use super::sink::{Posed, StateSink};
+use crate::contact::{Quantity, State};
+use crate::error::FileError;
+use std::fs::{File, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// The table of the states so far, `NAME.part.csv` beside the table that is written at the end. A killed run leaves it.
+pub struct StateTable {
+    path: PathBuf,
+    file: Option<File>,
+    columns: Vec<Quantity>,
+}
+
+impl StateTable {
+    /// The table beside the one that is written at the end.
+    pub fn beside(table: &Path) -> Self {
+        Self { path: table.with_extension("part.csv"), file: None, columns: Vec::new() }
+    }
+
+    /// Removes the table that grew beside another one.
+    pub fn discard(table: &Path) {
+        std::fs::remove_file(table.with_extension("part.csv")).ok();
+    }
+
+    fn write(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> std::io::Result<()> {
+        if self.file.is_none() {
+            let known = state.numbers().into_iter().map(|(quantity, _)| quantity);
+            self.columns = known.chain(posed.kind.row().columns.iter().copied()).collect();
+            self.columns.sort_unstable();
+            self.columns.dedup();
+            let mut file = OpenOptions::new().create(true).write(true).truncate(true).open(&self.path)?;
+            let names = ["state", "status", "claim"].into_iter().chain(self.columns.iter().map(|it| it.name()));
+            writeln!(file, "{}", names.collect::<Vec<_>>().join(","))?;
+            self.file = Some(file);
+        }
+        let Some(file) = &mut self.file else { return Ok(()) };
+        let values = self.columns.iter().map(|it| state.get(*it).map_or(String::new(), |value| value.to_string()));
+        let claim = <&str>::from(state.claim).to_owned();
+        let first = [(number + 1).to_string(), state.contact.status.name().to_owned(), claim];
+        writeln!(file, "{}", first.into_iter().chain(values).collect::<Vec<_>>().join(","))
+    }
+}
+
+impl StateSink for StateTable {
+    fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError> {
+        let written = self.write(posed, number, state);
+        written.map_err(|source| FileError::Write { path: self.path.clone(), source })
+    }
+}

@@ -1,0 +1,43 @@
+//! Where a recording goes.
+
+use super::output::Output;
+use super::pieces::Pieces;
+use crate::error::FileError;
+use std::path::{Path, PathBuf};
+
+/// Where a recording goes.
+pub enum Target<'a> {
+    /// Into a file, which grows as `NAME.part.rrd` beside an older one of that name until it is whole.
+    File(PathBuf),
+    /// Into the installed viewer, or the one that runs, and into a file, if there is one.
+    Viewer(Option<PathBuf>),
+    /// To others, who take it in pieces as it grows, and into a file, if there is one.
+    Pieces(Pieces, Option<PathBuf>),
+    /// Into a temporary file under a name. The function gets the means to read it when the recording begins.
+    Temporary(String, Box<dyn FnOnce(Output) + 'a>),
+}
+
+impl Target<'_> {
+    /// The file, if there is one with a name.
+    pub fn file(&self) -> Option<&Path> {
+        match self {
+            Self::File(path) => Some(path),
+            Self::Viewer(path) | Self::Pieces(_, path) => path.as_deref(),
+            Self::Temporary(..) => None,
+        }
+    }
+
+    /// Opens it, and returns the name of the recording, if it has one.
+    pub(super) fn open(self) -> Result<(Output, Option<String>), FileError> {
+        Ok(match self {
+            Self::File(path) => (Output::create(&path)?, None),
+            Self::Viewer(path) => (Output::shown(path.as_deref())?, None),
+            Self::Pieces(pieces, path) => (Output::seen(path.as_deref(), Box::new(pieces))?, None),
+            Self::Temporary(name, begun) => {
+                let output = Output::temporary()?;
+                begun(output.clone());
+                (output, Some(name))
+            }
+        })
+    }
+}
