@@ -125,7 +125,7 @@ impl Ready<'_> {
                 let recording = Recording::to(target, &scenes, options)?;
                 return self.solve_recorded(recording, diagnosis, watch);
             }
-            self.job.sinks.push(Box::new(StateRecording::new(target, options)));
+            self.job.sinks.push(Box::new(StateRecording::open(target, options)?));
         }
         let mut sinks = std::mem::take(&mut self.job.sinks);
         let mut solve = |i: usize| match self.job.runs[i].kind()? {

@@ -29,6 +29,8 @@ const FIRST: [Quantity; 5] =
 /// killed run leaves what was reached.
 pub struct StateRecording<'a> {
     target: Option<Target<'a>>,
+    /// The file, if it has a name.
+    path: Option<PathBuf>,
     options: Options,
     begun: Option<Begun>,
 }
@@ -45,15 +47,19 @@ struct Begun {
 type StateCurve = (RecordedCurve, Box<dyn Fn(&State) -> f64>);
 
 impl<'a> StateRecording<'a> {
-    /// The recording that goes to a target.
-    pub fn new(target: Target<'a>, options: Options) -> Self {
-        Self { target: Some(target), options, begun: None }
+    /// The recording that goes to a target, which is opened at once.
+    ///
+    /// # Errors
+    /// The errors of [`Target::opened`].
+    pub fn open(target: Target<'a>, options: Options) -> Result<Self, FileError> {
+        let path = target.file().map(Path::to_owned);
+        Ok(Self { target: Some(target.opened()?), path, options, begun: None })
     }
 
     fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
         let Some(target) = self.target.take() else { return Ok(()) };
         let is_list = posed.kind == ProcessKind::Loads;
-        let draft = target.file().filter(|_| !is_list).map(Path::to_owned);
+        let draft = self.path.take().filter(|_| !is_list);
         let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first)) };
         let expected = posed.setup.expected_states().unwrap_or(0).max(2);
         let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
@@ -101,6 +107,15 @@ impl StateSink for StateRecording<'_> {
         match draft {
             Some(path) => outcome.record_with(&path, posed.setup, posed.problem, self.options.clone()),
             None => Ok(()),
+        }
+    }
+}
+
+impl Drop for StateRecording<'_> {
+    /// A run without a state leaves no file.
+    fn drop(&mut self) {
+        if let Some(target) = self.target.take() {
+            target.discard();
         }
     }
 }

@@ -246,7 +246,6 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--creep 9,1 --path empty.csv"), "is empty"),
         (rough("--creep 9,1 --speed 1 --hardness 0.1"), "leave the hardness out"),
         (rough("--creep 9,1 --path-time 1 --solver gfmd"), "gfmd"),
-        (rough("--creep 9,1 --path-time 1 --live"), "--live"),
         (rough("--creep 9,1 --path-time 1 --diagnose"), "--diagnose"),
         (rough("--path-load 0.1,0.2"), "no tangential loads"),
         (cylinder("--path-tangential 0.01"), "slide"),

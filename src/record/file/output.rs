@@ -101,6 +101,13 @@ impl Output {
         })
     }
 
+    /// Removes the file, if it has a name of its own.
+    pub(super) fn discard(&self) {
+        if self.grown_at.is_file() {
+            std::fs::remove_file(&self.grown_at).ok();
+        }
+    }
+
     /// When waiting steps are written.
     pub(super) fn pace(&self) -> FlushPace {
         self.pace

@@ -15,6 +15,8 @@ pub enum Target<'a> {
     Pieces(Pieces, Option<PathBuf>),
     /// Into a temporary file under a name. The function gets the means to read it when the recording begins.
     Temporary(String, Box<dyn FnOnce(Output) + 'a>),
+    /// Opened before, with the name of the recording, if it has one.
+    Opened(Output, Option<String>),
 }
 
 impl Target<'_> {
@@ -23,7 +25,23 @@ impl Target<'_> {
         match self {
             Self::File(path) => Some(path),
             Self::Viewer(path) | Self::Pieces(_, path) => path.as_deref(),
-            Self::Temporary(..) => None,
+            Self::Temporary(..) | Self::Opened(..) => None,
+        }
+    }
+
+    /// The target, opened: what cannot be written or shown is known from now on.
+    ///
+    /// # Errors
+    /// [`FileError::Target`] if no file can be made, and [`FileError::NoViewer`] where there is no viewer.
+    pub fn opened(self) -> Result<Self, FileError> {
+        let (output, id) = self.open()?;
+        Ok(Self::Opened(output, id))
+    }
+
+    /// Removes the file that was opened and got nothing.
+    pub fn discard(self) {
+        if let Self::Opened(output, _) = self {
+            output.discard();
         }
     }
 
@@ -38,6 +56,7 @@ impl Target<'_> {
                 begun(output.clone());
                 (output, Some(name))
             }
+            Self::Opened(output, id) => (output, id),
         })
     }
 }

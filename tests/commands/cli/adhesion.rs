@@ -200,7 +200,6 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (sticky("--mean-gap 1um --path-time 1s"), "loads only"),
         (sticky("--mean-gap 1um --path-load 1um,2um --path-steps 0"), "1 or more"),
         (sticky("--mean-gap 1um --diagnose"), "--diagnose"),
-        (sticky("--mean-gap 1um --live"), "--live"),
         (sticky("--mean-gap 1um --adhesion-table rises.csv"), "only one of both"),
         (sticky("--mean-gap=-1um"), "give a positive one"),
         (sticky("--mean-gap 1um,2um"), "a path of loads"),
@@ -392,8 +391,5 @@ fn studies_with_adhesion_that_cannot_be_solved_are_refused_before_they_begin() {
     let several = STUDY.replace("mean-pressure = \"10kPa\"", "mean-pressure = [\"10kPa\", \"20kPa\"]");
     refused(several, "study study.toml", "give one load, and further ones as path.load");
     refused(STUDY.replace("\"3mJ/m^2\"", "\"90mJ/m^2\""), "study study.toml", "row 3 (rms-gradient 0.02");
-    let slips = STUDY.lines().filter(|line| !line.starts_with("adhesion")).collect::<Vec<_>>().join("\n");
-    let slips = slips.replace("load = [", "tangential = [") + "\nfriction = { coefficient = 0.3 }\n";
-    refused(slips, "study study.toml", "leave the path out");
     refused(STUDY.into(), "study study.toml --record-row 3 --record row.rrd", "record it with asperity solve");
 }

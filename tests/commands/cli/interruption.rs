@@ -108,3 +108,45 @@ fn a_course_that_is_ended_leaves_no_folder() {
     let (_, code) = signalled(&folder, "explore --export course", "-TERM", is_anew);
     assert_eq!((code, entries()), (Some(1), 0));
 }
+
+/// The number of states in the table that grows.
+fn rows(path: &Path) -> usize {
+    std::fs::read_to_string(path).map_or(0, |table| table.lines().count().saturating_sub(1))
+}
+
+#[cfg(unix)]
+#[test]
+fn a_history_that_is_killed_leaves_the_states_that_it_reached() {
+    let folder = Folder::new();
+    let line =
+        "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.002 --rms-gradient 0.1 --points 16384 --size 1 --creep 9,1";
+    let run = |steps: usize| format!("{line} --reduced-pressure 0.05 --path-time 3 --path-steps {steps}");
+    let table = folder.join("all.part.csv");
+    let killed = format!("{} --out all.npz --record all.rrd", run(300));
+    signalled(&folder, &killed, "-KILL", || std::fs::read_dir(folder.join("all.part")).is_ok_and(|it| it.count() > 40));
+    assert!(!folder.join("all.npz").exists());
+    let parts = std::fs::read_dir(folder.join("all.part")).unwrap().count();
+    // what was reached is read like an archive, and certified again
+    let saved = asperity::job::SavedResult::read(&folder.join("all.part")).unwrap();
+    assert!(saved.doubts.is_empty(), "{:?}", saved.doubts);
+    let asperity::job::SavedFound::History(history) = saved.found else { panic!("it is a history") };
+    let states = history.states.len();
+    assert!((parts - 1..=parts).contains(&states) && states > 30 && states < 300, "{states} of {parts}");
+    let times = history.values(asperity::contact::Quantity::Time);
+    assert!(times.windows(2).all(|pair| pair[0] < pair[1]) && times[states - 1] < 3.0, "{times:?}");
+    // the recording has them as well
+    let mut file = std::fs::File::open(folder.join("all.rrd")).unwrap();
+    let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
+    let chunks = stores.values().flat_map(|store| store.iter_physical_chunks());
+    let values = chunks.filter(|chunk| chunk.entity_path().to_string() == "/load/value");
+    let recorded: usize = values.map(|chunk| chunk.num_rows()).sum();
+    assert!(recorded + 2 >= states, "{recorded} of {states}");
+    // and so has a table; a run that comes to its end leaves neither
+    signalled(&folder, &format!("{} --out all.csv", run(300)), "-KILL", || rows(&table) > 30);
+    assert!(std::fs::read_to_string(&table).unwrap().starts_with("state,status,claim,time,"));
+    for end in ["csv", "npz"] {
+        assert_eq!(folder.run(&format!("{} --out all.{end}", run(3))).status.code(), Some(0));
+        assert!(folder.join(&format!("all.{end}")).exists());
+    }
+    assert!(!table.exists() && !folder.join("all.part").exists());
+}
