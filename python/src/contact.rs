@@ -5,10 +5,9 @@ use crate::certificate::{Certificate, Work};
 use crate::error::{NotConverged, bail};
 use crate::problem::Problem;
 use crate::setup::Setup;
-use crate::state_numbers::StateNumbers;
+use crate::shared_state::SharedState;
 use asperity::contact::{self, Distribution, PartialSlip, Patch};
-use asperity::setup;
-use asperity::study::FlowRow;
+use asperity::setup::{self, FlowFound};
 use asperity::surface::{Field, PowerSpectrum};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
@@ -20,7 +19,8 @@ use std::sync::{Arc, OnceLock};
 /// Its fields have the shape of the heights. They share the memory of the contact and are read-only.
 #[pyclass(frozen, module = "asperity")]
 pub struct Contact {
-    pub contact: asperity::Contact,
+    /// The contact, with the state that it is.
+    pub contact: SharedState,
     /// The surface of its problem.
     pub surface: Arc<asperity::Surface>,
     pub setup: setup::Setup,
@@ -29,12 +29,12 @@ pub struct Contact {
     pub diagnosis: Option<String>,
     /// The stick and slip areas, if there is friction.
     pub slip: Option<PartialSlip>,
-    /// The numbers of the state of a history that the contact is, if it is one.
-    pub state: Option<StateNumbers>,
+    /// Whether it is a state of a history.
+    pub is_of_history: bool,
     /// The steps of the preparation of the heights.
     pub preparation: Arc<[String]>,
     /// What flows through the contact, after it was found.
-    pub flow: OnceLock<FlowRow>,
+    pub flow: OnceLock<FlowFound>,
 }
 
 /// A number of each patch.
@@ -45,9 +45,15 @@ type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 impl Contact {
     /// A contact on a surface, of a setup, with arrays of some rank.
-    pub fn new(contact: asperity::Contact, surface: Arc<asperity::Surface>, setup: setup::Setup, rank: usize) -> Self {
-        let (preparation, flow) = (Arc::default(), OnceLock::new());
-        Self { contact, surface, setup, rank, diagnosis: None, slip: None, state: None, preparation, flow }
+    pub fn new(
+        contact: impl Into<SharedState>,
+        surface: Arc<asperity::Surface>,
+        setup: setup::Setup,
+        rank: usize,
+    ) -> Self {
+        let (contact, preparation, flow) = (contact.into(), Arc::default(), OnceLock::new());
+        let (diagnosis, slip, is_of_history) = (None, None, false);
+        Self { contact, surface, setup, rank, diagnosis, slip, is_of_history, preparation, flow }
     }
 
     fn field<'py>(slf: Bound<'py, Self>, of: fn(&asperity::Contact) -> &Field) -> Bound<'py, PyArrayDyn<f64>> {
@@ -252,7 +258,7 @@ impl Contact {
     }
 
     fn __repr__(&self) -> String {
-        let asperity::Contact { status, certificate, solver, .. } = &self.contact;
+        let asperity::Contact { status, certificate, solver, .. } = &*self.contact;
         let points = &self.contact.problem.surface().grid().shape()[2 - self.rank..];
         let shape = in_parentheses(points);
         match self.process() {

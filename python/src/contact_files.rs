@@ -2,10 +2,10 @@
 
 use crate::contact::Contact;
 use crate::error::{BoxedError, bail, py_error};
-use crate::flow::flow_fields;
+use crate::flow::with_flow;
 use crate::output::{check_not_read, check_output};
 use crate::setup::Setup;
-use asperity::contact::{archive_of_slip, archive_with};
+use asperity::contact::{archive_of_slip, archive_of_state};
 use asperity::files::write_beside;
 use asperity::job::write_nodes;
 use pyo3::prelude::*;
@@ -58,11 +58,7 @@ impl Contact {
         let text = Setup::new(self.setup.clone()).with_full_path().to_toml();
         let bytes = match &self.slip {
             Some(slip) => archive_of_slip(slip, self.rank, Some(&text)),
-            None => {
-                let fields = flow_fields([self].into_iter())?;
-                let fields: Vec<_> = fields.iter().map(|(name, fields)| (name.as_str(), &fields[0])).collect();
-                archive_with(&self.contact, &fields, self.rank, Some(&text))
-            }
+            None => archive_of_state(&with_flow(self)?, self.rank, Some(&text)),
         };
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }

@@ -5,8 +5,8 @@ use crate::certificate::{Certificate, Work};
 use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use crate::problem::Problem;
-use crate::state_numbers::StateNumbers;
-use asperity::contact::{Friction, PartialSlip, Resolved, Status};
+use asperity::contact::{Friction, PartialSlip, Quantity, Resolved, StateKind, StateValues, Status};
+use asperity::setup::ProcessKind;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 
@@ -20,7 +20,7 @@ type ContactParts<'py> = (
     ([String; 2], Option<String>),
     Option<([f64; 4], [usize; 2])>,
     Option<([f64; 3], Contact)>,
-    Option<(Vec<Option<f64>>, String)>,
+    Option<(Vec<(String, f64)>, String)>,
 );
 
 impl PartialEq for Contact {
@@ -28,7 +28,7 @@ impl PartialEq for Contact {
         let (one, two) = (&self.contact, &other.contact);
         let has_same_fields =
             one.pressure == two.pressure && one.gap == two.gap && one.displacement == two.displacement;
-        has_same_fields && self.setup == other.setup && self.surface == other.surface && self.state == other.state
+        has_same_fields && self.setup == other.setup && self.surface == other.surface && has_same_numbers(one, two)
     }
 }
 
@@ -70,10 +70,13 @@ impl Contact {
         let words = [contact.status.name().to_owned(), contact.solver.clone()];
         let numbers = (Certificate(contact.certificate), Work(contact.work));
         let load = contact.problem.load();
+        let numbers_of_state = || {
+            let named = contact.values().numbers().iter();
+            named.map(|(quantity, value)| (quantity.name().to_owned(), *value)).collect::<Vec<_>>()
+        };
         let state = it
-            .state
-            .as_ref()
-            .map(|state| Ok::<_, PyErr>((state.0.clone(), serde_json::to_string(&load).map_err(py_error)?)));
+            .is_of_history
+            .then(|| Ok::<_, PyErr>((numbers_of_state(), serde_json::to_string(&load).map_err(py_error)?)));
         let words = (words, it.diagnosis.clone());
         let parts = (it.py_problem(), fields, numbers, words, coarser, slip, state.transpose()?);
         Ok((slf.get_type().getattr("_from_parts")?, parts))
@@ -88,7 +91,7 @@ impl Contact {
         words: ([String; 2], Option<String>),
         coarser: Option<([f64; 4], [usize; 2])>,
         slip: Option<([f64; 3], Bound<'_, Self>)>,
-        state: Option<(Vec<Option<f64>>, String)>,
+        state: Option<(Vec<(String, f64)>, String)>,
     ) -> PyResult<Self> {
         let [pressure, displacement, gap] = &fields;
         let fields = [field(pressure)?, field(displacement)?, field(gap)?];
@@ -117,23 +120,44 @@ impl Contact {
             coarser,
         );
         let contact = contact.map_err(py_error)?;
-        let state = state.map(|(numbers, _)| StateNumbers(numbers));
-        let contact = match (&state, setup.setup.process().map_err(py_error)?) {
-            (Some(numbers), Some(process)) => contact.with_values(numbers.values(process)),
+        let is_of_history = state.is_some();
+        let contact = match (state, setup.setup.process().map_err(py_error)?) {
+            (Some((numbers, _)), Some(process)) => contact.with_values(values(process, &numbers)),
             _ => contact,
         };
         let slip = slip.map(|([coefficient, tangential, ratio], stick)| PartialSlip {
             friction: Friction { coefficient, tangential },
             ratio,
             pressed: contact.clone(),
-            stuck: stick.get().contact.clone(),
+            stuck: asperity::Contact::clone(&stick.get().contact),
         });
         Ok(Self {
             diagnosis,
             slip,
-            state,
+            is_of_history,
             preparation,
             ..Self::new(contact, surface.clone(), setup.setup.clone(), *rank)
         })
     }
+}
+
+/// Whether the processes of two states have given the same numbers to the last bit, so that a number that is not a number is the same as another one.
+fn has_same_numbers(one: &asperity::Contact, two: &asperity::Contact) -> bool {
+    let bits = |it: &asperity::Contact| -> Vec<(Quantity, u64)> {
+        let mut bits: Vec<_> = it.values().numbers().iter().map(|(it, value)| (*it, value.to_bits())).collect();
+        bits.sort_unstable();
+        bits
+    };
+    one.values().kind == two.values().kind && bits(one) == bits(two)
+}
+
+/// The numbers that a process has given for a state.
+fn values(process: ProcessKind, numbers: &[(String, f64)]) -> StateValues {
+    let kind = match process {
+        ProcessKind::Adhesion => StateKind::Adhesion,
+        ProcessKind::Creep => StateKind::Creep,
+        ProcessKind::Loads | ProcessKind::Slip | ProcessKind::Sliding | ProcessKind::Rolling => StateKind::Elastic,
+    };
+    let known = numbers.iter().filter_map(|(name, value)| Some((Quantity::find(name)?, *value)));
+    known.fold(StateValues::new(kind), |values, (quantity, value)| values.with(quantity, value))
 }

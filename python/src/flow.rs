@@ -4,10 +4,10 @@ use crate::arrays::owned;
 use crate::contact::Contact;
 use crate::conversion::{Sections, to_python, value_from_py};
 use crate::error::{argument, bail, py_error};
+use asperity::contact::State;
 use asperity::error::FlowError;
 use asperity::flow::{Conductance, FlowAxis, Leakage, Percolation, PercolationLoad};
 use asperity::setup::Flow;
-use asperity::study::FlowRow;
 use asperity::surface::Field;
 use pyo3::Borrowed;
 use pyo3::prelude::*;
@@ -97,23 +97,14 @@ impl Contact {
     }
 }
 
-/// The fields of the flow through contacts, as far as their setup asks for it: by their names in archives one of each contact.
-pub fn flow_fields<'c>(contacts: impl Iterator<Item = &'c Contact>) -> Result<Vec<(String, Vec<Field>)>, FlowError> {
-    let mut found: Vec<(String, Vec<Field>)> = Vec::new();
-    for contact in contacts.filter(|it| it.setup.flow.leakage) {
-        let (_, leakages) = FlowRow::measure(&contact.contact, &contact.setup.flow)?;
-        let named = leakages.into_iter().flat_map(|it| {
-            let axis = it.axis.name();
-            [(format!("flux_{axis}"), it.flux), (format!("fluid_pressure_{axis}"), it.pressure)]
-        });
-        for (name, field) in named {
-            match found.iter_mut().find(|(known, _)| *known == name) {
-                Some((_, fields)) => fields.push(field),
-                None => found.push((name, vec![field])),
-            }
-        }
+/// A contact as a state, with the fields of the flow through it, as far as its setup asks for them.
+pub fn with_flow(contact: &Contact) -> Result<State, FlowError> {
+    let state = State::clone(&contact.contact.0);
+    if !contact.setup.flow.leakage || !state.fields.is_empty() {
+        return Ok(state);
     }
-    Ok(found)
+    let found = contact.setup.flow.measure(&contact.contact)?;
+    Ok(State { fields: found.leakages.into_iter().flat_map(Leakage::into_fields).collect(), ..state })
 }
 
 /// The name of an axis.

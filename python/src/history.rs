@@ -8,9 +8,11 @@ use crate::error::{BoxedError, bail, py_error, unknown_name};
 use crate::output::{check_not_read, check_output};
 use crate::problem::Problem;
 use crate::setup::Setup;
+use crate::shared_state::SharedState;
+use asperity::contact::{Quantity, State, StateField, archive_of_states};
 use asperity::files::write_beside;
-use asperity::history::{HISTORY_QUANTITIES, HistoryUnit, State, StateField, archive_of_history};
 use asperity::job::HistoryOutcome;
+use asperity::setup::ProcessChart;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
@@ -37,9 +39,9 @@ impl History {
     pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Self> {
         let Problem { surface, rank, preparation, .. } = problem;
         let rank = *rank;
-        let contact = |state: &State| {
-            let contact = Contact::new(state.contact.clone(), surface.clone(), setup.setup.clone(), rank);
-            Py::new(py, Contact { state: Some(state.into()), preparation: preparation.clone(), ..contact })
+        let contact = |state: &Arc<State>| {
+            let contact = Contact::new(SharedState(state.clone()), surface.clone(), setup.setup.clone(), rank);
+            Py::new(py, Contact { is_of_history: true, preparation: preparation.clone(), ..contact })
         };
         let contacts = outcome.states.iter().map(contact).collect::<PyResult<Vec<_>>>()?;
         Ok(Self { outcome: Arc::new(outcome), contacts: PyTuple::new(py, contacts)?.unbind(), setup, rank })
@@ -49,13 +51,7 @@ impl History {
 impl History {
     /// Writes the fields and numbers of all states.
     fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
-        let quantities = self.outcome.quantities();
-        let bytes = archive_of_history(
-            self.outcome.states.clone(),
-            &quantities,
-            self.rank,
-            &self.setup.with_full_path().to_toml(),
-        );
+        let bytes = archive_of_states(&self.outcome.states, self.rank, &self.setup.with_full_path().to_toml());
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
 }
@@ -98,7 +94,7 @@ impl History {
     fn numbers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let outcome = Arc::clone(&self.outcome);
         let columns = py.detach(move || {
-            outcome.quantities().into_iter().map(|it| (it.name, outcome.values(it.name))).collect::<Vec<_>>()
+            outcome.quantities().into_iter().map(|it| (it.name(), outcome.values(it))).collect::<Vec<_>>()
         });
         let numbers = PyDict::new(py);
         columns.into_iter().try_for_each(|(name, values)| numbers.set_item(name, vector(py, values)))?;
@@ -111,7 +107,7 @@ impl History {
         let fields = PyDict::new(py);
         let Some(first) = self.outcome.states.first() else { return Ok(fields) };
         for (place, StateField { name, .. }) in first.fields.iter().enumerate() {
-            let of_rank = |it: &State| -> ArrayD<f64> {
+            let of_rank = |it: &Arc<State>| -> ArrayD<f64> {
                 let values = it.fields[place].values.clone();
                 if self.rank == 1 { values.index_axis_move(Axis(0), 0).into_dyn() } else { values.into_dyn() }
             };
@@ -144,29 +140,24 @@ impl History {
     /// Explains a number of `numbers` in one sentence.
     #[staticmethod]
     fn explain(py: Python<'_>, name: &str) -> PyResult<&'static str> {
-        let found = HISTORY_QUANTITIES.iter().find(|it| it.name == name);
-        let names = || HISTORY_QUANTITIES.iter().map(|it| it.name).collect::<Vec<_>>();
-        found.map(|it| it.help).ok_or_else(|| unknown_name(py, "number", name, &names()))
+        let names = || Quantity::all().map(Quantity::name).collect::<Vec<_>>();
+        let found = Quantity::find(name).map(|it| it.row().sentence);
+        found.ok_or_else(|| unknown_name(py, "number", name, &names()))
     }
 
     /// The unit of a number of `numbers` in a word, such as "length"; "1" for a pure number.
     #[staticmethod]
     fn _unit(name: &str) -> &'static str {
-        let unit = HISTORY_QUANTITIES.iter().find(|it| it.name == name).map_or(HistoryUnit::One, |it| it.unit);
-        match unit {
-            HistoryUnit::One => "1",
-            HistoryUnit::Time => "time",
-            HistoryUnit::Length => "length",
-            HistoryUnit::Speed => "length/time",
-            HistoryUnit::Pressure => "pressure",
-            HistoryUnit::EnergyPerArea => "pressure length",
-        }
+        Quantity::find(name).map_or("1", |it| it.row().unit.into())
     }
 
     /// The charts of a figure: names of the quantities on both axes, their titles, and whether the first axis is logarithmic.
     fn _charts(&self) -> [([&'static str; 2], [&'static str; 2], bool); 2] {
-        let title = |name| HISTORY_QUANTITIES.iter().find(|it| it.name == name).map_or(name, |it| it.title);
-        self.outcome.kind.charts().map(|it| ([it.x, it.y], [it.x, it.y].map(title), it.is_logarithmic))
+        let row = self.outcome.kind.row();
+        let ends = |it: ProcessChart| [it.x, Some(it.y)];
+        let name = |it: Option<Quantity>| it.map_or("state", Quantity::name);
+        let title = |it: Option<Quantity>| it.map_or("state", |it| it.row().title);
+        row.charts.map(|it| (ends(it).map(name), ends(it).map(title), row.is_logarithmic))
     }
 
     /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the

@@ -5,9 +5,7 @@ use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use crate::history::History;
 use crate::problem::Problem;
-use crate::state_numbers::StateNumbers;
-use asperity::contact::ResultClaim;
-use asperity::history::{State, StateField};
+use asperity::contact::{Quantity, ResultClaim, State, StateField};
 use asperity::job::HistoryOutcome;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -26,7 +24,7 @@ type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
 #[pymethods]
 impl History {
     fn __eq__(&self, py: Python<'_>, other: &Self) -> PyResult<bool> {
-        let is_same = |(one, two): (&State, &State)| {
+        let is_same = |(one, two): (&Arc<State>, &Arc<State>)| {
             let fields = |it: &State| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
             one.claim == two.claim && one.point == two.point && fields(one) == fields(two)
         };
@@ -60,7 +58,7 @@ impl History {
             let named = state.fields.iter();
             named.map(|it| (it.name.to_owned(), view(&it.values, slf.get().rank, slf.clone().into_any()))).collect()
         };
-        let state = |state: &State| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
+        let state = |state: &Arc<State>| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
         let states = it.outcome.states.iter().map(state).collect();
         Ok((slf.get_type().getattr("_from_parts")?, (problem, it.contacts.clone_ref(py), states)))
     }
@@ -72,9 +70,9 @@ impl History {
             let contact = contact.cast::<Contact>()?.get();
             let claim: ResultClaim = claim.parse().map_err(|_| py_error(format!("there is no claim {claim:?}")))?;
             let fields = fields.iter().map(|(name, values)| named(name, field(values)?)).collect::<PyResult<_>>()?;
-            let numbers = contact.state.clone().unwrap_or_else(|| StateNumbers(Vec::new()));
-            let number = |name: &str| numbers.find(name);
-            Ok(State::from_parts(contact.contact.clone(), (point, claim), number, fields))
+            let number = |quantity: Quantity| contact.contact.values().get(quantity);
+            let contact = asperity::Contact::clone(&contact.contact);
+            Ok(Arc::new(State::from_parts(contact, (point, claim), number, fields)))
         };
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;

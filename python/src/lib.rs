@@ -38,11 +38,11 @@ mod prepared_array;
 mod problem;
 mod recorder;
 mod setup;
+mod shared_state;
 mod sink;
 mod slip;
 mod solve;
 mod solve_options;
-mod state_numbers;
 mod step;
 mod stress;
 mod study;
@@ -79,7 +79,8 @@ fn free_memory() -> Option<f64> {
 /// Explains the measures of a contact: a dictionary for each, with its name, symbol, unit and one sentence.
 #[pyfunction]
 fn observables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    conversion::to_python(py, &asperity::contact::OBSERVABLES)
+    let rows: Vec<_> = asperity::contact::Quantity::found().map(asperity::contact::Quantity::row).collect();
+    conversion::to_python(py, &rows)
 }
 
 /// The exception for a keyword that a function does not take, with the keyword that was probably meant.

@@ -5,13 +5,13 @@ use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::sections_of;
 use crate::error::{BoxedError, py_error};
-use crate::flow::flow_fields;
+use crate::flow::with_flow;
 use crate::measures::columns;
 use crate::output::{check_not_read, check_output};
 use crate::setup::Setup;
-use asperity::contact::{Observables, archive_of_loads_with};
+use asperity::contact::{Observables, archive_of_states};
 use asperity::files::write_beside;
-use asperity::job::write_loads;
+use asperity::job::{LoadNumbers, write_loads};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::io::{self, Write};
@@ -147,20 +147,23 @@ impl LoadCurve {
 /// Writes the fields and numbers of contacts under all loads.
 fn write_archive(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result<(), BoxedError> {
     let rank = contacts.first().map_or(1, |it| it.get().rank);
-    let flow = flow_fields(contacts.iter().map(Py::get))?;
-    let fields: Vec<_> = flow.iter().map(|(name, fields)| (name.as_str(), fields.iter().collect())).collect();
-    let contacts: Vec<_> = contacts.iter().map(|it| it.get().contact.clone()).collect();
-    let bytes = archive_of_loads_with(&contacts, &fields, rank, &setup.with_full_path().to_toml());
+    let mut states = contacts.iter().map(|it| with_flow(it.get())).collect::<Result<Vec<_>, _>>()?;
+    (0..).zip(&mut states).for_each(|(number, state)| state.point = Some(number));
+    let bytes = archive_of_states(&states, rank, &setup.with_full_path().to_toml());
     Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
 }
 
 /// Writes the observables of contacts under all loads.
 fn write_table(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result<(), BoxedError> {
-    let row = |it: &Py<Contact>| (it.get().contact.status, Observables::new(&it.get().contact));
-    let rows: Vec<_> = contacts.iter().map(row).collect();
-    let flow = match setup.setup.flow.is_none() {
-        true => None,
-        false => Some(contacts.iter().map(|it| it.get().flow()).collect::<Result<Vec<_>, _>>()?),
+    let observables: Vec<_> = contacts.iter().map(|it| Observables::new(&*it.get().contact)).collect();
+    let flows = match setup.setup.flow.is_none() {
+        true => vec![Vec::new(); contacts.len()],
+        false => contacts.iter().map(|it| Ok(it.get().flow()?.numbers)).collect::<Result<Vec<_>, BoxedError>>()?,
     };
-    Ok(write_loads(path, &rows, flow.as_deref())?)
+    let numbers = |(i, it): (usize, &Py<Contact>)| LoadNumbers {
+        status: it.get().contact.status,
+        observables: &observables[i],
+        flow: &flows[i],
+    };
+    Ok(write_loads(path, &contacts.iter().enumerate().map(numbers).collect::<Vec<_>>())?)
 }

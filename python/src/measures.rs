@@ -3,11 +3,9 @@
 use crate::arrays::vector;
 use crate::contact::Contact;
 use crate::error::{bail, py_error};
-use asperity::contact::{OBSERVABLES, State, StateKind};
+use asperity::contact::{Quantity, QuantityKind, Reading, StateKind};
 use asperity::error::FlowError;
-use asperity::history::HISTORY_QUANTITIES;
-use asperity::setup::ProcessKind;
-use asperity::study::{FLOW_COLUMNS, FlowColumn, FlowRow};
+use asperity::setup::{FlowFound, ProcessKind};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,7 +20,7 @@ pub enum Measure {
 impl Contact {
     /// The process of the history of which the contact is a state, if it is one.
     pub fn process(&self) -> Option<ProcessKind> {
-        self.state.as_ref().and_then(|_| self.setup.process().ok().flatten())
+        self.setup.process().ok().flatten().filter(|_| self.is_of_history)
     }
 
     /// All numbers by their names: the observables, what yields where there is a hardness, and what flows where the setup asks for it. Numbers
@@ -31,35 +29,32 @@ impl Contact {
     /// # Errors
     /// For a flow that cannot be found.
     pub fn numbers(&self) -> Result<Vec<(&'static str, Measure)>, FlowError> {
-        let state = State::from(&self.contact);
-        let of_state = |name: &str| self.state.as_ref().and_then(|it| it.find(name));
-        let known = OBSERVABLES.iter().filter(|it| it.tells_of(&self.contact) || of_state(it.name).is_some());
-        let number = |name, value| (name, Measure::Number(value));
-        let mut numbers: Vec<_> =
-            known.map(|it| number(it.name, of_state(it.name).unwrap_or_else(|| (it.value)(&state)))).collect();
-        let is_observable = |name: &str| OBSERVABLES.iter().any(|it| it.name == name);
-        let others = HISTORY_QUANTITIES.iter().filter(|it| !is_observable(it.name));
-        numbers.extend(others.filter_map(|it| Some(number(it.name, of_state(it.name)?))));
+        let reading = Reading::from(&*self.contact);
+        let measure = |quantity: Quantity, value: f64| match quantity.row().kind {
+            QuantityKind::Flag => (quantity.name(), Measure::Truth(value == 1.0)),
+            QuantityKind::Number | QuantityKind::Whole => (quantity.name(), Measure::Number(value)),
+        };
+        let told = Quantity::all().filter(|it| it.tells_of(&self.contact));
+        let mut numbers: Vec<_> = told.map(|it| measure(it, reading.value(it))).collect();
         if !self.setup.law.is_hard_wall() {
-            numbers.push(number("plastic_load_share", self.contact.plasticity().load_share));
+            numbers.push(("plastic_load_share", Measure::Number(self.contact.plasticity().load_share)));
         }
+        let of_state = |it: &Quantity| self.contact.values().get(*it).is_some();
         if !self.setup.flow.is_none() {
-            let row = self.flow()?;
-            numbers.extend(FLOW_COLUMNS.iter().filter_map(|column| match column {
-                FlowColumn::Number(name, of) => Some((*name, Measure::Number(of(&row)?))),
-                FlowColumn::Text(name, of) => Some((*name, Measure::Truth(of(&row)?))),
-            }));
+            let found = self.flow()?.numbers;
+            numbers.extend(found.into_iter().filter(|(it, _)| !of_state(it)).map(|(it, value)| measure(it, value)));
         }
         Ok(numbers)
     }
 
     /// What flows through the contact, as far as its setup asks for it, found on first use.
-    pub fn flow(&self) -> Result<FlowRow, FlowError> {
-        if let Some(row) = self.flow.get() {
-            return Ok(*row);
+    pub fn flow(&self) -> Result<FlowFound, FlowError> {
+        if let Some(found) = self.flow.get() {
+            return Ok(found.clone());
         }
-        let (row, _) = FlowRow::measure(&self.contact, &self.setup.flow)?;
-        Ok(*self.flow.get_or_init(|| row))
+        let found = self.setup.flow.measure(&self.contact)?;
+        // the fields are found again where they are asked for
+        Ok(self.flow.get_or_init(|| FlowFound { leakages: Vec::new(), ..found }).clone())
     }
 }
 
@@ -106,8 +101,7 @@ impl Contact {
     /// Mean pressure. In a history with adhesion it is that of the contact less that of the attraction, as in History.numbers.
     #[getter]
     fn mean_pressure(&self) -> f64 {
-        let of_state = self.state.as_ref().and_then(|it| it.find("mean_pressure"));
-        of_state.unwrap_or_else(|| self.contact.mean_pressure())
+        self.contact.0.value(Quantity::MeanPressure)
     }
 
     /// Mean gap, a length.

@@ -127,9 +127,9 @@ impl Plan {
         let title = format!("{}, {}", self.setup.surface.title(problem.surface().grid()), self.name);
         let steps = JobRun::from_other(&title, self.setup.clone(), problem.clone(), &replay);
         let job = Job::from_run(JobRun { reference: end, ..steps });
-        let job = match self.sink.is_active() {
-            true => job.recorded(|scenes, options| self.sink.recording(scenes, options)),
-            false => job,
+        let job = match self.sink.target() {
+            Some(target) => job.recorded(target),
+            None => job,
         };
         let outcome = job.run(&mut ShowSteps(&mut (&mut diagnosis, &mut distances)))?;
         let contact = outcome.solved.into_iter().next().expect("a job solves its run").contact;

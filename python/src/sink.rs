@@ -2,8 +2,7 @@
 
 use crate::error::{bail, py_error};
 use crate::output::check_output;
-use asperity::error::FileError;
-use asperity::record::{Options, Pieces, Recording, Scene};
+use asperity::record::{Pieces, Target};
 use asperity::setup;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -75,13 +74,13 @@ impl RecordingSink {
         self.path.is_some() || self.is_live || self.stream.is_some()
     }
 
-    /// A new recording to this sink, if anything is recorded.
-    pub fn recording(&self, scenes: &[Scene<'_>], options: Options) -> Result<Recording, FileError> {
-        let path = self.path.as_deref();
-        match (&self.stream, path) {
-            (Some(stream), _) => Recording::streamed(path, stream.pieces.clone(), scenes, options),
-            (None, Some(path)) if !self.is_live => Recording::create(path, scenes, options),
-            (None, _) => Recording::shown(path, scenes, options),
+    /// Where the recording goes, if anything is recorded.
+    pub fn target(&self) -> Option<Target<'static>> {
+        let path = self.path.clone();
+        match &self.stream {
+            Some(stream) => Some(Target::Pieces(stream.pieces.clone(), path)),
+            None if self.is_live => Some(Target::Viewer(path)),
+            None => path.map(Target::File),
         }
     }
 

@@ -8,26 +8,25 @@ use crate::load_curve::LoadCurve;
 use crate::own_solver::OwnSolver;
 use crate::problem::Problem;
 use crate::setup::Setup;
+use crate::shared_state::SharedState;
 use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
-use asperity::contact::{Load, Observables, Observer, Status};
+use asperity::contact::{Load, Observer, State, Status};
 use asperity::error::{HistoryError, StudyError};
 use asperity::foreign::{Quantity, Replay};
-use asperity::job::{CurveRecording, HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
+use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::{self, Cost};
-use asperity::study;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Fields of a recording or a result in memory, besides those of a solver.
 const FIELDS: f64 = 4.0;
 /// Fields of each contact of a load curve.
 const FIELDS_OF_CONTACT: f64 = 3.0;
-/// Fields of a state of a history: its contact, further fields such as traction and slip, and the contact as an object of Python.
-const FIELDS_OF_STATE: f64 = 2.0 * FIELDS_OF_CONTACT + 2.0;
+/// Fields of a state of a history: its contact, and further fields such as traction and slip.
+const FIELDS_OF_STATE: f64 = FIELDS_OF_CONTACT + 2.0;
 
 /// One solve: a problem, its setup with the keywords laid over it, and the options.
 struct Solve<'a> {
@@ -42,21 +41,9 @@ struct Steps<'s>(&'s StepSender);
 impl Watcher for Steps<'_> {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
         match pass {
-            Pass::Grid(_) | Pass::Solve(..) => Box::new(self.0.clone()),
+            Pass::Grid(_) | Pass::Solve(..) | Pass::State(..) => Box::new(self.0.clone()),
             Pass::Reference(_) | Pass::Stick(_) => Box::new(self.0.silent()),
         }
-    }
-}
-
-/// Why a load curve ends before its last load.
-enum Ended {
-    ByCallback,
-    By(StudyError),
-}
-
-impl From<StudyError> for Ended {
-    fn from(error: StudyError) -> Self {
-        Self::By(error)
     }
 }
 
@@ -130,9 +117,9 @@ impl Solve<'_> {
         let outcome = self.in_background(py, |steps| {
             let replay = Replay::new(&own.name, Quantity::Pressure, pressures.iter()).endless();
             let job = Job::from_run(JobRun::from_other(&title, setup.clone(), problem.clone(), &replay));
-            let job = match sink.is_active() {
-                true => job.recorded(|scenes, options| sink.recording(scenes, options)),
-                false => job,
+            let job = match sink.target() {
+                Some(target) => job.recorded(target),
+                None => job,
             };
             Ok(job.run(&mut Steps(steps))?)
         });
@@ -149,6 +136,7 @@ impl Solve<'_> {
         let run = JobRun {
             heights: self.problem.is_array().then(|| surface.clone()),
             problem: Some(problem.clone()),
+            loads: self.setup.loads.clone().unwrap_or_default(),
             ..JobRun::new(self.setup.setup.clone())
         };
         let job = Job::from_run(run).diagnosed(*diagnose).started_from(start.as_ref());
@@ -156,14 +144,23 @@ impl Solve<'_> {
             Some(auto) => job.refined(auto),
             None => job,
         };
-        if sink.is_active() { job.recorded(|scenes, options| sink.recording(scenes, options)) } else { job }
+        match sink.target() {
+            Some(target) => job.recorded(target),
+            None => job,
+        }
     }
 
     /// Solves under one load after the other.
     fn curve(&self, py: Python<'_>, loads: &[Load]) -> PyResult<LoadCurve> {
-        self.check_memory(loads.len())?;
-        let contacts = self.in_background(py, |steps| self.pressed(loads, steps))?;
-        let contacts: Vec<Contact> = contacts.into_iter().map(|contact| self.under_its_load(contact)).collect();
+        self.check_fields(FIELDS_OF_CONTACT * loads.len().saturating_sub(1) as f64)?;
+        let outcome = self.states(py)?;
+        if let Some(failure) = outcome.failure {
+            return Err(py_error(failure));
+        }
+        if let Some(error) = outcome.ended.filter(|it| !matches!(it, HistoryError::Stopped)) {
+            return Err(py_error(StudyError::from(error)));
+        }
+        let contacts: Vec<Contact> = outcome.states.into_iter().map(|state| self.under_its_load(state)).collect();
         let unfinished = contacts.iter().filter_map(|it| warning_of_failure(&it.contact)).count();
         if unfinished > 0 {
             let loads = contacts.len();
@@ -180,23 +177,17 @@ impl Solve<'_> {
 
     /// Follows a history.
     fn history(&self, py: Python<'_>) -> PyResult<History> {
-        let SolveOptions { sink, diagnose, start, .. } = self.options;
-        let of_one_contact = [
-            (sink.is_live, "live"),
-            (sink.is_streamed(), "stream"),
-            (*diagnose, "diagnose"),
-            (start.is_some(), "start"),
-            (self.setup.refinement.is_some(), "refine='auto'"),
-        ];
+        let SolveOptions { diagnose, start, .. } = self.options;
+        let of_one_contact =
+            [(*diagnose, "diagnose"), (start.is_some(), "start"), (self.setup.refinement.is_some(), "refine='auto'")];
         if let Some((_, name)) = of_one_contact.iter().find(|(is_given, _)| *is_given) {
             return bail(format!("{name} is for one contact: leave it out of a history"));
         }
-        let (setup, problem) = (&self.setup.setup, &self.problem.problem);
-        let states = setup.expected_states().map_err(py_error)?;
+        let states = self.setup.setup.expected_states().map_err(py_error)?;
         self.check_fields(FIELDS_OF_STATE * states as f64)?;
-        let outcome = self.in_background(py, |steps| Ok(HistoryOutcome::solve(setup, problem, steps)?))?;
-        if let Some(path) = &sink.path {
-            py.detach(|| outcome.record(path, setup, problem)).map_err(py_error)?;
+        let mut outcome = self.states(py)?;
+        if let Some(failure) = outcome.failure.take() {
+            return Err(py_error(failure));
         }
         if let Some(error) = outcome.ended.as_ref().filter(|it| !matches!(it, HistoryError::Stopped)) {
             warn_sentence(py, &format!("The history ended after {} states: {error}.", outcome.states.len()))?;
@@ -205,12 +196,19 @@ impl Solve<'_> {
         History::new(py, outcome, self.problem, self.setup.clone())
     }
 
+    /// The states of a run with several.
+    fn states(&self, py: Python<'_>) -> PyResult<HistoryOutcome> {
+        let outcome = self.in_background(py, |steps| Ok(self.job().run(&mut Steps(steps))?))?;
+        let history = outcome.solved.into_iter().next().and_then(|solved| solved.history);
+        history.ok_or_else(|| py_error("the run has no states"))
+    }
+
     /// The contact of a curve as an object of Python.
-    fn under_its_load(&self, contact: asperity::Contact) -> Contact {
-        let setup = setup::Setup { load: contact.problem.load(), ..self.setup.setup.clone() };
+    fn under_its_load(&self, state: Arc<State>) -> Contact {
+        let setup = setup::Setup { load: state.contact.problem.load(), ..self.setup.setup.clone() };
         let Problem { surface, rank, preparation, .. } = self.problem;
         let preparation = preparation.clone();
-        Contact { preparation, ..Contact::new(contact, surface.clone(), setup, *rank) }
+        Contact { preparation, ..Contact::new(SharedState(state), surface.clone(), setup, *rank) }
     }
 
     /// Does some work in the background, shows its steps to the callback and passes on its recording.
@@ -239,43 +237,11 @@ impl Solve<'_> {
         Ok(answer.is_none() || answer.is_truthy()?)
     }
 
-    /// Refuses a grid that does not fit in memory, with some contacts on it.
-    fn check_memory(&self, contacts: usize) -> PyResult<()> {
-        self.check_fields(FIELDS_OF_CONTACT * contacts.saturating_sub(1) as f64)
-    }
-
     /// Refuses a grid that does not fit in memory, with some further fields that are kept.
     fn check_fields(&self, kept: f64) -> PyResult<()> {
         let (grid, solver) = (self.problem.problem.surface().grid(), &self.setup.setup.solver);
         let cost = Cost::from_fields(grid, solver.fields(grid, 0.0).max(3.0) + FIELDS + kept);
         cost.check(solver.name()).map_err(py_error)
-    }
-
-    /// The contacts under one load after the other, up to the one at which the callback ends the run.
-    fn pressed(&self, loads: &[Load], steps: &mut StepSender) -> Result<Vec<asperity::Contact>, BoxedError> {
-        let curve = study::LoadCurve { setup: self.setup.setup.clone(), loads: loads.to_vec() };
-        let create = |path: &PathBuf| CurveRecording::create(path, &curve, &self.problem.problem);
-        let mut recording = self.options.sink.path.as_ref().map(create).transpose()?;
-        let mut contacts = Vec::with_capacity(loads.len());
-        let ended = curve.press(
-            &self.problem.problem,
-            |_| steps.clone(),
-            |load, contact| {
-                if let Some(recording) = &recording {
-                    let added = recording.add(load, contact, &Observables::new(contact));
-                    added.map_err(StudyError::from)?;
-                }
-                contacts.push(contact.clone());
-                if contact.status == Status::StoppedByObserver { Err(Ended::ByCallback) } else { Ok(()) }
-            },
-        );
-        match ended {
-            Err(Ended::By(error)) => Err(error.into()),
-            Ok(()) | Err(Ended::ByCallback) => {
-                recording.take().map_or(Ok(()), CurveRecording::finish)?;
-                Ok(contacts)
-            }
-        }
     }
 }
 

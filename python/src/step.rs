@@ -4,7 +4,7 @@ use crate::arrays::owned;
 use crate::background::StepHandle;
 use crate::certificate::Certificate;
 use crate::error::bail;
-use asperity::contact::{self, OBSERVABLES, Phase, State};
+use asperity::contact::{self, Phase, Quantity, Reading};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -143,9 +143,8 @@ impl Step {
     #[getter]
     fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let numbers = |step: &contact::Step<'_>| {
-            let state = State::from(step);
-            let traced = OBSERVABLES.iter().filter(|row| row.is_traced);
-            traced.map(|row| (row.name, (row.value)(&state))).collect::<Vec<_>>()
+            let reading = Reading::from(step);
+            Quantity::traced().map(|it| (it.name(), reading.value(it))).collect::<Vec<_>>()
         };
         let measures = PyDict::new(py);
         self.query(py, numbers)?.into_iter().try_for_each(|(name, number)| measures.set_item(name, number))?;

@@ -11,7 +11,7 @@ use std::ffi::CString;
 /// Warnings about contacts under one load or several, and about their surface.
 pub fn warnings_about(contacts: &[&Contact]) -> Vec<Warning> {
     let Some(first) = contacts.first() else { return Vec::new() };
-    let found: Vec<Observables> = contacts.iter().map(|it| Observables::new(&it.contact)).collect();
+    let found: Vec<Observables> = contacts.iter().map(|it| Observables::new(&*it.contact)).collect();
     let mut warnings = first.setup.surface.warnings(&first.surface);
     warnings.extend(warnings_of(&found.iter().collect::<Vec<_>>(), first.contact.problem.law()));
     warnings.extend(contacts.iter().find_map(|it| warning_of_rim(&it.contact)));

@@ -13,7 +13,8 @@ const CLOSED: f64 = 1e-6;
 
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
 pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
-    let states: Vec<&State> = outcome.states.iter().filter(|it| it.claim != ResultClaim::Moving).collect();
+    let states: Vec<&State> =
+        outcome.states.iter().map(|it| &**it).filter(|it| it.claim != ResultClaim::Moving).collect();
     let panels = outcome.kind.row().charts.map(|chart| panel(outcome, chart, &states));
     Figure { title: title.into(), panels: panels.into() }
 }

@@ -7,6 +7,7 @@ use ndarray::{
     Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr1, arr2, arr3, stack,
 };
 use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
+use std::borrow::Borrow;
 use std::io::Cursor;
 use strum::IntoEnumIterator;
 
@@ -127,7 +128,8 @@ pub fn archive_of_stress(
 ///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no states.
-pub fn archive_of_states(states: &[State], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
+pub fn archive_of_states(states: &[impl Borrow<State>], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
+    let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
     let contacts: Vec<&Contact> = states.iter().map(|state| &state.contact).collect();
     let mut archive = ArchiveWriter::new(&contacts, true, rank, Some(setup))?;
     let points: Vec<String> =

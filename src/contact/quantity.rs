@@ -416,6 +416,11 @@ impl Quantity {
         name.parse().ok()
     }
 
+    /// All quantities, in the order of the table.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::iter()
+    }
+
     /// The quantities that can be computed of any contact, in the order of the table.
     pub fn found() -> impl Iterator<Item = Self> {
         Self::iter().filter(|it| it.row().read.is_some())

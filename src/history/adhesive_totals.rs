@@ -2,6 +2,7 @@
 
 use crate::contact::{Quantity, ResultClaim, State, StateKind};
 use serde::Serialize;
+use std::borrow::Borrow;
 
 /// What a history with adhesion adds up to. The frames of a motion do not count.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -38,12 +39,13 @@ pub struct AdhesionJump {
 impl AdhesionTotals {
     /// The totals of the states of a history; none for one without adhesion. The state before a jump is the last one that is not a frame of the
     /// motion.
-    pub fn new(states: &[State]) -> Option<Self> {
+    pub fn new(states: &[impl Borrow<State>]) -> Option<Self> {
+        let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
         let first = states.first()?;
         (first.contact.values().kind == StateKind::Adhesion).then_some(())?;
         let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
         let pressure = |state: &State| state.value(Quantity::MeanPressure);
-        let is_frame = |state: &&State| state.claim == ResultClaim::Moving;
+        let is_frame = |state: &State| state.claim == ResultClaim::Moving;
         let held = states.iter().filter(|state| state.claim != ResultClaim::Separated && !is_frame(state));
         let jump = |i: usize| {
             let energy = states[i].get(Quantity::Jump)?;
@@ -60,7 +62,7 @@ impl AdhesionTotals {
         let last = states.last()?;
         let of = |value: fn(&State) -> Option<f64>| value(last).unwrap_or(0.0) - value(first).unwrap_or(0.0);
         Some(Self {
-            lowest_pressure: held.map(pressure).reduce(f64::min),
+            lowest_pressure: held.map(|state| pressure(state)).reduce(f64::min),
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
             lost_in_jumps: of(|state| state.get(Quantity::Dissipated)),

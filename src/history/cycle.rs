@@ -2,6 +2,7 @@
 
 use super::PathPoint;
 use crate::contact::{Quantity, State, StateKind};
+use std::borrow::Borrow;
 
 /// The part of the energy lost by which the stored energy of a contact with adhesion may change in a closed cycle.
 const CLOSED: f64 = 0.01;
@@ -14,20 +15,22 @@ const SAME: f64 = 1e-3;
 /// others between them. A cycle in which a contact with adhesion does not return to its stored energy and its gap is left out.
 ///
 /// States name the point of the path that they have reached.
-pub fn cycle_losses(path: &[PathPoint], states: &[State]) -> Vec<f64> {
+pub fn cycle_losses(path: &[PathPoint], states: &[impl Borrow<State>]) -> Vec<f64> {
+    let states: &[&State] = &states.iter().map(Borrow::borrow).collect::<Vec<_>>();
     let closed = cycles(path, states).into_iter().filter(|ends| is_closed(*ends, states));
     closed.filter_map(|[from, to]| Some(to.get(Quantity::Dissipated)? - from.get(Quantity::Dissipated)?)).collect()
 }
 
 /// The number of cycles of a path after which a contact with adhesion has not returned to its state.
-pub fn open_cycles(path: &[PathPoint], states: &[State]) -> usize {
+pub fn open_cycles(path: &[PathPoint], states: &[impl Borrow<State>]) -> usize {
+    let states: &[&State] = &states.iter().map(Borrow::borrow).collect::<Vec<_>>();
     cycles(path, states).into_iter().filter(|ends| !is_closed(*ends, states)).count()
 }
 
 /// The first and the last state of each cycle of the loads.
-fn cycles<'a>(path: &[PathPoint], states: &'a [State]) -> Vec<[&'a State; 2]> {
+fn cycles<'a>(path: &[PathPoint], states: &[&'a State]) -> Vec<[&'a State; 2]> {
     let is_same = |i: usize, j: usize| (path[i].load, path[i].tangential) == (path[j].load, path[j].tangential);
-    let reached = |point: usize| states.iter().rev().find(|state| state.point == Some(point));
+    let reached = |point: usize| states.iter().rev().copied().find(|state| state.point == Some(point));
     let mut cycles = Vec::new();
     let mut from = 0;
     while from < path.len() {
@@ -44,7 +47,7 @@ fn cycles<'a>(path: &[PathPoint], states: &'a [State]) -> Vec<[&'a State; 2]> {
 }
 
 /// Whether a contact with adhesion has the same stored energy and the same gap at both ends of a cycle. Other contacts are not compared.
-fn is_closed([from, to]: [&State; 2], states: &[State]) -> bool {
+fn is_closed([from, to]: [&State; 2], states: &[&State]) -> bool {
     if from.contact.values().kind != StateKind::Adhesion {
         return true;
     }

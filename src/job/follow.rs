@@ -8,6 +8,7 @@ use crate::contact::{Problem, State, Status};
 use crate::error::{FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
 use crate::setup::Flow;
+use std::sync::Arc;
 
 /// What is kept of the states of a run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -46,7 +47,7 @@ impl JobRun<'_> {
         let kind = self.kind()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })?;
         let posed = Posed { setup: &self.setup, problem, kind, loads: &self.loads };
         let mut process = self.process(problem)?;
-        let (mut states, mut failure, mut count) = (Vec::<State>::new(), None, 0);
+        let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
         let ended = loop {
             let state = match process.next(&mut *watch.observer(Pass::State(self, number, count))) {
                 None => break None,
@@ -63,7 +64,7 @@ impl JobRun<'_> {
             if keeping.is_last_only {
                 states.clear();
             }
-            states.push(state);
+            states.push(Arc::new(state));
         };
         if states.is_empty() {
             return Err(HistoryError::Stopped.into());

@@ -12,6 +12,7 @@ use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
 use serde::Serialize;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Errors in time of states with less than this part of the largest mean pressure are not compared with the tolerance.
 const SMALL: f64 = 1e-2;
@@ -30,7 +31,7 @@ pub struct HistoryOutcome {
     /// The attraction and what came of it, with adhesion.
     pub adhesion: Option<AdhesionOutcome>,
     /// The states, in their order.
-    pub states: Vec<State>,
+    pub states: Vec<Arc<State>>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
     pub ended: Option<HistoryError>,
     /// Why a recording, table or archive of the states could not be written, if it could not.
@@ -55,7 +56,7 @@ pub struct AdhesionOutcome {
 }
 
 impl AdhesionOutcome {
-    fn new(setup: &Setup, problem: &Problem, states: &[State]) -> Result<Option<Self>, SetupError> {
+    fn new(setup: &Setup, problem: &Problem, states: &[Arc<State>]) -> Result<Option<Self>, SetupError> {
         let (Some(adhesion), Some(totals)) = (&setup.adhesion, AdhesionTotals::new(states)) else { return Ok(None) };
         let attraction = adhesion.attraction()?;
         let scales = AdhesionScales::new(problem, &attraction);
@@ -83,13 +84,13 @@ impl HistoryOutcome {
     ///
     /// # Errors
     /// For a setup without a history, and for an attraction that cannot be.
-    pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<State>) -> Result<Self, SetupError> {
+    pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
         let reason = || SetupError::Path { reason: "the setup has no history".into() };
         let kind = setup.process()?.ok_or_else(reason)?;
         Self::from_posed(&Posed { setup, problem, kind, loads: &[] }, states)
     }
 
-    pub(super) fn from_posed(posed: &Posed<'_>, states: Vec<State>) -> Result<Self, SetupError> {
+    pub(super) fn from_posed(posed: &Posed<'_>, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
         let Posed { setup, problem, kind, .. } = *posed;
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
         let doubts = setup.warnings_of_creep();

@@ -250,6 +250,10 @@ impl SavedArchive<'_> {
     fn history(&self, doubts: &mut Doubts<'_>) -> Result<SavedFound, StudyError> {
         let problem = self.setup.problem_of(self.surface.clone())?;
         let states = certified_states(self.reader, self.contacts()?, self.setup, &problem, doubts)?;
-        Ok(SavedFound::History(Box::new(HistoryOutcome::from_states(self.setup, &problem, states)?)))
+        Ok(SavedFound::History(Box::new(HistoryOutcome::from_states(
+            self.setup,
+            &problem,
+            states.into_iter().map(Arc::new).collect(),
+        )?)))
     }
 }

@@ -136,7 +136,7 @@ impl HistoryOutcome {
         problem: &crate::contact::Problem,
         options: Options,
     ) -> Result<(), FileError> {
-        let states: Vec<&State> = self.states.iter().collect();
+        let states: Vec<&State> = self.states.iter().map(|it| &**it).collect();
         let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
         let Some(highest) = highest else { return Ok(()) };
         let posed = Posed { setup, problem, kind: self.kind, loads: &[] };
@@ -165,7 +165,7 @@ impl HistoryOutcome {
     /// The largest distance between the surfaces where they are closest, as far as a picture has room for it.
     fn apart(&self, problem: &crate::contact::Problem) -> f64 {
         let least = |state: &State| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = self.states.iter().map(least).fold(0.0, f64::max);
+        let most = self.states.iter().map(|state| least(state)).fold(0.0, f64::max);
         most.min(MOST_APART * problem.highest())
     }
 
