@@ -1,6 +1,7 @@
 //! The layers of the crate, held against its source: a file uses its own layer and lower ones, nothing goes round in a circle,
 //! and each large dependency stays in its one place.
 
+mod functions;
 mod source;
 mod types;
 mod uses;
