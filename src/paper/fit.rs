@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
 /// Where the search for `b1` and `b2` begins: between lines and Persson's theory, fading over `p* = 1`.
 const START: [f64; 2] = [0.7, 1.0];
 
-/// The damping of the first step, over the diagonal of the normal equations, and the factor by which it falls after a step that succeeds and rises
+/// The damping of the first step, over the largest diagonal of the normal equations, and the factor by which it falls after a step that succeeds and rises
 /// after one that fails.
 const DAMPING: f64 = 1e-3;
 const DAMPING_FACTOR: f64 = 10.0;
@@ -140,24 +140,27 @@ impl Search<'_> {
         ([xx, xy, yy], [x, y])
     }
 
-    /// The curve with the least sum of squares. A step solves `(J^T J + damping diag(J^T J)) db = -J^T r`. The search ends where the step, or the fall
-    /// of the sum that the linear fit promises, is rounding. `None` if that takes too many steps, or if the steps are not finite.
+    /// The curve with the least sum of squares. A step solves `(J^T J + damping D) db = -J^T r`, where `D` holds the largest diagonal of `J^T J`
+    /// so far, so that steps stay short where a parameter loses its influence. The search ends where the step, or the fall of the sum that the
+    /// linear fit promises, is rounding. `None` if that takes too many steps, or if the curve is not finite.
+    ///
+    /// # Source
+    /// J. J. Moré, in *Numerical Analysis*, Lecture Notes in Mathematics 630, 105 (1978).
     fn least(mut self) -> Option<CorrectedArea> {
-        let (mut damping, mut squares) = (DAMPING, self.squares());
+        let (mut damping, mut squares, mut scale) = (DAMPING, self.squares(), [0.0; 2]);
         for _ in 0..MOST_STEPS {
             let ([xx, xy, yy], [x, y]) = self.normal_equations();
-            let [damped_xx, damped_yy] = [xx, yy].map(|diagonal| (1.0 + damping) * diagonal);
+            scale = [xx.max(scale[0]), yy.max(scale[1])];
+            let [damped_xx, damped_yy] = [[xx, scale[0]], [yy, scale[1]]]
+                .map(|[diagonal, scale]| diagonal + damping * if scale == 0.0 { 1.0 } else { scale });
             let determinant = damped_xx * damped_yy - xy * xy;
-            let step = match self.fades {
-                true => [(xy * y - damped_yy * x) / determinant, (xy * x - damped_xx * y) / determinant],
-                false => [-x / damped_xx, 0.0],
-            };
-            let promised = -2.0 * (step[0] * x + step[1] * y)
-                - (xx * step[0] * step[0] + 2.0 * xy * step[0] * step[1] + yy * step[1] * step[1]);
-            let next = Self { b: [self.b[0] + step[0], self.b[1] + step[1]], ..self };
-            let is_shortest = step[0].hypot(step[1]) <= ROUNDING * self.b[0].hypot(self.b[1]);
-            let is_rounding = is_shortest || promised <= ROUNDING * squares;
+            let [by_b1, by_b2] = [(xy * y - damped_yy * x) / determinant, (xy * x - damped_xx * y) / determinant];
+            let promised =
+                -2.0 * (by_b1 * x + by_b2 * y) - (xx * by_b1 + 2.0 * xy * by_b2) * by_b1 - yy * by_b2 * by_b2;
+            let next = Self { b: [self.b[0] + by_b1, self.b[1] + by_b2], ..self };
             let next_squares = next.squares();
+            let is_short = by_b1.hypot(by_b2) <= ROUNDING * self.b[0].hypot(self.b[1]);
+            let is_rounding = is_short || promised <= ROUNDING * squares;
             if next_squares < squares || is_rounding {
                 (self, squares, damping) = (next, next_squares, damping / DAMPING_FACTOR);
             } else {
