@@ -3,6 +3,7 @@
 use super::attraction::Attraction;
 use super::control::AdhesiveControl;
 use super::gap_energy::mean;
+use super::search_limits::SearchLimits;
 use crate::anderson::Anderson;
 use crate::chunks;
 use crate::contact::{Load, Observer, Problem, Solver, Status, Stop};
@@ -93,7 +94,7 @@ impl<'a> ConvexSteps<'a> {
         &mut self,
         start: Vec<f64>,
         pressed: Option<Field>,
-        (tolerance, steps): (f64, usize),
+        SearchLimits { tolerance, steps }: SearchLimits,
         observer: &mut dyn Observer,
     ) -> Result<(Option<ConvexState>, ConvexEnd), AdhesionError> {
         let mut accepted: Option<ConvexState> = None;
@@ -250,7 +251,8 @@ mod tests {
                 let control = AdhesiveControl::MeanPressure(0.002);
                 let mut steps = ConvexSteps::new(&problem, &attraction, control, &Multilevel, Stop::default());
                 let start = vec![attraction.strength(); 512];
-                let (found, end) = steps.lower(start, None, (1e-6, 300), &mut ()).unwrap();
+                let (found, end) =
+                    steps.lower(start, None, SearchLimits { tolerance: 1e-6, steps: 300 }, &mut ()).unwrap();
                 assert!(matches!(end, ConvexEnd::Found) && found.is_some(), "{attraction:?}");
                 let work = attraction.work();
                 let rises = steps.energies.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::NEG_INFINITY, f64::max);

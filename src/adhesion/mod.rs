@@ -22,6 +22,7 @@ mod newton;
 mod problem;
 mod scales;
 mod search;
+mod search_limits;
 mod start;
 mod state;
 

@@ -3,6 +3,7 @@
 use super::control::AdhesiveControl;
 use super::gap_energy::{GapEnergy, GapState};
 use super::newton::GapEnd;
+use super::search_limits::SearchLimits;
 use crate::contact::{Gfmd, Pace};
 
 /// The surface in motion: the pace, and by how much the gap changed in the last step.
@@ -26,7 +27,7 @@ impl DampedMotion {
         &mut self,
         energy: &mut GapEnergy<'_>,
         state: &mut GapState,
-        (tolerance, steps): (f64, usize),
+        SearchLimits { tolerance, steps }: SearchLimits,
         watch: &mut dyn FnMut(&GapEnergy<'_>, &GapState, usize) -> bool,
     ) -> (GapEnd, usize) {
         for step in 0..=steps {

@@ -1,6 +1,7 @@
 //! The fast method: projected Newton steps in the gap, by conjugate gradients.
 
 use super::gap_energy::{GapEnergy, GapState};
+use super::search_limits::SearchLimits;
 use crate::chunks;
 
 /// Most conjugate gradient iterations in one step.
@@ -39,7 +40,7 @@ pub(super) enum GapEnd {
 pub(super) fn lower(
     energy: &mut GapEnergy<'_>,
     state: &mut GapState,
-    (tolerance, steps): (f64, usize),
+    SearchLimits { tolerance, steps }: SearchLimits,
     watch: &mut dyn FnMut(&GapState, usize, u64) -> bool,
 ) -> (GapEnd, usize) {
     let strength = energy.attraction.strength();

@@ -10,6 +10,7 @@ use super::gap_energy::{GapEnergy, GapState, mean};
 use super::method::AdhesiveMethod;
 use super::motion::DampedMotion;
 use super::newton::{self, GapEnd};
+use super::search_limits::SearchLimits;
 use super::start::{first_state, moved};
 use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::chunks;
@@ -123,9 +124,9 @@ impl<'a> StateSearch<'a> {
                     frames.keep(state, self.frame(energy, state, step));
                 }
                 let work = self.worked(step, energy.transforms());
-                goes_on((self.problem, self.control), state, work, observer)
+                goes_on(self.problem, self.control, state, work, observer)
             };
-            let limits = (self.tolerance(), self.left());
+            let limits = SearchLimits { tolerance: self.tolerance(), steps: self.left() };
             let (end, taken) = DampedMotion::new(&energy).run(&mut energy, &mut state, limits, &mut watch);
             self.work.iterations += taken;
             let outcome = match end {
@@ -185,9 +186,9 @@ impl<'a> StateSearch<'a> {
         let mut by_convex: Option<ConvexState> = None;
         for _ in 0..SEARCHES {
             let mut watch = |state: &GapState, step: usize, transforms: u64| {
-                goes_on((self.problem, self.control), state, self.worked(step, transforms), observer)
+                goes_on(self.problem, self.control, state, self.worked(step, transforms), observer)
             };
-            let limits = (self.tolerance(), NEWTON_STEPS.min(self.left()));
+            let limits = SearchLimits { tolerance: self.tolerance(), steps: NEWTON_STEPS.min(self.left()) };
             let (end, taken) = newton::lower(&mut energy, &mut state, limits, &mut watch);
             self.work.iterations += taken;
             match end {
@@ -205,7 +206,8 @@ impl<'a> StateSearch<'a> {
                         return Ok(AdhesiveOutcome::State(self.safe_state(found)));
                     }
                     let sigma = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
-                    let (found, end) = self.convex_steps(sigma, None, (self.tolerance(), CONVEX_STEPS), observer)?;
+                    let limits = SearchLimits { tolerance: self.tolerance(), steps: CONVEX_STEPS };
+                    let (found, end) = self.convex_steps(sigma, None, limits, observer)?;
                     match (found, end) {
                         (_, ConvexEnd::Separated) => return Ok(self.separated(energy.transforms())),
                         (_, ConvexEnd::Stopped) => return Err(AdhesionError::Stopped),
@@ -228,7 +230,7 @@ impl<'a> StateSearch<'a> {
         &mut self,
         sigma: Vec<f64>,
         pressed: Option<Field>,
-        limits: (f64, usize),
+        limits: SearchLimits,
         observer: &mut dyn Observer,
     ) -> Result<(Option<ConvexState>, ConvexEnd), AdhesionError> {
         let stop = self.stop.within(self.left());
@@ -276,7 +278,7 @@ impl<'a> StateSearch<'a> {
     ) -> Result<AdhesiveOutcome, AdhesionError> {
         let sigma = gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let pressed = from.map(|state| state.contact.pressure.clone()).filter(|it| it.iter().any(|p| *p > 0.0));
-        let limits = (self.safe_tolerance(), ALL_CONVEX_STEPS);
+        let limits = SearchLimits { tolerance: self.safe_tolerance(), steps: ALL_CONVEX_STEPS };
         match self.convex_steps(sigma, pressed, limits, observer)? {
             (_, ConvexEnd::Separated) => Ok(self.separated(0)),
             (_, ConvexEnd::Stopped) => Err(AdhesionError::Stopped),
@@ -396,7 +398,8 @@ impl<'a> StateSearch<'a> {
 
 /// Whether the observer lets a search go on after it has seen a state.
 fn goes_on(
-    (problem, control): (&Problem, AdhesiveControl),
+    problem: &Problem,
+    control: AdhesiveControl,
     state: &GapState,
     work: Work,
     observer: &mut dyn Observer,

@@ -109,7 +109,7 @@ impl Problem {
         check_magnitude("contact modulus", solid.contact_modulus())?;
         let rms_height = checked_rms_height(&surface)?;
         let compliance = Compliance::new(surface.grid(), solid, load.keeps_uniform())?;
-        Self::posed((surface, rms_height), compliance.into(), load)
+        Self::posed(surface, rms_height, compliance.into(), load)
     }
 
     /// The problem of a surface on a solid whose compliance on its grid is given.
@@ -119,12 +119,13 @@ impl Problem {
         load: Load,
     ) -> Result<Self, ProblemError> {
         let rms_height = checked_rms_height(&surface)?;
-        Self::posed((surface, rms_height), compliance, load)
+        Self::posed(surface, rms_height, compliance, load)
     }
 
     /// The problem of a surface with its rms height.
     fn posed(
-        (surface, rms_height): (Arc<Surface>, f64),
+        surface: Arc<Surface>,
+        rms_height: f64,
         compliance: Arc<Compliance>,
         load: Load,
     ) -> Result<Self, ProblemError> {

@@ -1,6 +1,7 @@
 //! The knobs of the page, and the setup that they describe.
 
 mod history;
+mod surface;
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, plain};
@@ -9,22 +10,14 @@ use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
-use crate::setup::{
-    Cell, LayerModulus, Method, Part, ProcessKind, Recipe, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic,
-};
-use crate::surface::{
-    Bump, Bumps, ExactPart, HeightDistribution, Indenter, Lay, RandomRoughness, Rolloff, RolloffForm, RoughnessScale,
-    SelfAffine, SpectralDensity, TargetHeights,
-};
+use crate::setup::{LayerModulus, Method, Part, ProcessKind, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic};
+use crate::surface::RolloffForm;
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 
 /// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
 const CELL: f64 = 160e-6;
 pub(super) const MODULUS: f64 = 1e9;
-/// Radius of the cylinder and the sphere: a slope of 5e-3 at the edge of the cell.
-const RADIUS: f64 = 100.0 * CELL;
-/// Amplitude of the waves.
-const AMPLITUDE: f64 = 1e-3 * CELL;
 /// Retardation time of a solid that creeps: the unit of time.
 const RETARDATION_TIME: f64 = 1.0;
 /// Kurtosis of Gaussian heights.
@@ -33,6 +26,11 @@ const GAUSSIAN_KURTOSIS: f64 = 3.0;
 const LAYER_POISSON: f64 = 0.3;
 
 /// The state of the knobs. Lengths are given in waves per cell, pressures as `p*`.
+///
+/// Ranges, defaults and groups of the knobs stand in [`schema::KNOBS`]; here are the types of their values. Typed code makes the setup of them. A
+/// column of the schema with the key of a setup that each knob sets, and in which scale, would need more code than that: only half of the
+/// knobs set one key each, and most of these do so under a condition on other knobs. The others choose an enum (`body` with
+/// `domain`, `rolloff-form`), share a list (`load` with `pull`, the lengths of `points`), or set several keys at once (`layer`, `creep`, `exponent`).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Knobs {
@@ -227,6 +225,21 @@ impl Knobs {
         self.setup_with(None)
     }
 
+    /// The state with some of its parts replaced, such as knobs by their names; the rest stays.
+    ///
+    /// # Errors
+    /// A sentence on a part that no state has, or on a value that it cannot have.
+    pub(super) fn with(&self, parts: impl IntoIterator<Item = (String, Value)>) -> Result<Self, Refusal> {
+        let mut state = self.parts()?;
+        state.extend(parts);
+        serde_json::from_value(state.into()).map_err(|error| Refusal(plain(&error)))
+    }
+
+    /// The parts of the state, as they stand in JSON.
+    fn parts(&self) -> Result<Map<String, Value>, Refusal> {
+        serde_json::to_value(self).and_then(serde_json::from_value).map_err(|error| Refusal(plain(&error)))
+    }
+
     /// The same state, recorded on another ground.
     pub fn with_theme(self, theme: Theme) -> Self {
         Self { theme, ..self }
@@ -260,7 +273,7 @@ impl Knobs {
             solver: self.solver,
             stop: self.stop,
             record: Record {
-                what: self.parts(&grid, pressed.adhesion.is_some()),
+                what: self.recorded_parts(&grid, pressed.adhesion.is_some()),
                 theme: self.theme,
                 ..Record::default()
             },
@@ -321,49 +334,14 @@ impl Knobs {
                 "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"",
             );
         }
-        let Self {
-            load, hardness, layer, creep, speed, time, adhesion, range, pull, solver, stop, record, theme, ..
-        } = self.clone();
-        let other = Self {
-            load,
-            hardness,
-            layer,
-            creep,
-            speed,
-            time,
-            adhesion,
-            range,
-            pull,
-            solver,
-            stop,
-            record,
-            theme,
-            ..Self::clone(beside)
-        };
+        let shared = schema::shared_with_beside(self.parts()?);
+        let other = beside.with(shared)?;
         let (first, second) = (self.setup_with(source)?, other.setup_with(source)?);
         let is_line = |setup: &Setup| Ok::<_, Refusal>(setup.surface.grid(&setup.grid)?.is_line());
         if is_line(&first)? != is_line(&second)? {
             return refuse("a line cannot be pressed beside a surface: choose two lines or two surfaces");
         }
         Ok(Some(second))
-    }
-
-    /// The surface and its cell.
-    fn surface(&self, source: Option<&SurfaceSource>) -> Result<(Recipe, Cell), Refusal> {
-        if self.body == SmoothBody::File {
-            let Some(SurfaceSource::Heights(file)) = source else {
-                return Err(Refusal("there is no file of heights: drop one on the page, or open it".into()));
-            };
-            return self.heights.surface(file);
-        }
-        let spectrum = self.random_roughness();
-        let seed = spectrum.as_ref().map(|_| self.seed.into());
-        let bumps = Bumps(self.bumps.iter().map(|it| Bump::from_lengths(it.map(|share| share * CELL))).collect());
-        let recipe = Recipe { indenter: self.indenter(), spectrum, seed, bumps, ..Recipe::default() };
-        Ok(match self.domain {
-            Domain::Line => (recipe, Cell::line(self.points, CELL)),
-            Domain::Surface => (recipe, Cell::surface([self.points; 2], [CELL; 2])),
-        })
     }
 
     /// A half-space, or a bonded layer below a cell of some length.
@@ -377,7 +355,7 @@ impl Knobs {
 
     /// Checks the limits of the page.
     fn check(&self) -> Result<(), Refusal> {
-        schema::check(&serde_json::to_value(self).map_err(|error| Refusal(plain(&error)))?)?;
+        schema::check(&self.parts()?.into())?;
         if matches!(self.body, SmoothBody::File | SmoothBody::Scene) {
             return Ok(());
         }
@@ -399,46 +377,9 @@ impl Knobs {
         }))
     }
 
-    fn random_roughness(&self) -> Option<RandomRoughness> {
-        let wavelength = CELL / self.rolloff;
-        let rolloff = match self.rolloff_form {
-            RolloffForm::Plateau => Rolloff::Plateau(wavelength),
-            RolloffForm::Drop => Rolloff::Drop(wavelength),
-            RolloffForm::None => Rolloff::None,
-        };
-        let law = SelfAffine { hurst: self.hurst, rolloff, short_cutoff: CELL / self.cutoff };
-        let lay = match self.domain {
-            Domain::Line => Lay::ISOTROPIC,
-            Domain::Surface => Lay { peklenik: self.peklenik, angle: self.lay_angle },
-        };
-        let is_gaussian = self.skewness == 0.0 && self.kurtosis == GAUSSIAN_KURTOSIS;
-        let distribution = HeightDistribution::Moments { skewness: self.skewness, kurtosis: self.kurtosis };
-        (self.roughness != 0.0).then(|| RandomRoughness {
-            spectrum: SpectralDensity::SelfAffine(law),
-            lay,
-            scale: RoughnessScale::RmsGradient(self.roughness),
-            heights: (!is_gaussian).then_some(TargetHeights { distribution, exact: ExactPart::Heights }),
-        })
-    }
-
-    fn indenter(&self) -> Option<Indenter> {
-        let half = 0.5 * CELL;
-        Some(match (self.body, self.domain) {
-            (SmoothBody::Round, Domain::Line) => Indenter::Cylinder { radius: RADIUS },
-            (SmoothBody::Round, Domain::Surface) => Indenter::Sphere { radius: RADIUS },
-            (SmoothBody::Sine, Domain::Line) => Indenter::Sine { amplitude: AMPLITUDE },
-            (SmoothBody::Sine, Domain::Surface) => Indenter::CrossedSine { amplitude: AMPLITUDE },
-            (SmoothBody::PowerLaw, _) => {
-                let coefficient = half * half / (2.0 * RADIUS) / half.powf(self.exponent);
-                Indenter::PowerLaw { coefficient, exponent: self.exponent }
-            }
-            (SmoothBody::Flat | SmoothBody::File | SmoothBody::Scene, _) => return None,
-        })
-    }
-
     /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the
     /// usual parts. The stress is that of the pressure alone, which with adhesion is not all that the solid feels.
-    fn parts(&self, grid: &Grid, adheres: bool) -> Vec<Part> {
+    fn recorded_parts(&self, grid: &Grid, adheres: bool) -> Vec<Part> {
         let is_there = |part: &Part| part.is_on(grid) && !(adheres && matches!(part, Part::Stress | Part::Fringes));
         let parts: Vec<Part> = self.record.iter().copied().filter(is_there).collect();
         if parts.is_empty() { vec![Part::Traces] } else { parts }

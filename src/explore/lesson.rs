@@ -2,7 +2,7 @@
 
 use super::knobs::{Knobs, Start};
 use super::question::{Goal, Question};
-use super::refusal::{Refusal, plain};
+use super::refusal::Refusal;
 use super::words::Words;
 use crate::error::FileError;
 use serde::{Deserialize, Serialize};
@@ -243,12 +243,8 @@ fn named(key: &str, value: &Value, Refusal(reason): Refusal) -> Refusal {
 }
 
 fn knobs_of(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Refusal> {
-    let wrong = |error: serde_json::Error| Refusal(plain(&error));
-    let mut values = serde_json::to_value(Start::RoughLine.knobs()).map_err(wrong)?;
-    for (key, value) in written {
-        values[key.as_str()] = Value::clone(value.as_ref());
-    }
-    let knobs: Knobs = serde_json::from_value(values).map_err(wrong)?;
+    let parts = written.iter().map(|(key, value)| (String::clone(key), Value::clone(value.as_ref())));
+    let knobs = Start::RoughLine.knobs().with(parts)?;
     knobs.setup()?;
     Ok(knobs)
 }
@@ -279,10 +275,7 @@ fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Misplaced> {
 
 /// Knobs with one of them turned.
 fn with(knobs: &Knobs, key: &str, value: &Value) -> Result<Knobs, Refusal> {
-    let wrong = |error: serde_json::Error| Refusal(plain(&error));
-    let mut values = serde_json::to_value(knobs).map_err(wrong)?;
-    values[key] = value.clone();
-    let turned: Knobs = serde_json::from_value(values).map_err(wrong)?;
+    let turned = knobs.with([(key.into(), value.clone())])?;
     turned.setup()?;
     Ok(turned)
 }

@@ -6,7 +6,7 @@ use crate::quantity::number_in_words;
 use KnobGroup::{File, Load, Recording, Solid, Solver, Surface};
 use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// The largest number of points of a line, and of a surface, that the program solves while the user waits.
 const MOST_POINTS_OF_PROGRAM: [usize; 2] = [1 << 18, 1 << 20];
@@ -260,6 +260,9 @@ impl Knob {
 /// The most waves per cell.
 const MOST_WAVES: f64 = (MOST_POINTS[0] / 2) as f64;
 
+/// Parts of a state that belong to its surface and have no row below.
+const SURFACE_PARTS: [&str; 3] = ["bumps", "scene", "beside"];
+
 /// All knobs, in the order of the page.
 #[rustfmt::skip]
 pub const KNOBS: &[Knob] = &[
@@ -317,6 +320,18 @@ pub(super) fn defaults() -> Value {
         *knob.path.split('.').fold(&mut state, |place, name| &mut place[name]) = knob.default();
     }
     state
+}
+
+/// The parts of a state that a surface beside another one has of it: all but those of the surface itself.
+pub(super) fn shared_with_beside(parts: Map<String, Value>) -> impl Iterator<Item = (String, Value)> {
+    parts.into_iter().filter(|(name, _)| !is_of_surface(name))
+}
+
+/// Whether a part of a state describes its surface: a knob in the group of the surface or of the file, or one of [`SURFACE_PARTS`].
+fn is_of_surface(name: &str) -> bool {
+    let has_knob = |knob: &Knob| knob.path.split('.').next() == Some(name);
+    let mut groups = KNOBS.iter().filter(|knob| has_knob(knob)).map(|knob| knob.group);
+    SURFACE_PARTS.contains(&name) || groups.any(|group| matches!(group, Some(Surface | File)))
 }
 
 /// Refuses a state of the knobs with a number that is out of its range.

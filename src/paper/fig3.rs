@@ -4,7 +4,7 @@ use super::fit::{Fit, Weights};
 use super::means::Points;
 use super::measure::Measure;
 use super::reproduction::{Ramp, RampCurve, Reproduction};
-use super::rough::{COLD, Rough, WARM};
+use super::rough::{COLD, Rough, ShadedCurve, WARM};
 use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Mark, Panel};
 use crate::theory::persson::{self, CorrectedArea};
@@ -97,7 +97,8 @@ fn panel(lines: &Rough, points: &Points, fits: &[FitRow]) -> Panel {
 /// The fits beside what is fitted; no contacts.
 fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
     let kappa = Measure::Counted.kappa();
-    let mut ramp = lines.ramp(&[(VIEW, "κ", &WARM, kappa)], |hurst, of| points.along(hurst, &lines.loads, of));
+    let mut ramp =
+        lines.ramp(&[ShadedCurve::new(VIEW, "κ", &WARM, kappa)], |hurst, of| points.along(hurst, &lines.loads, of));
     ramp.curves.extend(fits.iter().zip(COLD.into_iter().cycle()).map(|(fit, colour)| {
         RampCurve::new(VIEW, fit.name(), colour, lines.loads.iter().map(|&load| fit.kappa_at(load)))
     }));

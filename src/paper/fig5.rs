@@ -3,7 +3,7 @@
 use super::means::Points;
 use super::measure::{Measure, ObservableFn};
 use super::reproduction::{Ramp, Reproduction};
-use super::rough::{COLD, Rough, WARM};
+use super::rough::{COLD, Rough, ShadedCurve, SymbolCurve, WARM};
 use super::verdict::Verdict;
 use crate::plot::{Axis, Colour, Dot, Mark, Panel};
 use crate::study::Estimate;
@@ -112,10 +112,14 @@ fn panel(rough: &Rough, ratios: &[Ratio]) -> Panel {
     let [low, high] = rough.ends();
     let x = Axis::log("p*", [low / 1.3, high * 1.3]);
     let panel = Panel::new("proportionality factors", x, Axis::linear("1D / 2D", [0.8, 1.8]));
-    let curves: [(&str, Colour, bool, Of); 3] = [
-        ("κ counted", Colour::VERMILION, true, |ratio| [ratio.kappa_counted, ratio.kappa_counted_error]),
-        ("κ_r counted", Colour::BLUE, true, |ratio| [ratio.kappa_r_counted, ratio.kappa_r_counted_error]),
-        ("κ_r resolved", Colour::SKY, false, |ratio| [ratio.kappa_r, ratio.kappa_r_error]),
+    let curves: [SymbolCurve<Of>; 3] = [
+        SymbolCurve::new("κ counted", Colour::VERMILION, true, |ratio| {
+            [ratio.kappa_counted, ratio.kappa_counted_error]
+        }),
+        SymbolCurve::new("κ_r counted", Colour::BLUE, true, |ratio| {
+            [ratio.kappa_r_counted, ratio.kappa_r_counted_error]
+        }),
+        SymbolCurve::new("κ_r resolved", Colour::SKY, false, |ratio| [ratio.kappa_r, ratio.kappa_r_error]),
     ];
     let dots = |hurst, quantity: Of| {
         let dot = |ratio: &Ratio| {
@@ -133,7 +137,9 @@ fn panel(rough: &Rough, ratios: &[Ratio]) -> Panel {
 /// The ratios against the loads; no contacts.
 fn ramp(rough: &Rough, ratios: &[Ratio]) -> Ramp {
     let view = "lines over surfaces";
-    let curves: [(&str, &str, &[Colour], ValueOf); 2] =
-        [(view, "κ", &WARM, |ratio| ratio.kappa_counted), (view, "κ_r", &COLD, |ratio| ratio.kappa_r_counted)];
+    let curves: [ShadedCurve<ValueOf>; 2] = [
+        ShadedCurve::new(view, "κ", &WARM, |ratio| ratio.kappa_counted),
+        ShadedCurve::new(view, "κ_r", &COLD, |ratio| ratio.kappa_r_counted),
+    ];
     rough.ramp(&curves, |hurst, of| ratios.iter().filter(|ratio| ratio.hurst == hurst).map(of).collect())
 }

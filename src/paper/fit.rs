@@ -1,13 +1,21 @@
 //! Curves of relative area against reduced pressure, fitted by least squares.
 
 use crate::theory::persson::CorrectedArea;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::storage::Owned;
-use nalgebra::{Dyn, Matrix, OMatrix, U2, VecStorage, Vector2};
 use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
 
 /// Where the search for `b1` and `b2` begins: between lines and Persson's theory, fading over `p* = 1`.
 const START: [f64; 2] = [0.7, 1.0];
+
+/// The damping of the first step, over the largest diagonal of the normal equations, and the factor by which it falls after a step that succeeds and rises
+/// after one that fails.
+const DAMPING: f64 = 1e-3;
+const DAMPING_FACTOR: f64 = 10.0;
+
+/// Relative changes of the sum of squares, and of the parameters, that are rounding.
+const ROUNDING: f64 = 30.0 * f64::EPSILON;
+
+/// Most steps of a search.
+const MOST_STEPS: usize = 300;
 
 /// The weights of points in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -43,7 +51,7 @@ pub struct Fit {
 
 impl Fit {
     /// Finds `b1` and `b2` that make the weighted sum of `(a_rel - erf(sqrt2 p*/Psi))^2` least: by the method of Levenberg and
-    /// Marquardt (MINPACK's, with the exact Jacobian). `None` if the search fails, and for points at
+    /// Marquardt, with the exact Jacobian. `None` if the search fails, and for points at
     /// less than two loads.
     ///
     /// At small loads only `b1` matters: `b2` needs points at which the area bends, `p*` of some 0.1 and more.
@@ -62,7 +70,7 @@ impl Fit {
     pub fn new(points: &[(f64, f64)], weights: Weights) -> Option<Self> {
         let (first, _) = points.first()?;
         let has_more = points.iter().any(|(p, _)| p != first);
-        has_more.then(|| Self::search(Search { points, weights, b: Vector2::from(START), fades: true })).flatten()
+        has_more.then(|| Self::from_search(Search { points, weights, b: START, fades: true })).flatten()
     }
 
     /// Finds `b1` alone, with `b2 = 0`: then `a_rel = erf(sqrt(pi) kappa p*/2)` with one constant `kappa = sqrt(8/pi)/b1`, the
@@ -75,24 +83,24 @@ impl Fit {
     /// assert!((kappa - 1.9 * 2.0 / std::f64::consts::PI.sqrt()).abs() < 1e-9);
     /// ```
     pub fn proportional(points: &[(f64, f64)]) -> Option<Self> {
-        Self::search(Search { points, weights: Weights::Equal, b: Vector2::new(START[0], 0.0), fades: false })
+        Self::from_search(Search { points, weights: Weights::Equal, b: [START[0], 0.0], fades: false })
     }
 
-    fn search(search: Search<'_>) -> Option<Self> {
+    fn from_search(search: Search<'_>) -> Option<Self> {
         let points = search.points;
-        let (search, report) = LevenbergMarquardt::new().minimize(search);
-        let area = search.area();
+        let area = search.least()?;
         let squares = points.iter().map(|&(p, a)| (area.relative_area(p) / a - 1.0).powi(2)).sum::<f64>();
         let residual = (squares / points.len() as f64).sqrt();
-        (report.termination.was_successful() && residual.is_finite()).then_some(Self { area, residual })
+        residual.is_finite().then_some(Self { area, residual })
     }
 }
 
 /// The sum of squares as a function of `b1` and `b2`.
+#[derive(Clone, Copy)]
 struct Search<'a> {
     points: &'a [(f64, f64)],
     weights: Weights,
-    b: Vector2<f64>,
+    b: [f64; 2],
     /// Whether the correction fades with the load, so that there is a `b2` to be found.
     fades: bool,
 }
@@ -111,30 +119,58 @@ impl Search<'_> {
         let by_b2 = if self.fades { (1.0 - b1) * FRAC_2_SQRT_PI * (-(b2 * p).powi(2)).exp() * p } else { 0.0 };
         [by_psi * by_b1, by_psi * by_b2]
     }
-}
 
-impl LeastSquaresProblem<f64, Dyn, U2> for Search<'_> {
-    type ResidualStorage = VecStorage<f64, Dyn, nalgebra::U1>;
-    type JacobianStorage = Owned<f64, Dyn, U2>;
-    type ParameterStorage = Owned<f64, U2>;
-
-    fn set_params(&mut self, b: &Vector2<f64>) {
-        self.b.copy_from(b);
-    }
-
-    fn params(&self) -> Vector2<f64> {
-        self.b
-    }
-
-    fn residuals(&self) -> Option<Matrix<f64, Dyn, nalgebra::U1, Self::ResidualStorage>> {
+    /// The weighted sum of squares.
+    fn squares(&self) -> f64 {
         let area = self.area();
-        let residuals = self.points.iter().map(|&(p, a)| self.weights.factor(a) * (area.relative_area(p) - a));
-        Some(nalgebra::DVector::from_iterator(self.points.len(), residuals))
+        self.points.iter().map(|&(p, a)| (self.weights.factor(a) * (area.relative_area(p) - a)).powi(2)).sum()
     }
 
-    fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U2>> {
-        let rows = self.points.iter().flat_map(|&(p, a)| self.gradient(p).map(|by| self.weights.factor(a) * by));
-        Some(OMatrix::<f64, Dyn, U2>::from_row_iterator(self.points.len(), rows))
+    /// The normal equations of a linear fit: the upper triangle `[11, 12, 22]` of the matrix `J^T J` and the vector `J^T r`.
+    fn normal_equations(&self) -> ([f64; 3], [f64; 2]) {
+        let area = self.area();
+        let ([mut xx, mut xy, mut yy], [mut x, mut y]) = ([0.0; 3], [0.0; 2]);
+        for &(p, a) in self.points {
+            let factor = self.weights.factor(a);
+            let (residual, [by_b1, by_b2]) =
+                (factor * (area.relative_area(p) - a), self.gradient(p).map(|by| factor * by));
+            (xx, xy, yy) = (xx + by_b1 * by_b1, xy + by_b1 * by_b2, yy + by_b2 * by_b2);
+            (x, y) = (x + by_b1 * residual, y + by_b2 * residual);
+        }
+        ([xx, xy, yy], [x, y])
+    }
+
+    /// The curve with the least sum of squares. A step solves `(J^T J + damping D) db = -J^T r`, where `D` holds the largest diagonal of `J^T J`
+    /// so far, so that steps stay short where a parameter loses its influence. The search ends where the step, or the fall of the sum that the
+    /// linear fit promises, is rounding. `None` if that takes too many steps, or if the curve is not finite.
+    ///
+    /// # Source
+    /// J. J. Moré, in *Numerical Analysis*, Lecture Notes in Mathematics 630, 105 (1978).
+    fn least(mut self) -> Option<CorrectedArea> {
+        let (mut damping, mut squares, mut scale) = (DAMPING, self.squares(), [0.0; 2]);
+        for _ in 0..MOST_STEPS {
+            let ([xx, xy, yy], [x, y]) = self.normal_equations();
+            scale = [xx.max(scale[0]), yy.max(scale[1])];
+            let [damped_xx, damped_yy] = [[xx, scale[0]], [yy, scale[1]]]
+                .map(|[diagonal, scale]| diagonal + damping * if scale == 0.0 { 1.0 } else { scale });
+            let determinant = damped_xx * damped_yy - xy * xy;
+            let [by_b1, by_b2] = [(xy * y - damped_yy * x) / determinant, (xy * x - damped_xx * y) / determinant];
+            let promised =
+                -2.0 * (by_b1 * x + by_b2 * y) - (xx * by_b1 + 2.0 * xy * by_b2) * by_b1 - yy * by_b2 * by_b2;
+            let next = Self { b: [self.b[0] + by_b1, self.b[1] + by_b2], ..self };
+            let next_squares = next.squares();
+            let is_short = by_b1.hypot(by_b2) <= ROUNDING * self.b[0].hypot(self.b[1]);
+            let is_rounding = is_short || promised <= ROUNDING * squares;
+            if next_squares < squares || is_rounding {
+                (self, squares, damping) = (next, next_squares, damping / DAMPING_FACTOR);
+            } else {
+                damping *= DAMPING_FACTOR;
+            }
+            if is_rounding {
+                return self.b.iter().all(|b| b.is_finite()).then(|| self.area());
+            }
+        }
+        None
     }
 }
 
@@ -144,7 +180,7 @@ mod tests {
 
     #[test]
     fn the_jacobian_is_that_of_the_residuals() {
-        let search = |b1, b2| Search { points: &[], weights: Weights::Equal, b: Vector2::new(b1, b2), fades: true };
+        let search = |b1, b2| Search { points: &[], weights: Weights::Equal, b: [b1, b2], fades: true };
         for p in [1e-3, 0.03, 0.4] {
             let area = |b1, b2| search(b1, b2).area().relative_area(p);
             let step = 1e-6;
@@ -153,5 +189,35 @@ mod tests {
             let [b1, b2] = search(0.55, 2.3).gradient(p);
             assert!((b1 - by_b1).abs() < 1e-8 && (b2 - by_b2).abs() < 1e-8, "{p}: {b1} {by_b1}, {b2} {by_b2}");
         }
+    }
+
+    /// Without scatter, `b1` and `b2` are found from far away and from loads at which they hardly differ; with scatter, the sum of squares is
+    /// larger to all sides.
+    #[test]
+    fn the_sum_of_squares_is_least() {
+        for (b1, b2) in [(0.3, 0.5), (0.55, 2.3), (0.9, 6.0), (1.3, 1.5)] {
+            let area = CorrectedArea { b1, b2 };
+            for weights in Weights::ALL {
+                let exact: Vec<_> = [0.01, 0.05, 0.1, 0.2, 0.5, 1.0].map(|p| (p, area.relative_area(p))).into();
+                let fit = Fit::new(&exact, weights).unwrap();
+                assert!((fit.area.b1 - b1).abs() < 1e-8 && (fit.area.b2 - b2).abs() < 1e-6, "{b1}, {b2}: {fit:?}");
+                let scatter = |i: usize| 1.0 + 0.02 * (1.7 * i as f64).sin();
+                let points: Vec<_> = exact.iter().enumerate().map(|(i, &(p, a))| (p, a * scatter(i))).collect();
+                let CorrectedArea { b1, b2 } = Fit::new(&points, weights).unwrap().area;
+                let squares = |b1, b2| Search { points: &points, weights, b: [b1, b2], fades: true }.squares();
+                for (by_b1, by_b2) in
+                    [(1e-4, 0.0), (-1e-4, 0.0), (0.0, 1e-3), (0.0, -1e-3), (1e-4, 1e-3), (-1e-4, 1e-3)]
+                {
+                    assert!(squares(b1 + by_b1, b2 + by_b2) > squares(b1, b2), "{b1}, {b2} by {by_b1}, {by_b2}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_load_gives_no_two_parameters() {
+        assert!(Fit::new(&[(0.1, 0.2), (0.1, 0.21)], Weights::Equal).is_none());
+        assert!(Fit::new(&[], Weights::Equal).is_none() && Fit::proportional(&[]).is_none());
+        assert!(Fit::proportional(&[(0.1, 0.2), (0.1, 0.21)]).is_some());
     }
 }

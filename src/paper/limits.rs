@@ -26,14 +26,14 @@ pub fn limits(points: &Points, nx: usize) -> Vec<LimitRow> {
     let mut rows = Vec::new();
     for (measure, nx) in kinds {
         for hurst in points.exponents() {
-            rows.extend(points.loads().into_iter().map(|load| LimitRow::new(points, (hurst, load), measure, nx)));
+            rows.extend(points.loads().into_iter().map(|load| LimitRow::new(points, hurst, load, measure, nx)));
         }
     }
     rows
 }
 
 impl LimitRow {
-    fn new(points: &Points, (hurst, reduced_pressure): (f64, f64), measure: Measure, nx: Option<usize>) -> Self {
+    fn new(points: &Points, hurst: f64, reduced_pressure: f64, measure: Measure, nx: Option<usize>) -> Self {
         let limit = |quantity| points.limit(Some(hurst), Some(reduced_pressure), nx, measure, quantity);
         let [kappa, kappa_r] = [limit(measure.kappa()), limit(measure.kappa_r())];
         Self {

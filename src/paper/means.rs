@@ -193,9 +193,9 @@ impl Points {
     pub fn means(&self) -> Vec<Mean> {
         let mut means: Vec<Mean> = Vec::new();
         for Point { nx, hurst, observables, .. } in &self.0 {
-            let place = (*nx, hurst.unwrap_or(f64::NAN), observables.reduced_pressure);
-            if !means.iter().any(|mean| (mean.nx, mean.hurst, mean.reduced_pressure) == place) {
-                means.push(Mean::new(self, place));
+            let (hurst, load) = (hurst.unwrap_or(f64::NAN), observables.reduced_pressure);
+            if !means.iter().any(|mean| (mean.nx, mean.hurst, mean.reduced_pressure) == (*nx, hurst, load)) {
+                means.push(Mean::new(self, *nx, hurst, load));
             }
         }
         means
@@ -229,7 +229,7 @@ pub struct Mean {
 }
 
 impl Mean {
-    fn new(points: &Points, (nx, hurst, reduced_pressure): (usize, f64, f64)) -> Self {
+    fn new(points: &Points, nx: usize, hurst: f64, reduced_pressure: f64) -> Self {
         let of = |quantity| points.at(hurst, reduced_pressure, nx, quantity);
         let [pressure_counted, pressure] = Measure::ALL.map(|it| of(it.reduced_pressure_contact()));
         let [area_counted, area] = Measure::ALL.map(|it| of(it.area()));

@@ -14,7 +14,8 @@ const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), reproduced. To see t
 /// Records `figure`, the curves of `ramp`, and `contacts` under its loads.
 pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation]) -> Result<(), StudyError> {
     let problems = contacts.iter().map(|contact| contact.setup.problem()).collect::<Result<Vec<_>, _>>()?;
-    let scenes: Vec<Scene<'_>> = contacts.iter().zip(&problems).map(scene).collect();
+    let scenes: Vec<Scene<'_>> =
+        contacts.iter().zip(&problems).map(|(contact, problem)| scene(contact, problem)).collect();
     let loads = Loads {
         title: figure.title.clone(),
         description: DESCRIPTION.into(),
@@ -46,7 +47,7 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
 }
 
 /// The scene of a realisation, on axes for all of its loads.
-fn scene<'a>((contact, problem): (&Realisation, &'a Problem)) -> Scene<'a> {
+fn scene<'a>(contact: &Realisation, problem: &'a Problem) -> Scene<'a> {
     let title = match contact.setup.surface.spectrum.as_ref().and_then(RandomRoughness::self_affine) {
         Some(spectrum) => {
             format!("{}, H = {}, seed {}", contact.name, spectrum.hurst, contact.setup.surface.seed())

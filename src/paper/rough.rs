@@ -136,9 +136,14 @@ impl Rough {
         let x = Axis::log("p* (red), p_r* (blue)", [low, high]);
         let y = Axis::log("a_rel", [1.5 * low, 3.5 * high]);
         let counted = Measure::Counted;
-        let curves: [(&str, Colour, bool, [ObservableFn; 2]); 2] = [
-            ("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.area()]),
-            ("a_rel against p_r*", Colour::BLUE, true, [counted.reduced_pressure_contact(), counted.area()]),
+        let curves: [SymbolCurve<[ObservableFn; 2]>; 2] = [
+            SymbolCurve::new("a_rel against p*", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.area()]),
+            SymbolCurve::new(
+                "a_rel against p_r*",
+                Colour::BLUE,
+                true,
+                [counted.reduced_pressure_contact(), counted.area()],
+            ),
         ];
         let panel = Panel::new("(a) relative contact area", x, y);
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
@@ -148,10 +153,20 @@ impl Rough {
     pub(super) fn kappa_panel(&self, points: &Points, range: [f64; 2]) -> Panel {
         let x = Axis::log("p* (red), p_r* (blue)", self.range());
         let [counted, resolved] = Measure::ALL;
-        let curves: [(&str, Colour, bool, [ObservableFn; 2]); 3] = [
-            ("κ counted", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.kappa()]),
-            ("κ_r counted", Colour::BLUE, true, [counted.reduced_pressure_contact(), counted.kappa_r()]),
-            ("κ_r resolved", Colour::SKY, false, [resolved.reduced_pressure_contact(), resolved.kappa_r()]),
+        let curves: [SymbolCurve<[ObservableFn; 2]>; 3] = [
+            SymbolCurve::new("κ counted", Colour::VERMILION, true, [|it| it.reduced_pressure, counted.kappa()]),
+            SymbolCurve::new(
+                "κ_r counted",
+                Colour::BLUE,
+                true,
+                [counted.reduced_pressure_contact(), counted.kappa_r()],
+            ),
+            SymbolCurve::new(
+                "κ_r resolved",
+                Colour::SKY,
+                false,
+                [resolved.reduced_pressure_contact(), resolved.kappa_r()],
+            ),
         ];
         let panel = Panel::new("(b) proportionality factors", x, Axis::linear("κ, κ_r", range));
         self.drawn(panel, &curves, |hurst, of| points.curve(hurst, &self.loads, of))
@@ -161,10 +176,10 @@ impl Rough {
     pub(super) fn drawn<Q: Copy>(
         &self,
         mut panel: Panel,
-        curves: &[(&str, Colour, bool, Q)],
+        curves: &[SymbolCurve<Q>],
         dots: impl Fn(f64, Q) -> Vec<Dot>,
     ) -> Panel {
-        for &(name, colour, filled, quantity) in curves {
+        for &SymbolCurve { name, colour, filled, quantity } in curves {
             panel.add(name, colour, Mark::Line, []);
             for (hurst, symbol) in self.exponents() {
                 panel.add("", colour, Mark::Joined { symbol, filled }, dots(hurst, quantity));
@@ -184,11 +199,11 @@ impl Rough {
     /// Means over the realisations against the loads, and the first of `realisations` of each Hurst exponent on the coarsest
     /// grid.
     pub(super) fn ramp_of(&self, points: &Points, realisations: Vec<Realisation>) -> Ramp {
-        let curves: [(&str, &str, &[Colour], ObservableFn); 4] = [
-            ("κ and κ_r", "κ", &WARM, Measure::Counted.kappa()),
-            ("κ and κ_r", "κ_r", &COLD, Measure::Counted.kappa_r()),
-            ("κ_r resolved", "κ_r resolved", &COLD, Measure::Resolved.kappa_r()),
-            ("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area_counted.log10()),
+        let curves: [ShadedCurve<ObservableFn>; 4] = [
+            ShadedCurve::new("κ and κ_r", "κ", &WARM, Measure::Counted.kappa()),
+            ShadedCurve::new("κ and κ_r", "κ_r", &COLD, Measure::Counted.kappa_r()),
+            ShadedCurve::new("κ_r resolved", "κ_r resolved", &COLD, Measure::Resolved.kappa_r()),
+            ShadedCurve::new("relative contact area", "log10 a_rel", &WARM, |it| it.relative_area_counted.log10()),
         ];
         let seeds = self.seeds_on(0).len();
         let coarsest = self.hurst.len() * seeds;
@@ -197,12 +212,8 @@ impl Rough {
     }
 
     /// Curves against the loads by their views, one for each Hurst exponent in a shade of its own; no contacts.
-    pub(super) fn ramp<Q: Copy>(
-        &self,
-        curves: &[(&'static str, &str, &[Colour], Q)],
-        values: impl Fn(f64, Q) -> Vec<f64>,
-    ) -> Ramp {
-        let each = |&(view, name, shades, quantity): &(&'static str, &str, &[Colour], Q)| {
+    pub(super) fn ramp<Q: Copy>(&self, curves: &[ShadedCurve<Q>], values: impl Fn(f64, Q) -> Vec<f64>) -> Ramp {
+        let each = |&ShadedCurve { view, name, shades, quantity }: &ShadedCurve<Q>| {
             let curve = |(&hurst, &colour)| {
                 RampCurve::new(view, format!("{name}, H = {hurst}"), colour, values(hurst, quantity).into_iter())
             };
@@ -216,6 +227,38 @@ impl Rough {
             contacts: Vec::new(),
             length_unit: "m",
         }
+    }
+}
+
+/// A quantity that is drawn with symbols in a colour of its own.
+#[derive(Clone, Copy)]
+pub(super) struct SymbolCurve<Q> {
+    name: &'static str,
+    colour: Colour,
+    filled: bool,
+    quantity: Q,
+}
+
+impl<Q> SymbolCurve<Q> {
+    /// The curve of a quantity, with filled or open symbols.
+    pub fn new(name: &'static str, colour: Colour, filled: bool, quantity: Q) -> Self {
+        Self { name, colour, filled, quantity }
+    }
+}
+
+/// A quantity that is drawn in a view, in one shade for each Hurst exponent.
+#[derive(Clone, Copy)]
+pub(super) struct ShadedCurve<Q> {
+    view: &'static str,
+    name: &'static str,
+    shades: &'static [Colour],
+    quantity: Q,
+}
+
+impl<Q> ShadedCurve<Q> {
+    /// The curves of a quantity in a view.
+    pub fn new(view: &'static str, name: &'static str, shades: &'static [Colour], quantity: Q) -> Self {
+        Self { view, name, shades, quantity }
     }
 }
 

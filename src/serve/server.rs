@@ -87,7 +87,8 @@ impl Server {
 
     async fn serve(self, site: impl Site) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
-        let router = Router::new().fallback(answer).with_state((Arc::new(site), self.port, Arc::default()));
+        let served = Served { site, port: self.port, taken: Arc::default() };
+        let router = Router::new().fallback(answer).with_state(Arc::new(served));
         tokio::select! {
             served = accept(listener, router) => served,
             interrupted = tokio::signal::ctrl_c() => interrupted,
@@ -143,19 +144,25 @@ impl Drop for Delivery {
     }
 }
 
-/// The content of the server, its port, and whether someone has the right of [`Delivery`].
-type Served<S> = (Arc<S>, u16, Arc<AtomicBool>);
+/// What a server serves, and under which port.
+struct Served<S> {
+    site: S,
+    port: u16,
+    /// Whether a request has the right of [`Delivery`].
+    taken: Arc<AtomicBool>,
+}
 
-async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: Incoming) -> Response<Body> {
+async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming) -> Response<Body> {
     let (head, body) = request.into_parts();
-    let Intake { kind, most } = if head.method == Method::POST { site.intake(head.uri.path()) } else { Intake::JSON };
-    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, port, kind) {
+    let Intake { kind, most } =
+        if head.method == Method::POST { served.site.intake(head.uri.path()) } else { Intake::JSON };
+    if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, served.port, kind) {
         return response(Reply::Error(status, sentence));
     }
     if guard::announced(&head.headers) > most as u64 {
         return response(too_large(most));
     }
-    let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&taken));
+    let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&served.taken));
     if let Some(None) = delivery {
         tokio::time::timeout(PATIENCE, pass(body, most)).await.ok();
         return response(Reply::Error(
@@ -171,7 +178,7 @@ async fn answer<S: Site>(State((site, port, taken)): State<Served<S>>, request: 
     let reply = move || {
         let _until_the_end = delivery;
         let (path, query) = (head.uri.path(), head.uri.query().unwrap_or_default());
-        site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
+        served.site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
     };
     let replied = tokio::task::spawn_blocking(reply).await;
     response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))

@@ -1,6 +1,7 @@
 //! The layers of the crate, held against its source: a file uses its own layer and lower ones, nothing goes round in a circle,
 //! and each large dependency stays in its one place.
 
+mod functions;
 mod source;
 mod types;
 mod uses;
@@ -58,12 +59,10 @@ const PLACES: &[(&str, &[&str])] = &[
     ("futures_util", &["serve/"]),
     ("glam", &["record/"]),
     ("indicatif", &["cli/", "main.rs"]),
-    ("levenberg_marquardt", &["paper/fit.rs"]),
     (
         "libm",
         &["theory/", "contact/forecast.rs", "contact/multilevel/split.rs", "paper/fit.rs", "setup/expected_area.rs"],
     ),
-    ("nalgebra", &["paper/fit.rs"]),
     ("ndarray_npy", &["surface/", "contact/archive.rs", "history/archive.rs"]),
     ("parquet", &["study/parquet.rs"]),
     ("procfs", &["setup/cost.rs", "lab/"]),
@@ -84,7 +83,7 @@ const PLACES: &[(&str, &[&str])] = &[
 const CHOICE: &str = r#"#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]"#;
 
 /// Crates that are gone for good, since others or a few lines do their work.
-const GONE: &[&str] = &["gauss_quad", "petgraph", "plotters", "png", "rand_chacha"];
+const GONE: &[&str] = &["gauss_quad", "levenberg_marquardt", "nalgebra", "petgraph", "plotters", "png", "rand_chacha"];
 
 const LONGEST_FILE: usize = 450;
 

@@ -80,8 +80,8 @@ pub fn tokens(code: &str) -> Vec<String> {
     apart.replace("::", " :: ").split_whitespace().map(str::to_owned).collect()
 }
 
-/// The code with comments and texts left out.
-fn without_texts(code: &str) -> String {
+/// The code with comments, texts and characters left out, line by line.
+pub fn without_texts(code: &str) -> String {
     let mut bare = String::new();
     let mut rest = code;
     while let Some(first) = rest.chars().next() {
@@ -94,17 +94,31 @@ fn without_texts(code: &str) -> String {
         } else {
             0
         };
-        let mark = ["'\"'", "'{'", "'}'", "'\\''"].into_iter().find(|mark| rest.starts_with(mark));
-        match (length, mark) {
-            (0, None) => {
+        match length.max(length_of_character(rest)) {
+            0 => {
                 bare.push(first);
                 rest = &rest[first.len_utf8()..];
             }
-            (0, Some(mark)) => rest = &rest[mark.len()..],
-            _ => rest = &rest[length..],
+            length => {
+                bare.extend(rest[..length].matches('\n'));
+                rest = &rest[length..];
+            }
         }
     }
     bare
+}
+
+/// The length of a character in single quotes at the start of some code; 0 if there is none. The name of a lifetime has no second quote.
+fn length_of_character(code: &str) -> usize {
+    let Some(quoted) = code.strip_prefix('\'') else { return 0 };
+    let mut chars = quoted.chars();
+    match (chars.next(), chars.next()) {
+        (Some('\\'), Some(escaped)) => {
+            2 + escaped.len_utf8() + quoted[1 + escaped.len_utf8()..].find('\'').map_or(0, |at| at + 1)
+        }
+        (Some(one), Some('\'')) => 2 + one.len_utf8(),
+        _ => 0,
+    }
 }
 
 /// Where a text ends, its closing mark included.

@@ -107,8 +107,8 @@ impl Cut<'_> {
     /// Writes the stress at one depth.
     fn write(&self, depth: f64, rows: &mut [&mut [f64]; 6], fourier: &mut Fourier) {
         let mut spectra: [Vec<Complex>; 6] = Default::default();
-        for column in self.waves.chunks_exact(self.grid.shape()[0]).enumerate() {
-            let stress = self.summed(column, depth);
+        for (kx, waves) in self.waves.chunks_exact(self.grid.shape()[0]).enumerate() {
+            let stress = self.summed(kx, waves, depth);
             spectra.iter_mut().zip(stress).for_each(|(spectrum, value)| spectrum.push(value));
         }
         for (spectrum, row) in spectra.iter_mut().zip(rows) {
@@ -117,7 +117,7 @@ impl Cut<'_> {
     }
 
     /// The stress of all waves of one `q_x`.
-    fn summed(&self, (kx, waves): (usize, &[Complex]), depth: f64) -> [Complex; 6] {
+    fn summed(&self, kx: usize, waves: &[Complex], depth: f64) -> [Complex; 6] {
         let [ly, lx] = self.grid.size();
         let (qx, ny) = (TAU * kx as f64 / lx, waves.len());
         let mut sums = [Complex::default(); 6];

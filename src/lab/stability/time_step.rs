@@ -37,12 +37,17 @@ const MOTIONS: [TestMotion; 3] = [
     TestMotion { name: "masses by stiffness, one free node", masses: Masses::Stiffness, is_free: |i| i == 0 },
 ];
 
-const VARIANTS: [(&str, Masses, Dynamics); 4] = [
-    ("uniform masses, damped", Masses::Uniform, Dynamics::Damped),
-    ("uniform masses, FIRE", Masses::Uniform, Dynamics::Fire),
-    ("masses by stiffness, damped", Masses::Stiffness, Dynamics::Damped),
-    ("masses by stiffness, FIRE", Masses::Stiffness, Dynamics::Fire),
+/// Names and settings of solves close to the limit.
+const VARIANTS: [(&str, Gfmd); 4] = [
+    ("uniform masses, damped", close_to_limit(Masses::Uniform, Dynamics::Damped)),
+    ("uniform masses, FIRE", close_to_limit(Masses::Uniform, Dynamics::Fire)),
+    ("masses by stiffness, damped", close_to_limit(Masses::Stiffness, Dynamics::Damped)),
+    ("masses by stiffness, FIRE", close_to_limit(Masses::Stiffness, Dynamics::Fire)),
 ];
+
+const fn close_to_limit(masses: Masses, dynamics: Dynamics) -> Gfmd {
+    Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 }
+}
 
 /// The largest stable time steps, over `2 sqrt(m / k)`, and solves close to them; displays as a table.
 pub struct TimeSteps {
@@ -60,7 +65,7 @@ impl TimeSteps {
     pub fn measure() -> Result<Self, GridError> {
         let grid = Grid::line(POINTS, 1.0)?;
         let limits = MOTIONS.map(|motion| (motion.name, motion.largest_stable(&grid), motion.theory(&grid)));
-        Ok(Self { limits, reports: VARIANTS.map(near_the_limit) })
+        Ok(Self { limits, reports: VARIANTS.map(|(name, gfmd)| report_on(name, gfmd)) })
     }
 
     /// Whether all is as theory says.
@@ -86,11 +91,10 @@ impl fmt::Display for TimeSteps {
 }
 
 /// The report of a solve close to the limit.
-fn near_the_limit((name, masses, dynamics): (&'static str, Masses, Dynamics)) -> TrialReport {
+fn report_on(name: &'static str, gfmd: Gfmd) -> TrialReport {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 32.0, rms_gradient: 0.1 };
     let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(256, 1.0), Load::ReducedPressure(0.1));
-    let method = Method::Gfmd(Gfmd { masses, dynamics, time_step: TIME_STEP, damping: 1.0 });
-    let rival = Rival { name, title: name, about: "close to the limit of its time step", method };
+    let rival = Rival { name, title: name, about: "close to the limit of its time step", method: Method::Gfmd(gfmd) };
     judge(&Trial::new("time-step", move || setup.problem()), &rival, Duration::MAX, |_| Box::new(()))
 }
 

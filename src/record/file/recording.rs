@@ -98,8 +98,8 @@ impl Recording {
 
     /// The writer for the solve of scene number `scene`.
     pub(super) fn writer(&self, scene: usize) -> Writer {
-        let target = (self.stream.clone(), self.output.clone());
-        Writer::new(target, (Arc::clone(&self.stages), scene), Arc::clone(&self.statics), self.options.every)
+        let (stream, output, statics) = (self.stream.clone(), self.output.clone(), Arc::clone(&self.statics));
+        Writer::new(stream, output, Arc::clone(&self.stages), scene, statics, self.options.every)
     }
 
     /// Waits until the layout and the static data are written.

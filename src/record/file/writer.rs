@@ -56,8 +56,10 @@ impl Writer {
     /// Writes into `stream` and its `output` what comes of scene number `scene` of `stages`: fields of each n-th step if
     /// `every` is given.
     pub fn new(
-        (stream, output): (RecordingStream, Output),
-        (stages, scene): (Arc<[Stage]>, usize),
+        stream: RecordingStream,
+        output: Output,
+        stages: Arc<[Stage]>,
+        scene: usize,
         statics: Arc<BackgroundTask>,
         every: Option<usize>,
     ) -> Self {

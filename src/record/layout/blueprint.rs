@@ -6,17 +6,22 @@ use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::{RecordingStream, RecordingStreamResult};
 
-/// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and the
-/// timeline that is active at first with its frames per second.
+/// The timeline that is active at first, and how fast it is played.
+pub struct PlayedTimeline {
+    pub timeline: &'static str,
+    pub frames_per_sec: f64,
+}
+
+/// Writes the blueprint of its viewer into `recording`: `panes`, as tabs if there are several, and how they are played.
 ///
 /// Views of curves keep the background of the viewer, because numbers, grid and legend have the colours of the viewer,
 /// which a recording cannot set. On another background they would be unreadable in one of the themes.
-pub fn send(panes: Vec<Pane>, clock: (&'static str, f64), recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub fn send(panes: Vec<Pane>, played: PlayedTimeline, recording: &RecordingStream) -> RecordingStreamResult<()> {
     let Some(shown) = recording.store_info() else { return Ok(()) };
     let (store, storage) = layout(shown.application_id())?;
     store.set_time_sequence("blueprint", 0);
     let mut blueprint = Blueprint { store, panes: 0 };
-    blueprint.log(panes, clock)?;
+    blueprint.log(panes, played)?;
     let Some(info) = blueprint.store.store_info() else { return Ok(()) };
     let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
     recording.send_blueprint(storage.take(), command);
@@ -30,12 +35,12 @@ struct Blueprint {
 }
 
 impl Blueprint {
-    fn log(&mut self, panes: Vec<Pane>, clock: (&'static str, f64)) -> RecordingStreamResult<()> {
+    fn log(&mut self, panes: Vec<Pane>, played: PlayedTimeline) -> RecordingStreamResult<()> {
         let kind = if panes.len() > 1 { ContainerKind::Tabs } else { ContainerKind::Horizontal };
         let root = self.container(kind, "asperity".into(), panes.into_iter().map(|pane| (pane, 1.0)).collect())?;
         let viewport = panes::ViewportBlueprint::new().with_root_container(root);
         self.store.log("viewport", &viewport.with_auto_layout(false).with_auto_views(false))?;
-        self.log_panels(clock)
+        self.log_panels(played)
     }
 
     /// Adds a pane and returns its path.
@@ -80,7 +85,7 @@ impl Blueprint {
     }
 
     /// Side panels folded, time at the last frame.
-    fn log_panels(&self, (timeline, frames_per_sec): (&'static str, f64)) -> RecordingStreamResult<()> {
+    fn log_panels(&self, PlayedTimeline { timeline, frames_per_sec }: PlayedTimeline) -> RecordingStreamResult<()> {
         let folded = panes::PanelBlueprint::new().with_state(components::PanelState::Collapsed);
         self.store.log("blueprint_panel", &folded)?;
         self.store.log("selection_panel", &folded)?;
@@ -118,7 +123,7 @@ mod tests {
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = layout(&"test".into()).unwrap();
         let text = PaneView::text("text", "/text".into());
-        send(vec![text], ("step", 1.0), &recording).unwrap();
+        send(vec![text], PlayedTimeline { timeline: "step", frames_per_sec: 1.0 }, &recording).unwrap();
         assert!(!storage.take().is_empty());
         recording.disconnect();
         let (store, storage) = layout(&"test".into()).unwrap();

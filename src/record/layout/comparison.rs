@@ -1,6 +1,6 @@
 //! The layout of a comparison: the curves of all runs together, and each recording in its own tab.
 
-use super::blueprint::send;
+use super::blueprint::{PlayedTimeline, send};
 use super::steps::FRAMES_PER_SEC;
 use crate::record::draw::{ContainerKind, Corner, Pane, PaneView, STEP};
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -28,7 +28,11 @@ pub fn send_comparison(
     let right = Pane::container(ContainerKind::Vertical, "curves", first.into_iter().chain([(rest, 1.0)]).collect());
     let left = Pane::even(ContainerKind::Vertical, "curves", settling.into_iter().map(view).collect());
     let comparison = Pane::even(ContainerKind::Horizontal, "Comparison", vec![left, right]);
-    send([comparison].into_iter().chain(recordings).collect(), (STEP, FRAMES_PER_SEC), stream)
+    send(
+        [comparison].into_iter().chain(recordings).collect(),
+        PlayedTimeline { timeline: STEP, frames_per_sec: FRAMES_PER_SEC },
+        stream,
+    )
 }
 
 fn view(Compared { title, entities, most }: Compared) -> Pane {

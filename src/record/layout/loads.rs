@@ -1,6 +1,6 @@
 //! The layout of a recording over loads: contacts on the left, figure, charts and text on the right.
 
-use super::blueprint::send;
+use super::blueprint::{PlayedTimeline, send};
 use super::steps::{pictures, width};
 use super::window::Sizes;
 use crate::record::draw::{Chart, ContainerKind, Curves, FigurePicture, PANE, Pane, PaneView, Stage};
@@ -40,7 +40,11 @@ pub fn send_loads(
     timeline: &'static str,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
-    send(vec![layout(stages, figure, charts, curves)], (timeline, LOADS_PER_SEC), stream)
+    send(
+        vec![layout(stages, figure, charts, curves)],
+        PlayedTimeline { timeline, frames_per_sec: LOADS_PER_SEC },
+        stream,
+    )
 }
 
 fn layout(stages: &[Stage], figure: Option<&FigurePicture>, charts: &[Chart], curves: &Curves) -> Pane {

@@ -1,6 +1,6 @@
 //! The layout of a recording over steps: the views of each scene, and their places.
 
-use super::blueprint::send;
+use super::blueprint::{PlayedTimeline, send};
 use super::curves::{area, certificate, curves};
 use super::window::Sizes;
 use crate::record::draw::{ContainerKind, Corner, GRID_COLUMNS, Pane, PaneView, Place, STEP, Stage};
@@ -37,7 +37,7 @@ pub fn fit_steps(stages: &mut [Stage], window: [f64; 2]) {
 
 /// Lays out all scenes.
 pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
-    send(tabs(stages), (STEP, FRAMES_PER_SEC), recording)
+    send(tabs(stages), PlayedTimeline { timeline: STEP, frames_per_sec: FRAMES_PER_SEC }, recording)
 }
 
 /// A tab for each scene after an overview; alone, a scene fills the window. The instruments of a scene that has pictures, too, have a tab of

@@ -1,6 +1,6 @@
 //! The layout of a surface: its relief above a text on the left, the figure on the right.
 
-use super::blueprint::send;
+use super::blueprint::{PlayedTimeline, send};
 use super::window::Sizes;
 use crate::record::draw::{ContainerKind, Eye, FigurePicture, Pane, PaneView, STEP, SurfaceRelief};
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -23,7 +23,7 @@ pub fn send_survey(
     text: &str,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
-    send(vec![layout(relief, figure, text)], (STEP, 1.0), stream)
+    send(vec![layout(relief, figure, text)], PlayedTimeline { timeline: STEP, frames_per_sec: 1.0 }, stream)
 }
 
 fn layout(relief: Option<(&str, Eye)>, figure: &FigurePicture, text: &str) -> Pane {

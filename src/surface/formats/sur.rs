@@ -107,16 +107,27 @@ struct ObjectHeader<'a> {
     points: PointData<'a>,
 }
 
+/// Refuses the numbers of machines other than PCs.
+fn check_machine(kind: i16) -> io::Result<()> {
+    match kind {
+        0 => Ok(()),
+        _ => Err(malformed(format!("it is written for machines of type {kind}: only the type PC can be read"))),
+    }
+}
+
+/// The size of a point in bytes.
+fn bytes_of_point(bits: i16) -> io::Result<usize> {
+    match bits {
+        16 | 32 => Ok(bits as usize / 8),
+        _ => Err(malformed(format!("its points have {bits} bits, neither 16 nor 32"))),
+    }
+}
+
 impl<'a> ObjectHeader<'a> {
     /// The object at a place, and the place behind it.
     fn new(at: &mut ByteReader<'a>) -> io::Result<Self> {
         let is_packed = is_packed(at)?;
-        let format = at.i16()?;
-        if format != 0 {
-            return Err(malformed(format!(
-                "it is written for machines of type {format}: only the type PC can be read"
-            )));
-        }
+        check_machine(at.i16()?)?;
         let objects = at.i16()?;
         at.i16()?; // version
         let kind = at.i16()?;
@@ -158,10 +169,7 @@ impl<'a> ObjectHeader<'a> {
             ("comment", comment),
         ];
         let header = header.into_iter().filter(|it| !it.1.is_empty()).map(|it| (it.0.to_owned(), it.1)).collect();
-        let size = match bits {
-            16 | 32 => bits as usize / 8,
-            _ => return Err(malformed(format!("its points have {bits} bits, neither 16 nor 32"))),
-        };
+        let size = bytes_of_point(bits)?;
         let shape = [rows, columns].map(i64::from);
         let points = if is_packed { PointData::packed(at)? } else { plain(at, shape, size, depth)? };
         let total = i64::from(total);

@@ -146,7 +146,8 @@ impl Link {
     fn unpack(
         &self,
         archive: &mut Archive,
-        (count, size): (usize, usize),
+        count: usize,
+        size: usize,
         mut each: impl FnMut(&[u8]) -> io::Result<()>,
     ) -> io::Result<()> {
         let mut file = archive.by_name(&self.name).map_err(missing(&self.name))?;
@@ -300,7 +301,7 @@ impl DescribedSurface {
         let kind = self.axes[axis].kind.ok_or_else(|| malformed("its heights are not stored"))?;
         let size = self.size();
         let mut coordinates = Vec::new();
-        link.unpack(archive, (self.count(), size), |piece| {
+        link.unpack(archive, self.count(), size, |piece| {
             for point in piece.chunks_exact(size) {
                 coordinates.push(self.axes[axis].metres(kind.number(&point[before..])?));
             }
@@ -336,7 +337,7 @@ fn shape(record: Node, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
 fn blank(archive: &mut Archive, link: &Link, coordinates: &mut [f64]) -> io::Result<()> {
     let mut parts = coordinates.chunks_mut(8);
     let bytes = parts.len();
-    link.unpack(archive, (bytes, 1), |piece| {
+    link.unpack(archive, bytes, 1, |piece| {
         for (bits, part) in piece.iter().zip(parts.by_ref()) {
             let void = part.iter_mut().enumerate().filter(|(i, _)| bits >> i & 1 == 0);
             void.for_each(|(_, coordinate)| *coordinate = f64::NAN);

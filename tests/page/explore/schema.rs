@@ -99,6 +99,27 @@ fn what_the_page_starts_with_lies_within_the_ranges() {
     }
 }
 
+/// A surface beside another one keeps the knobs of its group, its file and its bumps; all others are those of the state.
+#[test]
+fn a_surface_beside_shares_all_but_the_knobs_of_the_surface() {
+    let shared = json!({
+        "load": 0.2, "hardness": 0.1, "layer": 0.3, "stop": {"tolerance": 1e-6, "max-iterations": 77},
+        "solver": {"method": "polonsky-keer"}, "record": ["mask"], "theme": "light",
+    });
+    let own = json!({
+        "body": "round", "roughness": 0.002, "hurst": 0.5, "rolloff": 8, "cutoff": 64, "rolloff-form": "drop", "skewness": 0.5,
+        "kurtosis": 4, "seed": 7, "points": 512, "bumps": [[0.25, 1e-4, 0.05]],
+    });
+    let both = own.as_object().unwrap().iter().chain(shared.as_object().unwrap());
+    let expected = with(both.map(|(name, value)| (name.clone(), value.clone())).collect());
+    let mut state = with(shared);
+    state["beside"] = with(own);
+    let read = |state: &Value| Knobs::read(state.to_string().as_bytes()).unwrap();
+    let beside = read(&state).beside_with(None).unwrap().unwrap();
+    assert_eq!(beside, read(&expected).setup().unwrap());
+    assert_ne!(beside, read(&state).setup().unwrap());
+}
+
 /// A state that leaves out settings of a solver or of a file has those of the schema.
 #[test]
 fn defaults_are_those_of_the_program() {

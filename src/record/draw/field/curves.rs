@@ -60,7 +60,8 @@ impl FieldCurves {
         to: &RecordingStream,
         name: &'static str,
         nodes: &Samples,
-        (field, ruler): (&[f64], &Ruler),
+        field: &[f64],
+        ruler: &Ruler,
         pick: impl Fn(f64, f64) -> f64,
     ) -> RecordingStreamResult<()> {
         let columns = Columns::new(nodes.count());
@@ -108,8 +109,8 @@ impl Drawing for FieldCurves {
 
     fn log_frame(&self, to: &RecordingStream, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         let nodes = self.plane.window.every(fields.stride[1]);
-        self.log_field(to, "pressure", &nodes, (&fields.pressure, &self.pressure), f64::max)?;
-        self.log_field(to, "gap", &nodes, (&fields.gap, &self.gap), f64::min)
+        self.log_field(to, "pressure", &nodes, &fields.pressure, &self.pressure, f64::max)?;
+        self.log_field(to, "gap", &nodes, &fields.gap, &self.gap, f64::min)
     }
 
     fn log_earlier(&self, to: &RecordingStream, pressure: &[f64]) -> RecordingStreamResult<()> {
