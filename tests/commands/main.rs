@@ -6,6 +6,7 @@ mod certify;
 mod cli;
 #[path = "../common/command.rs"]
 mod command;
+mod doors;
 mod drives;
 mod golden;
 mod guide;
