@@ -1,6 +1,6 @@
 //! `asperity solve` under one load after the other.
 
-use super::exit_status::ExitStatus;
+use super::exit_status::{ExitStatus, Interrupted};
 use super::finding::Finding;
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
@@ -11,7 +11,7 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Load, Observables, Problem, archive_of_states, warnings_of};
+use asperity::contact::{Load, Observables, Problem, Status, archive_of_states, warnings_of};
 use asperity::error::{HistoryError, StudyError};
 use asperity::files::write_beside;
 use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
@@ -47,6 +47,10 @@ pub fn write(
     if let Some(error) = history.ended.take().filter(|_| !is_stopped) {
         return Err(StudyError::from(error).into());
     }
+    if findings.is_empty() {
+        return Err(Interrupted.into());
+    }
+    history.states.retain(|state| state.contact.status != Status::StoppedByObserver);
     let curve = LoadCurve { setup: solved.setup, loads: loads[..findings.len()].into() };
     let failure = history.failure.take();
     let written = (outputs, units);

@@ -35,6 +35,11 @@ impl Load {
         }
     }
 
+    /// The reduced pressure, if it is one.
+    pub fn reduced_pressure(&self) -> Option<f64> {
+        if let Self::ReducedPressure(value) = *self { Some(value) } else { None }
+    }
+
     /// The load of the same kind with another number.
     pub fn with_value(self, value: f64) -> Self {
         match self {

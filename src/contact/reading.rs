@@ -69,9 +69,10 @@ impl Reading<'_> {
     /// The reduced pressure: that of the state, or the prescribed one, to the last bit, or else the computed one, as that of a contact that
     /// moves, whose modulus depends on the motion.
     pub(super) fn reduced_pressure(&self) -> f64 {
+        let is_given = self.values.kind == StateKind::Elastic && !self.problem.is_moving();
         match (self.values.get(Quantity::MeanPressure), self.problem.load()) {
             (Some(pressure), _) => pressure / (self.problem.rms_gradient() * self.problem.contact_modulus()),
-            (None, Load::ReducedPressure(prescribed)) if !self.problem.is_moving() => prescribed,
+            (None, Load::ReducedPressure(prescribed)) if is_given => prescribed,
             (None, _) => self.counted.reduced_pressure,
         }
     }

@@ -34,7 +34,13 @@ pub struct StateField {
 }
 
 /// Numbers of a saved state that stand in place of those of its contact: the way to the state has a part in them.
-const SAVED: [Quantity; 4] = [Quantity::Friction, Quantity::EffectiveModulus, Quantity::RelativeArea, Quantity::KappaR];
+const SAVED: [Quantity; 5] = [
+    Quantity::ReducedPressure,
+    Quantity::Friction,
+    Quantity::EffectiveModulus,
+    Quantity::RelativeArea,
+    Quantity::KappaR,
+];
 
 impl State {
     /// The state of a contact that was solved for itself.

@@ -77,6 +77,7 @@ impl CreepState {
         let error = |of: fn(&TimeErrors) -> f64| self.time_errors.as_ref().map(of);
         let values = StateValues::new(StateKind::Creep)
             .with(Quantity::Time, self.time)
+            .with(Quantity::ReducedPressure, self.load.and_then(|load| load.reduced_pressure()))
             .with(Quantity::EffectivePressure, effective.mean())
             .with(Quantity::RelativeArea, if is_pressed { resolved.relative_area } else { 0.0 })
             .with(Quantity::KappaR, is_pressed.then_some(resolved.kappa_r))

@@ -7,7 +7,7 @@ use super::watch::{Pass, Watcher};
 use crate::contact::{Problem, State, Status};
 use crate::error::{FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
-use crate::setup::Flow;
+use crate::setup::{Flow, ProcessKind};
 use std::sync::Arc;
 
 /// What is kept of the states of a run.
@@ -54,6 +54,8 @@ impl JobRun<'_> {
                 Some(Err(error)) if count == 0 => return Err(error.into()),
                 Some(Err(error)) => break Some(error),
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
+                    // a contact under a load is what it is; a state of a history has to be solved
+                    states.extend((kind == ProcessKind::Loads).then(|| Arc::new(state)));
                     break Some(HistoryError::Stopped);
                 }
                 Some(Ok(state)) => with_flow(state, &self.setup.flow, keeping.has_fields)?,
