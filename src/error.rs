@@ -7,6 +7,7 @@
 )]
 
 mod adhesion;
+mod conflict;
 mod creep;
 mod file;
 mod flow;
@@ -14,16 +15,19 @@ mod history;
 mod input;
 mod motion;
 mod preparation;
+mod remedy;
 mod roughness;
 mod setup;
 mod study;
 
 pub use adhesion::AdhesionError;
+pub use conflict::{Conflict, ConflictRule};
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
 pub use flow::{FlowError, SealError};
 pub use history::{HistoryError, SlipError};
+pub use input::{InputError, is_input};
 pub use motion::MotionError;
 pub use preparation::PreparationError;
 pub use roughness::RoughnessError;

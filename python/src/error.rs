@@ -1,7 +1,7 @@
 //! Errors of the library as exceptions of Python.
 
 use crate::words::{at_place, in_python, keyword_of_flag, unknown_keyword, without_flags};
-use asperity::error::{ClaimError, SetupError, StudyError};
+use asperity::error::{ClaimError, Conflict, ConflictRule, SetupError, StudyError};
 use pyo3::create_exception;
 use pyo3::exceptions::{
     PyFileNotFoundError, PyIndexError, PyKeyError, PyPermissionError, PyTypeError, PyUserWarning, PyValueError,
@@ -189,14 +189,22 @@ fn sentence(error: &BoxedError) -> String {
 fn sentence_of_setup(error: &SetupError) -> String {
     match error {
         SetupError::Text { place, reason } => at_place(place, reason),
-        SetupError::Refine => "refine is 0: give 1 or more".into(),
-        SetupError::JoinedWithoutSecond => {
+        SetupError::Conflict(conflict) => sentence_of_conflict(conflict),
+        other => in_python(&other.to_string()),
+    }
+}
+
+/// The sentence of a conflict in the words of Python.
+fn sentence_of_conflict(conflict: &Conflict) -> String {
+    match conflict.rule {
+        ConflictRule::NoRefinement => "refine is 0: give 1 or more".into(),
+        ConflictRule::JoinedWithoutSecond => {
             "joined needs two spectra: give surface={'second_spectrum': ...} as well, or leave it out".into()
         }
-        SetupError::SecondSpectrum => {
+        ConflictRule::SecondSpectrum => {
             "a second spectrum is given without a first one: give surface={'spectrum': ...} as well".into()
         }
-        other => in_python(&other.to_string()),
+        _ => in_python(&conflict.to_string()),
     }
 }
 
@@ -207,11 +215,14 @@ fn keyword(error: &BoxedError) -> &'static str {
         return LOADS;
     }
     match error.downcast_ref() {
-        Some(SetupError::NoLoad) => LOADS,
+        Some(SetupError::Conflict(conflict)) => match conflict.rule {
+            ConflictRule::NoLoad => LOADS,
+            ConflictRule::NoTangential => " (friction={'tangential': ...}, path={'tangential': ...} or rolling)",
+            ConflictRule::NoPoints => " (points)",
+            ConflictRule::NoSize => " (size)",
+            _ => "",
+        },
         Some(SetupError::NoModulus { .. }) => " (solid)",
-        Some(SetupError::NoTangential { .. }) => " (friction={'tangential': ...}, path={'tangential': ...} or rolling)",
-        Some(SetupError::NoPoints) => " (points)",
-        Some(SetupError::NoSize) => " (size)",
         Some(SetupError::Uneven { .. }) => " (prepare={'resample': 'linear'})",
         Some(SetupError::Voids { .. }) => " (prepare={'fill': 'harmonic'}, or prepare='auto')",
         _ => "",

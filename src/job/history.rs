@@ -2,7 +2,7 @@
 
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Observer, Problem, ResultClaim, Status, warning_of_trail};
-use crate::error::{HistoryError, SetupError};
+use crate::error::{ConflictRule, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, HISTORY_QUANTITIES, HistoryQuantity, HistoryState, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
@@ -239,5 +239,5 @@ fn in_words(numbers: &[usize]) -> String {
 
 /// The process of a setup with a history.
 fn kind_of(setup: &Setup) -> Result<ProcessKind, SetupError> {
-    setup.process()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })
+    setup.process()?.ok_or(ConflictRule::NoHistory.into())
 }

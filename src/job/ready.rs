@@ -6,7 +6,7 @@ use super::run::JobRun;
 use super::watch::{Pass, Watcher};
 use crate::contact::{Contact, Observer, PartialSlip, Problem};
 use crate::diagnosis::{Diagnosis, Reference};
-use crate::error::SetupError;
+use crate::error::{ConflictRule, SetupError};
 #[cfg(feature = "record")]
 use crate::record::Recording;
 use crate::setup::{Extras, Setup};
@@ -26,9 +26,7 @@ impl<'a> Job<'a> {
     /// The errors of [`Setup::problem`], and [`SetupError::Memory`] for a run that does not fit in memory.
     pub fn prepare(mut self) -> Result<Ready<'a>, SetupError> {
         if self.runs.iter().any(|run| run.setup.is_history().unwrap_or(false)) {
-            let reason =
-                "this is the run of one contact, but the setup describes a history: follow the history instead";
-            return Err(SetupError::Path { reason: reason.into() });
+            return Err(ConflictRule::RunOfHistory.into());
         }
         let extras = self.extras();
         self.runs.iter_mut().try_for_each(|run| run.pose(&extras))?;

@@ -37,6 +37,7 @@ mod axis;
 mod cell;
 mod chosen;
 mod command;
+mod conflicts;
 mod cost;
 mod expected_area;
 mod files;
@@ -83,7 +84,7 @@ pub use words::{differences, in_words};
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
-use crate::error::{FlowError, SetupError, SolidError, SolveError};
+use crate::error::{ConflictRule, FlowError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
 use crate::theory::Exact;
@@ -298,10 +299,11 @@ impl Setup {
     fn check_friction(&self) -> Result<(), SetupError> {
         let Some(friction) = self.friction else { return Ok(()) };
         if friction.tangential == 0.0 {
-            return Err(SetupError::NoTangential { tangential: friction.tangential });
+            let tangential = format!("{:?}", friction.tangential);
+            return Err(ConflictRule::NoTangential.of([("tangential", tangential)]).into());
         }
         friction.ratio(self.load)?;
-        if self.law.is_hard_wall() { Ok(()) } else { Err(SetupError::FrictionOfYielding) }
+        if self.law.is_hard_wall() { Ok(()) } else { Err(ConflictRule::FrictionOfYielding.into()) }
     }
 
     /// The surface.

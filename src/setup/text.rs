@@ -1,7 +1,7 @@
 //! Setups as text.
 
 use super::{Cell, FLAGS, Flag, Method, Recipe, Setup};
-use crate::error::{FileError, SetupError};
+use crate::error::{ConflictRule, FileError, SetupError};
 use crate::files::{read_bytes, write_beside};
 use crate::surface::{read_fields, read_text};
 use serde::de::{DeserializeOwned, Unexpected};
@@ -202,7 +202,7 @@ impl SetupTable {
     /// Checks that there is a surface.
     fn check_surface(&self) -> Result<(), SetupError> {
         let is_empty = |surface: &toml::Value| surface.as_table().is_some_and(toml::Table::is_empty);
-        if self.0.get("surface").is_none_or(is_empty) { Err(SetupError::NoSurface) } else { Ok(()) }
+        if self.0.get("surface").is_none_or(is_empty) { Err(ConflictRule::NoSurface.into()) } else { Ok(()) }
     }
 
     /// Inserts the usual method where none is given, and refuses settings of another method.
@@ -228,7 +228,7 @@ impl SetupTable {
         let keys: Vec<&String> = load.as_table().into_iter().flat_map(toml::Table::keys).collect();
         let checked = match keys.as_slice() {
             [_] => return Ok(()),
-            [] if load.is_table() => Err(SetupError::NoLoad),
+            [] if load.is_table() => Err(ConflictRule::NoLoad.into()),
             [] => Err(wrong_load("expected a name and a number, such as { mean-pressure = 0.01 }".into())),
             [one, other, ..] => Err(wrong_load(format!("both `{one}` and `{other}` are given: give one of them"))),
         };
