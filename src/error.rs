@@ -19,6 +19,7 @@ mod remedy;
 mod roughness;
 mod setup;
 mod study;
+mod text;
 
 pub use adhesion::AdhesionError;
 pub use conflict::{Conflict, ConflictRule};
@@ -33,6 +34,8 @@ pub use preparation::PreparationError;
 pub use roughness::RoughnessError;
 pub use setup::SetupError;
 pub use study::StudyError;
+pub(crate) use text::flags_in_words;
+pub use text::{ExpectedValue, FoundValue, TextFault, TextPlace};
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -54,7 +54,7 @@ pub fn error_in_text(error: SetupError) -> PyErr {
 /// The exception for an error of a setup in `solve`, which takes the section `record` as `recording`.
 pub fn error_in_solve(error: SetupError) -> PyErr {
     match &error {
-        SetupError::Text { place, .. } if place.starts_with("record") => {
+        SetupError::Text { place, .. } if place.keys.starts_with("record") => {
             AsperityError::new_err(sentence_of_setup(&error).replacen("record", "recording", 1))
         }
         _ => py_error(error),
@@ -69,7 +69,7 @@ pub fn error_of_keywords(py: Python<'_>, function: &str, sections: &[&str], erro
         _ => None,
     };
     let unknown = match of_study.or(error.downcast_ref()) {
-        Some(SetupError::Text { place, reason }) => unknown_keyword(place, reason, sections),
+        Some(SetupError::Text { place, fault }) => unknown_keyword(place, fault, sections),
         _ => None,
     };
     match unknown {
@@ -188,7 +188,7 @@ fn sentence(error: &BoxedError) -> String {
 /// The sentence of an error of a setup in the words of Python.
 fn sentence_of_setup(error: &SetupError) -> String {
     match error {
-        SetupError::Text { place, reason } => at_place(place, reason),
+        SetupError::Text { place, fault } => at_place(place, fault),
         SetupError::Conflict(conflict) => sentence_of_conflict(conflict),
         other => in_python(&other.to_string()),
     }

@@ -2,7 +2,7 @@
 
 use super::{
     AdhesionError, Conflict, ConflictRule, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError,
-    ProblemError, SettingError, SlipError, SolidError, SolveError, SurfaceError,
+    ProblemError, SettingError, SlipError, SolidError, SolveError, SurfaceError, TextFault, TextPlace,
 };
 use crate::quantity::{bytes_in_words, grouped};
 use std::path::PathBuf;
@@ -103,8 +103,8 @@ pub enum SetupError {
     )]
     NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
     /// A text that is not a setup.
-    #[error("{place}{reason}")]
-    Text { place: String, reason: String },
+    #[error("{place}{fault}")]
+    Text { place: TextPlace, fault: TextFault },
     /// A solve that needs more memory than is free, or than the system allows.
     #[error("{}", memory_in_words(*shape, *states, what, *needed, *free))]
     Memory {
@@ -119,6 +119,13 @@ pub enum SetupError {
         /// Bytes that are free, if the system reports them and they are too few.
         free: Option<f64>,
     },
+}
+
+impl SetupError {
+    /// A text that is not a setup: what is wrong with the value at some keys, which may be empty.
+    pub(crate) fn text(keys: &str, reason: impl Into<String>) -> Self {
+        Self::Text { place: TextPlace::keys(keys), fault: TextFault::Other { reason: reason.into() } }
+    }
 }
 
 impl From<ConflictRule> for SetupError {

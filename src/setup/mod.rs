@@ -40,6 +40,7 @@ mod command;
 mod conflicts;
 mod cost;
 mod expected_area;
+mod fault;
 mod files;
 mod flag;
 mod flow;

@@ -42,7 +42,7 @@ impl SetupTable {
 
 /// The loads of one value of a list: those of a range, or one.
 fn expanded(path: &str, kind: &str, given: &toml::Value) -> Result<Vec<f64>, SetupError> {
-    let wrong = |reason| SetupError::Text { place: format!("{path}: "), reason };
+    let wrong = |reason: String| SetupError::text(path, reason);
     match given.as_str().and_then(Range::parse) {
         Some(range) => range.map_err(wrong)?.values(|end| read_number(path, kind, &value(end)), wrong),
         None => read_number(path, kind, given).map(|number| vec![number]),
