@@ -243,17 +243,18 @@ pub struct Conflict {
 
 impl Display for Conflict {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let mut parts = self.rule.sentence().split(['{', '}']);
-        f.write_str(parts.next().unwrap_or_default())?;
-        while let (Some(place), Some(words)) = (parts.next(), parts.next()) {
-            let value = self.given.iter().find(|(name, _)| *name == place).map_or("", |(_, value)| value);
-            write!(f, "{value}{words}")?;
-        }
-        Ok(())
+        f.write_str(&with_places(self.rule.sentence(), &self.given))
     }
 }
 
 impl std::error::Error for Conflict {}
+
+/// A sentence with values in its places, which are names in braces.
+pub(crate) fn with_places(sentence: &str, given: &[(&'static str, String)]) -> String {
+    let value = |place: &str| given.iter().find(|(name, _)| *name == place).map_or("", |(_, value)| value);
+    let parts = sentence.split(['{', '}']).enumerate();
+    parts.map(|(i, part)| if i % 2 == 1 { value(part) } else { part }).collect()
+}
 
 impl From<ConflictRule> for Conflict {
     fn from(rule: ConflictRule) -> Self {

@@ -22,7 +22,7 @@ impl StickingHand {
     /// A sentence for an attraction that cannot be solved here, and for a state that was not found.
     pub fn moved(setup: &Setup, before: Option<Self>, load: Option<Load>) -> Result<Self, Refusal> {
         let setup = Setup { record: Default::default(), ..setup.clone() };
-        let refused = |error: AdhesionError| Refusal(error.to_string());
+        let refused = |error: AdhesionError| Refusal::from(error.to_string());
         let mut hand = match before.filter(|it| it.setup == setup) {
             Some(it) => it.hand,
             None => AdhesiveHand::new(setup.adhesive(setup.problem()?)?).map_err(refused)?,
