@@ -104,7 +104,7 @@ pub enum SetupError {
     NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
     /// A text that is not a setup.
     #[error("{place}{fault}")]
-    Text { place: TextPlace, fault: TextFault },
+    Text { place: TextPlace, fault: Box<TextFault> },
     /// A solve that needs more memory than is free, or than the system allows.
     #[error("{}", memory_in_words(*shape, *states, what, *needed, *free))]
     Memory {
@@ -124,7 +124,7 @@ pub enum SetupError {
 impl SetupError {
     /// A text that is not a setup: what is wrong with the value at some keys, which may be empty.
     pub(crate) fn text(keys: &str, reason: impl Into<String>) -> Self {
-        Self::Text { place: TextPlace::keys(keys), fault: TextFault::Other { reason: reason.into() } }
+        Self::Text { place: TextPlace::keys(keys), fault: TextFault::Other { reason: reason.into() }.into() }
     }
 }
 

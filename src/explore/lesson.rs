@@ -238,8 +238,9 @@ fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced>
 fn named(key: &str, value: &Value, refusal: Refusal) -> Refusal {
     let reason = &refusal.sentence;
     let is_named = reason.contains(&format!("`{key}`")) || reason.contains(&format!("`{key}."));
+    let written = value.to_string();
     let of_value = refusal.known.as_ref().filter(|it| it.key == RefusalRule::WrongValue.id());
-    match of_value.map(|it| &it.places).filter(|places| places["value"] == value.to_string()) {
+    match of_value.map(|it| &it.places).filter(|places| places["value"] == written) {
         Some(places) => format!("`{key}` cannot be {value}: give {}", places["wanted"]).into(),
         None if is_named => refusal,
         None => format!("`{key} = {value}`: {reason}").into(),

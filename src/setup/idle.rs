@@ -82,5 +82,8 @@ pub(super) fn list_of_section(path: &str) -> SetupError {
     let keys = FLAGS.iter().filter_map(|flag| flag.path.strip_prefix(path)?.strip_prefix('.'));
     let keys: Vec<String> = keys.filter(|key| !key.contains('.')).map(|key| format!("`{key}`")).collect();
     let expected = ExpectedValue::Section(format!("keys {}", keys.join(", ")));
-    SetupError::Text { place: TextPlace::keys(path), fault: TextFault::WrongType { found: FoundValue::List, expected } }
+    SetupError::Text {
+        place: TextPlace::keys(path),
+        fault: TextFault::WrongType { found: FoundValue::List, expected }.into(),
+    }
 }

@@ -30,7 +30,7 @@ impl SetupTable {
         parsed.map(Self).map_err(|error: toml::de::Error| {
             let line = error.span().map_or(1, |span| text[..span.start.min(text.len())].lines().count().max(1));
             let place = TextPlace { line: Some(line), ..TextPlace::default() };
-            SetupError::Text { place, fault: TextFault::from_parser(error.message()) }
+            SetupError::Text { place, fault: TextFault::from_parser(error.message()).into() }
         })
     }
 
@@ -257,7 +257,7 @@ impl SetupTable {
         self.0.clone().try_into().map_err(|error: toml::de::Error| {
             let keys = keys_of(&error);
             let fault = TextFault::from_serde(error.message(), &keys);
-            SetupError::Text { place: TextPlace::keys(self.keys_of_value(keys, &fault)), fault }
+            SetupError::Text { place: TextPlace::keys(self.keys_of_value(keys, &fault)), fault: fault.into() }
         })
     }
 
