@@ -222,7 +222,7 @@ impl ConflictRule {
     }
 
     /// The conflict of values that were given, by their names.
-    pub fn of<const N: usize>(self, given: [(&'static str, String); N]) -> Conflict {
+    pub fn with<const N: usize>(self, given: [(&'static str, String); N]) -> Conflict {
         Conflict { rule: self, given: given.into() }
     }
 }
@@ -231,7 +231,7 @@ impl ConflictRule {
 ///
 /// ```
 /// use asperity::error::ConflictRule;
-/// let conflict = ConflictRule::SlidingSpeed.of([("speed", "-1.0".into())]);
+/// let conflict = ConflictRule::SlidingSpeed.with([("speed", "-1.0".into())]);
 /// assert_eq!(conflict.to_string(), "the speed -1.0 is given: give a positive, finite speed");
 /// assert_eq!((conflict.rule.id(), conflict.rule.keys().next()), ("sliding-speed", Some("sliding.speed")));
 /// ```
@@ -258,7 +258,7 @@ pub(crate) fn with_places(sentence: &str, given: &[(&'static str, String)]) -> S
 
 impl From<ConflictRule> for Conflict {
     fn from(rule: ConflictRule) -> Self {
-        rule.of([])
+        rule.with([])
     }
 }
 

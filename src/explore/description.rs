@@ -90,7 +90,7 @@ impl Description {
         if knobs.file.is_none() || knobs.file == self.knobs.file {
             return Ok(());
         }
-        Err(RefusalRule::HeightsReplaced.of([("name", self.name.clone())]))
+        Err(RefusalRule::HeightsReplaced.with([("name", self.name.clone())]))
     }
 }
 

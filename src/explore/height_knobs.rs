@@ -66,7 +66,7 @@ impl HeightKnobs {
         let (most, [ny, nx]) = (most(grid.is_line()), grid.shape());
         if grid.len() > most {
             let given = [("ny", ny.to_string()), ("nx", nx.to_string()), ("most", most.to_string())];
-            return Err(RefusalRule::HeightPoints.of(given));
+            return Err(RefusalRule::HeightPoints.with(given));
         }
         Ok((recipe, cell))
     }

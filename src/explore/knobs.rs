@@ -379,15 +379,15 @@ impl Knobs {
         let most = MOST_POINTS[1].isqrt();
         let is_rough = self.roughness > 0.0;
         Err(if self.domain == Domain::Surface && points > most {
-            RefusalRule::SurfacePoints.of([("value", points.to_string()), ("most", most.to_string())])
+            RefusalRule::SurfacePoints.with([("value", points.to_string()), ("most", most.to_string())])
         } else if self.bumps.len() > MOST_BUMPS {
-            RefusalRule::Bumps.of([("bumps", self.bumps.len().to_string()), ("most", MOST_BUMPS.to_string())])
+            RefusalRule::Bumps.with([("bumps", self.bumps.len().to_string()), ("most", MOST_BUMPS.to_string())])
         } else if self.body == SmoothBody::Flat && !is_rough {
             RefusalRule::SmoothFlat.into()
         } else if is_rough && cutoff <= rolloff && self.rolloff_form != RolloffForm::None {
-            RefusalRule::CutoffOfRolloff.of([("value", cutoff.to_string()), ("rolloff", rolloff.to_string())])
+            RefusalRule::CutoffOfRolloff.with([("value", cutoff.to_string()), ("rolloff", rolloff.to_string())])
         } else if is_rough && 2.0 * cutoff > points as f64 {
-            RefusalRule::CutoffOfPoints.of([("value", cutoff.to_string()), ("points", points.to_string())])
+            RefusalRule::CutoffOfPoints.with([("value", cutoff.to_string()), ("points", points.to_string())])
         } else {
             return Ok(());
         })

@@ -96,7 +96,7 @@ impl RefusalRule {
     }
 
     /// The refusal of values that were given, by the names of their places.
-    pub fn of<const N: usize>(self, given: [(&'static str, String); N]) -> Refusal {
+    pub fn with<const N: usize>(self, given: [(&'static str, String); N]) -> Refusal {
         let sentence = with_places(self.sentence(), &given);
         Refusal { sentence, known: Some(KnownFault { key: self.id(), places: given.into() }) }
     }
@@ -168,7 +168,7 @@ impl From<&str> for Refusal {
 
 impl From<RefusalRule> for Refusal {
     fn from(rule: RefusalRule) -> Self {
-        rule.of([])
+        rule.with([])
     }
 }
 
@@ -204,7 +204,7 @@ impl From<serde_json::Error> for Refusal {
         if let Some((name, known)) =
             said.strip_prefix("unknown field ").and_then(|it| it.split_once(", expected one of "))
         {
-            return RefusalRule::UnknownName.of([("name", name.into()), ("known", known.into())]);
+            return RefusalRule::UnknownName.with([("name", name.into()), ("known", known.into())]);
         }
         let is_value = said.starts_with("invalid value: ") || said.starts_with("invalid type: ");
         let Some((found, wanted)) = said.split_once(", expected ").filter(|_| is_value) else { return said.into() };
@@ -213,7 +213,7 @@ impl From<serde_json::Error> for Refusal {
         let value = kind.map_or(value.as_str(), |kind| &value[kind.len()..]);
         let wanted = if wanted.starts_with("struct ") { "a map" } else { wanted };
         let wanted = WANTED.iter().find(|(rust, _)| *rust == wanted).map_or(wanted, |(_, words)| words);
-        RefusalRule::WrongValue.of([("value", value.into()), ("wanted", wanted.into())])
+        RefusalRule::WrongValue.with([("value", value.into()), ("wanted", wanted.into())])
     }
 }
 

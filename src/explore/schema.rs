@@ -253,7 +253,7 @@ impl Knob {
         let Some(value) = value.filter(|value| !(least..=most).contains(value)) else { return Ok(()) };
         let rule = if whole { RefusalRule::KnobRangeOfWhole } else { RefusalRule::KnobRange };
         let [value, least, most] = [value, least, most].map(in_words);
-        Err(rule.of([("knob", self.path.into()), ("value", value), ("least", least), ("most", most)]))
+        Err(rule.with([("knob", self.path.into()), ("value", value), ("least", least), ("most", most)]))
     }
 }
 

@@ -162,7 +162,7 @@ impl Session {
         if !size.iter().all(|length| WINDOW.contains(length)) {
             let [width, height] = size;
             let given = [("width", width.to_string()), ("height", height.to_string())];
-            return Err(RefusalRule::ViewerSize.of(given));
+            return Err(RefusalRule::ViewerSize.with(given));
         }
         self.lock().window = Some(size);
         Ok(())
@@ -246,7 +246,7 @@ impl Session {
     pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
         if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
             let given = [("name", format!("{name:?}")), ("most", RECORDINGS.to_string())];
-            return Err(RefusalRule::NoRecordingToPin.of(given));
+            return Err(RefusalRule::NoRecordingToPin.with(given));
         }
         Ok(self.change(|state| state.report.pinned = name))
     }

@@ -118,7 +118,7 @@ fn recording(session: &Session, path: &str) -> Option<Reply> {
 /// The recording under the name of its run, once it is complete.
 fn saved_recording(recording: SessionRecording) -> Reply {
     if recording.live.written().is_some() {
-        return Reply::Error(409, RefusalRule::RunGoesOn.of([("run", recording.id)]));
+        return Reply::Error(409, RefusalRule::RunGoesOn.with([("run", recording.id)]));
     }
     Reply::Recording(RecordingBytes::Live(recording.live), Some(format!("{}.rrd", recording.file_stem)))
 }

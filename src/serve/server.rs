@@ -187,7 +187,7 @@ async fn pass(mut body: Body, most: usize) {
 }
 
 fn too_large(most: usize) -> Reply {
-    Reply::Error(413, RefusalRule::RequestTooLarge.of([("most", most.to_string())]))
+    Reply::Error(413, RefusalRule::RequestTooLarge.with([("most", most.to_string())]))
 }
 
 fn response(reply: Reply) -> Response<Body> {

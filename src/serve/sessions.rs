@@ -53,7 +53,7 @@ impl Sessions {
         let mut open = self.lock();
         if open.len() >= MOST {
             let longest = (0..open.len()).filter(|&i| open[i].is_idle()).min_by_key(|&i| open[i].asked);
-            let all_live = || RefusalRule::ServerFull.of([("most", MOST.to_string())]);
+            let all_live = || RefusalRule::ServerFull.with([("most", MOST.to_string())]);
             open.remove(longest.ok_or_else(all_live)?).session.close();
         }
         let name = unguessable();

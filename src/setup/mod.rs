@@ -301,7 +301,7 @@ impl Setup {
         let Some(friction) = self.friction else { return Ok(()) };
         if friction.tangential == 0.0 {
             let tangential = format!("{:?}", friction.tangential);
-            return Err(ConflictRule::NoTangential.of([("tangential", tangential)]).into());
+            return Err(ConflictRule::NoTangential.with([("tangential", tangential)]).into());
         }
         friction.ratio(self.load)?;
         if self.law.is_hard_wall() { Ok(()) } else { Err(ConflictRule::FrictionOfYielding.into()) }

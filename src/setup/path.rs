@@ -80,11 +80,11 @@ impl LoadPath {
         }
         if most > MOST_POINTS {
             let given = [("points", most.to_string()), ("most", MOST_POINTS.to_string())];
-            return Err(ConflictRule::PathTooLong.of(given).into());
+            return Err(ConflictRule::PathTooLong.with(given).into());
         }
         if [times, loads, tangentials].iter().any(|length| *length != 0 && *length != most) {
             let given = [("times", times), ("loads", loads), ("tangentials", tangentials)];
-            return Err(ConflictRule::PathLengths.of(given.map(|(name, length)| (name, length.to_string()))).into());
+            return Err(ConflictRule::PathLengths.with(given.map(|(name, length)| (name, length.to_string()))).into());
         }
         for (name, list) in COLUMNS.into_iter().zip(lists) {
             let is_signed = name == "tangential" || name == "load" && may_pull;
@@ -93,17 +93,17 @@ impl LoadPath {
                 false => (0.0, ConflictRule::PathNegative),
             };
             if let Some(value) = list.iter().find(|value| !value.is_finite() || **value < least) {
-                return Err(rule.of([("quantity", name.into()), ("value", format!("{value:?}"))]).into());
+                return Err(rule.with([("quantity", name.into()), ("value", format!("{value:?}"))]).into());
             }
         }
         if let Some(pair) = self.time.windows(2).find(|pair| pair[1] < pair[0]) {
             let given = [("before", format!("{:?}", pair[0])), ("time", format!("{:?}", pair[1]))];
-            return Err(ConflictRule::PathBack.of(given).into());
+            return Err(ConflictRule::PathBack.with(given).into());
         }
         match (self.steps, self.time_tolerance) {
             (Some(0), _) => Err(ConflictRule::PathWithoutSteps.into()),
             (_, Some(it)) if !(it > 0.0 && it < 1.0) => {
-                Err(ConflictRule::PathTolerance.of([("tolerance", format!("{it:?}"))]).into())
+                Err(ConflictRule::PathTolerance.with([("tolerance", format!("{it:?}"))]).into())
             }
             _ => Ok(()),
         }
