@@ -17,10 +17,10 @@ async function answered(request) {
 }
 
 /** A refusal of the session as an error. */
-const refusal = (status, answer) => Object.assign(new Error(refusalInWords(refused(answer))), { status });
+const refusal = (status, answer) => Object.assign(new Error(refusalInWords(refusalFrom(answer))), { status });
 
 /** The refusal in an answer, which is JSON unless something else than the session has answered. */
-function refused(answer) {
+function refusalFrom(answer) {
   try {
     return JSON.parse(answer);
   } catch {

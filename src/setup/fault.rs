@@ -153,3 +153,27 @@ fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
 fn nearest<'a>(_: &str, _: &[&'a str]) -> Option<&'a str> {
     None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_become_data_and_plain_sentences() {
+        let fault = TextFault::from_serde("invalid type: string \"x\", expected f64", "stop.tolerance");
+        let (found, expected) = (FoundValue::Text("x".into()), ExpectedValue::Words("a number".into()));
+        assert_eq!(fault, TextFault::WrongType { found, expected });
+        assert_eq!(fault.to_string(), "invalid type: text \"x\", expected a number");
+        let fault = TextFault::from_serde("invalid length 1, expected an array of length 2", "");
+        assert_eq!(fault, TextFault::WrongLength { length: "1".into(), expected: ExpectedValue::Values(2) });
+        let fault = TextFault::from_serde("missing field `poisson`", "solid");
+        assert_eq!(fault, TextFault::MissingKey { key: "poisson".into(), flags: vec!["poisson"] });
+        assert_eq!(fault.to_string(), "missing key `poisson`: give it (--poisson)");
+        let fault = TextFault::from_serde("unknown field `tme`, expected `time` or `load`", "path");
+        assert!(
+            matches!(&fault, TextFault::UnknownKey { key, known, .. } if key == "tme" && known.len() == 2),
+            "{fault:?}"
+        );
+        assert!(fault.to_string().starts_with("unknown key `tme`, expected `time` or `load`: "), "{fault}");
+    }
+}
