@@ -7,6 +7,7 @@
 )]
 
 mod adhesion;
+mod conflict;
 mod creep;
 mod file;
 mod flow;
@@ -14,21 +15,28 @@ mod history;
 mod input;
 mod motion;
 mod preparation;
+mod remedy;
 mod roughness;
 mod setup;
 mod study;
+mod text;
 
 pub use adhesion::AdhesionError;
+pub(crate) use conflict::with_places;
+pub use conflict::{Conflict, ConflictRule};
 pub use creep::CreepError;
 pub use file::FileError;
 pub(crate) use file::reason;
 pub use flow::{FlowError, SealError};
 pub use history::{HistoryError, SlipError};
+pub use input::{InputError, is_input};
 pub use motion::MotionError;
 pub use preparation::PreparationError;
 pub use roughness::RoughnessError;
 pub use setup::SetupError;
 pub use study::StudyError;
+pub(crate) use text::flags_in_words;
+pub use text::{ExpectedValue, FoundValue, TextFault, TextPlace};
 
 use std::error::Error;
 use std::path::PathBuf;

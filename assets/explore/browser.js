@@ -119,7 +119,7 @@ function replace(engine, reason) {
   solver.then((current) => {
     if (current === engine) renew(engine, sentence);
     else { engine.end(sentence); hand = null; }
-    tell({ fault: sentence });
+    tell({ fault: sentence, known_fault: null });
   });
 }
 

@@ -8,7 +8,7 @@ const isStep = ({ path }) => path.includes("prepare");
 /** Whether a file has a knob, from its description by the server. */
 const FILE_HAS = {
   heights: () => true, channels: (it) => it.channels.length > 1, unitless: (it) => !it.is_in_metres, unspaced: (it) => !it.has_spacing,
-  uneven: (it) => it.knobs.prepare.resample || /not evenly spaced/.test(it.fault),
+  uneven: (it) => it.knobs.prepare.resample || it.known_fault?.key === "uneven",
 };
 
 /** The last description of the file by the server. */
@@ -102,7 +102,7 @@ function takeDescription(told) {
   mend("body");
   show();
   document.body.dataset.file = told.name;
-  if (told.fault) { fault(translated(told.fault)); markUnsolved(true); } else changed();
+  if (told.fault) { fault(inWordsOfPage(told)); markUnsolved(true); } else changed();
 }
 
 /** Shows the file and its knobs where it is the body, but for a field that is being typed into. */

@@ -121,9 +121,7 @@ function heard(news) {
 
 /** A fault in the words of the page, where it has some, or else in those of the server. */
 function inWordsOfPage({ fault: sentence, known_fault: known }) {
-  if (!known) return translated(sentence);
-  const { key, ...values } = known;
-  return say(`refused.${key}`, Object.fromEntries(Object.entries(values).map(([name, value]) => [name, inLocale(String(Number(value.toPrecision(3))))])));
+  return refusalInWords({ ...known, sentence });
 }
 
 /** How many runs the viewer keeps. */

@@ -50,6 +50,12 @@ function translated(sentence) {
   return /^-?\d+\.\d+(e-?\d+)?( \S{1,2})?$/.test(sentence) ? inLocale(sentence) : sentence;
 }
 
+/** A refusal of the session in the words of the page, where it has some, or else in those of the session. */
+function refusalInWords({ key, places, sentence }) {
+  if (!knows(`refused.${key}`)) return translated(sentence);
+  return say(`refused.${key}`, Object.fromEntries(Object.entries(places).map(([name, text]) => [name, placeInWords(name, text)])));
+}
+
 /** What a lesson says in the language of the page, else in English, else in any. */
 function inLanguage(words) {
   return typeof words === "string" ? words : words[language] ?? words.en ?? Object.values(words)[0];

@@ -9,7 +9,7 @@ const BREAK = 1000;
 const ENDED = 410;
 const REFUSED = 400;
 
-/** The JSON of an answer; a refusal is an error with the sentence of the server, and the status. */
+/** The JSON of an answer; a refusal is an error with the sentence of the page, and the status. */
 async function answered(request) {
   const answer = await request.catch(() => { throw new Error(say("fault.server")); });
   if (!answer.ok) throw refusal(answer.status, await answer.text());
@@ -17,7 +17,16 @@ async function answered(request) {
 }
 
 /** A refusal of the session as an error. */
-const refusal = (status, sentence) => Object.assign(new Error(translated(sentence)), { status });
+const refusal = (status, answer) => Object.assign(new Error(refusalInWords(refusalFrom(answer))), { status });
+
+/** The refusal in an answer, which is JSON unless something else than the session has answered. */
+function refusalFrom(answer) {
+  try {
+    return JSON.parse(answer);
+  } catch {
+    return { sentence: answer };
+  }
+}
 
 const sent = (body, type = "application/json") => ({ method: "POST", headers: { "Content-Type": type }, body });
 /** The path of the session of this tab, or of an earlier one. */

@@ -66,14 +66,14 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// Answers the request that was written, and returns a status as in HTTP: 200 for an answer, all others for a sentence that says why the
+/// Answers the request that was written, and returns a status as in HTTP: 200 for an answer, all others for JSON that says why the
 /// request is refused.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> u32 {
     let request = INCOMING.take();
     let (status, bytes) = match SESSION.get().map(|session| reply(session, &request)) {
         Some(Answer::Json(bytes) | Answer::Download(_, bytes)) => (200, bytes),
-        Some(Answer::Refused(status, sentence)) => (status.into(), sentence.into_bytes()),
+        Some(Answer::Refused(status, refusal)) => (status.into(), refusal.to_json()),
         None => (503, b"the session has not begun".into()),
     };
     OUTGOING.set(bytes);

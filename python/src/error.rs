@@ -1,7 +1,7 @@
 //! Errors of the library as exceptions of Python.
 
 use crate::words::{at_place, in_python, keyword_of_flag, unknown_keyword, without_flags};
-use asperity::error::{ClaimError, SetupError, StudyError};
+use asperity::error::{ClaimError, Conflict, ConflictRule, SetupError, StudyError};
 use pyo3::create_exception;
 use pyo3::exceptions::{
     PyFileNotFoundError, PyIndexError, PyKeyError, PyPermissionError, PyTypeError, PyUserWarning, PyValueError,
@@ -54,7 +54,7 @@ pub fn error_in_text(error: SetupError) -> PyErr {
 /// The exception for an error of a setup in `solve`, which takes the section `record` as `recording`.
 pub fn error_in_solve(error: SetupError) -> PyErr {
     match &error {
-        SetupError::Text { place, .. } if place.starts_with("record") => {
+        SetupError::Text { place, .. } if place.keys.starts_with("record") => {
             AsperityError::new_err(sentence_of_setup(&error).replacen("record", "recording", 1))
         }
         _ => py_error(error),
@@ -69,7 +69,7 @@ pub fn error_of_keywords(py: Python<'_>, function: &str, sections: &[&str], erro
         _ => None,
     };
     let unknown = match of_study.or(error.downcast_ref()) {
-        Some(SetupError::Text { place, reason }) => unknown_keyword(place, reason, sections),
+        Some(SetupError::Text { place, fault }) => unknown_keyword(place, fault, sections),
         _ => None,
     };
     match unknown {
@@ -188,15 +188,23 @@ fn sentence(error: &BoxedError) -> String {
 /// The sentence of an error of a setup in the words of Python.
 fn sentence_of_setup(error: &SetupError) -> String {
     match error {
-        SetupError::Text { place, reason } => at_place(place, reason),
-        SetupError::Refine => "refine is 0: give 1 or more".into(),
-        SetupError::JoinedWithoutSecond => {
+        SetupError::Text { place, fault } => at_place(place, fault),
+        SetupError::Conflict(conflict) => sentence_of_conflict(conflict),
+        other => in_python(&other.to_string()),
+    }
+}
+
+/// The sentence of a conflict in the words of Python.
+fn sentence_of_conflict(conflict: &Conflict) -> String {
+    match conflict.rule {
+        ConflictRule::NoRefinement => "refine is 0: give 1 or more".into(),
+        ConflictRule::JoinedWithoutSecond => {
             "joined needs two spectra: give surface={'second_spectrum': ...} as well, or leave it out".into()
         }
-        SetupError::SecondSpectrum => {
+        ConflictRule::SecondSpectrum => {
             "a second spectrum is given without a first one: give surface={'spectrum': ...} as well".into()
         }
-        other => in_python(&other.to_string()),
+        _ => in_python(&conflict.to_string()),
     }
 }
 
@@ -207,11 +215,14 @@ fn keyword(error: &BoxedError) -> &'static str {
         return LOADS;
     }
     match error.downcast_ref() {
-        Some(SetupError::NoLoad) => LOADS,
+        Some(SetupError::Conflict(conflict)) => match conflict.rule {
+            ConflictRule::NoLoad => LOADS,
+            ConflictRule::NoTangential => " (friction={'tangential': ...}, path={'tangential': ...} or rolling)",
+            ConflictRule::NoPoints => " (points)",
+            ConflictRule::NoSize => " (size)",
+            _ => "",
+        },
         Some(SetupError::NoModulus { .. }) => " (solid)",
-        Some(SetupError::NoTangential { .. }) => " (friction={'tangential': ...}, path={'tangential': ...} or rolling)",
-        Some(SetupError::NoPoints) => " (points)",
-        Some(SetupError::NoSize) => " (size)",
         Some(SetupError::Uneven { .. }) => " (prepare={'resample': 'linear'})",
         Some(SetupError::Voids { .. }) => " (prepare={'fill': 'harmonic'}, or prepare='auto')",
         _ => "",

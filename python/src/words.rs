@@ -1,5 +1,6 @@
 //! Sentences of the library in the words of Python: keywords in place of flags and of the keys of scenes, and values as Python writes them.
 
+use asperity::error::{ExpectedValue, FoundValue, TextFault, TextPlace};
 use asperity::setup::{FLAGS, Flag, FlagValue};
 
 /// Sections and tables whose keys are keywords of functions; keys of all other sections stand in dictionaries.
@@ -17,65 +18,61 @@ const PHRASES: [(&str, &str); 4] = [
 ];
 
 /// What the library calls the value of grids that are found.
-const AUTO: &str = "text \"auto\"";
+const AUTO: &str = "auto";
 
 /// A sentence without flags, with names in quotes and keys as Python has them.
 pub fn in_python(sentence: &str) -> String {
     let sentence = PHRASES.iter().fold(without_flags(sentence), |it, (phrase, python)| it.replace(phrase, python));
     let parts = sentence.split('`').enumerate().map(|(place, part)| match place % 2 {
         1 if part.contains(' ') => format!("`{part}`"),
-        1 => format!("'{}'", in_quotes(part)),
+        1 => quoted(part),
         _ => part.to_owned(),
     });
     parts.collect()
 }
 
-/// A sentence on what stands at the keys of `place`, such as `stop.max-iterations: `. A place in a text, which has other keys, stays as it is.
-pub fn at_place(place: &str, reason: &str) -> String {
-    let keys = place.trim_end_matches(": ");
-    if !FLAGS.iter().any(|flag| Some(flag.section()) == keys.split('.').next()) {
-        return without_flags(&format!("{place}{reason}"));
+/// A sentence on a fault of what stands at some keys. A fault in a file or a line of a text, which has other keys, keeps its words.
+pub fn at_place(place: &TextPlace, fault: &TextFault) -> String {
+    let keys = &place.keys;
+    let is_of_setup = FLAGS.iter().any(|flag| Some(flag.section()) == keys.split('.').next());
+    if place.path.is_some() || place.line.is_some() || !is_of_setup {
+        return without_flags(&format!("{place}{fault}"));
     }
     let name = keyword(keys);
-    let invalid = ["invalid type: ", "invalid value: "].iter().find_map(|it| reason.strip_prefix(it));
-    if let Some((found, expected)) = invalid.and_then(|it| it.split_once(", expected ")) {
-        let wanted = match (keys, found) {
-            ("grid.refine", AUTO) => "a whole number here, or refine='auto' to solve".into(),
-            ("grid.points", AUTO) => "whole numbers here, or grid={'points': 'auto', ...} to Setup".into(),
-            _ => wanted(keys, expected),
-        };
-        return format!("{name} is {}: give {}", value(found), in_python(&wanted));
+    match fault {
+        TextFault::WrongType { found, expected } | TextFault::WrongValue { found, expected } => {
+            let wanted = match (keys.as_str(), found) {
+                ("grid.refine", FoundValue::Text(text)) if text == AUTO => {
+                    "a whole number here, or refine='auto' to solve".into()
+                }
+                ("grid.points", FoundValue::Text(text)) if text == AUTO => {
+                    "whole numbers here, or grid={'points': 'auto', ...} to Setup".into()
+                }
+                _ => wanted(keys, expected),
+            };
+            format!("{name} is {}: give {}", value(found), in_python(&wanted))
+        }
+        TextFault::NoName { .. } => format!("{name} is not the name of a choice: give a str"),
+        TextFault::WrongLength { length, expected } => {
+            format!("{name} has the length {length}: give {}", in_python(&wanted(keys, expected)))
+        }
+        TextFault::UnknownValue { value, .. } => {
+            format!("{name} is {}, {}", in_python(&format!("`{value}`")), fault.alternatives(quoted))
+        }
+        TextFault::UnknownKey { key, .. } => {
+            format!("{name}: unknown key '{}', {}", key.replace('-', "_"), fault.alternatives(quoted))
+        }
+        TextFault::MissingKey { key, .. } => format!("{name}: {} is missing: give it", in_python(&format!("`{key}`"))),
+        TextFault::Other { reason } => format!("{name}: {}", in_python(reason)),
     }
-    if reason.contains("unit variant") {
-        return format!("{name} is not the name of a choice: give a str");
-    }
-    if let Some((length, expected)) = reason.strip_prefix("invalid length ").and_then(|it| it.split_once(", expected "))
-    {
-        return format!("{name} has the length {length}: give {}", in_python(&wanted(keys, expected)));
-    }
-    if let Some(given) = reason.strip_prefix("unknown value ") {
-        return format!("{name} is {}", in_python(given));
-    }
-    if let Some((unknown, known)) = unknown_key(reason) {
-        return format!("{name}: unknown key '{unknown}'{}", in_python(known));
-    }
-    if let Some((missing, remedy)) = reason.strip_prefix("missing key ").and_then(|it| it.split_once(": ")) {
-        return format!("{name}: {} is missing: {}", in_python(missing), in_python(remedy));
-    }
-    format!("{name}: {}", in_python(reason))
 }
 
-/// The keyword that a function does not take and those that it takes, of a sentence on a key of one of the sections whose keys are its keywords.
-pub fn unknown_keyword(place: &str, reason: &str, sections: &[&str]) -> Option<(String, Vec<String>)> {
-    let (unknown, known) = unknown_key(reason).filter(|_| sections.contains(&place.trim_end_matches(": ")))?;
-    let known = known.split_once(": ").map_or(known, |(known, _)| known);
-    Some((unknown, known.split('`').skip(1).step_by(2).map(in_quotes).collect()))
-}
-
-/// The unknown key of a sentence, with `_` for `-`, and the rest of the sentence.
-fn unknown_key(reason: &str) -> Option<(String, &str)> {
-    let (unknown, rest) = reason.strip_prefix("unknown key `")?.split_once('`')?;
-    Some((unknown.replace('-', "_"), rest))
+/// The keyword that a function does not take and those that it takes, of a fault of one of the sections whose keys are its keywords.
+pub fn unknown_keyword(place: &TextPlace, fault: &TextFault, sections: &[&str]) -> Option<(String, Vec<String>)> {
+    let TextFault::UnknownKey { key, known, .. } = fault else { return None };
+    let known = || known.iter().map(|name| in_quotes(name)).collect();
+    let is_of_function = *place == TextPlace::keys(&place.keys) && sections.contains(&place.keys.as_str());
+    is_of_function.then(|| (key.replace('-', "_"), known()))
 }
 
 /// The name under which Python takes what stands at some keys of a setup: a keyword, or a key of a dictionary.
@@ -129,39 +126,39 @@ fn in_quotes(word: &str) -> String {
     }
 }
 
+fn quoted(name: &str) -> String {
+    format!("'{}'", in_quotes(name))
+}
+
 /// A value as Python writes it.
-fn value(found: &str) -> String {
-    let bare = |it: &str| it.trim_end_matches('`').to_owned();
-    match found.split_once('`').or_else(|| found.split_once(' ')) {
-        Some(("number ", number)) => bare(number),
-        Some(("boolean ", "true`")) => "True".into(),
-        Some(("boolean ", "false`")) => "False".into(),
-        Some(("text", text)) => format!("'{}'", text.trim_matches('"')),
-        _ if found == "list" => "a list".into(),
-        _ if found == "map" => "a dictionary".into(),
-        _ => found.to_owned(),
+fn value(found: &FoundValue) -> String {
+    match found {
+        FoundValue::Number(number) => number.clone(),
+        FoundValue::Boolean(true) => "True".into(),
+        FoundValue::Boolean(false) => "False".into(),
+        FoundValue::Text(text) => format!("'{text}'"),
+        FoundValue::List => "a list".into(),
+        FoundValue::Map => "a dictionary".into(),
+        FoundValue::Other(words) => words.clone(),
     }
 }
 
 /// What is expected at some keys.
-fn wanted(keys: &str, expected: &str) -> String {
+fn wanted(keys: &str, expected: &ExpectedValue) -> String {
     let at = |flag: &&Flag| flag.path == keys;
-    let section =
-        expected.strip_prefix("a section for the").or(expected.strip_prefix("a map").filter(|_| !keys.contains('.')));
-    match (section, expected.split_once(' '), FLAGS.iter().find(at).map(|flag| flag.value)) {
-        (Some(_), ..) => dictionary(keys),
+    match (expected, FLAGS.iter().find(at).map(|flag| flag.value)) {
+        (ExpectedValue::Section(_), _) => dictionary(keys),
+        (ExpectedValue::Map, _) if !keys.contains('.') => dictionary(keys),
         (
-            None,
-            Some(("enum", _)),
+            ExpectedValue::Choice(_),
             Some(FlagValue::Choice(names) | FlagValue::Choices(names) | FlagValue::Variant(names)),
         ) => {
             let names: Vec<String> = names().iter().map(|(name, _)| format!("'{name}'")).collect();
             names.join(" or ")
         }
-        (None, Some(("an", rest)), _) if rest.starts_with("array of length ") => {
-            format!("{} values", rest.trim_start_matches("array of length "))
-        }
-        _ => expected.replace("a boolean", "True or False"),
+        (ExpectedValue::Values(count), _) => format!("{count} values"),
+        (ExpectedValue::Boolean, _) => "True or False".into(),
+        _ => expected.to_string(),
     }
 }
 

@@ -2,10 +2,9 @@
 
 use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
-use asperity::error::{
-    ClaimError, Failure, FileError, FlowError, GridError, ProblemError, SealError, SettingError, SetupError, SlipError,
-    SolidError, SolveError, StepsError, StudyError, SurfaceError,
-};
+use asperity::error::{ClaimError, Failure, FileError, SetupError, is_input};
+use asperity::setup::FLAGS;
+use asperity::warning::Remedy;
 use std::io::{Write, stderr};
 
 /// How a command ended.
@@ -63,21 +62,24 @@ pub fn usage<T>(sentence: impl Into<String>) -> Result<T> {
 }
 
 /// The flags that give a missing value, to be added to the sentence of an error.
-pub fn remedy(error: &anyhow::Error) -> &'static str {
+pub fn remedy(error: &anyhow::Error) -> String {
     if let Some(ClaimError::NoLoad) = error.downcast_ref() {
-        return " (--mean-pressure, --reduced-pressure, --mean-gap)";
+        return " (--mean-pressure, --reduced-pressure, or --mean-gap)".into();
     }
-    match error.downcast_ref() {
-        Some(SetupError::NoSurface) => " (--height, --indenter, --hurst)",
-        Some(SetupError::NoLoad) => " (--pressure, --reduced-pressure, --mean-gap)",
-        Some(SetupError::NoModulus { .. }) => " (--modulus, or --young and --poisson)",
-        Some(SetupError::NoTangential { .. }) => " (--tangential, --path-tangential, --rolling, --creepage)",
-        Some(SetupError::NoPoints) => " (--points)",
-        Some(SetupError::NoSize) => " (--size)",
-        Some(SetupError::Uneven { .. }) => " (--resample linear)",
-        Some(SetupError::Voids { .. }) => " (--fill harmonic, --crop, or --prepare auto)",
-        _ => "",
+    let remedies = error.downcast_ref().map(SetupError::remedies).unwrap_or_default();
+    let together = |remedies: &Vec<Remedy>| remedies.iter().filter_map(flag).collect::<Vec<_>>().join(" and ");
+    let alternatives: Vec<String> = remedies.iter().map(together).collect();
+    match alternatives.split_last() {
+        None => String::new(),
+        Some((one, [])) => format!(" ({one})"),
+        Some((last, others)) => format!(" ({}, or {last})", others.join(", ")),
     }
+}
+
+/// The flag of a remedy, such as `--resample linear` or `--size`.
+fn flag(Remedy { key, value }: &Remedy) -> Option<String> {
+    let flag = FLAGS.iter().find(|flag| flag.path == *key)?;
+    Some(value.as_ref().map_or(format!("--{}", flag.name), |value| format!("--{} {value}", flag.name)))
 }
 
 /// 2 for wrong input, 130 for Ctrl-C, 1 for other failures.
@@ -85,20 +87,5 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
     if error.is::<Interrupted>() {
         return ExitStatus::Interrupted.exit_code();
     }
-    let is_input = error.is::<Usage>()
-        || error.is::<GridError>()
-        || error.is::<SurfaceError>()
-        || error.is::<ProblemError>()
-        || error.is::<SettingError>()
-        || error.is::<SolidError>()
-        || error.is::<ClaimError>()
-        || error.downcast_ref().is_some_and(SetupError::is_input)
-        || error.downcast_ref().is_some_and(SlipError::is_input)
-        || error.downcast_ref().is_some_and(SolveError::is_input)
-        || error.downcast_ref().is_some_and(FileError::is_input)
-        || error.downcast_ref().is_some_and(FlowError::is_input)
-        || error.downcast_ref().is_some_and(SealError::is_input)
-        || error.downcast_ref().is_some_and(StepsError::is_input)
-        || error.downcast_ref().is_some_and(StudyError::is_input);
-    if is_input { 2 } else { 1 }
+    if error.is::<Usage>() || is_input(error.as_ref()) { 2 } else { 1 }
 }

@@ -130,7 +130,7 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     if table.take_auto()?.is_some() {
         return usage("the page cannot use refine = auto or points = auto: give numbers");
     }
-    let refused = |Refusal(sentence): Refusal| Usage(sentence);
+    let refused = |refusal: Refusal| Usage(refusal.sentence);
     let setup = table.setup()?.with_full_path();
     setup.problem()?;
     let scene = SceneFile::new(setup).map_err(refused)?;

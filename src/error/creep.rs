@@ -30,13 +30,3 @@ pub enum CreepError {
     #[error("{name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },
 }
-
-impl CreepError {
-    /// Whether another load, path or solver can help.
-    pub fn is_input(&self) -> bool {
-        match self {
-            Self::Solve(error) => error.is_input(),
-            _ => true,
-        }
-    }
-}

@@ -39,9 +39,6 @@ pub enum FlowError {
     /// Two descriptions of the same bodies.
     #[error("both resistivities and conductivities are given: give one of them")]
     Twice,
-    /// A history.
-    #[error("leakage and conductance are those of one contact, but a history has many states: leave them out")]
-    History,
     /// A solid whose elastic response is not that of conduction.
     #[error(
         "the conductance follows from the stiffness on half-spaces only, since current flows through a {solid} by another law than force: \

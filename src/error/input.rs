@@ -1,130 +1,312 @@
 //! Whether an error is caused by the input, or by the machine or the method.
 
 use super::{
-    AdhesionError, FileError, FlowError, HistoryError, MotionError, SealError, SetupError, SlipError, SolveError,
-    StepsError, StudyError,
+    AdhesionError, ClaimError, Conflict, CreepError, FileError, FlowError, GridError, HistoryError, MotionError,
+    PreparationError, ProblemError, RoughnessError, SealError, SettingError, SetupError, SlipError, SolidError,
+    SolveError, StepsError, StudyError, SurfaceError,
 };
+use std::error::Error;
+use std::iter::successors;
 
-impl FileError {
-    /// Whether another file or place can help.
-    pub fn is_input(&self) -> bool {
-        !matches!(self, Self::Write { .. })
+/// An error of the library, which knows whether other input can help.
+pub trait InputError: Error + 'static {
+    /// Whether other input can help; it cannot where the machine or the method failed.
+    fn is_input(&self) -> bool {
+        true
     }
 }
 
-impl SolveError {
-    /// Whether another solver or load can help.
-    pub fn is_input(&self) -> bool {
+/// Tells whether other input can help against an error, if it is of one type.
+type Judge = fn(&(dyn Error + 'static)) -> Option<bool>;
+
+/// All errors of the library.
+const ERRORS: [Judge; 21] = [
+    judged::<AdhesionError>,
+    judged::<ClaimError>,
+    judged::<Conflict>,
+    judged::<CreepError>,
+    judged::<FileError>,
+    judged::<FlowError>,
+    judged::<GridError>,
+    judged::<HistoryError>,
+    judged::<MotionError>,
+    judged::<PreparationError>,
+    judged::<ProblemError>,
+    judged::<RoughnessError>,
+    judged::<SealError>,
+    judged::<SettingError>,
+    judged::<SetupError>,
+    judged::<SlipError>,
+    judged::<SolidError>,
+    judged::<SolveError>,
+    judged::<StepsError>,
+    judged::<StudyError>,
+    judged::<SurfaceError>,
+];
+
+fn judged<E: InputError>(error: &(dyn Error + 'static)) -> Option<bool> {
+    error.downcast_ref::<E>().map(E::is_input)
+}
+
+/// Whether an error is caused by wrong input: the first error of the library among it and its sources says so.
+///
+/// ```
+/// use asperity::error::{ConflictRule, SetupError, is_input};
+/// assert!(is_input(&SetupError::from(ConflictRule::NoSurface)));
+/// assert!(!is_input(&std::io::Error::other("the disk is full")));
+/// ```
+pub fn is_input(error: &(dyn Error + 'static)) -> bool {
+    let mut chain = successors(Some(error), |&error| error.source());
+    chain.find_map(|error| ERRORS.iter().find_map(|judge| judge(error))).unwrap_or(false)
+}
+
+impl InputError for ClaimError {}
+impl InputError for Conflict {}
+impl InputError for GridError {}
+impl InputError for PreparationError {}
+impl InputError for ProblemError {}
+impl InputError for SettingError {}
+impl InputError for SolidError {}
+impl InputError for SurfaceError {}
+
+impl InputError for FileError {
+    fn is_input(&self) -> bool {
         match self {
+            Self::Write { .. } => false,
+            Self::Read { .. }
+            | Self::Format { .. }
+            | Self::Incomparable { .. }
+            | Self::Target { .. }
+            | Self::NoViewer { .. } => true,
+        }
+    }
+}
+
+impl InputError for RoughnessError {
+    fn is_input(&self) -> bool {
+        match self {
+            Self::Surface(error) => error.is_input(),
+            Self::File(error) => error.is_input(),
+        }
+    }
+}
+
+impl InputError for SolveError {
+    fn is_input(&self) -> bool {
+        match self {
+            Self::NotConverged { .. } => false,
+            Self::Observer(failure) => is_input(&***failure),
             Self::NeedsPressure { .. }
             | Self::NeedsWaves { .. }
             | Self::NeedsHardWall { .. }
             | Self::NeedsRest { .. } => true,
-            Self::NotConverged { .. } => false,
-            Self::Observer(failure) => {
-                failure.downcast_ref().is_some_and(FileError::is_input)
-                    || failure.downcast_ref().is_some_and(StepsError::is_input)
+        }
+    }
+}
+
+impl InputError for SlipError {
+    fn is_input(&self) -> bool {
+        match self {
+            Self::Grid(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
+            Self::Problem(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            Self::NotPositive { .. }
+            | Self::Coefficient { .. }
+            | Self::Sliding { .. }
+            | Self::Yielding
+            | Self::NeedsPressure { .. }
+            | Self::Beta { .. } => true,
+        }
+    }
+}
+
+impl InputError for CreepError {
+    fn is_input(&self) -> bool {
+        match self {
+            Self::Problem(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
+            Self::Step { .. } | Self::NoPoints | Self::Order { .. } | Self::Kinds { .. } | Self::NotPositive { .. } => {
+                true
             }
         }
     }
 }
 
-impl SlipError {
-    /// Whether another load or solver can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for HistoryError {
+    fn is_input(&self) -> bool {
         match self {
-            Self::Solve(error) => error.is_input(),
-            _ => true,
-        }
-    }
-}
-
-impl HistoryError {
-    /// Whether another setup can help.
-    pub fn is_input(&self) -> bool {
-        match self {
+            Self::Problem(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             Self::Slip(error) => error.is_input(),
             Self::Creep(error) => error.is_input(),
             Self::Motion(error) => error.is_input(),
             Self::Adhesion(error) => error.is_input(),
+            Self::Unload { .. } | Self::Pathless => true,
             Self::Stopped => false,
-            _ => true,
         }
     }
 }
 
-impl AdhesionError {
-    /// Whether another attraction, load or grid can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for AdhesionError {
+    fn is_input(&self) -> bool {
         match self {
+            Self::Problem(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
             Self::NotFound { .. } | Self::Stopped => false,
-            _ => true,
+            Self::NotPositive { .. }
+            | Self::NotFinite { .. }
+            | Self::Table { .. }
+            | Self::NotElastic { .. }
+            | Self::Coarse { .. }
+            | Self::MeanGap { .. }
+            | Self::Control { .. }
+            | Self::FreeMotion => true,
         }
     }
 }
 
-impl MotionError {
-    /// Whether another motion can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for MotionError {
+    fn is_input(&self) -> bool {
         match self {
+            Self::Problem(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
-            _ => true,
+            Self::NotPositive { .. }
+            | Self::NotFinite { .. }
+            | Self::Beta { .. }
+            | Self::Slides { .. }
+            | Self::NeedsHalfSpace { .. }
+            | Self::NeedsHardWall
+            | Self::NeedsRest
+            | Self::NeedsSliding
+            | Self::LongStep { .. } => true,
         }
     }
 }
 
-impl FlowError {
-    /// Whether other values can help.
-    pub fn is_input(&self) -> bool {
-        !matches!(self, Self::NotConverged { .. })
-    }
-}
-
-impl SealError {
-    /// Whether another surface or another solver can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for FlowError {
+    fn is_input(&self) -> bool {
         match self {
-            Self::Solve(error) => error.is_input(),
-            _ => true,
+            Self::NotConverged { .. } => false,
+            Self::Shape { .. }
+            | Self::Gap { .. }
+            | Self::TooLarge { .. }
+            | Self::Tolerance { .. }
+            | Self::Resistivity { .. }
+            | Self::Conductivity { .. }
+            | Self::Bodies { .. }
+            | Self::Twice
+            | Self::NeedsHalfSpace { .. }
+            | Self::NeedsRest => true,
         }
     }
 }
 
-impl StepsError {
-    /// Whether other steps can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for SealError {
+    fn is_input(&self) -> bool {
+        match self {
+            Self::Problem(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            Self::Width { .. } | Self::Line | Self::Always { .. } | Self::Never { .. } => true,
+        }
+    }
+}
+
+impl InputError for StepsError {
+    fn is_input(&self) -> bool {
         match self {
             Self::File(error) => error.is_input(),
-            _ => true,
+            Self::Step { source, .. } => source.is_input(),
+            Self::Nothing | Self::Seconds { .. } | Self::SecondsOfFile { .. } => true,
         }
     }
 }
 
-impl SetupError {
-    /// Whether another setup can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for SetupError {
+    fn is_input(&self) -> bool {
         match self {
-            Self::File(error) => error.is_input(),
+            Self::Grid(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
+            Self::Preparation(error) => error.is_input(),
+            Self::Solid(error) => error.is_input(),
+            Self::Problem(error) => error.is_input(),
             Self::Slip(error) => error.is_input(),
-            Self::Flow(error) => error.is_input(),
             Self::History(error) => error.is_input(),
             Self::Creep(error) => error.is_input(),
+            Self::Conflict(error) => error.is_input(),
+            Self::Attraction(error) => error.is_input(),
+            Self::Flow(error) => error.is_input(),
+            Self::Setting(error) => error.is_input(),
             Self::Solve(error) => error.is_input(),
-            _ => true,
+            Self::File(error) => error.is_input(),
+            Self::Table { .. }
+            | Self::MixedUnits { .. }
+            | Self::NoModulus { .. }
+            | Self::ElectricalAndThermal { .. }
+            | Self::Against { .. }
+            | Self::Boundaries { .. }
+            | Self::Datum { .. }
+            | Self::UnitOfFile { .. }
+            | Self::Uneven { .. }
+            | Self::Voids { .. }
+            | Self::Seed { .. }
+            | Self::Sizes { .. }
+            | Self::Axes { .. }
+            | Self::NoSuchPart { .. }
+            | Self::NoSuchNode { .. }
+            | Self::Text { .. }
+            | Self::Memory { .. } => true,
         }
     }
 }
 
-impl StudyError {
-    /// Whether another study can help.
-    pub fn is_input(&self) -> bool {
+impl InputError for StudyError {
+    fn is_input(&self) -> bool {
         match self {
             Self::Setup(error) | Self::Row { source: error, .. } => error.is_input(),
             Self::Solve(error) => error.is_input(),
             Self::File(error) => error.is_input(),
-            _ => true,
+            Self::List { .. }
+            | Self::TooManyRows { .. }
+            | Self::Friction
+            | Self::OneContact
+            | Self::NoHistory
+           Loads
+            | Self::NoRow { .. }
+            | Self::Memory { .. }
+            | Self::OtherPoints { .. }
+            | Self::Missing { .. }
+            | Self::Overlap { .. }
+            | Self::OtherStudy { .. }
+            | Self::OtherShare { .. } => true,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::PathBuf;
+
+    /// An error that is not among those that are judged would end a command like a failure of the machine.
+    #[test]
+    fn all_errors_of_the_library_are_judged() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/error");
+        let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let files: Vec<PathBuf> = files.chain([format!("{folder}.rs").into()]).collect();
+        let judged = include_str!("input.rs");
+        let mut count = 0;
+        for text in files.iter().map(|path| fs::read_to_string(path).unwrap()) {
+            let names = text.split("\npub enum ").skip(1).filter_map(|rest| rest.split([' ', '<']).next());
+            for name in names.filter(|name| name.ends_with("Error")) {
+                assert!(judged.contains(&format!("    judged::<{name}>,\n")), "{name} is not judged");
+                count += 1;
+            }
+        }
+        assert!(count > 15, "only {count} errors were found");
     }
 }

@@ -1,8 +1,8 @@
 //! Setups that cannot be.
 
 use super::{
-    AdhesionError, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError, ProblemError,
-    SettingError, SlipError, SolidError, SolveError, SurfaceError,
+    AdhesionError, Conflict, ConflictRule, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError,
+    ProblemError, SettingError, SlipError, SolidError, SolveError, SurfaceError, TextFault, TextPlace,
 };
 use crate::quantity::{bytes_in_words, grouped};
 use std::path::PathBuf;
@@ -26,23 +26,12 @@ pub enum SetupError {
     History(#[from] HistoryError),
     #[error(transparent)]
     Creep(#[from] CreepError),
-    /// Friction without a tangential load.
-    #[error(
-        "the tangential load is {tangential:?}, but friction needs a positive one: give it, or a path of tangential loads, or rolling"
-    )]
-    NoTangential { tangential: f64 },
-    /// The path of a history that cannot be.
-    #[error("{reason}")]
-    Path { reason: String },
-    /// The terms of a solid that creeps.
-    #[error("{reason}")]
-    Prony { reason: String },
-    /// A motion that cannot be.
-    #[error("{reason}")]
-    Motion { reason: String },
-    /// A section about adhesion that cannot be.
-    #[error("{reason}")]
-    Adhesion { reason: String },
+    /// What does not go together, or is missing.
+    #[error(transparent)]
+    Conflict(#[from] Conflict),
+    /// A table that was read from a file and cannot be a path or an attraction.
+    #[error("{}: {reason}", path.display())]
+    Table { path: PathBuf, reason: String },
     #[error(transparent)]
     Attraction(#[from] AdhesionError),
     #[error(transparent)]
@@ -53,11 +42,6 @@ pub enum SetupError {
     Solve(#[from] SolveError),
     #[error(transparent)]
     File(#[from] FileError),
-    /// There is no surface.
-    #[error(
-        "no surface is given: give a height file, an indenter or a spectrum (a Hurst exponent with its wavelengths)"
-    )]
-    NoSurface,
     /// A unit for one quantity and none for another of its kind.
     #[error("{without} has no unit, but {with} has one: give a unit for every {kind}, or for none")]
     MixedUnits {
@@ -68,34 +52,14 @@ pub enum SetupError {
         /// The quantity with a unit, and its value.
         with: String,
     },
-    /// There is no load.
-    #[error("no load is given: give a mean pressure, a reduced pressure or a mean gap")]
-    NoLoad,
     /// A mean pressure without a modulus.
     #[error(
         "the {load} {value:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
     )]
     NoModulus { load: &'static str, value: f64 },
-    /// A seed without roughness.
-    #[error(
-        "a seed is given without roughness: give a Hurst exponent with its wavelengths as well, or leave the seed out"
-    )]
-    SeedWithoutSpectrum,
     /// Bodies of which one conducts electricity and the other one heat.
     #[error("{electrical} is electrical and {thermal} is thermal: give both bodies of one kind")]
     ElectricalAndThermal { electrical: String, thermal: String },
-    /// A second random roughness without a first one.
-    #[error("a second spectrum is given without a first one: give `surface.spectrum` as well")]
-    SecondSpectrum,
-    /// A way to join two random roughnesses of which there is at most one.
-    #[error("`surface.joined` needs two spectra: give `surface.second-spectrum` as well, or leave it out")]
-    JoinedWithoutSecond,
-    /// A tangential load on a contact that yields.
-    #[error(
-        "a tangential load and a hardness are given, but partial slip is solved for elastic contacts only: leave one \
-         of them out"
-    )]
-    FrictionOfYielding,
     /// A second file of heights that does not fit the first.
     #[error(
         "the heights in {} have the shape {found:?} and those of the other body {expected:?}: give arrays of the \
@@ -110,14 +74,6 @@ pub enum SetupError {
         "the datum distance {datum:?} is too short: give at least the length of the cell along a free axis, {length:?}"
     )]
     Datum { datum: f64, length: f64 },
-    #[error("a datum is given, but no axis is free: make the boundary free along one axis, or leave the datum out")]
-    DatumOfPeriodic,
-    /// A preparation without a height file.
-    #[error("options for reading or preparing heights are given without a height file: give one, or leave them out")]
-    PreparationWithoutHeights,
-    /// Lengths that are neither in the file nor in the cell.
-    #[error("no size is given, and the file has none: give it")]
-    NoSize,
     /// A unit for a file that has its own.
     #[error("the file has units, so leave the file unit {unit:?} out")]
     UnitOfFile { unit: f64 },
@@ -130,24 +86,6 @@ pub enum SetupError {
     /// A seed that a scene in TOML cannot hold.
     #[error("the seed {seed} is too large: give at most {}", i64::MAX)]
     Seed { seed: u64 },
-    /// There is no number of points.
-    #[error("the points are missing: give one number for a line, two for a surface")]
-    NoPoints,
-    /// Points together with a height file, which has its own.
-    #[error("points are given, but the height file has its own: leave the points out")]
-    PointsOfFile,
-    /// A refinement factor of 0.
-    #[error("the refinement is 0: give 1 or more, or auto")]
-    Refine,
-    /// Automatic points along some axes only.
-    #[error("points are auto along some axes only: give auto for all axes, or a number for each")]
-    SomePoints,
-    /// Automatic points without roughness.
-    #[error("points = auto works for a random rough surface only: give a spectrum, or give points and refine = auto")]
-    PointsOfNothing,
-    /// An area tolerance without an automatic grid.
-    #[error("an area tolerance needs refine = auto or points = auto: give one of them, or leave the tolerance out")]
-    ToleranceOfGrid,
     /// Lengths of the cell that do not fit the axes.
     #[error("the size of the cell has {sizes} lengths for {axes} axes: give one for all axes, or one for each")]
     Sizes { sizes: usize, axes: usize },
@@ -164,12 +102,9 @@ pub enum SetupError {
         shape[0], shape[1]
     )]
     NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
-    /// Every 0th step was to be recorded.
-    #[error("the recording interval is 0 steps: give a positive number of steps")]
-    EveryNone,
     /// A text that is not a setup.
-    #[error("{place}{reason}")]
-    Text { place: String, reason: String },
+    #[error("{place}{fault}")]
+    Text { place: TextPlace, fault: Box<TextFault> },
     /// A solve that needs more memory than is free, or than the system allows.
     #[error("{}", memory_in_words(*shape, *states, what, *needed, *free))]
     Memory {
@@ -184,6 +119,19 @@ pub enum SetupError {
         /// Bytes that are free, if the system reports them and they are too few.
         free: Option<f64>,
     },
+}
+
+impl SetupError {
+    /// A text that is not a setup: what is wrong with the value at some keys, which may be empty.
+    pub(crate) fn text(keys: &str, reason: impl Into<String>) -> Self {
+        Self::Text { place: TextPlace::keys(keys), fault: TextFault::Other { reason: reason.into() }.into() }
+    }
+}
+
+impl From<ConflictRule> for SetupError {
+    fn from(rule: ConflictRule) -> Self {
+        Self::Conflict(rule.into())
+    }
 }
 
 /// The sentence about memory that is missing.

@@ -3,7 +3,7 @@
 use super::facet::{FACETS, MOTION};
 use super::height_name::plain_name;
 use super::knobs::Knobs;
-use super::refusal::{Refusal, plain};
+use super::refusal::Refusal;
 use super::session::{RunKind, Session};
 use crate::contact::Quantity;
 use crate::surface::HeightFile;
@@ -30,8 +30,8 @@ pub enum Answer {
     Json(Vec<u8>),
     /// A file to save under a name.
     Download(String, Vec<u8>),
-    /// A status as in HTTP, and a sentence that says why the request is refused.
-    Refused(u16, String),
+    /// A status as in HTTP, and why the request is refused.
+    Refused(u16, Refusal),
 }
 
 impl Answer {
@@ -39,26 +39,26 @@ impl Answer {
     pub fn json(value: &impl Serialize) -> Self {
         match serde_json::to_vec(value) {
             Ok(json) => Self::Json(json),
-            Err(error) => Self::Refused(500, error.to_string()),
+            Err(error) => Self::Refused(500, error.to_string().into()),
         }
     }
 
     /// There is nothing at a path.
     pub fn missing(path: &str) -> Self {
         let path: String = path.chars().take(80).collect();
-        Self::Refused(404, format!("there is nothing at {path}"))
+        Self::Refused(404, format!("there is nothing at {path}").into())
     }
 
     /// A path takes another method.
     pub fn wrong_method(right: &str) -> Self {
-        Self::Refused(405, format!("only {right} is accepted here"))
+        Self::Refused(405, format!("only {right} is accepted here").into())
     }
 
     /// The requested data, or why they are refused.
     fn done(done: Result<impl Serialize, Refusal>) -> Self {
         match done {
             Ok(value) => Self::json(&value),
-            Err(Refusal(sentence)) => Self::Refused(400, sentence),
+            Err(refusal) => Self::Refused(400, refusal),
         }
     }
 }
@@ -126,7 +126,7 @@ impl Session {
         }
         Some(match recording.solved() {
             Some(solved) => Answer::json(&(facet.of)(&solved)),
-            None => Answer::Refused(409, format!("{id} has no {name}: request it after the solve has ended")),
+            None => Answer::Refused(409, format!("{id} has no {name}: request it after the solve has ended").into()),
         })
     }
 
@@ -136,7 +136,7 @@ impl Session {
         let recording = self.recording(id)?;
         Some(match recording.solved().and_then(|solved| solved.archive()) {
             Some(archive) => Answer::Download(format!("{}.npz", recording.file_stem), archive),
-            None => Answer::Refused(409, format!("{id} has no arrays: save them after the solve has ended")),
+            None => Answer::Refused(409, format!("{id} has no arrays: save them after the solve has ended").into()),
         })
     }
 }
@@ -146,7 +146,7 @@ impl Session {
 /// # Errors
 /// A sentence on the fault of the text.
 pub fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
-    serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
+    Ok(serde_json::from_slice(json)?)
 }
 
 /// The file of heights in a request.

@@ -1,7 +1,7 @@
 //! The description of a file of heights for the page.
 
 use super::height_knobs::HeightKnobs;
-use super::refusal::Refusal;
+use super::refusal::{KnownFault, Refusal, RefusalRule};
 use crate::quantity::{length_in_words as length, number_in_words as figure};
 use crate::setup::fnv1a;
 use crate::surface::{HeightFile, Measurement, Preparation, Scan, Survey};
@@ -34,6 +34,8 @@ pub struct Description {
     pub reasons: Vec<String>,
     /// Why it cannot be solved, in one sentence.
     pub fault: Option<String>,
+    /// The same as data, if the page has a text for it.
+    pub known_fault: Option<KnownFault>,
 }
 
 impl Description {
@@ -48,20 +50,34 @@ impl Description {
         let chosen = if knobs.auto { knobs.chosen(file) } else { Ok((knobs.clone(), Vec::new())) };
         let taken = chosen.and_then(|(knobs, reasons)| Ok((scan(&knobs, file)?, knobs, reasons)));
         let mut rows = of_file(&measured, &knobs);
-        let (knobs, reasons, fault) = match taken {
+        let (knobs, reasons, refusal) = match taken {
             Ok((scan, knobs, reasons)) => {
                 rows.extend(of_heights(&scan)?);
-                let fault = knobs.surface(file).err().map(|Refusal(sentence)| sentence);
-                (knobs, reasons, fault)
+                let refusal = knobs.surface(file).err();
+                (knobs, reasons, refusal)
             }
-            Err(Refusal(sentence)) => (knobs, Vec::new(), Some(sentence)),
+            Err(refusal) => (knobs, Vec::new(), Some(refusal)),
         };
+        let (fault, known_fault) = refusal.map_or((None, None), |it| (Some(it.sentence), it.known));
         let short = |text: &String| text.chars().take(HEADER[1]).collect::<String>();
         let header = measured.header.iter().take(HEADER[0]).map(|(name, value)| (short(name), short(value))).collect();
         let has_spacing = measured.spacing.is_some();
         let Measurement { is_profile, channels, channel, is_in_metres, .. } = measured;
         let name = file.display().to_string();
-        Ok(Self { name, is_profile, channels, channel, is_in_metres, has_spacing, knobs, rows, header, reasons, fault })
+        Ok(Self {
+            name,
+            is_profile,
+            channels,
+            channel,
+            is_in_metres,
+            has_spacing,
+            knobs,
+            rows,
+            header,
+            reasons,
+            fault,
+            known_fault,
+        })
     }
 }
 
@@ -74,8 +90,7 @@ impl Description {
         if knobs.file.is_none() || knobs.file == self.knobs.file {
             return Ok(());
         }
-        let name = &self.name;
-        Err(Refusal(format!("this file was replaced by another file, {name}: drop this file again")))
+        Err(RefusalRule::HeightsReplaced.with([("name", self.name.clone())]))
     }
 }
 

@@ -1,7 +1,7 @@
 //! A contact that the user drags: solved at once from the previous contact, and not recorded. With adhesion it depends on that contact.
 
 use super::knobs::Knobs;
-use super::refusal::Refusal;
+use super::refusal::{Refusal, RefusalRule};
 use super::report::Numbers;
 use super::section::{Section, Shear};
 use super::source::SurfaceSource;
@@ -68,7 +68,7 @@ impl Hold {
             return self.stick(&setup, source, memory);
         }
         if setup.process()? == Some(ProcessKind::Creep) {
-            return Err(Refusal("a contact that creeps cannot be dragged: set the time to 0".into()));
+            return Err(RefusalRule::DragOfCreep.into());
         }
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {
@@ -122,12 +122,13 @@ pub(super) fn fast_solver(setup: &Setup) -> &dyn Solver {
 
 /// The contact of a problem, from the pressure before if it is on the same grid.
 fn solve(problem: &Problem, setup: &Setup, before: &mut Option<Field>) -> Result<Contact, Refusal> {
-    let stop = Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS).map_err(|it| Refusal(it.to_string()))?;
+    let stop =
+        Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS).map_err(|it| Refusal::from(it.to_string()))?;
     let shape = problem.surface().grid().shape();
     let start = before.take().filter(|field| field.dim() == shape.into());
     let mut loading = Loading::new(problem.clone(), fast_solver(setup), stop).started_from(start);
     let solved = loading.move_to(PathPoint::under(problem.load()), &mut ());
-    let contact = solved.map_err(|fault| Refusal(fault.to_string()))?.contact;
+    let contact = solved.map_err(|fault| Refusal::from(fault.to_string()))?.contact;
     *before = Some(contact.pressure.clone());
     Ok(contact)
 }

@@ -1,6 +1,6 @@
 //! The knobs of a file of heights, and its surface.
 
-use super::refusal::Refusal;
+use super::refusal::{Refusal, RefusalRule};
 use super::schema::MOST_POINTS;
 use crate::grid::Grid;
 use crate::quantity::some_length;
@@ -51,7 +51,7 @@ impl HeightKnobs {
     pub(super) fn check(&self) -> Result<(), Refusal> {
         let lengths = [self.unit, self.width, self.prepare.low_pass];
         match lengths.into_iter().flatten().find(|length| !(*length > 0.0 && length.is_finite())) {
-            Some(_) => Err(Refusal("give a length above 0, such as 10 um".into())),
+            Some(_) => Err(RefusalRule::NotALength.into()),
             None => Ok(()),
         }
     }
@@ -65,10 +65,8 @@ impl HeightKnobs {
         let grid = recipe.grid(&cell)?;
         let (most, [ny, nx]) = (most(grid.is_line()), grid.shape());
         if grid.len() > most {
-            return Err(Refusal(format!(
-                "{ny} x {nx} points are too many here: crop the heights to at most {most} points, and note that \
-                 mirroring doubles them"
-            )));
+            let given = [("ny", ny.to_string()), ("nx", nx.to_string()), ("most", most.to_string())];
+            return Err(RefusalRule::HeightPoints.with(given));
         }
         Ok((recipe, cell))
     }

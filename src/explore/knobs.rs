@@ -4,7 +4,7 @@ mod history;
 mod surface;
 
 use super::height_knobs::HeightKnobs;
-use super::refusal::{Refusal, plain};
+use super::refusal::{Refusal, RefusalRule};
 use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Law, Load, Stop};
@@ -214,7 +214,7 @@ impl Knobs {
     /// # Errors
     /// A sentence on the fault of the text.
     pub fn read(json: &[u8]) -> Result<Self, Refusal> {
-        serde_json::from_slice(json).map_err(|error| Refusal(plain(&error)))
+        Ok(serde_json::from_slice(json)?)
     }
 
     /// The setup that the knobs describe without a file of heights. Everything that needs no surface is checked.
@@ -232,12 +232,12 @@ impl Knobs {
     pub(super) fn with(&self, parts: impl IntoIterator<Item = (String, Value)>) -> Result<Self, Refusal> {
         let mut state = self.parts()?;
         state.extend(parts);
-        serde_json::from_value(state.into()).map_err(|error| Refusal(plain(&error)))
+        Ok(serde_json::from_value(state.into())?)
     }
 
     /// The parts of the state, as they stand in JSON.
     fn parts(&self) -> Result<Map<String, Value>, Refusal> {
-        serde_json::to_value(self).and_then(serde_json::from_value).map_err(|error| Refusal(plain(&error)))
+        Ok(serde_json::to_value(self).and_then(serde_json::from_value)?)
     }
 
     /// The same state, recorded on another ground.
@@ -285,8 +285,7 @@ impl Knobs {
             process => process == Some(ProcessKind::Creep) || !setup.is_history()?,
         };
         if !is_shown {
-            let sentence = "the page shows one contact, or creep in time: give a scene with one speed, or without slip and rolling";
-            return Err(Refusal(sentence.into()));
+            return Err(RefusalRule::SceneNotShown.into());
         }
         Ok(setup)
     }
@@ -298,9 +297,7 @@ impl Knobs {
                 Some(SurfaceSource::Scene(scene)) if self.scene.as_ref() == Some(&scene.mark) => {
                     Ok(scene.setup.clone())
                 }
-                _ => Err(Refusal(
-                    "the scene of this state is not loaded: start asperity explore with its setup file".into(),
-                )),
+                _ => Err(RefusalRule::NoScene.into()),
             };
         }
         let (surface, cell) = self.surface(source)?;
@@ -328,18 +325,15 @@ impl Knobs {
     /// The errors of [`Knobs::setup`], for a line beside a surface, and for a surface that has another one beside it.
     pub fn beside_with(&self, source: Option<&SurfaceSource>) -> Result<Option<Setup>, Refusal> {
         let Some(beside) = &self.beside else { return Ok(None) };
-        let refuse = |sentence: &str| Err(Refusal(sentence.into()));
         if beside.beside.is_some() {
-            return refuse(
-                "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"",
-            );
+            return Err(RefusalRule::BesideTwice.into());
         }
         let shared = schema::shared_with_beside(self.parts()?);
         let other = beside.with(shared)?;
         let (first, second) = (self.setup_with(source)?, other.setup_with(source)?);
         let is_line = |setup: &Setup| Ok::<_, Refusal>(setup.surface.grid(&setup.grid)?.is_line());
         if is_line(&first)? != is_line(&second)? {
-            return refuse("a line cannot be pressed beside a surface: choose two lines or two surfaces");
+            return Err(RefusalRule::LineBesideSurface.into());
         }
         Ok(Some(second))
     }
@@ -362,19 +356,19 @@ impl Knobs {
         let Self { points, rolloff, cutoff, .. } = *self;
         let most = MOST_POINTS[1].isqrt();
         let is_rough = self.roughness > 0.0;
-        Err(Refusal(if self.domain == Domain::Surface && points > most {
-            format!("`points` cannot be {points} for a surface: give at most {most} along each side")
+        Err(if self.domain == Domain::Surface && points > most {
+            RefusalRule::SurfacePoints.with([("value", points.to_string()), ("most", most.to_string())])
         } else if self.bumps.len() > MOST_BUMPS {
-            format!("{} bumps are too many: give at most {MOST_BUMPS}", self.bumps.len())
+            RefusalRule::Bumps.with([("bumps", self.bumps.len().to_string()), ("most", MOST_BUMPS.to_string())])
         } else if self.body == SmoothBody::Flat && !is_rough {
-            "a flat without roughness touches everywhere: raise the roughness or choose another body".into()
+            RefusalRule::SmoothFlat.into()
         } else if is_rough && cutoff <= rolloff && self.rolloff_form != RolloffForm::None {
-            format!("`cutoff` cannot be {cutoff}: give more than `rolloff`, which is {rolloff}")
+            RefusalRule::CutoffOfRolloff.with([("value", cutoff.to_string()), ("rolloff", rolloff.to_string())])
         } else if is_rough && 2.0 * cutoff > points as f64 {
-            format!("`cutoff` cannot be {cutoff}: give at most half of `points`, which is {points}")
+            RefusalRule::CutoffOfPoints.with([("value", cutoff.to_string()), ("points", points.to_string())])
         } else {
             return Ok(());
-        }))
+        })
     }
 
     /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the

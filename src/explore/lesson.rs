@@ -2,7 +2,7 @@
 
 use super::knobs::{Knobs, Start};
 use super::question::{Goal, Question};
-use super::refusal::Refusal;
+use super::refusal::{Refusal, RefusalRule};
 use super::words::Words;
 use crate::error::FileError;
 use serde::{Deserialize, Serialize};
@@ -145,12 +145,14 @@ impl Lesson {
         files.retain(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")));
         files.sort();
         match files.len() {
-            0 => Err(Refusal(format!(
+            0 => Err(Refusal::from(format!(
                 "no lessons are in {}: give a folder with files that end in .toml",
                 folder.display()
             ))),
             1..=MOST_LESSONS => files.iter().map(|path| Self::from_file(path)).collect(),
-            count => Err(Refusal(format!("{count} lessons are in {}: give at most {MOST_LESSONS}", folder.display()))),
+            count => {
+                Err(Refusal::from(format!("{count} lessons are in {}: give at most {MOST_LESSONS}", folder.display())))
+            }
         }
     }
 
@@ -159,7 +161,7 @@ impl Lesson {
         let length = std::fs::metadata(path).map_err(unreadable)?.len();
         if length > MOST_BYTES {
             let name = path.display();
-            return Err(Refusal(format!(
+            return Err(Refusal::from(format!(
                 "{name} has {length} bytes, more than a lesson may have: give at most {MOST_BYTES}"
             )));
         }
@@ -170,22 +172,22 @@ impl Lesson {
     fn read(name: &str, text: &str) -> Result<Self, Refusal> {
         let at = |span: Option<Range<usize>>, reason: &str| {
             let line = span.map_or(1, |span| 1 + text[..span.start.min(text.len())].matches('\n').count());
-            Refusal(format!("{name}, line {line}: {}", reason.lines().collect::<Vec<_>>().join(" ")))
+            Refusal::from(format!("{name}, line {line}: {}", reason.lines().collect::<Vec<_>>().join(" ")))
         };
         let draft: WrittenLesson = toml::from_str(text).map_err(|error| at(error.span(), error.message()))?;
-        draft.title.check().map_err(|Refusal(reason)| at(None, &format!("title: {reason}")))?;
+        draft.title.check().map_err(|refusal| at(None, &format!("title: {refusal}")))?;
         if draft.step.is_empty() {
             return Err(at(None, "the lesson has no steps: give at least one, as [[step]]"));
         }
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
             LessonStep::new(&draft.knobs, &draft.turn, step.into_inner())
-                .map_err(|(place, Refusal(reason))| at(Some(place.unwrap_or(span)), &reason))
+                .map_err(|(place, refusal)| at(Some(place.unwrap_or(span)), &refusal.sentence))
         };
         let steps = draft.step.into_iter().map(step).collect::<Result<_, _>>()?;
         let end = draft.end.map(|end| (end.span(), end.into_inner()));
         if let Some((span, end)) = &end {
-            end.check().map_err(|Refusal(reason)| at(Some(span.clone()), &format!("end: {reason}")))?;
+            end.check().map_err(|refusal| at(Some(span.clone()), &format!("end: {refusal}")))?;
         }
         let stem = Path::new(name).file_stem().map_or_else(|| name.into(), |stem| stem.to_string_lossy());
         Ok(Self {
@@ -233,13 +235,16 @@ fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced>
 }
 
 /// A refusal that names the knob as it is written.
-fn named(key: &str, value: &Value, Refusal(reason): Refusal) -> Refusal {
+fn named(key: &str, value: &Value, refusal: Refusal) -> Refusal {
+    let reason = &refusal.sentence;
     let is_named = reason.contains(&format!("`{key}`")) || reason.contains(&format!("`{key}."));
-    Refusal(match reason.strip_prefix(&format!("{value} is not possible: ")) {
-        Some(advice) => format!("`{key}` cannot be {value}: {advice}"),
-        None if is_named => reason,
-        None => format!("`{key} = {value}`: {reason}"),
-    })
+    let written = value.to_string();
+    let of_value = refusal.known.as_ref().filter(|it| it.key == RefusalRule::WrongValue.id());
+    match of_value.map(|it| &it.places).filter(|places| places["value"] == written) {
+        Some(places) => format!("`{key}` cannot be {value}: give {}", places["wanted"]).into(),
+        None if is_named => refusal,
+        None => format!("`{key} = {value}`: {reason}").into(),
+    }
 }
 
 fn knobs_of(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Refusal> {
@@ -256,7 +261,7 @@ fn knobs_of(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Refusal> {
 fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Misplaced> {
     let mut states = vec![knobs.clone()];
     for (key, values) in turn {
-        let misplaced = |Refusal(reason)| (Some(values.span()), Refusal(format!("turn: {reason}")));
+        let misplaced = |refusal: Refusal| (Some(values.span()), Refusal::from(format!("turn: {refusal}")));
         let mut further = Vec::new();
         for value in values.as_ref() {
             for state in &states {
@@ -267,7 +272,7 @@ fn turned(knobs: &Knobs, turn: &Turns) -> Result<Vec<Knobs>, Misplaced> {
         states = distinct(states);
         if states.len() > MOST_STATES {
             let reason = format!("the values give more than {MOST_STATES} states: give fewer values");
-            return Err(misplaced(Refusal(reason)));
+            return Err(misplaced(reason.into()));
         }
     }
     Ok(states)

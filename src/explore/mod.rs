@@ -51,8 +51,8 @@ pub use knobs::{Knobs, Start};
 pub use lesson::{Challenge, End, Lesson, LessonStep};
 pub use listener::Listener;
 pub use question::{Choice, Goal, Question, SweepCurve};
-pub use refusal::Refusal;
-pub use report::{Beside, ExactNumbers, KnownFault, Numbers, Report, RunReport, RunWarning, SweepPoint, SweepReport};
+pub use refusal::{KNOWN_ERRORS, KnownFault, Refusal, RefusalRule};
+pub use report::{Beside, ExactNumbers, Numbers, Report, RunReport, RunWarning, SweepPoint, SweepReport};
 pub use schema::{
     KNOBS, Knob, KnobGroup, KnobKind, KnobScenes, MOST_HEIGHTS, MOST_POINTS_OF_MODULE, NumericKnob, SliderScale,
     schema_script,

@@ -105,7 +105,7 @@ impl Choice {
 impl Goal {
     /// Refuses a goal of no observable, and one that cannot be reached.
     pub(super) fn check(&self) -> Result<(), Refusal> {
-        let refuse = |sentence: String| Err(Refusal(sentence));
+        let refuse = |sentence: String| Err(Refusal::from(sentence));
         if self.0.is_empty() {
             return refuse("the goal is empty: give an observable with its least and largest value".into());
         }
@@ -124,7 +124,7 @@ fn check_observable(of: &str) -> Result<(), Refusal> {
     if Quantity::found().any(|it| it.name() == of) {
         return Ok(());
     }
-    Err(Refusal(format!("{of:?} is not a number of a run: give one such as \"kappa_r\"")))
+    Err(format!("{of:?} is not a number of a run: give one such as \"kappa_r\"").into())
 }
 
 /// A curve of a sweep.
@@ -156,7 +156,7 @@ impl Question {
     /// A sentence with what cannot be.
     pub(super) fn check(&self, sweeps: bool) -> Result<(), Refusal> {
         self.question().check()?;
-        let refuse = |sentence: String| Err(Refusal(sentence));
+        let refuse = |sentence: String| Err(Refusal::from(sentence));
         match self {
             Self::Choose { choices, .. } if !(2..=6).contains(&choices.len()) => {
                 refuse(format!("{} choices are given: give two to six", choices.len()))

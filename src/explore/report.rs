@@ -1,6 +1,7 @@
 //! The state of a session, as the page gets it.
 
 use super::knobs::{Knobs, MODULUS};
+use super::refusal::KnownFault;
 use super::section::Section;
 use crate::contact::{Contact, Failure, Observables, Step};
 use crate::error::{ProblemError, SetupError};
@@ -23,33 +24,30 @@ pub struct Report {
     pub pinned: Option<String>,
     /// Why the last request failed, in one sentence.
     pub fault: Option<String>,
-    /// The fault in the terms of the page, if it has a text for it.
+    /// The same as data, if the page has a text for it.
     pub known_fault: Option<KnownFault>,
 }
 
-/// A fault that the page has words for, in the terms of its knobs: pressures over the contact modulus.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(tag = "key", rename_all = "kebab-case")]
-pub enum KnownFault {
-    /// The mean pressure is above the hardness.
-    AboveHardness {
-        /// The mean pressure.
-        pressure: f64,
-        /// The hardness.
-        hardness: f64,
-    },
-}
-
 impl KnownFault {
-    /// The fault behind a failure, if the page has words for it.
+    /// Id of a mean pressure above the hardness, which the page tells in its own terms: both over the contact modulus.
+    pub const ABOVE_HARDNESS: &str = "above-hardness";
+
+    /// The fault behind a failure, if the page has a text for it.
     pub fn from_failure(failure: &Failure) -> Option<Self> {
         match failure.downcast_ref::<SetupError>()? {
             SetupError::Problem(ProblemError::AboveHardness { mean_pressure, hardness }) => {
-                Some(Self::AboveHardness { pressure: mean_pressure / MODULUS, hardness: hardness / MODULUS })
+                let [pressure, hardness] = [mean_pressure, hardness].map(|it| rounded(it / MODULUS));
+                let places = [("pressure", pressure), ("hardness", hardness)].into();
+                Some(Self { key: Self::ABOVE_HARDNESS, places })
             }
-            _ => None,
+            other => Self::from_setup(other),
         }
     }
+}
+
+/// A number in three significant digits.
+fn rounded(value: f64) -> String {
+    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
 }
 
 /// The latest solve, running or ended.

@@ -1,7 +1,7 @@
 //! The schema of the knobs: names, kinds, ranges, units, defaults and the states that have them, written once for page, lessons, links and
 //! documents.
 
-use super::refusal::Refusal;
+use super::refusal::{Refusal, RefusalRule};
 use crate::quantity::number_in_words;
 use KnobGroup::{File, Load, Recording, Solid, Solver, Surface};
 use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};
@@ -251,9 +251,9 @@ impl Knob {
         let Number(NumericKnob { range: [least, most], whole, .. }) = self.kind else { return Ok(()) };
         let value = self.path.split('.').try_fold(knobs, |place, name| place.get(name)).and_then(Value::as_f64);
         let Some(value) = value.filter(|value| !(least..=most).contains(value)) else { return Ok(()) };
-        let kind = if whole { "a whole number" } else { "a number" };
+        let rule = if whole { RefusalRule::KnobRangeOfWhole } else { RefusalRule::KnobRange };
         let [value, least, most] = [value, least, most].map(in_words);
-        Err(Refusal(format!("`{}` cannot be {value}: give {kind} from {least} to {most}", self.path)))
+        Err(rule.with([("knob", self.path.into()), ("value", value), ("least", least), ("most", most)]))
     }
 }
 

@@ -6,8 +6,8 @@ use super::height_knobs::HeightKnobs;
 use super::knobs::Knobs;
 use super::listener::Listener;
 use super::motion::Motion;
-use super::refusal::Refusal;
-use super::report::{KnownFault, Numbers, Report, SweepReport};
+use super::refusal::{KnownFault, Refusal, RefusalRule};
+use super::report::{Numbers, Report, SweepReport};
 use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
@@ -139,11 +139,10 @@ impl Session {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         if kind == RunKind::Sweep && setup.adhesion.is_some() {
-            let sentence = "the load of a contact with adhesion cannot be swept: set the work of adhesion to 0";
-            return Err(Refusal(sentence.into()));
+            return Err(RefusalRule::SweepOfAdhesion.into());
         }
         if kind == RunKind::Sweep && setup.is_history()? {
-            return Err(Refusal("the load of a contact that creeps cannot be swept: set the time to 0".into()));
+            return Err(RefusalRule::SweepOfCreep.into());
         }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));
@@ -162,9 +161,8 @@ impl Session {
     pub(super) fn set_window(&self, size: [f64; 2]) -> Result<(), Refusal> {
         if !size.iter().all(|length| WINDOW.contains(length)) {
             let [width, height] = size;
-            return Err(Refusal(format!(
-                "a viewer cannot have {width} x {height} points: give lengths from 1 to 100000"
-            )));
+            let given = [("width", width.to_string()), ("height", height.to_string())];
+            return Err(RefusalRule::ViewerSize.with(given));
         }
         self.lock().window = Some(size);
         Ok(())
@@ -198,8 +196,7 @@ impl Session {
 
     /// Describes the file of heights as other knobs take it.
     pub(super) fn describe(&self, knobs: HeightKnobs) -> Result<Description, Refusal> {
-        let none = || Refusal("there is no file of heights to describe: drop one on the page, or open it".into());
-        let (file, description) = self.lock().heights.clone().ok_or_else(none)?;
+        let (file, description) = self.lock().heights.clone().ok_or(RefusalRule::NoHeightsToDescribe)?;
         description.check(&knobs)?;
         knobs.check()?;
         self.describe_as(file, knobs)
@@ -248,9 +245,8 @@ impl Session {
     /// Has the curves of the recording of that name, if it can still be read, stand beside those of new ones, or of none.
     pub(super) fn pin(&self, name: Option<String>) -> Result<u64, Refusal> {
         if let Some(name) = name.as_ref().filter(|name| self.recording(name).is_none()) {
-            return Err(Refusal(format!(
-                "there is no recording {name:?} to pin: choose one of the latest {RECORDINGS}"
-            )));
+            let given = [("name", format!("{name:?}")), ("most", RECORDINGS.to_string())];
+            return Err(RefusalRule::NoRecordingToPin.with(given));
         }
         Ok(self.change(|state| state.report.pinned = name))
     }

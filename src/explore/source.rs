@@ -33,7 +33,7 @@ impl SceneFile {
         let (most, [ny, nx]) = (MOST_POINTS[usize::from(!grid.is_line())], grid.shape());
         if grid.len() > most {
             let points = if grid.is_line() { nx.to_string() } else { format!("{ny} x {nx}") };
-            return Err(Refusal(format!("{points} points are too many for the page: give a scene of at most {most}")));
+            return Err(format!("{points} points are too many for the page: give a scene of at most {most}").into());
         }
         let mark = format!("{:016x}", fnv1a([setup.to_toml().as_bytes()]));
         Ok(Self { setup, mark })

@@ -22,7 +22,7 @@ impl StickingHand {
     /// A sentence for an attraction that cannot be solved here, and for a state that was not found.
     pub fn moved(setup: &Setup, before: Option<Self>, load: Option<Load>) -> Result<Self, Refusal> {
         let setup = Setup { record: Default::default(), ..setup.clone() };
-        let refused = |error: HistoryError| Refusal(error.to_string());
+        let refused = |error: HistoryError| Refusal::from(error.to_string());
         let mut process = match before.filter(|it| it.setup == setup) {
             Some(it) => it.process,
             None => setup.adhesive(setup.problem()?)?,

@@ -26,13 +26,13 @@ impl Words {
             Self::Same(text) => vec![text],
             Self::Each(texts) => {
                 if let Some(code) = texts.keys().find(|code| !is_language(code)) {
-                    return Err(Refusal(format!("{code:?} is not a language: give two letters such as en or de")));
+                    return Err(format!("{code:?} is not a language: give two letters such as en or de").into());
                 }
                 texts.values().collect()
             }
         };
         let is_empty = texts.is_empty() || texts.iter().any(|text| text.trim().is_empty());
-        if is_empty { Err(Refusal("a text is empty: give some words, or leave it out".into())) } else { Ok(()) }
+        if is_empty { Err("a text is empty: give some words, or leave it out".into()) } else { Ok(()) }
     }
 }
 

@@ -5,7 +5,7 @@ use super::run::JobRun;
 use super::sink::{Posed, StateSink};
 use super::watch::{Pass, Watcher};
 use crate::contact::{Problem, State, Status};
-use crate::error::{FileError, HistoryError, SetupError};
+use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
 use crate::setup::{Flow, ProcessKind};
 use std::sync::Arc;
@@ -27,8 +27,7 @@ impl JobRun<'_> {
             let loading = Loading::new(problem.clone(), setup.solver(), setup.stop);
             return Ok(Box::new(loading.along(self.loads.clone())));
         }
-        let reason = "the setup describes one contact, and no history".into();
-        setup.history(problem.clone())?.ok_or(SetupError::Path { reason })
+        setup.history(problem.clone())?.ok_or(ConflictRule::NoHistory.into())
     }
 
     /// Follows the run to its end, or until an observer stops it, and gives each state to the sinks. States have the fields of what flows through them
@@ -44,7 +43,7 @@ impl JobRun<'_> {
         keeping: StateKeeping,
         watch: &mut dyn Watcher,
     ) -> Result<HistoryOutcome, SetupError> {
-        let kind = self.kind()?.ok_or_else(|| SetupError::Path { reason: "the setup has no history".into() })?;
+        let kind = self.kind()?.ok_or(ConflictRule::NoHistory)?;
         let posed = Posed { setup: &self.setup, problem, kind, loads: &self.loads };
         let mut process = self.process(problem)?;
         let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);

@@ -6,7 +6,7 @@ use super::sink::Posed;
 use super::watch::ShowSteps;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Observables, Observer, Problem, Quantity, ResultClaim, State, warning_of_trail, warnings_of};
-use crate::error::{FileError, HistoryError, SetupError};
+use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
 use crate::warning::Warning;
@@ -85,8 +85,7 @@ impl HistoryOutcome {
     /// # Errors
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
-        let reason = || SetupError::Path { reason: "the setup has no history".into() };
-        let kind = setup.process()?.ok_or_else(reason)?;
+        let kind = setup.process()?.ok_or(ConflictRule::NoHistory)?;
         Self::from_posed(&Posed { setup, problem, kind, loads: &[] }, states)
     }
 

@@ -6,7 +6,7 @@ use crate::contact::{
     pressure_doubts,
 };
 use crate::elastic::{Compliance, Coupling, Response};
-use crate::error::{SetupError, StudyError};
+use crate::error::{ConflictRule, SetupError, StudyError};
 use crate::history::PathPoint;
 use crate::setup::{ProcessKind, Setup};
 use crate::surface::Field;
@@ -43,7 +43,7 @@ impl<'a> StateCheck<'a> {
     /// For a setup without a history, and an attraction that cannot be.
     pub fn new(setup: &'a Setup, problem: &'a Problem) -> Result<Self, SetupError> {
         let Some(kind) = setup.process()? else {
-            return Err(SetupError::Path { reason: "the setup has no history".into() });
+            return Err(ConflictRule::NoHistory.into());
         };
         let attraction = setup.adhesion.as_ref().map(|it| it.attraction()).transpose()?;
         let path = setup.path_points();

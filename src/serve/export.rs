@@ -3,7 +3,6 @@
 use super::page::Page;
 use super::worker;
 use crate::contact::{Failure, Quantity};
-use crate::error::SetupError;
 use crate::explore::{Knobs, Lesson, LessonStep, MOST_POINTS_OF_MODULE, Refusal, RunKind, Session, Stock};
 use crate::files::fill_folder;
 use crate::record::Output;
@@ -43,7 +42,7 @@ impl SiteExport {
     /// For no lesson, for a state that is too large for the module, and for too many recordings.
     pub fn new(start: Knobs, lessons: Vec<Lesson>, is_recorded: bool) -> Result<Self, Refusal> {
         if lessons.is_empty() {
-            return Err(Refusal("there is no lesson to export: give at least one".into()));
+            return Err("there is no lesson to export: give at least one".into());
         }
         let mut runs: Vec<SiteRun> = Vec::new();
         for lesson in &lessons {
@@ -56,7 +55,7 @@ impl SiteExport {
         }
         if is_recorded && runs.len() > MOST_RUNS {
             let count = runs.len();
-            return Err(Refusal(format!(
+            return Err(Refusal::from(format!(
                 "these lessons have {count} states to record: reduce them to at most {MOST_RUNS}"
             )));
         }
@@ -125,14 +124,13 @@ fn of_step(step: &LessonStep) -> Vec<SiteRun> {
 
 /// Refuses a state that is too large for the module.
 fn check_size(knobs: &Knobs, lesson: &str) -> Result<(), Refusal> {
-    let refuse = |error: SetupError| Refusal(error.to_string());
-    let grid = knobs.setup()?.check().map_err(refuse)?;
+    let grid = knobs.setup()?.check()?;
     let most = MOST_POINTS_OF_MODULE[usize::from(!grid.is_line())];
     if grid.len() <= most {
         return Ok(());
     }
     let points = grid.len();
-    Err(Refusal(format!(
+    Err(Refusal::from(format!(
         "a step of the lesson {lesson} has {points} points, but the solver in a browser takes at most {most}: give fewer `points`"
     )))
 }

@@ -165,7 +165,7 @@ impl Site for Viewing {
             _ if request.method != "GET" => Reply::wrong_method("GET"),
             "/recording.rrd" => match File::open(&self.file) {
                 Ok(file) => Reply::Recording(RecordingBytes::File(file), None),
-                Err(error) => Reply::Error(404, error.to_string()),
+                Err(error) => Reply::Error(404, error.to_string().into()),
             },
             path => self.page.file(path).unwrap_or_else(|| Reply::missing(path)),
         }

@@ -4,7 +4,7 @@ use super::page::Page;
 use super::sessions::Sessions;
 use super::site::{Intake, Reply, Site};
 use super::stream::RecordingBytes;
-use crate::explore::{Knobs, Lesson, MOST_HEIGHTS, Refusal, Request, Session, SessionRecording, read};
+use crate::explore::{Knobs, Lesson, MOST_HEIGHTS, RefusalRule, Request, Session, SessionRecording, read};
 use serde_json::json;
 use std::io;
 use std::sync::Arc;
@@ -53,8 +53,8 @@ impl Explorer {
         match (request.path, request.method) {
             ("/api/session", "POST") => match read(request.body).map(|after| self.sessions.begin(after)) {
                 Ok(Ok(name)) => Reply::json(&json!({ "session": name })),
-                Ok(Err(Refusal(sentence))) => Reply::Error(503, sentence),
-                Err(Refusal(sentence)) => Reply::Error(400, sentence),
+                Ok(Err(refusal)) => Reply::Error(503, refusal),
+                Err(refusal) => Reply::Error(400, refusal),
             },
             ("/api/session", _) => Reply::wrong_method("POST"),
             (path, method) => match self.page.file(path) {
@@ -67,7 +67,7 @@ impl Explorer {
     /// What is at a path of a session.
     fn inside(&self, name: &str, request: &Request<'_>) -> Reply {
         let Some(session) = self.sessions.session(name) else {
-            return Reply::Error(410, "this session has ended: reload the page for a new one".into());
+            return Reply::Error(410, RefusalRule::SessionEnded.into());
         };
         match (request.path, request.method) {
             ("/api/leave", "POST") => {
@@ -118,7 +118,7 @@ fn recording(session: &Session, path: &str) -> Option<Reply> {
 /// The recording under the name of its run, once it is complete.
 fn saved_recording(recording: SessionRecording) -> Reply {
     if recording.live.written().is_some() {
-        return Reply::Error(409, format!("{} is still running: wait for its end, or cancel it", recording.id));
+        return Reply::Error(409, RefusalRule::RunGoesOn.with([("run", recording.id)]));
     }
     Reply::Recording(RecordingBytes::Live(recording.live), Some(format!("{}.rrd", recording.file_stem)))
 }

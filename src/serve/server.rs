@@ -3,7 +3,7 @@
 use super::guard;
 use super::policy::IN_HEADER;
 use super::site::{Intake, Reply, Site};
-use crate::explore::Request;
+use crate::explore::{RefusalRule, Request};
 use axum::Router;
 use axum::body::{Body, HttpBody, to_bytes};
 use axum::extract::{Request as Incoming, State};
@@ -157,7 +157,7 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
     let Intake { kind, most } =
         if head.method == Method::POST { served.site.intake(head.uri.path()) } else { Intake::JSON };
     if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, served.port, kind) {
-        return response(Reply::Error(status, sentence));
+        return response(Reply::Error(status, sentence.into()));
     }
     if guard::announced(&head.headers) > most as u64 {
         return response(too_large(most));
@@ -165,15 +165,12 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
     let delivery = (most > Intake::JSON.most).then(|| Delivery::begin(&served.taken));
     if let Some(None) = delivery {
         tokio::time::timeout(PATIENCE, pass(body, most)).await.ok();
-        return response(Reply::Error(
-            503,
-            "another file is being sent: wait until it has arrived, and send this one again".into(),
-        ));
+        return response(Reply::Error(503, RefusalRule::OtherFileComes.into()));
     }
     let body = match tokio::time::timeout(PATIENCE, to_bytes(body, most)).await {
         Ok(Ok(body)) => body,
         Ok(Err(_)) => return response(too_large(most)),
-        Err(_) => return response(Reply::Error(408, "the request did not arrive in time".into())),
+        Err(_) => return response(Reply::Error(408, RefusalRule::RequestTooLate.into())),
     };
     let reply = move || {
         let _until_the_end = delivery;
@@ -181,7 +178,7 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
         served.site.reply(&Request { method: head.method.as_str(), path, query, body: &body })
     };
     let replied = tokio::task::spawn_blocking(reply).await;
-    response(replied.unwrap_or_else(|_| Reply::Error(500, "the request could not be answered".into())))
+    response(replied.unwrap_or_else(|_| Reply::Error(500, RefusalRule::NoAnswer.into())))
 }
 
 /// Reads and discards at most `most` bytes of a body: a sender who is refused before everything is sent would see a
@@ -197,7 +194,7 @@ async fn pass(mut body: Body, most: usize) {
 }
 
 fn too_large(most: usize) -> Reply {
-    Reply::Error(413, format!("the request is too large: send at most {most} bytes"))
+    Reply::Error(413, RefusalRule::RequestTooLarge.with([("most", most.to_string())]))
 }
 
 fn response(reply: Reply) -> Response<Body> {
@@ -206,7 +203,7 @@ fn response(reply: Reply) -> Response<Body> {
         Reply::Fixed(kind, body) => (200, kind, "max-age=86400", None, Body::from(body)),
         Reply::Download(name, body) => (200, "application/octet-stream", "no-store", Some(name), Body::from(body)),
         Reply::Recording(source, name) => (200, "application/octet-stream", "no-store", name, source.body()),
-        Reply::Error(status, sentence) => (status, "text/plain; charset=utf-8", "no-store", None, Body::from(sentence)),
+        Reply::Error(status, refusal) => (status, "application/json", "no-store", None, Body::from(refusal.to_json())),
     };
     let mut response = Response::new(body);
     *response.status_mut() = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);

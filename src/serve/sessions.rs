@@ -1,7 +1,7 @@
 //! The sessions of a server: every tab of a browser has its own.
 
 use super::worker;
-use crate::explore::{Description, HeightKnobs, Refusal, SceneFile, Session, Stock};
+use crate::explore::{Description, HeightKnobs, Refusal, RefusalRule, SceneFile, Session, Stock};
 use crate::surface::HeightFile;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -53,12 +53,7 @@ impl Sessions {
         let mut open = self.lock();
         if open.len() >= MOST {
             let longest = (0..open.len()).filter(|&i| open[i].is_idle()).min_by_key(|&i| open[i].asked);
-            let all_live = || {
-                Refusal(format!(
-                    "{MOST} tabs are open, which is the limit of this server: close one of them, and this page \
-                     continues"
-                ))
-            };
+            let all_live = || RefusalRule::ServerFull.with([("most", MOST.to_string())]);
             open.remove(longest.ok_or_else(all_live)?).session.close();
         }
         let name = unguessable();

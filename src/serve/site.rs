@@ -1,7 +1,7 @@
 //! The replies to requests, free of any network.
 
 use super::stream::RecordingBytes;
-use crate::explore::{Answer, Request};
+use crate::explore::{Answer, Refusal, Request};
 use axum::body::Bytes;
 
 /// An answer.
@@ -14,8 +14,8 @@ pub enum Reply {
     Download(String, Vec<u8>),
     /// A recording, as it grows; with a name it is saved.
     Recording(RecordingBytes, Option<String>),
-    /// An error and what to say about it.
-    Error(u16, String),
+    /// A status, and why the request is refused.
+    Error(u16, Refusal),
 }
 
 impl Reply {
@@ -37,7 +37,7 @@ impl From<Answer> for Reply {
         match answer {
             Answer::Json(json) => Self::Page("application/json", json.into()),
             Answer::Download(name, bytes) => Self::Download(name, bytes),
-            Answer::Refused(status, sentence) => Self::Error(status, sentence),
+            Answer::Refused(status, refusal) => Self::Error(status, refusal),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Adhesion between surface and solid.
 
 use crate::adhesion::{AdhesiveMethod, Attraction, AttractionForm};
-use crate::error::{AdhesionError, FileError, SetupError};
+use crate::error::{AdhesionError, ConflictRule, FileError, SetupError};
 use crate::files::{InputFile, columns_of};
 use crate::quantity;
 use serde::{Deserialize, Serialize};
@@ -37,18 +37,16 @@ impl Adhesion {
     /// The attraction.
     ///
     /// # Errors
-    /// [`SetupError::Adhesion`] for a section that is not complete or says too much, the errors of [`Attraction::new`] and
+    /// [`SetupError::Conflict`] for a section that is not complete or says too much, [`SetupError::Table`] for a table of other columns, the
+    /// errors of [`Attraction::new`] and
     /// [`Attraction::from_table`], and those of reading the table.
     pub fn attraction(&self) -> Result<Attraction, SetupError> {
-        let wrong = |reason: &str| Err(SetupError::Adhesion { reason: reason.into() });
         match (self.work, self.range, &self.table) {
             (Some(work), Some(range), None) => Ok(Attraction::new(self.form, work, range)?),
             (None, None, Some(file)) if self.form == AttractionForm::default() => read_table(file),
-            (_, _, Some(_)) => {
-                wrong("a table is given beside a work, a range or a form of adhesion: give only one of both")
-            }
-            (None, _, None) => wrong("adhesion needs a work of adhesion: give one, or a table"),
-            (_, None, None) => wrong("adhesion needs the range of the attraction: give one, or a table"),
+            (_, _, Some(_)) => Err(ConflictRule::AdhesionTwice.into()),
+            (None, _, None) => Err(ConflictRule::AdhesionWithoutWork.into()),
+            (_, None, None) => Err(ConflictRule::AdhesionWithoutRange.into()),
         }
     }
 }
@@ -56,7 +54,7 @@ impl Adhesion {
 /// Reads the table of an attraction. Its gaps and tractions may have units.
 fn read_table(file: &InputFile) -> Result<Attraction, SetupError> {
     let path = file.path();
-    let wrong = |reason: String| SetupError::Adhesion { reason: format!("{}: {reason}", path.display()) };
+    let wrong = |reason: String| SetupError::Table { path: path.into(), reason };
     let columns = columns_of(&file.bytes()?);
     let columns = columns.map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })?;
     let column = |name: &str, kind: &str, read: fn(&str) -> Option<f64>| {

@@ -1,7 +1,7 @@
 //! Grids that are found automatically.
 
 use super::text::SetupTable;
-use crate::error::{SettingError, SetupError};
+use crate::error::{ConflictRule, SettingError, SetupError};
 
 /// Default of the relative error of area and `kappa_r` that a grid may have.
 const TOLERANCE: f64 = 0.01;
@@ -37,7 +37,7 @@ impl SetupTable {
             Some(points) if is_auto(points) => Some(1),
             Some(toml::Value::Array(points)) if points.iter().any(is_auto) => {
                 if !points.iter().all(is_auto) {
-                    return Err(SetupError::SomePoints);
+                    return Err(ConflictRule::SomePoints.into());
                 }
                 Some(points.len())
             }
@@ -46,7 +46,7 @@ impl SetupTable {
         let is_refined = self.find("grid.refine").is_some_and(is_auto);
         let tolerance = self.find("grid.area-tolerance").cloned();
         if !is_refined && axes.is_none() {
-            return tolerance.map_or(Ok(None), |_| Err(SetupError::ToleranceOfGrid));
+            return tolerance.map_or(Ok(None), |_| Err(ConflictRule::ToleranceOfGrid.into()));
         }
         self.remove("grid.area-tolerance");
         if is_refined {
@@ -55,7 +55,7 @@ impl SetupTable {
         if let Some(axes) = axes {
             let is_rough = self.find("surface.spectrum").is_some() && self.find("surface.height").is_none();
             if !is_rough {
-                return Err(SetupError::PointsOfNothing);
+                return Err(ConflictRule::PointsOfNothing.into());
             }
             self.lay("grid.points", vec![toml::Value::from(super::Cell::ANY); axes].into());
         }

@@ -104,7 +104,7 @@ fn whole(number: u64) -> toml::Value {
 }
 
 fn wrong(path: &str, reason: String) -> SetupError {
-    SetupError::Text { place: format!("{path}: "), reason }
+    SetupError::text(path, reason)
 }
 
 impl SetupTable {

@@ -1,7 +1,7 @@
 //! The cell: points and lengths along the axes of the arrays.
 
 use super::one_or_more;
-use crate::error::{GridError, SetupError};
+use crate::error::{ConflictRule, GridError, SetupError};
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -81,10 +81,10 @@ impl Cell {
     /// For missing points, too many of them, lengths that do not fit, and as [`Grid::line`] and [`Grid::surface`].
     pub fn grid(&self) -> Result<Grid, SetupError> {
         if self.points.is_empty() {
-            return Err(SetupError::NoPoints);
+            return Err(ConflictRule::NoPoints.into());
         }
         if self.size.is_empty() {
-            return Err(SetupError::NoSize);
+            return Err(ConflictRule::NoSize.into());
         }
         self.grid_of(&self.points)
     }
@@ -92,7 +92,7 @@ impl Cell {
     /// The grid of an array of some shape, refined; an array of one row is a line.
     pub(super) fn grid_of(&self, shape: &[usize]) -> Result<Grid, SetupError> {
         match self.refine() {
-            0 => Err(SetupError::Refine),
+            0 => Err(ConflictRule::NoRefinement.into()),
             factor => Ok(self.unrefined(shape)?.refined(factor)?),
         }
     }
@@ -130,7 +130,7 @@ impl Cell {
         let free = (0..2).filter(|&axis| !grid.periodic()[axis]).map(|axis| grid.size()[axis]);
         let is_of_lines = grid.is_line() || grid.periodic() != [false; 2];
         match free.reduce(f64::max).filter(|_| is_of_lines) {
-            None => Err(SetupError::DatumOfPeriodic),
+            None => Err(ConflictRule::DatumOfPeriodic.into()),
             Some(length) if datum.is_finite() && datum >= length => Ok(()),
             Some(length) => Err(SetupError::Datum { datum, length }),
         }

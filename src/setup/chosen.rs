@@ -28,7 +28,7 @@ impl SetupTable {
             Some(steps) if steps.as_str() == Some(AUTO) => self.remove(STEPS),
             Some(other) => {
                 let reason = format!("{other} is not a preparation: give \"{AUTO}\", or the individual steps");
-                return Err(SetupError::Text { place: format!("{STEPS}: "), reason });
+                return Err(SetupError::text(STEPS, reason));
             }
         }
         let mut on_its_grid = self.clone();

@@ -2,7 +2,7 @@
 
 use super::text::SetupTable;
 use super::{FLAGS, Flag};
-use crate::error::SetupError;
+use crate::error::{ExpectedValue, FoundValue, SetupError, TextFault, TextPlace};
 use toml::Value;
 
 /// A key without an effect in some setups.
@@ -45,7 +45,7 @@ impl SetupTable {
     /// [`SetupError::Text`].
     pub fn check_idle(&self) -> Result<(), SetupError> {
         match IDLE.iter().find(|key| self.find(key.path).is_some() && (key.is_idle)(self)) {
-            Some(key) => Err(SetupError::Text { place: format!("{}: ", key.path), reason: key.reason.into() }),
+            Some(key) => Err(SetupError::text(key.path, key.reason)),
             None => Ok(()),
         }
     }
@@ -81,6 +81,9 @@ pub(super) fn is_list_of_section(path: &str, values: &[Value]) -> bool {
 pub(super) fn list_of_section(path: &str) -> SetupError {
     let keys = FLAGS.iter().filter_map(|flag| flag.path.strip_prefix(path)?.strip_prefix('.'));
     let keys: Vec<String> = keys.filter(|key| !key.contains('.')).map(|key| format!("`{key}`")).collect();
-    let reason = format!("invalid type: list, expected a section for the keys {}", keys.join(", "));
-    SetupError::Text { place: format!("{path}: "), reason }
+    let expected = ExpectedValue::Section(format!("keys {}", keys.join(", ")));
+    SetupError::Text {
+        place: TextPlace::keys(path),
+        fault: TextFault::WrongType { found: FoundValue::List, expected }.into(),
+    }
 }

@@ -1,6 +1,6 @@
 //! The lines of a text on which the keys of a setup stand.
 
-use crate::error::SetupError;
+use crate::error::{SetupError, TextPlace};
 use std::ops::Range;
 use std::path::Path;
 use toml::de::DeTable;
@@ -8,20 +8,17 @@ use toml::de::DeTable;
 impl SetupError {
     /// The error with the file in front of the keys that it names.
     pub(crate) fn in_file(self, path: &Path) -> Self {
-        self.placed(|place| format!("{}: {place}", path.display()))
+        self.placed(|place| place.in_file(path))
     }
 
     /// The error with the line of `text` in front of the keys that it names, where they are found.
     pub(crate) fn in_text(self, text: &str) -> Self {
-        self.placed(|place| match line(text, place.trim_end_matches(": ")) {
-            Some(line) => format!("line {line}, {place}"),
-            None => place,
-        })
+        self.placed(|place| TextPlace { line: line(text, &place.keys).or(place.line), ..place })
     }
 
-    fn placed(self, more: impl FnOnce(String) -> String) -> Self {
+    fn placed(self, more: impl FnOnce(TextPlace) -> TextPlace) -> Self {
         match self {
-            Self::Text { place, reason } => Self::Text { place: more(place), reason },
+            Self::Text { place, fault } => Self::Text { place: more(place), fault },
             other => other,
         }
     }

@@ -77,7 +77,7 @@ pub(super) fn read_number(path: &str, kind: &str, value: &toml::Value) -> Result
     let wrong = |_| {
         let (kind, text) = (kind.replace('-', " "), super::words::plain(value));
         let reason = format!("{text:?} is not of the same kind as the normal load, which is a {kind}: give a {kind}");
-        SetupError::Text { place: format!("{path}: "), reason }
+        SetupError::text(path, reason)
     };
     read(kind, value.clone()).map(|load| load.value()).map_err(wrong)
 }

@@ -37,8 +37,10 @@ mod axis;
 mod cell;
 mod chosen;
 mod command;
+mod conflicts;
 mod cost;
 mod expected_area;
+mod fault;
 mod files;
 mod flag;
 mod flow;
@@ -84,7 +86,7 @@ pub use words::{differences, in_words};
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
-use crate::error::{FlowError, SetupError, SolidError, SolveError};
+use crate::error::{ConflictRule, FlowError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
 use crate::theory::Exact;
@@ -277,7 +279,6 @@ impl Setup {
         }
         let (conducts, solid) = (self.flow.resistivities()?.is_some(), self.elastic()?);
         Err(match () {
-            () if self.is_history()? => FlowError::History,
             () if conducts && self.process()?.is_some() => FlowError::NeedsRest,
             () if conducts && !solid.is_half_space() => FlowError::NeedsHalfSpace { solid: solid.description() },
             () => return Ok(()),
@@ -299,10 +300,11 @@ impl Setup {
     fn check_friction(&self) -> Result<(), SetupError> {
         let Some(friction) = self.friction else { return Ok(()) };
         if friction.tangential == 0.0 {
-            return Err(SetupError::NoTangential { tangential: friction.tangential });
+            let tangential = format!("{:?}", friction.tangential);
+            return Err(ConflictRule::NoTangential.with([("tangential", tangential)]).into());
         }
         friction.ratio(self.load)?;
-        if self.law.is_hard_wall() { Ok(()) } else { Err(SetupError::FrictionOfYielding) }
+        if self.law.is_hard_wall() { Ok(()) } else { Err(ConflictRule::FrictionOfYielding.into()) }
     }
 
     /// The surface.

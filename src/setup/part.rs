@@ -1,7 +1,7 @@
 //! The parts of a recording.
 
 use super::Theme;
-use crate::error::SetupError;
+use crate::error::{ConflictRule, SetupError};
 use crate::grid::Grid;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, EnumString, IntoStaticStr};
@@ -103,7 +103,7 @@ impl Record {
     /// For a mesh or a flow of a line, a profile of a surface, a raster along rows that are not there, and every 0th step.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if self.every == Some(0) {
-            return Err(SetupError::EveryNone);
+            return Err(ConflictRule::NoInterval.into());
         }
         if let Some([row, column]) = self.raster_at {
             let shape = grid.shape();

@@ -2,7 +2,7 @@
 
 use super::one_or_more;
 use crate::contact::Load;
-use crate::error::SetupError;
+use crate::error::{ConflictRule, SetupError};
 use crate::files::InputFile;
 use crate::history::PathPoint;
 use serde::{Deserialize, Serialize};
@@ -70,43 +70,40 @@ impl LoadPath {
     /// surfaces may be pulled apart.
     ///
     /// # Errors
-    /// [`SetupError::Path`].
+    /// [`SetupError::Conflict`].
     pub fn check(&self, may_pull: bool) -> Result<(), SetupError> {
-        let wrong = |reason: String| Err(SetupError::Path { reason });
         let lists = [&self.time, &self.load, &self.tangential];
-        let lengths = lists.map(Vec::len);
-        let (most, named) = (self.len(), COLUMNS.into_iter().zip(lists));
+        let [times, loads, tangentials] = lists.map(Vec::len);
+        let most = self.len();
         if most == 0 {
-            return wrong("the path has no points: give times, loads or tangential loads".into());
+            return Err(ConflictRule::PathWithoutPoints.into());
         }
         if most > MOST_POINTS {
-            return wrong(format!("the path has {most} points: give at most {MOST_POINTS}"));
+            let given = [("points", most.to_string()), ("most", MOST_POINTS.to_string())];
+            return Err(ConflictRule::PathTooLong.with(given).into());
         }
-        if lengths.iter().any(|length| *length != 0 && *length != most) {
-            let [time, load, tangential] = lengths;
-            return wrong(format!(
-                "the path has {time} times, {load} loads and {tangential} tangential loads: give one of each for every point, or \
-                 leave a list out"
-            ));
+        if [times, loads, tangentials].iter().any(|length| *length != 0 && *length != most) {
+            let given = [("times", times), ("loads", loads), ("tangentials", tangentials)];
+            return Err(ConflictRule::PathLengths.with(given.map(|(name, length)| (name, length.to_string()))).into());
         }
-        for (name, list) in named {
+        for (name, list) in COLUMNS.into_iter().zip(lists) {
             let is_signed = name == "tangential" || name == "load" && may_pull;
-            let least = if is_signed { f64::NEG_INFINITY } else { 0.0 };
+            let (least, rule) = match is_signed {
+                true => (f64::NEG_INFINITY, ConflictRule::PathNotFinite),
+                false => (0.0, ConflictRule::PathNegative),
+            };
             if let Some(value) = list.iter().find(|value| !value.is_finite() || **value < least) {
-                let range = if least == 0.0 { "a finite value, 0 or more" } else { "a finite value" };
-                return wrong(format!("a {name} of the path is {value:?}: give {range}"));
+                return Err(rule.with([("quantity", name.into()), ("value", format!("{value:?}"))]).into());
             }
         }
         if let Some(pair) = self.time.windows(2).find(|pair| pair[1] < pair[0]) {
-            return wrong(format!(
-                "the path goes back from the time {:?} to {:?}: give ascending times",
-                pair[0], pair[1]
-            ));
+            let given = [("before", format!("{:?}", pair[0])), ("time", format!("{:?}", pair[1]))];
+            return Err(ConflictRule::PathBack.with(given).into());
         }
         match (self.steps, self.time_tolerance) {
-            (Some(0), _) => wrong("the path has 0 steps between two points: give 1 or more".into()),
+            (Some(0), _) => Err(ConflictRule::PathWithoutSteps.into()),
             (_, Some(it)) if !(it > 0.0 && it < 1.0) => {
-                wrong(format!("the tolerance in time is {it:?}: give a value between 0 and 1"))
+                Err(ConflictRule::PathTolerance.with([("tolerance", format!("{it:?}"))]).into())
             }
             _ => Ok(()),
         }

@@ -5,7 +5,7 @@ use super::loads::read_number;
 use super::path::COLUMNS;
 use super::range::Range;
 use super::text::SetupTable;
-use crate::error::SetupError;
+use crate::error::{ConflictRule, SetupError};
 use crate::files::{TextColumn, TextWord, read_columns};
 use crate::quantity::time_of;
 use std::path::Path;
@@ -15,15 +15,14 @@ impl SetupTable {
     /// loads means 5 loads with equal ratios.
     ///
     /// # Errors
-    /// [`SetupError::Path`], [`SetupError::Text`] for a load of another kind, and those of reading the file.
+    /// [`SetupError::Conflict`], [`SetupError::Table`], [`SetupError::Text`] for a load of another kind, and those of reading the file.
     pub(super) fn read_path(&mut self) -> Result<(), SetupError> {
         let kind = self.load_kind();
         if let Some(file) = self.find("path.file").and_then(toml::Value::as_str).map(str::to_owned) {
             for (name, values) in columns(Path::new(&file), kind.as_deref())? {
                 let path = format!("path.{name}");
                 if self.find(&path).is_some() {
-                    let reason = format!("{name} is given by {file} and beside it: leave one of them out");
-                    return Err(SetupError::Path { reason });
+                    return Err(ConflictRule::PathTwice.with([("quantity", name.into()), ("file", file)]).into());
                 }
                 self.lay(&path, values.into());
             }
@@ -43,7 +42,7 @@ impl SetupTable {
 
 /// The loads of one value of a list: those of a range, or one.
 fn expanded(path: &str, kind: &str, given: &toml::Value) -> Result<Vec<f64>, SetupError> {
-    let wrong = |reason| SetupError::Text { place: format!("{path}: "), reason };
+    let wrong = |reason: String| SetupError::text(path, reason);
     match given.as_str().and_then(Range::parse) {
         Some(range) => range.map_err(wrong)?.values(|end| read_number(path, kind, &value(end)), wrong),
         None => read_number(path, kind, given).map(|number| vec![number]),
@@ -52,7 +51,7 @@ fn expanded(path: &str, kind: &str, given: &toml::Value) -> Result<Vec<f64>, Set
 
 /// The columns of a file with a path: their names, and what is in them, under a load of some kind.
 fn columns(path: &Path, kind: Option<&str>) -> Result<Vec<(&'static str, Vec<f64>)>, SetupError> {
-    let wrong = |reason: String| SetupError::Path { reason: format!("{}: {reason}", path.display()) };
+    let wrong = |reason: String| SetupError::Table { path: path.into(), reason };
     let mut columns: Vec<(&'static str, Vec<f64>)> = Vec::new();
     for column in read_columns(path)? {
         let Some(name) = COLUMNS.into_iter().find(|name| name.eq_ignore_ascii_case(&column.name)) else {

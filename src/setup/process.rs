@@ -24,79 +24,17 @@ impl Setup {
     /// The process that the setup describes; none for a contact without a history.
     ///
     /// # Errors
-    /// [`SetupError::Motion`] and [`SetupError::Path`] for sections that do not go together.
+    /// [`SetupError::Conflict`] for sections that do not go together.
     pub fn process(&self) -> Result<Option<ProcessKind>, SetupError> {
-        let motion = |reason: &str| Err(SetupError::Motion { reason: reason.into() });
-        let path = |reason: &str| Err(SetupError::Path { reason: reason.into() });
-        if self.adhesion.is_some() {
-            return self.adhesive_process().map(Some);
-        }
-        match (&self.viscoelastic, &self.path, &self.sliding, &self.rolling) {
-            (_, _, Some(_), Some(_)) => motion("both sliding and rolling are given: give one of them"),
-            (_, Some(_), Some(_), _) | (_, Some(_), _, Some(_)) => {
-                motion("sliding and rolling are steady, but a path is given: leave the path out, or the motion")
-            }
-            (Some(_), None, Some(_), None) => Ok(Some(ProcessKind::Sliding)),
-            (None, None, Some(_), None) => {
-                motion("sliding needs a solid that creeps: give its creep or relaxation, or leave the speed out")
-            }
-            (None, None, None, Some(_)) if self.friction.is_some() => Ok(Some(ProcessKind::Rolling)),
-            (None, None, None, Some(_)) => motion("rolling needs a coefficient of friction: give one"),
-            (Some(_), None, None, Some(_)) => {
-                motion("rolling needs an elastic solid: leave the creep out, or the rolling")
-            }
-            (_, Some(it), ..) if it.is_empty() => {
-                path("the path has no points: give times, loads or tangential loads, or leave the path out")
-            }
-            (Some(_), Some(it), ..) if it.time.is_empty() => {
-                path("a solid that creeps needs times: give the times of the path")
-            }
-            (Some(_), Some(it), ..) if !it.tangential.is_empty() || self.friction.is_some() => {
-                path("creep and friction cannot be combined: leave the friction out, or the creep")
-            }
-            (Some(_), Some(_), ..) => Ok(Some(ProcessKind::Creep)),
-            (Some(_), None, None, None) => {
-                path("a solid that creeps needs a time or a speed: give the times of a path, or the speed of sliding")
-            }
-            (None, Some(it), ..) if it.tangential.is_empty() => path(
-                "the path has no tangential loads, and the solid does not creep: give tangential loads with friction, or \
-                 creep and times, or several loads instead of a path",
-            ),
-            (None, Some(_), ..) if self.friction.is_none() => {
-                path("tangential loads need a coefficient of friction: give one")
-            }
-            (None, Some(it), ..) if !it.time.is_empty() => {
-                path("slip of an elastic solid does not depend on time: leave the times of the path out")
-            }
-            (None, Some(_), ..) => Ok(Some(ProcessKind::Slip)),
-            (None, None, None, None) => Ok(None),
-        }
-    }
-
-    /// The process of a setup with adhesion, which goes with loads alone.
-    fn adhesive_process(&self) -> Result<ProcessKind, SetupError> {
-        let others = [
-            (self.viscoelastic.is_some(), "creep"),
-            (self.friction.is_some(), "friction"),
-            (self.sliding.is_some(), "sliding"),
-            (self.rolling.is_some(), "rolling"),
-            (!self.law.is_hard_wall(), "hardness"),
+        self.check_together()?;
+        let given = [
+            (self.adhesion.is_some(), ProcessKind::Adhesion),
+            (self.sliding.is_some(), ProcessKind::Sliding),
+            (self.rolling.is_some(), ProcessKind::Rolling),
+            (self.viscoelastic.is_some(), ProcessKind::Creep),
+            (self.path.is_some(), ProcessKind::Slip),
         ];
-        if let Some((_, other)) = others.iter().find(|(is_given, _)| *is_given) {
-            let reason = format!("adhesion and {other} cannot be combined: leave one of them out");
-            return Err(SetupError::Adhesion { reason });
-        }
-        match &self.path {
-            Some(path) if path.is_empty() => {
-                let reason = "the path has no points: give loads, or leave the path out".into();
-                Err(SetupError::Path { reason })
-            }
-            Some(path) if !path.time.is_empty() || !path.tangential.is_empty() => {
-                let reason = "a path with adhesion has loads only: leave times and tangential loads out".into();
-                Err(SetupError::Path { reason })
-            }
-            _ => Ok(ProcessKind::Adhesion),
-        }
+        Ok(given.into_iter().find(|(is_given, _)| *is_given).map(|(_, kind)| kind))
     }
 
     /// Whether the setup describes more than one state. A contact that slides at one speed is a single state, solved like any other.
@@ -166,57 +104,11 @@ impl Setup {
         self.adhesion.as_ref().map_or(Ok(()), |it| it.attraction().map(drop))?;
         self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
-        let motion = |reason: String| Err(SetupError::Motion { reason });
-        if let Some(tangential) = self.friction.map(|it| it.tangential).filter(|it| *it != 0.0) {
-            return motion(format!(
-                "the tangential load {tangential:?} of the friction has no place in a history: leave it out, and give a path of \
-                 tangential loads, or the load of rolling"
-            ));
-        }
-        if let Some(value) = self.friction.map(|it| it.coefficient).filter(|it| !(it.is_finite() && *it >= 0.0)) {
-            return Err(SlipError::NotPositive { name: "coefficient of friction", value }.into());
-        }
-        if !self.law.is_hard_wall() && process != ProcessKind::Creep {
-            return motion(
-                "sliding, rolling and slip need a surface that does not yield: leave the hardness out".into(),
-            );
-        }
-        if self.solver.name() == "gfmd" && process == ProcessKind::Adhesion {
-            return motion(
-                "adhesion has methods of its own: leave the solver gfmd out, and give gfmd as the method of the adhesion \
-                 (--adhesion-method)"
-                    .into(),
-            );
-        }
-        if self.solver.name() == "gfmd" {
-            return motion("gfmd cannot solve histories: choose another solver".into());
-        }
+        self.check_beside(process, grid)?;
         match process {
-            ProcessKind::Loads | ProcessKind::Creep => Ok(()),
-            ProcessKind::Adhesion if self.solver != super::Method::default() => {
-                motion(format!("adhesion has methods of its own, not {}: leave the solver out", self.solver.name()))
-            }
             ProcessKind::Adhesion => self.check_adhesion(grid),
-            ProcessKind::Sliding if !grid.is_periodic() => {
-                motion("sliding needs a periodic boundary: leave the boundary out".into())
-            }
-            ProcessKind::Sliding if self.solver != super::Method::default() => {
-                motion(format!("sliding has a solver of its own, not {}: leave the solver out", self.solver.name()))
-            }
-            ProcessKind::Sliding => Ok(()),
-            ProcessKind::Slip | ProcessKind::Rolling if !self.load.is_pressure() => {
-                let load = self.load;
-                motion(format!("{load} is given, but this needs a mean pressure, a reduced pressure or a force"))
-            }
-            ProcessKind::Rolling if self.solver != super::Method::default() => {
-                motion(format!("rolling has a solver of its own, not {}: leave the solver out", self.solver.name()))
-            }
-            ProcessKind::Rolling if !grid.is_line() => motion("rolling is solved on lines only: give a line".into()),
-            ProcessKind::Rolling if self.solver != super::Method::default() => {
-                motion(format!("rolling has solvers of its own, not {}: leave the solver out", self.solver.name()))
-            }
-            ProcessKind::Rolling => self.check_rolling_step(grid),
             ProcessKind::Slip => self.check_slip(),
+            ProcessKind::Loads | ProcessKind::Creep | ProcessKind::Sliding | ProcessKind::Rolling => Ok(()),
         }
     }
 
@@ -235,32 +127,13 @@ impl Setup {
         }
     }
 
-    /// Refuses points of a path at which nothing touches, and a first step at which everything would slide. Where everything slides later,
-    /// the history ends there.
+    /// Refuses a first step of a path at which everything would slide. Where everything slides later, the history ends there.
     fn check_slip(&self) -> Result<(), SetupError> {
         let points = self.path_points();
-        if points.iter().any(|point| point.load.value() == 0.0) {
-            let reason = "a normal load of the path is 0, which friction cannot follow: give positive loads".into();
-            return Err(SetupError::Path { reason });
-        }
         let Some(first) = points.first() else { return Ok(()) };
         let limit = self.friction.map_or(0.0, |friction| friction.coefficient) * first.load.value();
         let tangential = first.tangential.unwrap_or(0.0) / self.slip_steps() as f64;
         if tangential.abs() >= limit { Err(SlipError::Sliding { tangential, limit }.into()) } else { Ok(()) }
-    }
-
-    /// Refuses a step of rolling that is longer than the line.
-    fn check_rolling_step(&self, grid: &Grid) -> Result<(), SetupError> {
-        let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
-        match self.rolling.as_ref().and_then(|it| it.step).filter(|step| *step > length) {
-            Some(step) => Err(SetupError::Motion {
-                reason: format!(
-                    "the step of rolling is {step:?}, longer than the line of {length:?}: give a shorter one, such as the \
-                     spacing of the grid, {spacing:?}"
-                ),
-            }),
-            None => Ok(()),
-        }
     }
 
     /// The number of steps from one point of a path of slip to the next.

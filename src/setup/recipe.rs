@@ -1,7 +1,7 @@
 //! The recipe of a surface.
 
 use super::Cell;
-use crate::error::{SetupError, SurfaceError};
+use crate::error::{ConflictRule, SetupError, SurfaceError};
 use crate::files::InputFile;
 use crate::grid::Grid;
 use crate::quantity::some_length;
@@ -118,7 +118,7 @@ impl Recipe {
     /// files are given only with a file.
     fn check_files(&self) -> Result<(), SetupError> {
         if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
-            return Err(SetupError::PreparationWithoutHeights);
+            return Err(ConflictRule::PreparationWithoutHeights.into());
         }
         let layouts = self.files().map(|file| Ok((file, file.layout(self.channel.as_deref())?)));
         let layouts = layouts.collect::<Result<Vec<_>, SetupError>>()?;
@@ -142,7 +142,7 @@ impl Recipe {
     /// [`Cell::grid`].
     pub fn grid(&self, cell: &Cell) -> Result<Grid, SetupError> {
         if self.is_measured() && !cell.points.is_empty() {
-            return Err(SetupError::PointsOfFile);
+            return Err(ConflictRule::PointsOfFile.into());
         }
         match self.layout()? {
             Some(layout) => {
@@ -161,7 +161,7 @@ impl Recipe {
         let [ny, nx] = layout.shape;
         let unit = self.unit(layout.is_in_metres)?;
         if cell.size.is_empty() {
-            return Ok(layout.spacing.ok_or(SetupError::NoSize)?.map(|spacing| spacing * unit));
+            return Ok(layout.spacing.ok_or(ConflictRule::NoSize)?.map(|spacing| spacing * unit));
         }
         let whole = Cell { refine: None, boundary: Vec::new(), datum: None, ..cell.clone() };
         let shape = if layout.is_profile { vec![nx] } else { vec![ny, nx] };
@@ -192,17 +192,17 @@ impl Recipe {
     /// For no surface at all, a preparation without a height file, and an indenter, a spectrum or bumps that cannot be on this grid.
     pub fn check(&self, grid: &Grid) -> Result<(), SetupError> {
         if !self.is_measured() && self.indenter.is_none() && self.spectrum.is_none() && self.bumps.is_empty() {
-            return Err(SetupError::NoSurface);
+            return Err(ConflictRule::NoSurface.into());
         }
         self.check_files()?;
         if self.seed.is_some() && self.spectrum.is_none() {
-            return Err(SetupError::SeedWithoutSpectrum);
+            return Err(ConflictRule::SeedWithoutSpectrum.into());
         }
         if self.second_spectrum.is_some() && self.spectrum.is_none() {
-            return Err(SetupError::SecondSpectrum);
+            return Err(ConflictRule::SecondSpectrum.into());
         }
         if self.joined.is_some() && self.second_spectrum.is_none() {
-            return Err(SetupError::JoinedWithoutSecond);
+            return Err(ConflictRule::JoinedWithoutSecond.into());
         }
         if self.seed() > i64::MAX as u64 {
             return Err(SetupError::Seed { seed: self.seed() });
@@ -236,7 +236,7 @@ impl Recipe {
     /// # Errors
     /// For no file, and the errors of [`Recipe::grid`] and [`Recipe::prepared`].
     pub fn choice(&self, cell: &Cell) -> Result<PreparationChoice, SetupError> {
-        let file = self.files().next().ok_or(SetupError::PreparationWithoutHeights)?;
+        let file = self.files().next().ok_or(ConflictRule::PreparationWithoutHeights)?;
         let is_even = file.layout(self.channel.as_deref())?.is_even;
         let resample = (!is_even).then_some(Resample::Linear);
         let prepare = Preparation { resample, crop: self.prepare.crop.clone(), ..Preparation::default() };
@@ -256,7 +256,7 @@ impl Recipe {
         let rough = self.rough_part(grid)?;
         let bumps = self.some_bumps().map(|bumps| bumps.surface(grid)).transpose()?;
         let sum = measured.into_iter().chain(smooth).chain(rough).chain(bumps).reduce(|sum, part| sum.plus(&part));
-        sum.ok_or(SetupError::NoSurface)
+        sum.ok_or(ConflictRule::NoSurface.into())
     }
 
     /// Both random roughnesses.

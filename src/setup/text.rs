@@ -1,10 +1,11 @@
 //! Setups as text.
 
-use super::{Cell, FLAGS, Flag, Method, Recipe, Setup};
-use crate::error::{FileError, SetupError};
+use super::fault::{found_in, keys_of};
+use super::{Cell, FLAGS, Method, Recipe, Setup};
+use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
 use crate::files::{read_bytes, write_beside};
 use crate::surface::{read_fields, read_text};
-use serde::de::{DeserializeOwned, Unexpected};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::Write;
 use std::path::Path;
@@ -28,7 +29,8 @@ impl SetupTable {
         };
         parsed.map(Self).map_err(|error: toml::de::Error| {
             let line = error.span().map_or(1, |span| text[..span.start.min(text.len())].lines().count().max(1));
-            SetupError::Text { place: format!("line {line}: "), reason: parser_words(error.message()) }
+            let place = TextPlace { line: Some(line), ..TextPlace::default() };
+            SetupError::Text { place, fault: TextFault::from_parser(error.message()).into() }
         })
     }
 
@@ -38,10 +40,7 @@ impl SetupTable {
     /// [`SetupError::Text`] for a text that is no JSON object.
     #[cfg(feature = "units")]
     pub fn from_json(text: &str) -> Result<Self, SetupError> {
-        let wrong = |why: String| SetupError::Text {
-            place: String::new(),
-            reason: format!("this is not a setup in JSON: {why}"),
-        };
+        let wrong = |why: String| SetupError::text("", format!("this is not a setup in JSON: {why}"));
         let mut value: serde_json::Value = serde_json::from_str(text).map_err(|error| match error.is_eof() {
             true => wrong(format!("the text ends too early, in line {}", error.line())),
             false => wrong(error.to_string()),
@@ -61,8 +60,7 @@ impl SetupTable {
             Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)),
             Ok(None) => Self::read_scene(path),
             Err(FileError::Format { reason, .. }) => {
-                let reason = format!("it contains no setup: {reason}");
-                Err(SetupError::Text { place: String::new(), reason }.in_file(path))
+                Err(SetupError::text("", format!("it contains no setup: {reason}")).in_file(path))
             }
             Err(error) => Err(error.into()),
         }
@@ -202,7 +200,7 @@ impl SetupTable {
     /// Checks that there is a surface.
     fn check_surface(&self) -> Result<(), SetupError> {
         let is_empty = |surface: &toml::Value| surface.as_table().is_some_and(toml::Table::is_empty);
-        if self.0.get("surface").is_none_or(is_empty) { Err(SetupError::NoSurface) } else { Ok(()) }
+        if self.0.get("surface").is_none_or(is_empty) { Err(ConflictRule::NoSurface.into()) } else { Ok(()) }
     }
 
     /// Inserts the usual method where none is given, and refuses settings of another method.
@@ -216,7 +214,7 @@ impl SetupTable {
                     "`{key}` is a setting of the method {GFMD}, but the method is {method}: give the method {GFMD} (--solver {GFMD}), or \
                      leave `{key}` out"
                 );
-                Err(SetupError::Text { place: "solver: ".into(), reason })
+                Err(SetupError::text("solver", reason))
             }
             _ => Ok(()),
         }
@@ -228,7 +226,7 @@ impl SetupTable {
         let keys: Vec<&String> = load.as_table().into_iter().flat_map(toml::Table::keys).collect();
         let checked = match keys.as_slice() {
             [_] => return Ok(()),
-            [] if load.is_table() => Err(SetupError::NoLoad),
+            [] if load.is_table() => Err(ConflictRule::NoLoad.into()),
             [] => Err(wrong_load("expected a name and a number, such as { mean-pressure = 0.01 }".into())),
             [one, other, ..] => Err(wrong_load(format!("both `{one}` and `{other}` are given: give one of them"))),
         };
@@ -257,17 +255,18 @@ impl SetupTable {
     pub(super) fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
         self.0.entry("grid").or_insert_with(|| toml::Table::new().into());
         self.0.clone().try_into().map_err(|error: toml::de::Error| {
-            let keys = self.keys_of_value(keys(&error.to_string()), error.message());
-            let place = if keys.is_empty() { keys.clone() } else { format!("{keys}: ") };
-            SetupError::Text { place, reason: explained(error.message(), &keys) }
+            let keys = keys_of(&error);
+            let fault = TextFault::from_serde(error.message(), &keys);
+            SetupError::Text { place: TextPlace::keys(self.keys_of_value(keys, &fault)), fault: fault.into() }
         })
     }
 
-    /// The keys of the value that a message of serde calls invalid or unknown, where `keys` lead to the section of the value alone.
-    fn keys_of_value(&self, keys: String, message: &str) -> String {
-        let is_named = |value: &toml::Value| match value {
-            toml::Value::String(name) if message.starts_with(&format!("unknown variant `{name}`")) => true,
-            it => ["type", "value"].iter().any(|of| message.starts_with(&format!("invalid {of}: {},", unexpected(it)))),
+    /// The keys of the value that a fault is about, where `keys` lead to the section of the value alone.
+    fn keys_of_value(&self, keys: String, fault: &TextFault) -> String {
+        let is_named = |value: &toml::Value| match fault {
+            TextFault::UnknownValue { value: name, .. } => value.as_str() == Some(name),
+            TextFault::WrongType { found, .. } | TextFault::WrongValue { found, .. } => *found == found_in(value),
+            _ => false,
         };
         let section = self.find(&keys).and_then(toml::Value::as_table);
         let mut found = section.into_iter().flatten().filter(|(_, value)| is_named(value));
@@ -278,98 +277,8 @@ impl SetupTable {
     }
 }
 
-/// What the messages of serde call a value.
-fn unexpected(value: &toml::Value) -> String {
-    match value {
-        toml::Value::String(text) => Unexpected::Str(text).to_string(),
-        toml::Value::Integer(number) => Unexpected::Signed(*number).to_string(),
-        toml::Value::Float(number) => Unexpected::Float(*number).to_string(),
-        toml::Value::Boolean(is_so) => Unexpected::Bool(*is_so).to_string(),
-        toml::Value::Array(_) => Unexpected::Seq.to_string(),
-        toml::Value::Table(_) | toml::Value::Datetime(_) => Unexpected::Map.to_string(),
-    }
-}
-
 pub(super) fn wrong_load(reason: String) -> SetupError {
-    SetupError::Text { place: "load: ".into(), reason }
-}
-
-/// The keys that lead to an error, which its text ends in.
-fn keys(text: &str) -> String {
-    let keys = text.lines().find_map(|line| line.trim().strip_prefix("in `")?.strip_suffix('`'));
-    keys.unwrap_or_default().into()
-}
-
-/// The message of the parser of TOML, in plain words where it has none.
-fn parser_words(message: &str) -> String {
-    match one_line(message) {
-        it if it.starts_with("invalid mantissa") => "a number has no digits before its point: write 0.1 for .1".into(),
-        it => it,
-    }
-}
-
-fn one_line(message: &str) -> String {
-    message.lines().map(str::trim).collect::<Vec<_>>().join(" ")
-}
-
-/// Names of types in the messages of serde, and plain words for them.
-const PLAIN: [(&str, &str); 15] = [
-    ("unknown field", "unknown key"),
-    ("missing field", "missing key"),
-    ("unknown variant", "unknown value"),
-    ("floating point `", "number `"),
-    ("integer `", "number `"),
-    ("string \"", "text \""),
-    ("sequence", "list"),
-    ("expected usize", "expected a whole number, 0 or more"),
-    ("expected u64", "expected a whole number, 0 or more"),
-    ("expected f64", "expected a number"),
-    ("expected path string", "expected the name of a file"),
-    ("expected variant identifier", "expected a name"),
-    ("expected internally tagged enum", "expected a section for the"),
-    ("expected struct", "expected a section for the"),
-    ("there are no fields", "there are none"),
-];
-
-/// The message on what stands at some keys, in one line of plain words with what to do: for an unknown name the nearest known
-/// one, for a missing one its flag on the command line.
-fn explained(message: &str, keys: &str) -> String {
-    let message = PLAIN.iter().fold(one_line(message), |message, (name, plain)| message.replace(name, plain));
-    let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-    match names.split_first() {
-        Some((unknown, known)) if message.starts_with("unknown") => match nearest(unknown, known) {
-            Some(nearest) => format!("{message}: did you mean `{nearest}`?"),
-            None => format!("{message}: leave it out, or choose an option that has it"),
-        },
-        Some(_) if ["missing", "give the"].iter().any(|it| message.starts_with(it)) => {
-            let is_of = |flag: &Flag, name: &str| flag.path.strip_prefix(keys) == Some(&format!(".{name}"));
-            let flags = names.iter().filter_map(|name| FLAGS.iter().find(|flag| is_of(flag, name)));
-            let flags: Vec<String> = flags.map(|flag| format!("--{}", flag.name)).collect();
-            let remedy = if message.starts_with("give the") { "" } else { ": give it" };
-            match flags.is_empty() {
-                true => format!("{message}{remedy}"),
-                false => format!("{message}{remedy} ({})", flags.join(" or ")),
-            }
-        }
-        _ => message,
-    }
-}
-
-/// The known name that is nearest to an unknown one, first of all one that begins with it, then one that it is a part of, of
-/// several the shortest.
-#[cfg(feature = "units")]
-fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
-    let nearness = |name: &str| match name.find(unknown) {
-        Some(0) => 2.0 + unknown.len() as f64 / name.len() as f64,
-        Some(_) => 1.0 + unknown.len() as f64 / name.len() as f64,
-        None => strsim::jaro_winkler(unknown, name),
-    };
-    known.iter().copied().max_by(|a, b| nearness(a).total_cmp(&nearness(b)))
-}
-
-#[cfg(not(feature = "units"))]
-fn nearest<'a>(_: &str, _: &[&'a str]) -> Option<&'a str> {
-    None
+    SetupError::text("load", reason)
 }
 
 impl Setup {

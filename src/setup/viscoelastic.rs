@@ -2,7 +2,7 @@
 
 use super::one_or_more;
 use crate::elastic::{Prony, PronyTerm};
-use crate::error::{SetupError, SolidError};
+use crate::error::{ConflictRule, SetupError, SolidError};
 use crate::quantity;
 use serde::{Deserialize, Serialize};
 
@@ -25,27 +25,18 @@ impl Viscoelastic {
     /// The Prony series in creep form.
     ///
     /// # Errors
-    /// [`SetupError::Prony`] for lists that are no pairs, or for both or none of them; the errors of [`Prony::new`] and of
+    /// [`SetupError::Conflict`] for lists that are no pairs, or for both or none of them; the errors of [`Prony::new`] and of
     /// [`Prony::from_relaxation`].
     pub fn prony(&self) -> Result<Prony, SetupError> {
         let (form, list) = match (self.creep.as_slice(), self.relaxation.as_slice()) {
-            ([], []) => {
-                return Err(SetupError::Prony { reason: "the solid has no terms: give creep or relaxation".into() });
-            }
+            ([], []) => return Err(ConflictRule::CreepWithoutTerms.into()),
             (creep, []) => ("creep", creep),
             ([], relaxation) => ("relaxation", relaxation),
-            _ => {
-                return Err(SetupError::Prony {
-                    reason: "both creep and relaxation are given: give one of them".into(),
-                });
-            }
+            _ => return Err(ConflictRule::CreepTwice.into()),
         };
         if !list.len().is_multiple_of(2) {
-            let reason = format!(
-                "the list of {form} has an odd number of values, {}: give pairs of a ratio and a time",
-                list.len()
-            );
-            return Err(SetupError::Prony { reason });
+            let given = [("form", form.into()), ("values", list.len().to_string())];
+            return Err(ConflictRule::CreepPairs.with(given).into());
         }
         let terms: Vec<PronyTerm> = list.chunks_exact(2).map(|it| PronyTerm { ratio: it[0], time: it[1] }).collect();
         let prony: Result<Prony, SolidError> =
@@ -86,15 +77,11 @@ impl SlidingMotion {
     /// Checks the speeds.
     ///
     /// # Errors
-    /// [`SetupError::Motion`] for no speed, and for one that is not positive and finite.
+    /// [`SetupError::Conflict`] for no speed, and for one that is not positive and finite.
     pub fn check(&self) -> Result<(), SetupError> {
         match self.speed.iter().find(|it| !(it.is_finite() && **it > 0.0)) {
-            Some(speed) => Err(SetupError::Motion {
-                reason: format!("the speed {speed:?} is given: give a positive, finite speed"),
-            }),
-            None if self.speed.is_empty() => {
-                Err(SetupError::Motion { reason: "sliding needs a speed: give one or more".into() })
-            }
+            Some(speed) => Err(ConflictRule::SlidingSpeed.with([("speed", format!("{speed:?}"))]).into()),
+            None if self.speed.is_empty() => Err(ConflictRule::SlidingWithoutSpeed.into()),
             None => Ok(()),
         }
     }
@@ -104,20 +91,17 @@ impl RollingMotion {
     /// Checks the values.
     ///
     /// # Errors
-    /// [`SetupError::Motion`] for no value, for creepages beside loads, and for values that are not finite.
+    /// [`SetupError::Conflict`] for no value, for creepages beside loads, and for values that are not finite.
     pub fn check(&self) -> Result<(), SetupError> {
-        let wrong = |reason: String| Err(SetupError::Motion { reason });
         if self.creepage.is_empty() == self.tangential.is_empty() {
-            return wrong(
-                "rolling needs either a creepage or a tangential load: give one of them, and not both".into(),
-            );
+            return Err(ConflictRule::RollingDrives.into());
         }
         if let Some(value) = self.creepage.iter().chain(&self.tangential).find(|it| !it.is_finite()) {
-            return wrong(format!("a value of rolling is {value:?}: give a finite one"));
+            return Err(ConflictRule::RollingValue.with([("value", format!("{value:?}"))]).into());
         }
         match self.step {
             Some(step) if !(step.is_finite() && step > 0.0) => {
-                wrong(format!("the step of rolling is {step:?}: give a positive, finite length"))
+                Err(ConflictRule::RollingStep.with([("step", format!("{step:?}"))]).into())
             }
             _ => Ok(()),
         }

@@ -5,7 +5,7 @@ use asperity::contact::{
     Certificate, Contact, ContactModulus, Gfmd, Law, Load, Multilevel, Observables, Plasticity, PolonskyKeer, Solver,
     archive,
 };
-use asperity::error::{ProblemError, SolveError};
+use asperity::error::{InputError, ProblemError, SolveError};
 use asperity::setup::{Cell, Recipe, Setup};
 use asperity::study::LoadCurve;
 use asperity::surface::{Field, Spectrum, read_heights};

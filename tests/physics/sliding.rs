@@ -4,7 +4,7 @@ use crate::common::{relative_l2, solve};
 use asperity::contact::{
     Contact, ContactModulus, Gfmd, Load, MonotoneSets, Multilevel, PolonskyKeer, Problem, Solver, Stop,
 };
-use asperity::error::{MotionError, ProblemError, SolveError};
+use asperity::error::{InputError, MotionError, ProblemError, SolveError};
 use asperity::history::Sliding;
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Surface};

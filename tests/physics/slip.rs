@@ -2,7 +2,7 @@
 
 use crate::common::solve;
 use asperity::contact::{Contact, ContactModulus, Friction, Load, Multilevel, PartialSlip, Problem, Stop};
-use asperity::error::SlipError;
+use asperity::error::{InputError, SlipError};
 use asperity::surface::{Field, Indenter, Spectrum};
 use asperity::{Grid, Surface};
 

@@ -1,7 +1,7 @@
 //! What the knobs describe beside one elastic contact at rest: sliding, creep in time, and adhesion.
 
 use super::{Knobs, MODULUS, RETARDATION_TIME};
-use crate::explore::refusal::Refusal;
+use crate::explore::refusal::{Refusal, RefusalRule};
 use crate::grid::Grid;
 use crate::setup::{Adhesion, LoadPath, Method};
 
@@ -59,18 +59,14 @@ impl Knobs {
     pub(super) fn check_motion(&self, grid: &Grid) -> Result<(), Refusal> {
         let (slides, is_gfmd) = (self.slides(), matches!(self.solver, Method::Gfmd(_)));
         let others = self.hardness > 0.0 || slides || self.creeps_in_time();
-        Err(Refusal(String::from(if self.adheres() && others {
-            "adhesion is solved for elastic contacts at rest: set the hardness, the speed and the time to 0, or the work of adhesion"
-        } else if slides && self.hardness > 0.0 {
-            "a surface cannot slide over a solid that yields here: set the hardness or the speed to 0"
-        } else if slides && !grid.is_periodic() {
-            "a surface with a free boundary cannot slide here: choose the periodic boundary, or set the speed to 0"
-        } else if self.adheres() && self.solver != Method::default() {
-            "adhesion has methods of its own: choose the multilevel method, or set the work of adhesion to 0"
-        } else if (slides || self.creeps_in_time()) && is_gfmd {
-            "GFMD solves elastic contacts only: choose another method, or set the creep to 0"
-        } else {
-            return Ok(());
-        })))
+        let rules = [
+            (self.adheres() && others, RefusalRule::AdhesionNotElastic),
+            (slides && self.hardness > 0.0, RefusalRule::SlidingOfYielding),
+            (slides && !grid.is_periodic(), RefusalRule::SlidingOfFreeBoundary),
+            (self.adheres() && self.solver != Method::default(), RefusalRule::AdhesionOfMethod),
+            ((slides || self.creeps_in_time()) && is_gfmd, RefusalRule::CreepByGfmd),
+        ];
+        let broken = rules.into_iter().find(|(is_broken, _)| *is_broken);
+        broken.map_or(Ok(()), |(_, rule)| Err(rule.into()))
     }
 }

@@ -1,7 +1,7 @@
 //! The surface that the knobs make.
 
 use super::{CELL, Domain, GAUSSIAN_KURTOSIS, Knobs, SmoothBody};
-use crate::explore::refusal::Refusal;
+use crate::explore::refusal::{Refusal, RefusalRule};
 use crate::explore::source::SurfaceSource;
 use crate::setup::{Cell, Recipe};
 use crate::surface::{
@@ -19,7 +19,7 @@ impl Knobs {
     pub(super) fn surface(&self, source: Option<&SurfaceSource>) -> Result<(Recipe, Cell), Refusal> {
         if self.body == SmoothBody::File {
             let Some(SurfaceSource::Heights(file)) = source else {
-                return Err(Refusal("there is no file of heights: drop one on the page, or open it".into()));
+                return Err(RefusalRule::NoHeights.into());
             };
             return self.heights.surface(file);
         }

@@ -6,7 +6,7 @@ use super::model::{Model, models};
 use super::realised::Realised;
 use super::scene::AccuracyScene;
 use crate::contact::{Multilevel, Solver, Stop};
-use crate::error::{SettingError, SetupError};
+use crate::error::{ConflictRule, SettingError, SetupError};
 use crate::lab::{ObserverMaker, Rival};
 use std::num::NonZeroUsize;
 
@@ -36,7 +36,7 @@ impl Experiment {
         if let Some(pair) = self.sides.windows(2).find(|pair| pair[0] >= pair[1]) {
             return Err(SettingError::NotFiner { from: pair[0], to: pair[1] }.into());
         }
-        self.scene.setup(*self.sides.first().ok_or(SetupError::NoPoints)?, self.seed).check()?;
+        self.scene.setup(*self.sides.first().ok_or(ConflictRule::NoPoints)?, self.seed).check()?;
         self.scene.cell(self.finest().saturating_mul(REFINEMENT)).grid()?;
         Ok(())
     }

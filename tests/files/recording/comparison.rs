@@ -2,7 +2,7 @@
 
 use super::{record, rough_line, rough_surface, rows, shown_paths, stores, trace};
 use asperity::contact::{Gfmd, Load, Multilevel, PolonskyKeer, Solver};
-use asperity::error::FileError;
+use asperity::error::{FileError, InputError};
 use asperity::record::{Options, Recording, Scene, compare};
 use asperity::setup::{Cell, Method, Part, Recipe, Setup};
 use asperity::surface::Spectrum;

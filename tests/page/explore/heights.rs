@@ -237,7 +237,7 @@ fn files_of_anyone_get_a_sentence_and_leave_the_one_before() {
         let answer = page.drop_file(name, file);
         assert_eq!(answer.status, 400, "{name}: {}", answer.text());
         assert!(answer.text().starts_with(name) && answer.text().lines().count() == 1, "{}", answer.text());
-        assert!(answer.headers.contains("content-type: text/plain"), "{}", answer.headers);
+        assert!(answer.headers.contains("content-type: application/json"), "{}", answer.headers);
     }
     assert_eq!(page.get("/api/heights").json(), kept);
     for knobs in [

@@ -37,11 +37,12 @@ struct Page {
     session: String,
 }
 
-/// An answer: status, headers in lower case, body.
+/// An answer: status, headers in lower case, body; of a refusal the sentence as its body, and the whole refusal.
 struct Answer {
     status: u16,
     headers: String,
     body: Vec<u8>,
+    refusal: Value,
 }
 
 impl Answer {
@@ -156,7 +157,10 @@ fn answer(stream: TcpStream) -> Answer {
     } else {
         reader.read_to_end(&mut body).unwrap();
     }
-    Answer { status: headers.split(' ').nth(1).unwrap().parse().unwrap(), headers, body }
+    let status = headers.split(' ').nth(1).unwrap().parse().unwrap();
+    let refusal = if status == 200 { Value::Null } else { serde_json::from_slice(&body).unwrap_or_default() };
+    let body = refusal["sentence"].as_str().map_or(body, |sentence| sentence.into());
+    Answer { status, headers, body, refusal }
 }
 
 /// The knobs at the start with some of them turned.
@@ -750,4 +754,22 @@ fn ends_at(signal: &str) {
     page.wait(|state| state["run"]["numbers"]["status"] == "running");
     std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
     assert!(child.wait().unwrap().success(), "{signal}");
+}
+
+#[test]
+fn refusals_carry_their_ids_and_values() {
+    let page = Page::open();
+    let rough = serde_json::to_value(Start::RoughLine.knobs()).unwrap();
+    let with = |key: &str, value: Value| {
+        let mut knobs = rough.clone();
+        knobs[key] = value;
+        page.post("/api/solve", &knobs.to_string()).refusal
+    };
+    let given = json!({"knob": "hurst", "value": "2", "least": "0.01", "most": "1"});
+    let refusal = with("hurst", json!(2));
+    assert_eq!((&refusal["key"], &refusal["places"]), (&json!("knob-range"), &given));
+    assert_eq!(refusal["sentence"], "`hurst` cannot be 2: give a number from 0.01 to 1");
+    assert_eq!(with("load", json!("much"))["key"], "wrong-value");
+    assert_eq!(with("body", json!("file"))["key"], "no-heights");
+    assert_eq!(page.get("/api/nothing").refusal["key"], Value::Null);
 }

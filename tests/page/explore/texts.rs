@@ -1,9 +1,11 @@
 //! What the page says: each language says all of it, and all that is said is asked for.
 
 use asperity::contact::Quantity;
-use asperity::explore::{KNOBS, Knob, KnobGroup, KnobKind};
+use asperity::error::{ConflictRule, SetupError};
+use asperity::explore::{KNOBS, KNOWN_ERRORS, Knob, KnobGroup, KnobKind, KnownFault, RefusalRule};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
+use strum::IntoEnumIterator;
 
 type Texts = BTreeMap<String, String>;
 
@@ -56,6 +58,48 @@ fn numbers_are_explained_as_everywhere() {
         assert_eq!(explained.is_some(), english.contains_key(&format!("number.{}", row.name)), "{}", row.name);
         assert!(!row.is_traced || explained.is_some(), "{} is in the table without a name", row.name);
         explained.into_iter().for_each(|text| assert_eq!(text, row.sentence, "{}", row.name));
+    }
+}
+
+/// Faults that the English page words with the names of its knobs, and not like the library.
+const OWN_WORDS: [&str; 3] = ["surface-points", "cutoff-of-rolloff", "cutoff-of-points"];
+
+#[test]
+fn every_refusal_has_a_text() {
+    let english = english();
+    let conflicts = ConflictRule::iter().map(|rule| (rule.id(), Some(rule.sentence())));
+    let refusals = RefusalRule::iter().map(|rule| (rule.id(), Some(rule.sentence())));
+    let errors = KNOWN_ERRORS.into_iter().chain([KnownFault::ABOVE_HARDNESS]).map(|id| (id, None));
+    let mut ids = BTreeSet::new();
+    for (id, sentence) in conflicts.chain(refusals).chain(errors) {
+        assert!(ids.insert(id), "two faults are called {id}");
+        let text = english.get(&format!("refused.{id}")).unwrap_or_else(|| panic!("{id} has no text"));
+        if let Some(sentence) = sentence.filter(|_| !OWN_WORDS.contains(&id)) {
+            assert_eq!(text, sentence, "{id}");
+        }
+        assert_eq!(places(text), sentence.map_or(places(text), places), "{id}");
+    }
+    for id in english.keys().filter_map(|key| key.strip_prefix("refused.")) {
+        assert!(ids.contains(id), "nothing is refused as {id}");
+    }
+}
+
+/// What the library says of a file of heights that it refuses, and what the page says.
+#[test]
+fn known_errors_are_said_as_the_library_says_them() {
+    let english = english();
+    let path = || "h.txt".into();
+    let errors = [
+        SetupError::Uneven { path: path() },
+        SetupError::Voids { path: path(), voids: 1, points: 64 },
+        SetupError::UnitOfFile { unit: 1e-6 },
+    ];
+    for error in errors {
+        let known = KnownFault::from_setup(&error).unwrap();
+        let text = &english[&format!("refused.{}", known.key)];
+        let said =
+            known.places.iter().fold(text.clone(), |said, (name, value)| said.replace(&format!("{{{name}}}"), value));
+        assert_eq!(said, error.to_string());
     }
 }
 

@@ -57,7 +57,7 @@ fn native(session: &Session, (method, path, body): &Asked) -> (u16, Vec<u8>) {
     session.work_once();
     match answer {
         Answer::Json(bytes) | Answer::Download(_, bytes) => (200, bytes),
-        Answer::Refused(status, sentence) => (status, sentence.into_bytes()),
+        Answer::Refused(status, refusal) => (status, refusal.to_json()),
     }
 }
 
@@ -273,8 +273,12 @@ fn shape(value: &Value) -> Value {
 fn the_module_has_limits_of_its_own() {
     let large = knobs(Start::RoughLine, json!({"points": 131072}));
     let Some(found) = answers(&[order(&large)]) else { return };
-    let (status, sentence, _) = &found[0];
-    assert_eq!((*status, sentence.as_str()), (400, "`points` cannot be 131072: give a whole number from 4 to 65536"));
+    let (status, refusal, _) = &found[0];
+    let refusal: Value = serde_json::from_str(refusal).unwrap();
+    assert_eq!(
+        (*status, &refusal["sentence"]),
+        (400, &json!("`points` cannot be 131072: give a whole number from 4 to 65536"))
+    );
     assert_eq!(native(&Session::new(Stock::default(), 0), &order(&large)).0, 200);
 }
 
