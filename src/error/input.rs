@@ -275,7 +275,7 @@ impl InputError for StudyError {
             | Self::Friction
             | Self::OneContact
             | Self::NoHistory
-           Loads
+            | Self::HistoryLoads
             | Self::NoRow { .. }
             | Self::Memory { .. }
             | Self::OtherPoints { .. }
