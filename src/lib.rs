@@ -26,15 +26,20 @@
 //! The data flows one way, and the modules follow it:
 //!
 //! ```text
-//! setup -> surface, solid, law, load -> problem -> solver -> observers: recorder, progress, your own
-//!   ^                                                |
-//!   |                                                v
-//!   +----------- carried by every result -------- contact -> measures -> study -> lab, paper, explore, Python
+//! setup -> surface, solid, law, drive -> problem -> process -> state, state, ... -> sinks: recording, table, archive, picture, page, Python
+//!   ^                                        |                       |
+//!   |                                        solver -> observers     quantities -> study -> lab, paper
+//!   +-------------------------- carried by every result ---------------------------------------------------+
 //! ```
 //!
-//! - A [`contact::Problem`] is a convex problem: heights, a solid, a law of contact and a load.
+//! - A [`contact::Problem`] is a problem of one contact: heights, a solid, a law of contact and a load. It is convex, but for contacts that slide or roll
+//!   steadily, whose problem is monotone, and for those with adhesion.
 //! - A [`contact::Solver`] solves it and shows each [`contact::Step`] to a [`contact::Observer`]. It does not know who observes.
 //! - A [`Contact`] has pressure, displacement, gap, and the [`contact::Certificate`] that bounds its error.
+//! - A [`history::Process`] makes one [`contact::State`] after the other, each from the last one: loads, creep, slip, sliding, rolling, adhesion. It goes along
+//!   its path (`next`), or where it is moved (`move_to`).
+//! - A [`contact::Quantity`] is a number that can be read of a state. There is one table of them; a number without a meaning is absent.
+//! - A [`job::StateSink`] receives states as they come. A run that is killed leaves those that it reached.
 //! - A [`setup::Setup`] describes all of it in a form that can be written to a file and read back without loss.
 //! - A [`job::Job`] runs a setup. The command line, the page, studies and Python call jobs, so that all of them do the same.
 //!
@@ -76,7 +81,8 @@
 //! # Where to start reading
 //! - The convex problem and its bound: [`contact::Problem`], [`contact::Certificate`].
 //! - The simplest complete solver: `examples/minimal_polonsky_keer.rs`. A solver outside the crate can do all that those of the crate do.
-//! - What is measured on a contact: [`contact::OBSERVABLES`]. A new observable is one row of this table.
+//! - What can be read of a state: [`contact::Quantity`]. A new quantity is one row of its table.
+//! - How states follow each other: [`history::Process`]; the simplest one is [`history::Loading`].
 //! - The flags of the command line and the keys of a scene: [`setup::FLAGS`]. A new flag is one row of this table.
 //! - The files that a setup names: [`setup::FILE_KEYS`]. All that a setup reads follows from this list.
 //!

@@ -7,7 +7,7 @@ use crate::conversion::to_python;
 use crate::error::{BoxedError, bail, py_error};
 use crate::problem::Problem;
 use asperity::contact::{ContactModulus, Solver, Stop};
-use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
+use asperity::foreign::{Assessment, Claim, Frame, GivenField, Replay};
 use asperity::setup::Solid;
 use asperity::surface::Field;
 use numpy::PyArrayDyn;
@@ -56,7 +56,7 @@ impl Certification {
         let values = ArrayLike::new(values, quantity)?;
         let own = problem.setup.setup.stop;
         let stop = tolerance.map_or(Ok(own), |it| Stop::new(it, own.max_iterations())).map_err(py_error)?;
-        let kind: Quantity = quantity.parse().expect("the three quantities have these names");
+        let kind: GivenField = quantity.parse().expect("the three quantities have these names");
         let values = field_on(&values, problem.problem.surface().grid().shape(), quantity)?;
         let found = py.detach(|| Self::find(problem, &stop, kind, &values)).map_err(py_error)?;
         let Finding { certificate, contact, assessment, holds, mistakes } = found;
@@ -76,7 +76,7 @@ impl Certification {
         })
     }
 
-    fn find(of: &Problem, stop: &Stop, kind: Quantity, values: &Field) -> Result<Finding, BoxedError> {
+    fn find(of: &Problem, stop: &Stop, kind: GivenField, values: &Field) -> Result<Finding, BoxedError> {
         let (problem, setup) = (&of.problem, &of.setup.setup);
         let frame = Frame { values: values.iter().copied().collect(), seconds: None };
         let replay = Replay::new("the result given", kind, [Ok(frame)].into_iter());

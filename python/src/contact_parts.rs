@@ -5,7 +5,7 @@ use crate::certificate::{Certificate, Work};
 use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use crate::problem::Problem;
-use asperity::contact::{Friction, PartialSlip, Quantity, Resolved, StateKind, StateValues, Status};
+use asperity::contact::{Friction, PartialSlip, Quantity, Resolved, StateValues, Status};
 use asperity::setup::ProcessKind;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -153,11 +153,6 @@ fn has_same_numbers(one: &asperity::Contact, two: &asperity::Contact) -> bool {
 
 /// The numbers that a process has given for a state.
 fn values(process: ProcessKind, numbers: &[(String, f64)]) -> StateValues {
-    let kind = match process {
-        ProcessKind::Adhesion => StateKind::Adhesion,
-        ProcessKind::Creep => StateKind::Creep,
-        ProcessKind::Loads | ProcessKind::Slip | ProcessKind::Sliding | ProcessKind::Rolling => StateKind::Elastic,
-    };
     let known = numbers.iter().filter_map(|(name, value)| Some((Quantity::find(name)?, *value)));
-    known.fold(StateValues::new(kind), |values, (quantity, value)| values.with(quantity, value))
+    known.fold(StateValues::new(process.row().state), |values, (quantity, value)| values.with(quantity, value))
 }

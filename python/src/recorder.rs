@@ -12,7 +12,7 @@ use crate::sink::{NOTHING_RECORDED, RecordingSink};
 use asperity::contact::{Multilevel, Solver, Stop};
 use asperity::diagnosis::{Diagnosis, Findings, Reference};
 use asperity::error::Failure;
-use asperity::foreign::{Distance, Distances, Frame, Quantity, Replay};
+use asperity::foreign::{Distance, Distances, Frame, GivenField, Replay};
 use asperity::job::{Job, JobRun, ShowSteps};
 use asperity::setup;
 use asperity::surface::Field;
@@ -54,7 +54,7 @@ struct Plan {
     setup: setup::Setup,
     rank: usize,
     name: String,
-    quantity: Quantity,
+    quantity: GivenField,
     sink: RecordingSink,
     reference: Target,
 }
@@ -195,7 +195,7 @@ impl Recorder {
         let mut sink = RecordingSink::new(path, live);
         stream.map_or(Ok(()), |stream| sink.stream_to(stream))?;
         sink.check(&problem.setup.setup)?;
-        let Ok(quantity) = quantity.parse::<Quantity>() else {
+        let Ok(quantity) = quantity.parse::<GivenField>() else {
             return bail(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
         };
         if problem.setup.loads.is_some() {
@@ -334,6 +334,6 @@ fn of_pressure(
     solver: &str,
 ) -> Result<asperity::Contact, BoxedError> {
     let frame = Frame { values: pressure.into_iter().collect(), seconds: None };
-    let replay = Replay::new(solver, Quantity::Pressure, [Ok(frame)].into_iter());
+    let replay = Replay::new(solver, GivenField::Pressure, [Ok(frame)].into_iter());
     Ok(replay.solve(problem, stop, &mut ())?)
 }

@@ -14,7 +14,7 @@ use crate::step::Step;
 use crate::warnings::{warn, warn_sentence, warning_of_failure, warnings_about};
 use asperity::contact::{Load, Observer, State, Status};
 use asperity::error::{HistoryError, StudyError};
-use asperity::foreign::{Quantity, Replay};
+use asperity::foreign::{GivenField, Replay};
 use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::{self, Cost};
 use pyo3::prelude::*;
@@ -115,7 +115,7 @@ impl Solve<'_> {
         let (setup, problem, sink) = (&self.setup.setup, &self.problem.problem, &self.options.sink);
         let title = format!("{}, {}", setup.surface.title(problem.surface().grid()), own.name);
         let outcome = self.in_background(py, |steps| {
-            let replay = Replay::new(&own.name, Quantity::Pressure, pressures.iter()).endless();
+            let replay = Replay::new(&own.name, GivenField::Pressure, pressures.iter()).endless();
             let job = Job::from_run(JobRun::from_other(&title, setup.clone(), problem.clone(), &replay));
             let job = match sink.target() {
                 Some(target) => job.recorded(target),

@@ -14,7 +14,7 @@ use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Problem, archive, warnings_of};
 use asperity::error::ProblemError;
 use asperity::files::{check_apart, check_named, write_beside};
-use asperity::foreign::{Assessment, Claim, Frame, Quantity, Replay};
+use asperity::foreign::{Assessment, Claim, Frame, GivenField, Replay};
 use asperity::job::write_nodes;
 use asperity::plot::{write_png, write_svg};
 use asperity::setup::{Cost, Setup};
@@ -122,11 +122,11 @@ impl Certify {
     }
 
     /// The quantity that is claimed, and its file.
-    fn claimed(&self) -> (Quantity, &Path) {
+    fn claimed(&self) -> (GivenField, &Path) {
         match (&self.pressure, &self.gap, &self.displacement) {
-            (Some(path), ..) => (Quantity::Pressure, path),
-            (_, Some(path), _) => (Quantity::Gap, path),
-            (.., path) => (Quantity::Displacement, path.as_deref().unwrap_or(Path::new(""))),
+            (Some(path), ..) => (GivenField::Pressure, path),
+            (_, Some(path), _) => (GivenField::Gap, path),
+            (.., path) => (GivenField::Displacement, path.as_deref().unwrap_or(Path::new(""))),
         }
     }
 

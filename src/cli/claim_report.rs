@@ -4,7 +4,7 @@ use super::finding::Finding;
 use super::output::write_rows;
 use super::units::Units;
 use asperity::contact::Load;
-use asperity::foreign::{Assessment, Disagreement, Mistake, Quantity, Spot};
+use asperity::foreign::{Assessment, Disagreement, GivenField, Mistake, Spot};
 use asperity::grid::Grid;
 use asperity::setup::Setup;
 use serde::Serialize;
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-12;
 #[derive(Serialize)]
 pub struct ClaimReport {
     pub file: PathBuf,
-    pub quantity: Quantity,
+    pub quantity: GivenField,
     /// Whether it is within the tolerances.
     pub holds: bool,
     /// The load, if it was given and is not that of the result itself.

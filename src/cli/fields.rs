@@ -3,7 +3,7 @@
 use super::exit_status::usage;
 use anyhow::Result;
 use asperity::error::ClaimError;
-use asperity::foreign::Quantity;
+use asperity::foreign::GivenField;
 use asperity::setup::{Setup, SetupTable, Solid};
 use asperity::surface::Field;
 use ndarray::{ArrayD, Axis, Ix2};
@@ -15,16 +15,16 @@ pub fn rows(array: ArrayD<f64>) -> Result<Field> {
 }
 
 /// Whether a setup has a load. One that has none gets that of a field of some quantity.
-pub fn lay_load(table: &mut SetupTable, quantity: Quantity, field: &Field) -> Result<bool> {
+pub fn lay_load(table: &mut SetupTable, quantity: GivenField, field: &Field) -> Result<bool> {
     check_one_load(table)?;
     if table.has_load() {
         return Ok(true);
     }
     let mean = field.mean().unwrap_or(f64::NAN);
     match quantity {
-        Quantity::Pressure => table.lay("load.mean-pressure", mean.abs().into()),
-        Quantity::Gap => table.lay("load.mean-gap", mean.into()),
-        Quantity::Displacement => return Err(ClaimError::NoLoad.into()),
+        GivenField::Pressure => table.lay("load.mean-pressure", mean.abs().into()),
+        GivenField::Gap => table.lay("load.mean-gap", mean.into()),
+        GivenField::Displacement => return Err(ClaimError::NoLoad.into()),
     }
     Ok(false)
 }

@@ -1,4 +1,4 @@
-//! `asperity solve` with a history: creep, slip, sliding or rolling.
+//! `asperity solve` with a history: what it writes and prints of creep, slip, sliding, rolling and adhesion.
 
 use super::adhesion;
 use super::exit_status::ExitStatus;

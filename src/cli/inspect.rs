@@ -16,7 +16,7 @@ use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, 
 use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
 use asperity::files::check_apart;
-use asperity::foreign::{Claim, Distances, Follow, Frame, Quantity, Replay, Steps, step_files};
+use asperity::foreign::{Claim, Distances, Follow, Frame, GivenField, Replay, Steps, step_files};
 use asperity::setup::{Cost, Setup, SetupTable};
 use asperity::surface::{read_field, read_fields, read_fields_shape};
 use clap::Args;
@@ -50,10 +50,10 @@ pub struct Inspect {
     /// With --follow: stop after this time without a new step, in seconds
     #[arg(long, value_name = "SECONDS", value_parser = seconds, requires = "follow", help_heading = "Steps")]
     idle: Option<Duration>,
-    /// Quantity in the steps, which is also the name of the array in a .npz
+    /// GivenField in the steps, which is also the name of the array in a .npz
     #[arg(long, value_name = "QUANTITY", default_value = "pressure", help_heading = "Steps",
-        value_parser = choice::<Quantity>())]
-    kind: Quantity,
+        value_parser = choice::<GivenField>())]
+    kind: GivenField,
     /// File of the time of each step in seconds, from the start; a .npz may contain it as `seconds` or `time`
     #[arg(long, value_name = "FILE", conflicts_with = "follow", help_heading = "Steps")]
     times: Option<PathBuf>,
@@ -171,11 +171,11 @@ impl Inspect {
         let Some(path) = &self.reference else {
             return Ok(Multilevel.solve(problem, &stop, &mut Progress::new("the reference"))?);
         };
-        let field = rows(read_field(path, Quantity::Pressure.name())?)?;
+        let field = rows(read_field(path, GivenField::Pressure.name())?)?;
         let (surface, modulus) = (problem.surface().clone(), ContactModulus(problem.contact_modulus()));
-        let claim = Claim::new(surface, modulus, Some(problem.load()), Quantity::Pressure, &field)?;
+        let claim = Claim::new(surface, modulus, Some(problem.load()), GivenField::Pressure, &field)?;
         let frame = Frame { values: claim.values().to_vec(), seconds: None };
-        let replay = Replay::new(&path.display().to_string(), Quantity::Pressure, [Ok(frame)].into_iter());
+        let replay = Replay::new(&path.display().to_string(), GivenField::Pressure, [Ok(frame)].into_iter());
         Ok(replay.solve(problem, &stop, &mut ())?)
     }
 

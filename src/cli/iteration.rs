@@ -5,7 +5,7 @@ use super::finding::Finding;
 use super::output::{write_diagnosis, write_rows};
 use super::units::Units;
 use asperity::diagnosis::Findings;
-use asperity::foreign::{Distance, Quantity};
+use asperity::foreign::{Distance, GivenField};
 use asperity::grid::Grid;
 use asperity::setup::Setup;
 use serde::Serialize;
@@ -19,7 +19,7 @@ const PER_DECADE: f64 = 6.0;
 pub struct Iteration {
     /// Where the steps come from.
     pub steps_of: String,
-    pub quantity: Quantity,
+    pub quantity: GivenField,
     pub steps: Vec<Distance>,
     /// The solver or file of the reference, and its certificate.
     pub reference_of: String,

@@ -201,6 +201,10 @@ impl Solve {
         let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
         let flow = setup.flow.measure(&contact)?;
         let finding = Finding { flow: FlowFinding::from_numbers(&flow.numbers), ..finding };
+        let is_archived = outputs.archive().is_some();
+        let fields = flow.leakages.into_iter().filter(|_| is_archived).flat_map(Leakage::into_fields).collect();
+        let state = State { fields, ..State::from_contact(contact, None) };
+        let contact = &state.contact;
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
@@ -208,23 +212,19 @@ impl Solve {
             let text = full.to_toml();
             let bytes = match &slip {
                 Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
-                None => {
-                    let fields = flow.leakages.into_iter().flat_map(Leakage::into_fields).collect();
-                    let state = State { fields, ..State::from_contact(contact.clone(), None) };
-                    archive_of_state(&state, subject.rank, Some(&text))
-                }
+                None => archive_of_state(&state, subject.rank, Some(&text)),
             };
             write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
         }
         if let Some(path) = outputs.table() {
-            write_nodes(path, &contact)?;
+            write_nodes(path, contact)?;
         }
         let units = self.scene.units(&setup.surface);
         if let Some(path) = outputs.picture() {
-            picture::write(path, &picture::of_contact(&subject.title, &contact, units))?;
+            picture::write(path, &picture::of_contact(&subject.title, contact, units))?;
         }
         if let Some(path) = &outputs.stress {
-            stress::write(path, &full, &contact, outputs.stress_row)?;
+            stress::write(path, &full, contact, outputs.stress_row)?;
         }
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
@@ -247,7 +247,7 @@ impl Solve {
         let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
         outputs.files().filter(is_whole).for_each(wrote);
         let stuck = slip.map_or(Ok(ExitStatus::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
-        Ok(settle(&contact)?.max(stuck))
+        Ok(settle(contact)?.max(stuck))
     }
 }
 

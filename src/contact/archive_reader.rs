@@ -227,6 +227,12 @@ impl ArchiveReader {
     }
 }
 
+/// The file of an archive, or of its first state if it is a folder that a killed run has left.
+pub fn first_archive(path: &Path) -> PathBuf {
+    let first = if path.is_dir() { parts_of(path).ok().and_then(|parts| parts.into_iter().next()) } else { None };
+    first.unwrap_or_else(|| path.to_owned())
+}
+
 /// The archives in a folder, by their names.
 fn parts_of(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let failed = |source| FileError::Read { path: folder.into(), source };

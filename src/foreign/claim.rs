@@ -1,6 +1,6 @@
 //! Results of other codes.
 
-use super::quantity::Quantity;
+use super::given_field::GivenField;
 use crate::contact::{Certificate, ContactModulus, Load, Problem};
 use crate::error::{ClaimError, ProblemError};
 use crate::surface::{Field, Surface};
@@ -15,7 +15,7 @@ pub struct Claim {
     pub(super) contact_modulus: f64,
     /// The load that is prescribed.
     pub(super) load: Option<Load>,
-    pub(super) quantity: Quantity,
+    pub(super) quantity: GivenField,
     /// The field, row by row.
     pub(super) values: Vec<f64>,
 }
@@ -29,13 +29,13 @@ impl Claim {
         surface: impl Into<Arc<Surface>>,
         ContactModulus(contact_modulus): ContactModulus,
         load: Option<Load>,
-        quantity: Quantity,
+        quantity: GivenField,
         values: &Field,
     ) -> Result<Self, ClaimError> {
         let surface = surface.into();
         let expected = surface.grid().shape();
         check(quantity, values, expected)?;
-        if load.is_none() && quantity == Quantity::Displacement {
+        if load.is_none() && quantity == GivenField::Displacement {
             return Err(ClaimError::NoLoad);
         }
         let values = values.iter().copied().collect();
@@ -43,7 +43,7 @@ impl Claim {
     }
 
     /// The quantity that is claimed.
-    pub fn quantity(&self) -> Quantity {
+    pub fn quantity(&self) -> GivenField {
         self.quantity
     }
 
@@ -64,8 +64,8 @@ impl Claim {
     pub fn problem(&self) -> Result<Problem, ProblemError> {
         let mean = self.values.iter().sum::<f64>() / self.values.len() as f64;
         let own = match self.quantity {
-            Quantity::Pressure => Load::MeanPressure(mean.abs()),
-            Quantity::Gap | Quantity::Displacement => Load::MeanGap(mean),
+            GivenField::Pressure => Load::MeanPressure(mean.abs()),
+            GivenField::Gap | GivenField::Displacement => Load::MeanGap(mean),
         };
         Problem::new(self.surface.clone(), ContactModulus(self.contact_modulus), self.load.unwrap_or(own))
     }
@@ -85,7 +85,7 @@ impl Claim {
 }
 
 /// Refuses a field that does not fit a grid or is not finite.
-pub(super) fn check(quantity: Quantity, values: &Field, expected: [usize; 2]) -> Result<(), ClaimError> {
+pub(super) fn check(quantity: GivenField, values: &Field, expected: [usize; 2]) -> Result<(), ClaimError> {
     let (quantity, found) = (quantity.name(), values.shape());
     if found != expected {
         let is_transposed = found == [expected[1], expected[0]];

@@ -2,7 +2,7 @@
 
 use super::arrangement::Arrangement;
 use super::claim::{Claim, ClaimedState};
-use super::quantity::Quantity;
+use super::given_field::GivenField;
 use crate::grid::Grid;
 use crate::surface::Surface;
 
@@ -13,7 +13,7 @@ pub(super) enum MistakeKind {
     /// The nodes are in another order.
     Arrangement(Arrangement),
     /// A gap was taken for a displacement, or the reverse.
-    Quantity,
+    GivenField,
     /// The field has the other sign.
     Sign,
     /// The peaks point the other way.
@@ -39,7 +39,7 @@ const LEAST_FACTOR: f64 = 0.03;
 impl MistakeKind {
     /// All kinds that there can be on a grid, in the order in which one can follow another.
     pub fn all(grid: &Grid) -> Vec<Self> {
-        let others = [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
+        let others = [Self::GivenField, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
         Arrangement::on(grid).map(Self::Arrangement).chain(others).collect()
     }
 
@@ -52,7 +52,7 @@ impl MistakeKind {
     pub fn goes_with(self, other: Self) -> bool {
         let rank = |kind: Self| match kind {
             Self::Arrangement(_) => 0,
-            Self::Quantity => 1,
+            Self::GivenField => 1,
             Self::Sign => 2,
             Self::Heights => 3,
             Self::Modulus | Self::Scale => 4,
@@ -66,7 +66,7 @@ impl MistakeKind {
         let mut factor = 1.0;
         match self {
             Self::Arrangement(arrangement) => better.values = arrangement.apply(&claim.values, claim.surface.grid()),
-            Self::Quantity => better.quantity = other_length(claim)?,
+            Self::GivenField => better.quantity = other_length(claim)?,
             Self::Sign => better.values.iter_mut().for_each(|value| *value = -*value),
             Self::Heights => better.surface = upside_down(&claim.surface)?.into(),
             Self::Modulus => {
@@ -74,7 +74,7 @@ impl MistakeKind {
                 better.contact_modulus /= factor;
             }
             Self::Scale => {
-                factor = fitted(claim).filter(|_| claim.quantity == Quantity::Pressure)?;
+                factor = fitted(claim).filter(|_| claim.quantity == GivenField::Pressure)?;
                 better.values.iter_mut().for_each(|value| *value *= factor);
             }
         }
@@ -83,10 +83,10 @@ impl MistakeKind {
 }
 
 /// The displacement or gap that the gap or displacement may be.
-fn other_length(claim: &Claim) -> Option<Quantity> {
+fn other_length(claim: &Claim) -> Option<GivenField> {
     match claim.quantity {
-        Quantity::Gap if claim.load.is_some() => Some(Quantity::Displacement),
-        Quantity::Displacement => Some(Quantity::Gap),
+        GivenField::Gap if claim.load.is_some() => Some(GivenField::Displacement),
+        GivenField::Displacement => Some(GivenField::Gap),
         _ => None,
     }
 }
@@ -99,8 +99,8 @@ fn upside_down(surface: &Surface) -> Option<Surface> {
 fn fitted(claim: &Claim) -> Option<f64> {
     let state = claim.state().ok()?;
     let factor = match claim.quantity {
-        Quantity::Pressure => level(&state),
-        Quantity::Gap | Quantity::Displacement => workless(&state)?,
+        GivenField::Pressure => level(&state),
+        GivenField::Gap | GivenField::Displacement => workless(&state)?,
     };
     let is_error = factor.is_finite() && factor > 0.0 && (factor - 1.0).abs() > LEAST_FACTOR;
     is_error.then_some(factor)

@@ -4,7 +4,7 @@ use super::claim::Claim;
 use super::correction::{ClaimCorrection, MistakeKind};
 use super::factor::Factor;
 use super::fault::Fault;
-use super::quantity::Quantity;
+use super::given_field::GivenField;
 use serde::Serialize;
 
 /// The largest fault of a claim that counts as a solution.
@@ -120,17 +120,19 @@ impl Claim {
                 let remedy = order.remedy(name, self.surface.grid());
                 format!("the {name}s {} relative to the heights: give {remedy}", order.words())
             }
-            MistakeKind::Quantity if self.quantity == Quantity::Gap => {
+            MistakeKind::GivenField if self.quantity == GivenField::Gap => {
                 "the field is the displacement, not the gap: give it with --displacement".into()
             }
-            MistakeKind::Quantity => "the field is the gap, not the displacement: give it with --gap".into(),
+            MistakeKind::GivenField => "the field is the gap, not the displacement: give it with --gap".into(),
             MistakeKind::Heights => {
                 "the heights have the wrong sign: give -height, so that peaks towards the solid are positive".into()
             }
             _ => match self.quantity {
-                Quantity::Pressure => "the pressures are negative in compression: give -pressure".into(),
-                Quantity::Gap => "the gaps are negative where the surfaces are apart: give -gap".into(),
-                Quantity::Displacement => "the displacements are positive out of the solid: give -displacement".into(),
+                GivenField::Pressure => "the pressures are negative in compression: give -pressure".into(),
+                GivenField::Gap => "the gaps are negative where the surfaces are apart: give -gap".into(),
+                GivenField::Displacement => {
+                    "the displacements are positive out of the solid: give -displacement".into()
+                }
             },
         }
     }

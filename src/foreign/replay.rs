@@ -1,7 +1,7 @@
 //! Iterations of other codes, replayed.
 
 use super::fault::feasible;
-use super::quantity::Quantity;
+use super::given_field::GivenField;
 use super::tension::Tension;
 use crate::contact::{Certificate, Contact, Observer, Problem, Run, Solver, Status, Step, Stop};
 use crate::elastic::Response;
@@ -27,7 +27,7 @@ pub struct Frame {
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Each, Load, Solver};
-/// use asperity::foreign::{Frame, Quantity, Replay};
+/// use asperity::foreign::{Frame, GivenField, Replay};
 /// use asperity::{Grid, Indenter, Problem, Stop};
 /// use std::ops::ControlFlow;
 ///
@@ -41,21 +41,21 @@ pub struct Frame {
 ///     certificates.extend(step.certificate().map(|it| it.eta));
 ///     ControlFlow::Continue(())
 /// });
-/// let replay = Replay::new("mine", Quantity::Pressure, frames);
+/// let replay = Replay::new("mine", GivenField::Pressure, frames);
 /// let contact = replay.solve(&problem, &Stop::default(), &mut watch)?;
 /// assert!(certificates[1] < certificates[0] && !contact.is_converged());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Replay<I> {
     name: String,
-    quantity: Quantity,
+    quantity: GivenField,
     frames: RefCell<I>,
     is_endless: bool,
 }
 
 impl<I: Iterator<Item = Result<Frame, Failure>>> Replay<I> {
     /// The replay of steps of a quantity, made by a code of some name. They can be replayed once.
-    pub fn new(name: &str, quantity: Quantity, frames: I) -> Self {
+    pub fn new(name: &str, quantity: GivenField, frames: I) -> Self {
         Self { name: name.into(), quantity, frames: RefCell::new(frames), is_endless: false }
     }
 

@@ -1,8 +1,8 @@
 //! The steps of other codes, out of files.
 
 use super::claim::check;
+use super::given_field::GivenField;
 use super::order::natural;
-use super::quantity::Quantity;
 use super::replay::Frame;
 use crate::error::{ClaimError, Failure, FileError, StepsError};
 use crate::grid::Grid;
@@ -18,7 +18,7 @@ const ENDINGS: [&str; 5] = ["npy", "npz", "txt", "csv", "dat"];
 /// Steps of a quantity on a grid, read from one file after the other: one step a file, or several along a first axis. An archive has
 /// them under the name of the quantity, and their seconds, if it has any, as `seconds` or `time`.
 pub struct Steps<P> {
-    quantity: Quantity,
+    quantity: GivenField,
     grid: Grid,
     paths: P,
     /// The seconds of all steps, if they were given beside the files.
@@ -61,7 +61,7 @@ pub(super) fn in_folder(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
 
 impl<P: Iterator<Item = PathBuf>> Steps<P> {
     /// The steps of a quantity in the files of some paths.
-    pub fn new(quantity: Quantity, grid: &Grid, paths: P) -> Self {
+    pub fn new(quantity: GivenField, grid: &Grid, paths: P) -> Self {
         Self { quantity, grid: *grid, paths, seconds: None, frames: Vec::new().into_iter(), count: 0 }
     }
 

@@ -1,4 +1,4 @@
-//! A run of a setup with a history: creep, slip, sliding or rolling.
+//! The states of a run with several: loads, creep, slip, sliding, rolling or adhesion.
 
 use super::follow::StateKeeping;
 use super::run::JobRun;

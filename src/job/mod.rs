@@ -1,9 +1,10 @@
 //! One run of a setup, the same for all front ends: cost, first pass, solve, recording, diagnosis and warnings.
 //!
 //! ```text
-//! Setup --> Job --prepare--> Ready --run--> Outcome { contacts, slip, diagnosis, warnings }
-//!            |                 |
-//!            cost              warnings about the surface, before anything is solved
+//! Setup --> Job --prepare--> Ready --run--> Outcome { solved: contact or states, diagnosis }
+//!            |                 |      |
+//!            cost              |      states, each as soon as it is solved --> sinks: recording, table, archive
+//!                              warnings about the surface, before anything is solved
 //! ```
 //!
 //! ```
@@ -25,6 +26,8 @@ mod outcome;
 mod ready;
 mod run;
 mod saved;
+#[cfg(feature = "record")]
+mod saved_recording;
 mod saved_states;
 mod sink;
 mod state_archive;

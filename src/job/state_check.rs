@@ -77,12 +77,7 @@ impl<'a> StateCheck<'a> {
 
     /// The fields without which a state cannot be checked.
     fn missing(&self, state: &State) -> Vec<SavedDoubt> {
-        let needed: &[&'static str] = match self.kind {
-            ProcessKind::Creep => &["stored_strain"],
-            ProcessKind::Adhesion => &["attraction"],
-            ProcessKind::Slip | ProcessKind::Rolling => &["traction"],
-            ProcessKind::Sliding | ProcessKind::Loads => &[],
-        };
+        let needed = self.kind.row().needed;
         let missing = needed.iter().filter(|name| state.field(name).is_none());
         missing.map(|name| SavedDoubt::Missing { name }).collect()
     }

@@ -56,6 +56,14 @@ impl<'a> StateRecording<'a> {
         Ok(Self { target: Some(target.opened()?), path, options, begun: None })
     }
 
+    /// Ends the recording of a list of loads.
+    ///
+    /// # Errors
+    /// [`FileError::Write`].
+    pub fn finish(mut self) -> Result<(), FileError> {
+        self.begun.take().map_or(Ok(()), |begun| begun.recording.finish())
+    }
+
     fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
         let Some(target) = self.target.take() else { return Ok(()) };
         let is_list = posed.kind == ProcessKind::Loads;

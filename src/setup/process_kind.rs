@@ -1,6 +1,6 @@
 //! The processes that a setup can describe, and what each of them offers.
 
-use crate::contact::Quantity;
+use crate::contact::{Quantity, StateKind};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The processes that a setup, or a list of loads, can describe.
@@ -36,6 +36,10 @@ pub struct ProcessRow {
     pub caption: &'static [Quantity],
     /// Whether the states differ in what they claim, so that each states its own claim.
     pub has_claims: bool,
+    /// The further fields without which a saved state cannot be certified again.
+    pub needed: &'static [&'static str],
+    /// What its contacts are states of.
+    pub state: StateKind,
 }
 
 /// A chart of the states of a process: one quantity against another one.
@@ -71,6 +75,8 @@ const LOADS: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::ReducedPressure],
     has_claims: false,
+    needed: &[],
+    state: StateKind::Elastic,
 };
 
 const CREEP: ProcessRow = ProcessRow {
@@ -90,6 +96,8 @@ const CREEP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Time],
     has_claims: false,
+    needed: &["stored_strain"],
+    state: StateKind::Creep,
 };
 
 const SLIP: ProcessRow = ProcessRow {
@@ -108,6 +116,8 @@ const SLIP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Friction],
     has_claims: false,
+    needed: &["traction"],
+    state: StateKind::Elastic,
 };
 
 const SLIDING: ProcessRow = ProcessRow {
@@ -126,6 +136,8 @@ const SLIDING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Speed, Quantity::Friction],
     has_claims: false,
+    needed: &[],
+    state: StateKind::Elastic,
 };
 
 const ROLLING: ProcessRow = ProcessRow {
@@ -143,6 +155,8 @@ const ROLLING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Creepage, Quantity::Friction],
     has_claims: false,
+    needed: &["traction"],
+    state: StateKind::Elastic,
 };
 
 const ADHESION: ProcessRow = ProcessRow {
@@ -162,6 +176,8 @@ const ADHESION: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::MeanGap],
     has_claims: true,
+    needed: &["attraction"],
+    state: StateKind::Adhesion,
 };
 
 impl ProcessKind {

@@ -2,6 +2,7 @@
 
 use super::fault::{found_in, keys_of};
 use super::{Cell, FLAGS, Method, Recipe, Setup};
+use crate::contact::first_archive;
 use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
 use crate::files::{read_bytes, write_beside};
 use crate::surface::{read_fields, read_text};
@@ -56,6 +57,7 @@ impl SetupTable {
     /// # Errors
     /// [`FileError::Read`] for one that cannot be read, [`SetupError::Text`] for one that holds no setup.
     pub fn read(path: &Path) -> Result<Self, SetupError> {
+        let path = &*first_archive(path);
         match read_text(path, "setup") {
             Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)),
             Ok(None) => Self::read_scene(path),

@@ -9,8 +9,8 @@
 //!                              in Batches by workers elsewhere --> Ledger --> the same
 //! ```
 //!
-//! A setup with adhesion is followed along its path instead, and its row has an [`AdhesionRow`]. One that asks for leakage or
-//! conductance has a [`FlowRow`] in each row.
+//! A setup with a history is followed along its path instead: its row has the numbers of the last state, and what all states
+//! add up to. One that asks for leakage or conductance has what flows in each row.
 
 #[cfg(feature = "figures")]
 mod adhesion_figure;

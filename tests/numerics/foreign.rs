@@ -3,19 +3,19 @@
 use crate::peer::Peer;
 use asperity::contact::{Certificate, ContactModulus, Each, Gfmd, Load, Problem, Solver, Stop};
 use asperity::elastic::Response;
-use asperity::foreign::{Assessment, Claim, Frame, Mistake, Quantity, Replay};
+use asperity::foreign::{Assessment, Claim, Frame, GivenField, Mistake, Replay};
 use asperity::surface::{Field, Spectrum};
 use asperity::{Contact, Grid, Indenter, Surface};
 use std::ops::ControlFlow;
 
 /// The claim of a peer's result, under the load that is told or the one that it carries.
-fn claim(peer: &Peer, load: Option<Load>, quantity: Quantity, values: &Field) -> Claim {
+fn claim(peer: &Peer, load: Option<Load>, quantity: GivenField, values: &Field) -> Claim {
     let modulus = ContactModulus(peer.contact_modulus);
     Claim::new(peer.surface.clone(), modulus, load, quantity, values).unwrap()
 }
 
 fn pressure_claim(peer: &Peer, values: &Field) -> Claim {
-    claim(peer, Some(peer.load()), Quantity::Pressure, values)
+    claim(peer, Some(peer.load()), GivenField::Pressure, values)
 }
 
 /// Gap and displacement that belong to a pressure.
@@ -40,12 +40,12 @@ fn results_of_a_peer_hold_in_each_quantity() {
     for peer in Peer::all() {
         let [gap, displacement] = lengths(&peer, &peer.pressure);
         for (quantity, values, tolerance) in [
-            (Quantity::Pressure, &peer.pressure, 1e-10),
-            (Quantity::Gap, &gap, 1e-9),
-            (Quantity::Displacement, &displacement, 1e-9),
+            (GivenField::Pressure, &peer.pressure, 1e-10),
+            (GivenField::Gap, &gap, 1e-9),
+            (GivenField::Displacement, &displacement, 1e-9),
         ] {
             let loads = [Some(peer.load()), Some(Load::MeanGap(peer.mean_gap)), None];
-            for load in loads.into_iter().filter(|load| load.is_some() || quantity != Quantity::Displacement) {
+            for load in loads.into_iter().filter(|load| load.is_some() || quantity != GivenField::Displacement) {
                 let claim = claim(&peer, load, quantity, values);
                 let contact = contact_of(&claim);
                 let eta = contact.certificate.eta;
@@ -78,7 +78,7 @@ fn spoiled(claim: Claim, name: &'static str, words: impl Into<String>) -> Spoile
 
 fn with_modulus(peer: &Peer, factor: f64, load: Option<Load>) -> Claim {
     let modulus = ContactModulus(factor * peer.contact_modulus);
-    Claim::new(peer.surface.clone(), modulus, load, Quantity::Pressure, &peer.pressure).unwrap()
+    Claim::new(peer.surface.clone(), modulus, load, GivenField::Pressure, &peer.pressure).unwrap()
 }
 
 /// Results that were spoiled by one everyday mistake each.
@@ -91,13 +91,13 @@ fn everyday(peer: &Peer) -> Vec<Spoiled> {
     let (modulus, given) = (ContactModulus(peer.contact_modulus), Some(peer.load()));
     let mut all = vec![
         spoiled(pressure_claim(peer, &-&peer.pressure), "sign", "give -pressure"),
-        spoiled(claim(peer, None, Quantity::Pressure, &-&peer.pressure), "sign", "give -pressure"),
-        spoiled(claim(peer, given, Quantity::Displacement, &-&displacement), "sign", "give -displacement"),
-        spoiled(claim(peer, given, Quantity::Gap, &-&gap), "sign", "give -gap"),
-        spoiled(claim(peer, given, Quantity::Gap, &displacement), "quantity", "give it with --displacement"),
-        spoiled(claim(peer, given, Quantity::Displacement, &gap), "quantity", "give it with --gap"),
+        spoiled(claim(peer, None, GivenField::Pressure, &-&peer.pressure), "sign", "give -pressure"),
+        spoiled(claim(peer, given, GivenField::Displacement, &-&displacement), "sign", "give -displacement"),
+        spoiled(claim(peer, given, GivenField::Gap, &-&gap), "sign", "give -gap"),
+        spoiled(claim(peer, given, GivenField::Gap, &displacement), "quantity", "give it with --displacement"),
+        spoiled(claim(peer, given, GivenField::Displacement, &gap), "quantity", "give it with --gap"),
         spoiled(pressure_claim(peer, &(&peer.pressure * cell)), "pressure-factor", force),
-        spoiled(claim(peer, None, Quantity::Pressure, &(&peer.pressure * cell)), "pressure-factor", force),
+        spoiled(claim(peer, None, GivenField::Pressure, &(&peer.pressure * cell)), "pressure-factor", force),
         spoiled(pressure_claim(peer, &(&peer.pressure * 1e-6)), "pressure-factor", "units"),
         spoiled(with_modulus(peer, 2.0, given), "modulus", "two equal bodies"),
         spoiled(with_modulus(peer, 0.5, None), "modulus", "one elastic body"),
@@ -109,7 +109,7 @@ fn everyday(peer: &Peer) -> Vec<Spoiled> {
         spoiled(with_modulus(peer, 1.0 / 0.91, None), "modulus", "nu = 0.30, as if the pressures were computed with E"),
         spoiled(with_modulus(peer, 1.37, given), "modulus", "1.3700 times too large"),
     ];
-    let quantities = [Quantity::Pressure, Quantity::Gap, Quantity::Displacement];
+    let quantities = [GivenField::Pressure, GivenField::Gap, GivenField::Displacement];
     for (quantity, values) in quantities.into_iter().zip([&peer.pressure, &gap, &displacement]) {
         let claim = Claim::new(upside_down.clone(), modulus, given, quantity, values).unwrap();
         all.push(spoiled(claim, "heights", "give -height"));
@@ -144,7 +144,7 @@ fn fields_in_another_order_are_recognised() {
         for (values, words) in cases {
             // a symmetric surface does not tell
             if Certificate::new(
-                &claim(&peer, None, Quantity::Pressure, &values).problem().unwrap(),
+                &claim(&peer, None, GivenField::Pressure, &values).problem().unwrap(),
                 values.as_slice().unwrap(),
             )
             .eta < 1e-6
@@ -152,7 +152,7 @@ fn fields_in_another_order_are_recognised() {
                 continue;
             }
             for load in [Some(peer.load()), None] {
-                let mistakes = claim(&peer, load, Quantity::Pressure, &values).mistakes(&[]);
+                let mistakes = claim(&peer, load, GivenField::Pressure, &values).mistakes(&[]);
                 let is_told = |it: &Mistake| it.errors == ["arrangement"] && it.sentence.contains(words);
                 assert!(mistakes.iter().any(is_told), "{} {words}: {mistakes:?}", peer.name);
             }
@@ -172,11 +172,11 @@ fn two_mistakes_at_once_are_recognised() {
         (pressure_claim(&peer, &(&transposed * (dx * dy))), vec!["arrangement", "pressure-factor"]),
         (pressure_claim(&peer, &-&transposed), vec!["arrangement", "sign"]),
         (
-            Claim::new(upside_down, modulus, Some(peer.load()), Quantity::Displacement, &-&displacement).unwrap(),
+            Claim::new(upside_down, modulus, Some(peer.load()), GivenField::Displacement, &-&displacement).unwrap(),
             vec!["sign", "heights"],
         ),
         (with_modulus(&peer, 2.0, None), vec!["modulus"]),
-        (claim(&peer, None, Quantity::Pressure, &(&peer.pressure * (-2.0))), vec!["sign", "modulus"]),
+        (claim(&peer, None, GivenField::Pressure, &(&peer.pressure * (-2.0))), vec!["sign", "modulus"]),
     ];
     for (claim, expected) in cases {
         let mistakes = claim.mistakes(&[]);
@@ -226,10 +226,10 @@ fn results_that_are_not_converged_are_not_taken_for_mistaken_ones() {
             for [pressure, gap, displacement] in states(&problem, solver.as_ref()) {
                 let load = Some(Load::MeanPressure(problem.expected_mean_pressure()));
                 for (quantity, values, load) in [
-                    (Quantity::Pressure, &pressure, load),
-                    (Quantity::Pressure, &pressure, None),
-                    (Quantity::Gap, &gap, load),
-                    (Quantity::Displacement, &displacement, load),
+                    (GivenField::Pressure, &pressure, load),
+                    (GivenField::Pressure, &pressure, None),
+                    (GivenField::Gap, &gap, load),
+                    (GivenField::Displacement, &displacement, load),
                 ] {
                     let values = Field::from_shape_vec(problem.surface().grid().shape(), values.clone()).unwrap();
                     let modulus = ContactModulus(problem.contact_modulus());

@@ -63,7 +63,7 @@ fn what_does_not_flow_is_refused_in_one_sentence() {
         ("--resistivity=-1", "the resistivities are -1.0 and -1.0"),
         ("--resistivity 0", "not both zero"),
         ("--layer 0.1 --poisson 0.3 --modulus 1 --resistivity 1", "leave the layer out"),
-        ("--friction 0.3 --path-tangential 0.001,0.002 --flow", "leave them out"),
+        ("--friction 0.3 --path-tangential 0.001,0.002 --resistivity 1", "at rest"),
     ] {
         let output = folder.run(&format!("{line} {flags} --out result.npz"));
         let said = text(&output.stderr);

@@ -15,7 +15,7 @@ use strum::{Display, EnumIter, EnumMessage, EnumString, IntoStaticStr};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Display, EnumIter, EnumMessage, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-pub enum Quantity {
+pub enum GivenField {
     /// Pressure, positive in compression.
     Pressure,
     /// Gap between the surfaces, positive where they are apart.
@@ -24,7 +24,7 @@ pub enum Quantity {
     Displacement,
 }
 
-impl Quantity {
+impl GivenField {
     /// Its name in archives and on the command line.
     pub fn name(self) -> &'static str {
         self.into()

@@ -1,0 +1,51 @@
+//! Recordings of results that are read again.
+
+use super::saved::{SavedFound, SavedResult};
+use super::sink::{Posed, StateSink};
+use super::state_recording::StateRecording;
+use super::{Job, JobRun};
+use crate::contact::{Contact, State};
+use crate::error::{Failure, SetupError};
+use crate::foreign::{Frame, GivenField, Replay};
+use crate::record::{Options, Target};
+use crate::setup::ProcessKind;
+use std::path::Path;
+
+impl SavedResult {
+    /// Writes a recording of the result: of a contact its last step, of loads and histories one frame for each state.
+    ///
+    /// # Errors
+    /// For a file that cannot be written, and for a setup that cannot be.
+    pub fn record(&self, path: &Path) -> Result<(), SetupError> {
+        match &self.found {
+            SavedFound::Contact(contact, _) => self.record_contact(contact, path),
+            SavedFound::Curve(contacts) => self.record_loads(contacts, path),
+            SavedFound::History(outcome) => {
+                let problem = self.setup.problem_of(self.surface.clone())?;
+                Ok(outcome.record(path, &self.setup, &problem)?)
+            }
+        }
+    }
+
+    fn record_contact(&self, contact: &Contact, path: &Path) -> Result<(), SetupError> {
+        let values = contact.pressure.iter().copied().collect();
+        let frames = [Ok::<_, Failure>(Frame { values, seconds: None })].into_iter();
+        let steps = Replay::new(&contact.solver, GivenField::Pressure, frames);
+        let title = self.setup.surface.title(self.surface.grid());
+        let run = JobRun::from_other(&title, self.setup.clone(), contact.problem.clone(), &steps);
+        Job::from_run(run).recorded(Target::File(path.into())).run(&mut ()).map(drop)
+    }
+
+    fn record_loads(&self, contacts: &[Contact], path: &Path) -> Result<(), SetupError> {
+        let heaviest = |one: &&Contact, two: &&Contact| one.mean_pressure().total_cmp(&two.mean_pressure());
+        let Some(heaviest) = contacts.iter().max_by(heaviest) else { return Ok(()) };
+        let loads: Vec<_> = contacts.iter().map(|contact| contact.problem.load()).collect();
+        let problem = self.setup.problem_of(self.surface.clone())?.with_load(heaviest.problem.load())?;
+        let posed = Posed { setup: &self.setup, problem: &problem, kind: ProcessKind::Loads, loads: &loads };
+        let mut recording = StateRecording::open(Target::File(path.into()), Options::from(&self.setup))?;
+        for (number, contact) in contacts.iter().enumerate() {
+            recording.state(&posed, number, &State::from_contact(contact.clone(), Some(number)))?;
+        }
+        Ok(recording.finish()?)
+    }
+}
