@@ -102,8 +102,7 @@ impl Solve {
         let Self { outputs, .. } = self;
         let (kind, loads) = (run.kind()?, run.loads.clone());
         kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
-        let rank = run.setup.surface.rank(&run.setup.grid)?;
-        let job = self.job(run, kind, rank, auto).with_extras(outputs.extras(loads.len().max(1)));
+        let job = self.job(run, kind, auto).with_extras(outputs.extras(loads.len().max(1)));
         let cost = job.cost()?;
         outputs.check()?;
         if kind.is_none() {
@@ -170,7 +169,7 @@ impl Solve {
     }
 
     /// The job that the flags ask for. States go to a table and an archive as they come.
-    fn job(&self, run: JobRun<'static>, kind: Option<ProcessKind>, rank: usize, auto: Option<Auto>) -> Job<'static> {
+    fn job(&self, run: JobRun<'static>, kind: Option<ProcessKind>, auto: Option<Auto>) -> Job<'static> {
         let Self { outputs, .. } = self;
         let job = Job::from_run(run).diagnosed(self.diagnose);
         let job = match auto {
@@ -188,7 +187,7 @@ impl Solve {
             None => job,
         };
         match outputs.archive() {
-            Some(path) => job.with_sink(StateArchive::beside(path, rank)),
+            Some(path) => job.with_sink(StateArchive::beside(path)),
             None => job,
         }
     }

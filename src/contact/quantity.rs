@@ -6,107 +6,10 @@
 //! `relative_area_error` and `kappa_r_error` belong to it. Names that end in `_counted` are from counting nodes. Names that end in `_corrected` are
 //! from counting nodes, minus the mean excess.
 
-use crate::contact::{Contact, Reading, Validity};
+use super::quantity_row::Curve;
+use crate::contact::{QuantityKind, QuantityRow, Readings, Unit, Validity};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumString, IntoEnumIterator, IntoStaticStr};
-
-/// The unit of a quantity, in any consistent set of units.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize)]
-pub enum Unit {
-    /// A pure number.
-    #[strum(serialize = "1")]
-    #[serde(rename = "1")]
-    One,
-    /// A time.
-    #[strum(serialize = "time")]
-    #[serde(rename = "time")]
-    Time,
-    /// A length.
-    #[strum(serialize = "length")]
-    #[serde(rename = "length")]
-    Length,
-    /// A length per time.
-    #[strum(serialize = "length/time")]
-    #[serde(rename = "length/time")]
-    Speed,
-    /// A pressure.
-    #[strum(serialize = "pressure")]
-    #[serde(rename = "pressure")]
-    Pressure,
-    /// An energy per area: a pressure times a length.
-    #[strum(serialize = "pressure length")]
-    #[serde(rename = "pressure length")]
-    EnergyPerArea,
-    /// A length cubed.
-    #[strum(serialize = "length^3")]
-    #[serde(rename = "length^3")]
-    Volume,
-    /// One over a length.
-    #[strum(serialize = "1/length")]
-    #[serde(rename = "1/length")]
-    PerLength,
-    /// One over a resistivity and a length.
-    #[strum(serialize = "1/(resistivity length)")]
-    #[serde(rename = "1/(resistivity length)")]
-    Conductance,
-    /// A pressure per length.
-    #[strum(serialize = "pressure/length")]
-    #[serde(rename = "pressure/length")]
-    Stiffness,
-}
-
-/// What values a quantity has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum QuantityKind {
-    /// Any numbers.
-    Number,
-    /// Whole numbers.
-    Whole,
-    /// 1 where something is true, and 0 where it is not.
-    Flag,
-}
-
-/// Which curves a quantity has in recordings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Curve {
-    /// None.
-    None,
-    /// One over the steps of a solve.
-    Steps,
-    /// One over the states of a history.
-    States,
-    /// Both.
-    Both,
-}
-
-/// What the table says of a quantity.
-#[derive(Debug, Serialize)]
-pub struct QuantityRow {
-    /// Its name in files and tables.
-    pub name: &'static str,
-    /// Its symbol.
-    pub symbol: &'static str,
-    /// Its title in charts.
-    pub title: &'static str,
-    /// Its unit.
-    pub unit: Unit,
-    /// What values it has.
-    #[serde(skip)]
-    pub kind: QuantityKind,
-    /// Whether it is recorded at each step of a solve.
-    pub is_traced: bool,
-    /// Whether it has a curve over the states of a history.
-    #[serde(skip)]
-    pub has_curve: bool,
-    /// The states for which it has a meaning.
-    #[serde(skip)]
-    pub validity: Validity,
-    /// One sentence.
-    pub sentence: &'static str,
-    /// How it is computed of a contact or a step; none for a number that only a process knows.
-    #[serde(skip)]
-    pub(super) read: Option<fn(&Reading<'_>) -> f64>,
-}
 
 /// Makes of the rows the enum [`Quantity`], its table, and the struct [`Observables`]. Rows of `known` are numbers that only a process knows. Rows of
 /// `found` can be computed of any contact.
@@ -154,7 +57,7 @@ macro_rules! quantities {
                 validity: Validity::$validity,
                 sentence: $sentence,
                 read: Some(|reading| {
-                    let of: fn(&Reading<'_>) -> $type = $of;
+                    let of: fn(&dyn Readings) -> $type = $of;
                     of(reading) as f64
                 }),
             },)+
@@ -182,10 +85,9 @@ macro_rules! quantities {
         }
 
         impl Observables {
-            /// Reads all of them of a contact, of a step or of a state.
-            pub fn new<'a>(state: impl Into<Reading<'a>>) -> Self {
-                let reading = state.into();
-                Self { $($field: reading.value(Quantity::$found) as $type,)+ }
+            /// All of them by what gives the value of each.
+            pub(super) fn by(value: impl Fn(Quantity) -> f64) -> Self {
+                Self { $($field: value(Quantity::$found) as $type,)+ }
             }
 
             /// The numbers, in the order of [`Quantity::found`].
@@ -302,101 +204,94 @@ quantities! {
     }
     // name, type, validity, symbol, title, unit, curves, how it is computed, one sentence
     found {
-        MeanPressure mean_pressure: f64, Always, "<p>", "mean pressure", Pressure, States, |it| *it.mean_pressure,
+        MeanPressure mean_pressure: f64, Always, "<p>", "mean pressure", Pressure, States, |it| it.mean_pressure(),
             "Mean pressure.";
         ReducedPressure reduced_pressure: f64, Always, "p*", "reduced pressure", One, None, |it| it.reduced_pressure(),
             "Reduced pressure: mean pressure divided by rms gradient and contact modulus, of a contact that slides by its effective modulus.";
-        ReducedPressureContact reduced_pressure_contact: f64, Elastic, "p_r*", "reduced pressure in contact", One, None, |it| it.resolved.reduced_pressure_contact,
+        ReducedPressureContact reduced_pressure_contact: f64, Elastic, "p_r*", "reduced pressure in contact", One, None, |it| it.resolved().reduced_pressure_contact,
             "Reduced pressure with the rms gradient of the contact.";
-        ReducedPressureContactCounted reduced_pressure_contact_counted: f64, Elastic, "p_r*, counted", "reduced pressure in contact, nodes counted", One, None, |it| it.counted.reduced_pressure_contact,
+        ReducedPressureContactCounted reduced_pressure_contact_counted: f64, Elastic, "p_r*, counted", "reduced pressure in contact, nodes counted", One, None, |it| it.counted().reduced_pressure_contact,
             "Reduced pressure with the rms gradient of the nodes in contact.";
-        RelativeArea relative_area: f64, Always, "a_rel", "relative area", One, Both, |it| it.resolved.relative_area,
+        RelativeArea relative_area: f64, Always, "a_rel", "relative area", One, Both, |it| it.resolved().relative_area,
             "Relative contact area, with contact edges interpolated between grid nodes.";
-        RelativeAreaCounted relative_area_counted: f64, Always, "a_rel, counted", "relative area, nodes counted", One, Steps, |it| it.counted.relative_area,
+        RelativeAreaCounted relative_area_counted: f64, Always, "a_rel, counted", "relative area, nodes counted", One, Steps, |it| it.counted().relative_area,
             "Relative contact area as the fraction of nodes in contact.";
-        RelativeAreaCorrected relative_area_corrected: f64, Elastic, "a_rel, corrected", "relative area, corrected", One, None, |it| it.counted.relative_area_corrected,
+        RelativeAreaCorrected relative_area_corrected: f64, Elastic, "a_rel, corrected", "relative area, corrected", One, None, |it| it.counted().relative_area_corrected,
             "Fraction of nodes in contact, minus the mean excess of counted nodes at the edges.";
-        RmsHeight rms_height: f64, Always, "h_rms", "rms height", Length, None, |it| it.problem.rms_height(),
+        RmsHeight rms_height: f64, Always, "h_rms", "rms height", Length, None, |it| it.rms_height(),
             "Root mean square of the heights about their mean.";
-        RmsGradient rms_gradient: f64, Always, "g_rms", "rms gradient", One, None, |it| it.problem.rms_gradient(),
+        RmsGradient rms_gradient: f64, Always, "g_rms", "rms gradient", One, None, |it| it.rms_gradient(),
             "Root-mean-square gradient of the surface.";
-        RmsGradientContact rms_gradient_contact: f64, Elastic, "g_r", "rms gradient in contact", One, None, |it| it.resolved.rms_gradient_contact,
+        RmsGradientContact rms_gradient_contact: f64, Elastic, "g_r", "rms gradient in contact", One, None, |it| it.resolved().rms_gradient_contact,
             "Root-mean-square gradient over the contact, with contact edges interpolated between grid nodes.";
-        RmsGradientContactCounted rms_gradient_contact_counted: f64, Always, "g_r, counted", "rms gradient in contact, nodes counted", One, None, |it| it.counted.rms_gradient_contact,
+        RmsGradientContactCounted rms_gradient_contact_counted: f64, Always, "g_r, counted", "rms gradient in contact, nodes counted", One, None, |it| it.counted().rms_gradient_contact,
             "Root-mean-square gradient of the nodes in contact.";
-        RmsGradientContactCorrected rms_gradient_contact_corrected: f64, Elastic, "g_r, corrected", "rms gradient in contact, corrected", One, None, |it| it.counted.rms_gradient_contact_corrected,
+        RmsGradientContactCorrected rms_gradient_contact_corrected: f64, Elastic, "g_r, corrected", "rms gradient in contact, corrected", One, None, |it| it.counted().rms_gradient_contact_corrected,
             "Root-mean-square gradient of the nodes in contact, minus the mean excess of counted nodes at the edges.";
-        Kappa kappa: f64, Elastic, "kappa", "kappa", One, Steps, |it| it.resolved.relative_area / it.counted.reduced_pressure,
+        Kappa kappa: f64, Elastic, "kappa", "kappa", One, Steps, |it| it.resolved().relative_area / it.counted().reduced_pressure,
             "Relative contact area divided by reduced pressure, with contact edges interpolated between grid nodes.";
-        KappaCounted kappa_counted: f64, Elastic, "kappa, counted", "kappa, nodes counted", One, None, |it| it.counted.kappa,
+        KappaCounted kappa_counted: f64, Elastic, "kappa, counted", "kappa, nodes counted", One, None, |it| it.counted().kappa,
             "Fraction of nodes in contact divided by reduced pressure.";
-        KappaCorrected kappa_corrected: f64, Elastic, "kappa, corrected", "kappa, corrected", One, None, |it| it.counted.relative_area_corrected / it.counted.reduced_pressure,
+        KappaCorrected kappa_corrected: f64, Elastic, "kappa, corrected", "kappa, corrected", One, None, |it| it.counted().relative_area_corrected / it.counted().reduced_pressure,
             "Corrected relative contact area divided by reduced pressure.";
         KappaR kappa_r: f64, NoAdhesion, "kappa_r", "kappa_r", One, Both, |it| it.kappa_r(),
             "Relative contact area divided by the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes.";
-        KappaRCounted kappa_r_counted: f64, Elastic, "kappa_r, counted", "kappa_r, nodes counted", One, Steps, |it| it.counted.kappa_r,
+        KappaRCounted kappa_r_counted: f64, Elastic, "kappa_r, counted", "kappa_r, nodes counted", One, Steps, |it| it.counted().kappa_r,
             "Fraction of nodes in contact, divided by the reduced pressure with the rms gradient of these nodes.";
-        KappaRCorrected kappa_r_corrected: f64, Elastic, "kappa_r, corrected", "kappa_r, corrected", One, None, |it| it.counted.kappa_r_corrected,
+        KappaRCorrected kappa_r_corrected: f64, Elastic, "kappa_r, corrected", "kappa_r, corrected", One, None, |it| it.counted().kappa_r_corrected,
             "Corrected relative contact area divided by the reduced pressure with the corrected rms gradient of the contact.";
-        MeanGap mean_gap: f64, Always, "<g>", "mean gap", Length, States, |it| *it.mean_gap,
+        MeanGap mean_gap: f64, Always, "<g>", "mean gap", Length, States, |it| it.mean_gap(),
             "Mean gap between the surfaces.";
-        MeanGapOverRmsHeight mean_gap_over_rms_height: f64, Always, "<g> / h_rms", "mean gap over rms height", One, Steps, |it| *it.mean_gap / it.problem.rms_height(),
+        MeanGapOverRmsHeight mean_gap_over_rms_height: f64, Always, "<g> / h_rms", "mean gap over rms height", One, Steps, |it| it.mean_gap() / it.rms_height(),
             "Mean gap divided by the rms height.";
-        ElasticEnergy elastic_energy: f64, Elastic, "U", "elastic energy", EnergyPerArea, None, |it| *it.elastic_energy,
+        ElasticEnergy elastic_energy: f64, Elastic, "U", "elastic energy", EnergyPerArea, None, |it| it.elastic_energy(),
             "Elastic energy per area: half the mean of pressure times displacement.";
-        Approach approach: f64, Always, "d", "approach", Length, States, |it| *it.approach,
+        Approach approach: f64, Always, "d", "approach", Length, States, |it| it.approach(),
             "Approach: distance that the surface has moved since its highest peak touched the undeformed solid. Not defined on a periodic half-space.";
-        PlasticArea plastic_area: f64, Elastic, "a_pl", "plastic area", One, None, |it| *it.plastic_area,
+        PlasticArea plastic_area: f64, Elastic, "a_pl", "plastic area", One, None, |it| it.plastic_area(),
             "Relative plastic area: the fraction of nodes at the hardness, where the solid yields.";
-        PlasticOverlap plastic_overlap: f64, Yielding, "<o>", "plastic overlap", Length, States, |it| *it.plastic_overlap,
+        PlasticOverlap plastic_overlap: f64, Yielding, "<o>", "plastic overlap", Length, States, |it| it.plastic_overlap(),
             "Mean overlap of the surfaces where they yield or have yielded, not part of the mean gap: the plastically displaced volume per area of the cell.";
-        MaxPressure max_pressure: f64, Always, "p_max", "largest pressure", Pressure, States, |it| *it.max_pressure,
+        MaxPressure max_pressure: f64, Always, "p_max", "largest pressure", Pressure, States, |it| it.max_pressure(),
             "Largest pressure.";
-        MaxPressureOverModulus max_pressure_over_modulus: f64, Always, "p_max / E*", "largest pressure over modulus", One, None, |it| *it.max_pressure / it.problem.contact_modulus(),
+        MaxPressureOverModulus max_pressure_over_modulus: f64, Always, "p_max / E*", "largest pressure over modulus", One, None, |it| it.max_pressure() / it.contact_modulus(),
             "Largest pressure divided by the contact modulus.";
         EffectiveModulus effective_modulus: f64, Sliding, "E*_eff", "effective modulus", Pressure, States, |it| it.effective_modulus(),
             "Contact modulus that reduced pressures, kappa and kappa_r use: E*, or between the relaxed and the glassy one for a contact that slides over a viscoelastic solid.";
-        Patches patches: usize, Always, "n", "contact patches", One, Steps, |it| it.patches.count(),
+        Patches patches: usize, Always, "n", "contact patches", One, Steps, |it| it.patches(),
             "Number of contact patches.";
         NodesPerPatch nodes_per_patch: f64, Always, "n_c / n", "nodes per patch", One, None, |it| it.resolution().nodes_per_patch,
             "Nodes in contact per contact patch.";
         UnresolvedShare unresolved_share: f64, Always, "n_c < few / n_c", "share that is not resolved", One, None, |it| it.resolution().unresolved_share,
             "Fraction of the nodes in contact that are in patches too small to trust: fewer than 4 nodes on lines, 12 on surfaces.";
-        EdgesOfShape edges_of_shape: f64, Elastic, "n_e / n", "share of edges by the shape", One, None, |it| it.resolved.edges_of_shape as f64 / (it.resolved.edges.max(1)) as f64,
+        EdgesOfShape edges_of_shape: f64, Elastic, "n_e / n", "share of edges by the shape", One, None, |it| it.resolved().edges_of_shape as f64 / (it.resolved().edges.max(1)) as f64,
             "Fraction of the contact edges that are given by the shape of the surface, such as the rim of a punch.";
         RelativeAreaError relative_area_error: f64, NoAdhesion, "|da| / a_rel", "error of the relative area", One, None, |it| it.resolution().relative_area_error,
             "Estimated relative error of the relative contact area on this grid.";
         KappaRError kappa_r_error: f64, NoAdhesion, "|dkappa_r| / kappa_r", "error of kappa_r", One, None, |it| it.resolution().kappa_r_error,
             "Estimated relative error of kappa_r on this grid.";
-        Certificate certificate: f64, NoAdhesion, "eta", "certificate", One, Steps, |it| it.certificate.eta,
+        Certificate certificate: f64, NoAdhesion, "eta", "certificate", One, Steps, |it| it.certificate().eta,
             "Certificate: a bound of the energy error, divided by load times rms height.";
-        PressureErrorBound pressure_error_bound: f64, Elastic, "|dp| / |p|", "bound of the pressure error", One, None, |it| it.certificate.pressure_error_bound,
+        PressureErrorBound pressure_error_bound: f64, Elastic, "|dp| / |p|", "bound of the pressure error", One, None, |it| it.certificate().pressure_error_bound,
             "Bound of the relative error of the pressure in the energy norm.";
-        CertificateGap certificate_gap: f64, Elastic, "eta_D", "certificate over the remaining gap", One, None, |it| it.certificate.eta_gap,
+        CertificateGap certificate_gap: f64, Elastic, "eta_D", "certificate over the remaining gap", One, None, |it| it.certificate().eta_gap,
             "Certificate at a given mean gap, divided by the remaining gap: the order of magnitude of the relative error of the load.";
-        MeanGapErrorBound mean_gap_error_bound: f64, Elastic, "|d<g>| / h_rms", "bound of the mean gap error", One, None, |it| it.certificate.mean_gap_error_bound,
+        MeanGapErrorBound mean_gap_error_bound: f64, Elastic, "|d<g>| / h_rms", "bound of the mean gap error", One, None, |it| it.certificate().mean_gap_error_bound,
             "Bound of the error of the mean gap, divided by the rms height.";
-        Penetration penetration: f64, Elastic, "-min g / h_rms", "penetration", One, None, |it| it.certificate.penetration,
+        Penetration penetration: f64, Elastic, "-min g / h_rms", "penetration", One, None, |it| it.certificate().penetration,
             "Largest penetration divided by the rms height.";
-        LoadError load_error: f64, Elastic, "|dl| / l", "error of the load", One, None, |it| it.certificate.load_error,
+        LoadError load_error: f64, Elastic, "|dl| / l", "error of the load", One, None, |it| it.certificate().load_error,
             "Error of the load, relative to the given load; at a given mean gap, relative to the rms height.";
-        Stiffness stiffness: f64, Elastic, "k", "contact stiffness", Stiffness, None, |it| it.stiffness,
+        Stiffness stiffness: f64, Elastic, "k", "contact stiffness", Stiffness, None, |it| it.stiffness(),
             "Contact stiffness: increase of the mean pressure per decrease of the mean gap. Computed on request.";
         MeanPressureError mean_pressure_error: f64, Elastic, "|d<p>| / <p>", "error of the mean pressure", One, None, |it| it.mean_pressure_error(),
             "Relative error of the mean pressure at a given mean gap, to first order, from the contact stiffness; 0 if the pressure is given.";
-        Friction friction: f64, Elastic, "mu", "friction coefficient", One, States, |it| *it.friction,
+        Friction friction: f64, Elastic, "mu", "friction coefficient", One, States, |it| it.friction(),
             "Hysteretic friction coefficient of a contact that slides over a viscoelastic solid: the force along x by the loss in the solid over the load. Not defined at rest.";
-        Iterations iterations: usize, Always, "iterations", "iterations", One, None, |it| it.work.iterations,
+        Iterations iterations: usize, Always, "iterations", "iterations", One, None, |it| it.iterations(),
             "Iterations of the solver.";
-        Transforms transforms: u64, Always, "transforms", "transforms", One, None, |it| it.work.transforms,
+        Transforms transforms: u64, Always, "transforms", "transforms", One, None, |it| it.transforms(),
             "Fourier transforms, forward and inverse.";
-    }
-}
-
-impl QuantityRow {
-    /// Whether only the process that makes a state knows the number.
-    pub fn is_known_by_process(&self) -> bool {
-        self.read.is_none()
     }
 }
 
@@ -429,20 +324,6 @@ impl Quantity {
     /// The quantities that are recorded at each step of a solve.
     pub fn traced() -> impl Iterator<Item = Self> {
         Self::iter().filter(|it| it.row().is_traced)
-    }
-
-    /// Whether it says something of a contact that others do not: no overlap where nothing yields, and no modulus of a motion at rest. A number that only
-    /// a process knows is there if the contact is a state of it.
-    pub fn tells_of(self, contact: &Contact) -> bool {
-        let problem = &contact.problem;
-        let QuantityRow { validity, read, .. } = self.row();
-        let is_there = match validity {
-            _ if read.is_none() => false,
-            Validity::Yielding => !problem.law().is_hard_wall() || problem.flattened_by() > 0.0,
-            Validity::Sliding => problem.is_moving(),
-            Validity::Always | Validity::NoAdhesion | Validity::Elastic => true,
-        };
-        contact.values().get(self).is_some() || (is_there && validity.holds(contact.values().kind))
     }
 }
 

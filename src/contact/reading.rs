@@ -1,8 +1,8 @@
 //! Reading of a contact, of a state or of a step: its quantities, each computed when it is asked for.
 
 use crate::contact::{
-    Certificate, Contact, Counted, Load, Patches, Problem, Quantity, QuantityRow, Resolution, Resolved, StateKind,
-    StateValues, Step, Work, hysteretic_friction,
+    Certificate, Contact, Counted, Load, Observables, Patches, Problem, Quantity, QuantityRow, Readings, Resolution,
+    Resolved, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
 };
 use ndarray::ArrayView1;
 use std::cell::LazyCell;
@@ -10,32 +10,32 @@ use std::cell::LazyCell;
 /// A contact, a state of a process, or a step of a solver, of which quantities are read. Values that need a pass over the nodes are computed on
 /// first use, and once.
 pub struct Reading<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) work: Work,
-    pub(super) values: &'a StateValues,
+    problem: &'a Problem,
+    work: Work,
+    values: &'a StateValues,
     /// The certificate; NaN where it is not known.
-    pub(super) certificate: Certificate,
+    certificate: Certificate,
     /// The contact stiffness; NaN if it was not requested.
-    pub(super) stiffness: f64,
-    pub(super) counted: Lazy<'a, Counted>,
-    pub(super) resolved: Lazy<'a, Resolved>,
-    pub(super) patches: Lazy<'a, Patches>,
+    stiffness: f64,
+    counted: Lazy<'a, Counted>,
+    resolved: Lazy<'a, Resolved>,
+    patches: Lazy<'a, Patches>,
     /// Area and gradient of the contact on the next coarser grid, if they are known.
-    pub(super) coarser: Option<&'a Resolved>,
-    pub(super) mean_gap: Lazy<'a, f64>,
+    coarser: Option<&'a Resolved>,
+    mean_gap: Lazy<'a, f64>,
     /// The elastic energy; NaN where it is not known.
-    pub(super) elastic_energy: Lazy<'a, f64>,
+    elastic_energy: Lazy<'a, f64>,
     /// The approach; NaN if it is not known, or not defined.
-    pub(super) approach: Lazy<'a, f64>,
-    pub(super) plastic_area: Lazy<'a, f64>,
-    pub(super) plastic_overlap: Lazy<'a, f64>,
-    pub(super) mean_pressure: Lazy<'a, f64>,
-    pub(super) max_pressure: Lazy<'a, f64>,
+    approach: Lazy<'a, f64>,
+    plastic_area: Lazy<'a, f64>,
+    plastic_overlap: Lazy<'a, f64>,
+    mean_pressure: Lazy<'a, f64>,
+    max_pressure: Lazy<'a, f64>,
     /// The hysteretic friction; NaN at rest.
-    pub(super) friction: Lazy<'a, f64>,
+    friction: Lazy<'a, f64>,
 }
 
-pub(super) type Lazy<'a, T> = LazyCell<T, Box<dyn FnOnce() -> T + 'a>>;
+type Lazy<'a, T> = LazyCell<T, Box<dyn FnOnce() -> T + 'a>>;
 
 fn lazy<'a, T>(make: impl FnOnce() -> T + 'a) -> Lazy<'a, T> {
     LazyCell::new(Box::new(make))
@@ -54,21 +54,22 @@ impl Reading<'_> {
     pub fn value(&self, quantity: Quantity) -> f64 {
         self.get(quantity).unwrap_or(f64::NAN)
     }
+}
 
-    /// How well the grid resolves the contact.
-    pub(super) fn resolution(&self) -> Resolution {
+impl Readings for Reading<'_> {
+    fn resolution(&self) -> Resolution {
         let grid = self.problem.surface().grid();
         Resolution::new(grid, &self.counted, &self.resolved, &self.patches, self.coarser)
     }
 
     /// The modulus by which pressures are reduced, from those that are.
-    pub(super) fn effective_modulus(&self) -> f64 {
+    fn effective_modulus(&self) -> f64 {
         *self.mean_pressure / (self.counted.reduced_pressure * self.problem.rms_gradient())
     }
 
     /// The reduced pressure: that of the state, or the prescribed one, to the last bit, or else the computed one, as that of a contact that
     /// moves, whose modulus depends on the motion.
-    pub(super) fn reduced_pressure(&self) -> f64 {
+    fn reduced_pressure(&self) -> f64 {
         let is_given = self.values.kind == StateKind::Elastic && !self.problem.is_moving();
         match (self.values.get(Quantity::MeanPressure), self.problem.load()) {
             (Some(pressure), _) => pressure / (self.problem.rms_gradient() * self.problem.contact_modulus()),
@@ -78,16 +79,88 @@ impl Reading<'_> {
     }
 
     /// `kappa_r` of the contact. Of a solid that creeps, the effective modulus is not known here.
-    pub(super) fn kappa_r(&self) -> f64 {
+    fn kappa_r(&self) -> f64 {
         if self.values.kind == StateKind::Creep { f64::NAN } else { self.resolved.kappa_r }
     }
 
     /// The stiffness times the error of the gap, divided by the mean pressure.
-    pub(super) fn mean_pressure_error(&self) -> f64 {
+    fn mean_pressure_error(&self) -> f64 {
         if self.problem.datum().is_none() {
             return 0.0;
         }
         self.stiffness * self.certificate.eta * self.problem.rms_height() / *self.mean_pressure
+    }
+
+    fn mean_pressure(&self) -> f64 {
+        *self.mean_pressure
+    }
+
+    fn max_pressure(&self) -> f64 {
+        *self.max_pressure
+    }
+
+    fn mean_gap(&self) -> f64 {
+        *self.mean_gap
+    }
+
+    fn approach(&self) -> f64 {
+        *self.approach
+    }
+
+    fn elastic_energy(&self) -> f64 {
+        *self.elastic_energy
+    }
+
+    fn plastic_area(&self) -> f64 {
+        *self.plastic_area
+    }
+
+    fn plastic_overlap(&self) -> f64 {
+        *self.plastic_overlap
+    }
+
+    fn friction(&self) -> f64 {
+        *self.friction
+    }
+
+    fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    fn contact_modulus(&self) -> f64 {
+        self.problem.contact_modulus()
+    }
+
+    fn rms_height(&self) -> f64 {
+        self.problem.rms_height()
+    }
+
+    fn rms_gradient(&self) -> f64 {
+        self.problem.rms_gradient()
+    }
+
+    fn patches(&self) -> usize {
+        self.patches.count()
+    }
+
+    fn iterations(&self) -> usize {
+        self.work.iterations
+    }
+
+    fn transforms(&self) -> u64 {
+        self.work.transforms
+    }
+
+    fn counted(&self) -> &Counted {
+        &self.counted
+    }
+
+    fn resolved(&self) -> &Resolved {
+        &self.resolved
+    }
+
+    fn certificate(&self) -> &Certificate {
+        &self.certificate
     }
 }
 
@@ -140,5 +213,29 @@ impl<'a> From<&'a Step<'_>> for Reading<'a> {
             max_pressure: lazy(move || pressure().fold(0.0, |max: f64, &p| max.max(p))),
             friction: lazy(|| hysteretic_friction(step.problem(), step.pressure(), step.displacement())[1]),
         }
+    }
+}
+
+impl Quantity {
+    /// Whether it says something of a contact that others do not: no overlap where nothing yields, and no modulus of a motion at rest. A number that only
+    /// a process knows is there if the contact is a state of it.
+    pub fn tells_of(self, contact: &Contact) -> bool {
+        let problem = &contact.problem;
+        let QuantityRow { validity, read, .. } = self.row();
+        let is_there = match validity {
+            _ if read.is_none() => false,
+            Validity::Yielding => !problem.law().is_hard_wall() || problem.flattened_by() > 0.0,
+            Validity::Sliding => problem.is_moving(),
+            Validity::Always | Validity::NoAdhesion | Validity::Elastic => true,
+        };
+        contact.values().get(self).is_some() || (is_there && validity.holds(contact.values().kind))
+    }
+}
+
+impl Observables {
+    /// Reads all of them of a contact, or of a step.
+    pub fn new<'a>(state: impl Into<Reading<'a>>) -> Self {
+        let reading = state.into();
+        Self::by(|quantity| reading.value(quantity))
     }
 }

@@ -1,6 +1,4 @@
-//! For which states a quantity has a meaning, and the numbers that a process gives for a state.
-
-use crate::contact::Quantity;
+//! For which states a quantity has a meaning.
 
 /// What a contact is a state of, as far as its quantities depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -46,39 +44,5 @@ impl Validity {
             Self::NoAdhesion | Self::Yielding => kind != StateKind::Adhesion,
             Self::Elastic | Self::Sliding => kind == StateKind::Elastic,
         }
-    }
-}
-
-/// The numbers that a process gives for a state of its own. Where it gives one, it stands in place of the number that is computed of the contact.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct StateValues {
-    /// What the contact is a state of.
-    pub kind: StateKind,
-    numbers: Vec<(Quantity, f64)>,
-}
-
-impl StateValues {
-    /// No numbers of a state.
-    pub fn new(kind: StateKind) -> Self {
-        Self { kind, numbers: Vec::new() }
-    }
-
-    /// The values with one more number, if there is one. It replaces an earlier one.
-    pub fn with(mut self, quantity: Quantity, value: impl Into<Option<f64>>) -> Self {
-        if let Some(value) = value.into() {
-            self.numbers.retain(|(other, _)| *other != quantity);
-            self.numbers.push((quantity, value));
-        }
-        self
-    }
-
-    /// A number, if the process gives it.
-    pub fn get(&self, quantity: Quantity) -> Option<f64> {
-        self.numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
-    }
-
-    /// All numbers that the process gives.
-    pub fn numbers(&self) -> &[(Quantity, f64)] {
-        &self.numbers
     }
 }

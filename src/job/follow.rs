@@ -1,13 +1,14 @@
 //! The states of a run, one after the other.
 
 use super::history::HistoryOutcome;
+use super::posed::Posed;
 use super::run::JobRun;
-use super::sink::{Posed, StateSink};
-use super::watch::{Pass, Watcher};
-use crate::contact::{Problem, State, Status};
+use super::sink::StateSink;
+use super::watch::{Pass, ShowSteps, Watcher};
+use crate::contact::{Observer, Problem, State, Status};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
-use crate::setup::{Flow, ProcessKind};
+use crate::setup::{Flow, ProcessKind, Setup};
 use std::sync::Arc;
 
 /// What is kept of the states of a run.
@@ -75,6 +76,18 @@ impl JobRun<'_> {
         give(sinks, &mut failure, |sink| sink.end(&posed, &outcome));
         outcome.failure = failure;
         Ok(outcome)
+    }
+}
+
+impl HistoryOutcome {
+    /// Follows the history of a setup on its problem.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::history`], and those of the first state. A failure of a later one ends the history, and the states before it
+    /// are kept.
+    pub fn solve(setup: &Setup, problem: &Problem, observer: &mut dyn Observer) -> Result<Self, SetupError> {
+        let (run, keeping) = (JobRun::new(setup.clone()), StateKeeping::default());
+        run.follow(0, problem, &mut Vec::new(), keeping, &mut ShowSteps(observer))
     }
 }
 

@@ -1,11 +1,8 @@
 //! The states of a run with several: loads, creep, slip, sliding, rolling or adhesion.
 
-use super::follow::StateKeeping;
-use super::run::JobRun;
-use super::sink::Posed;
-use super::watch::ShowSteps;
+use super::posed::Posed;
 use crate::adhesion::AdhesionScales;
-use crate::contact::{Observables, Observer, Problem, Quantity, ResultClaim, State, warning_of_trail, warnings_of};
+use crate::contact::{Observables, Problem, Quantity, ResultClaim, State, warning_of_trail, warnings_of};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
@@ -65,21 +62,6 @@ impl AdhesionOutcome {
 }
 
 impl HistoryOutcome {
-    /// Follows the history of a setup on its problem.
-    ///
-    /// # Errors
-    /// The errors of [`Setup::history`], and those of the first state. A failure of a later one ends the history, and the states before it
-    /// are kept.
-    pub fn solve(setup: &Setup, problem: &Problem, observer: &mut dyn Observer) -> Result<Self, SetupError> {
-        JobRun::new(setup.clone()).follow(
-            0,
-            problem,
-            &mut Vec::new(),
-            StateKeeping::default(),
-            &mut ShowSteps(observer),
-        )
-    }
-
     /// The history of states that were found before, such as those of a file.
     ///
     /// # Errors

@@ -23,6 +23,7 @@ mod doubts;
 mod follow;
 mod history;
 mod outcome;
+mod posed;
 mod ready;
 mod run;
 mod saved;
@@ -40,10 +41,11 @@ mod watch;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};
+pub use posed::Posed;
 pub use ready::Ready;
 pub use run::JobRun;
 pub use saved::{SavedFound, SavedResult};
-pub use sink::{Posed, StateSink};
+pub use sink::StateSink;
 pub use state_archive::StateArchive;
 #[cfg(feature = "record")]
 pub use state_recording::StateRecording;

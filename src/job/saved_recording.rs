@@ -1,7 +1,8 @@
 //! Recordings of results that are read again.
 
+use super::posed::Posed;
 use super::saved::{SavedFound, SavedResult};
-use super::sink::{Posed, StateSink};
+use super::sink::StateSink;
 use super::state_recording::StateRecording;
 use super::{Job, JobRun};
 use crate::contact::{Contact, State};

@@ -1,22 +1,9 @@
 //! What receives the states of a run while it goes on.
 
 use super::history::HistoryOutcome;
-use crate::contact::{Load, Problem, State};
+use super::posed::Posed;
+use crate::contact::State;
 use crate::error::FileError;
-use crate::setup::{ProcessKind, Setup};
-
-/// A run whose setup was checked and whose surface was made.
-#[derive(Clone, Copy)]
-pub struct Posed<'a> {
-    /// What is solved.
-    pub setup: &'a Setup,
-    /// Its problem; that of a list of loads is under the largest of them.
-    pub problem: &'a Problem,
-    /// What makes its states.
-    pub kind: ProcessKind,
-    /// The list of loads, if there is one.
-    pub loads: &'a [Load],
-}
 
 /// What receives the states of a run, each as soon as it is solved: a recording, a table, an archive.
 pub trait StateSink {

@@ -1,10 +1,10 @@
 //! The archive of the states of a run that goes on.
 
-use super::sink::{Posed, StateSink};
+use super::posed::Posed;
+use super::sink::StateSink;
 use crate::contact::{State, archive_of_states};
 use crate::error::FileError;
 use crate::files::write_beside;
-use crate::study::LoadCurve;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::slice::from_ref;
@@ -13,13 +13,12 @@ use std::slice::from_ref;
 /// which is read like the archive.
 pub struct StateArchive {
     folder: PathBuf,
-    rank: usize,
 }
 
 impl StateArchive {
-    /// The folder beside an archive of fields with `rank` axes.
-    pub fn beside(archive: &Path, rank: usize) -> Self {
-        Self { folder: archive.with_extension("part"), rank }
+    /// The folder beside an archive.
+    pub fn beside(archive: &Path) -> Self {
+        Self { folder: archive.with_extension("part") }
     }
 
     /// Removes the folder that grew beside an archive.
@@ -35,18 +34,8 @@ impl StateSink for StateArchive {
             let made = std::fs::create_dir_all(&self.folder);
             made.map_err(|source| FileError::Write { path: self.folder.clone(), source })?;
         }
-        let bytes = archive_of_states(from_ref(state), self.rank, &posed.text());
+        let bytes = archive_of_states(from_ref(state), posed.rank(), &posed.text());
         let path = self.folder.join(format!("{:06}.npz", number + 1));
         write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))
-    }
-}
-
-impl Posed<'_> {
-    /// The text of the setup that repeats the run.
-    pub fn text(&self) -> String {
-        match self.loads {
-            [] => self.setup.clone().with_full_path().to_toml(),
-            loads => LoadCurve { setup: self.setup.clone(), loads: loads.into() }.to_table().to_toml(),
-        }
     }
 }

@@ -1,7 +1,8 @@
 //! The recording of the states of a run: one frame for each, as soon as it is solved.
 
 use super::history::HistoryOutcome;
-use super::sink::{Posed, StateSink};
+use super::posed::Posed;
+use super::sink::StateSink;
 use crate::contact::{Load, Observables, Quantity, State, Unit};
 use crate::error::FileError;
 use crate::plot::Colour;

@@ -1,6 +1,7 @@
 //! The table of the states of a run that goes on.
 
-use super::sink::{Posed, StateSink};
+use super::posed::Posed;
+use super::sink::StateSink;
 use crate::contact::{Quantity, State};
 use crate::error::FileError;
 use std::fs::{File, OpenOptions};

@@ -1,8 +1,8 @@
 //! Points, identified by their setup.
 
+use super::followed_history::FollowedHistory;
 use super::point::Point;
 use super::realisation::Realisation;
-use super::summary::Summary;
 use crate::contact::{Contact, Load, Observables, Observer};
 use crate::error::{SetupError, StudyError};
 use crate::setup::fnv1a;
@@ -97,7 +97,7 @@ impl<'a> Identity<'a> {
         mut each: impl FnMut(Point, &Contact),
     ) -> Result<(), StudyError> {
         let Some(&load) = self.realisation.loads.first() else { return Ok(()) };
-        let found = Summary::follow(&self.realisation.under(load), &mut watch(0))?;
+        let found = FollowedHistory::follow(&self.realisation.under(load), &mut watch(0))?;
         let whole = self.point(1, &found.last);
         let point = Point {
             status: found.status,

@@ -21,6 +21,7 @@ mod column;
 mod drawing;
 mod estimate;
 mod expense;
+mod followed_history;
 mod identity;
 mod known;
 mod ledger;
@@ -35,7 +36,6 @@ mod realisation;
 mod refinement;
 mod shard;
 mod spread;
-mod summary;
 mod sweep;
 mod table;
 #[cfg(all(feature = "figures", feature = "parquet"))]

@@ -502,8 +502,6 @@ fn names_that_promise_another_content_are_refused() {
         (format!("{curve} --record x.csv"), "cannot write x.csv: give a name that ends in .rrd"),
         #[cfg(feature = "record")]
         ("demo --out x.npz".into(), "cannot write x.npz: give a name that ends in .rrd"),
-        #[cfg(feature = "record")]
-        (format!("{curve} --live"), "--live shows the steps under one load"),
     ] {
         refuse_in_one_sentence(&folder, &line, offence);
     }

@@ -6,7 +6,7 @@ use crate::history::AdhesionTotals;
 use crate::setup::Setup;
 
 /// A history that was followed to its end, or as far as states were found: a row of a study.
-pub(super) struct Summary {
+pub(super) struct FollowedHistory {
     /// What the states add up to, and the numbers that the process gives for the last one.
     pub numbers: Vec<(Quantity, f64)>,
     pub status: Status,
@@ -15,7 +15,7 @@ pub(super) struct Summary {
     pub last: Contact,
 }
 
-impl Summary {
+impl FollowedHistory {
     /// Follows the history of a setup.
     ///
     /// # Errors

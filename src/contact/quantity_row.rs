@@ -1,0 +1,110 @@
+//! What the table of quantities says of each of them.
+
+use crate::contact::{Readings, Validity};
+use serde::Serialize;
+use strum::IntoStaticStr;
+
+/// The unit of a quantity, in any consistent set of units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize)]
+pub enum Unit {
+    /// A pure number.
+    #[strum(serialize = "1")]
+    #[serde(rename = "1")]
+    One,
+    /// A time.
+    #[strum(serialize = "time")]
+    #[serde(rename = "time")]
+    Time,
+    /// A length.
+    #[strum(serialize = "length")]
+    #[serde(rename = "length")]
+    Length,
+    /// A length per time.
+    #[strum(serialize = "length/time")]
+    #[serde(rename = "length/time")]
+    Speed,
+    /// A pressure.
+    #[strum(serialize = "pressure")]
+    #[serde(rename = "pressure")]
+    Pressure,
+    /// An energy per area: a pressure times a length.
+    #[strum(serialize = "pressure length")]
+    #[serde(rename = "pressure length")]
+    EnergyPerArea,
+    /// A length cubed.
+    #[strum(serialize = "length^3")]
+    #[serde(rename = "length^3")]
+    Volume,
+    /// One over a length.
+    #[strum(serialize = "1/length")]
+    #[serde(rename = "1/length")]
+    PerLength,
+    /// One over a resistivity and a length.
+    #[strum(serialize = "1/(resistivity length)")]
+    #[serde(rename = "1/(resistivity length)")]
+    Conductance,
+    /// A pressure per length.
+    #[strum(serialize = "pressure/length")]
+    #[serde(rename = "pressure/length")]
+    Stiffness,
+}
+
+/// What values a quantity has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum QuantityKind {
+    /// Any numbers.
+    Number,
+    /// Whole numbers.
+    Whole,
+    /// 1 where something is true, and 0 where it is not.
+    Flag,
+}
+
+/// Which curves a quantity has in recordings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Curve {
+    /// None.
+    None,
+    /// One over the steps of a solve.
+    Steps,
+    /// One over the states of a history.
+    States,
+    /// Both.
+    Both,
+}
+
+/// What the table says of a quantity.
+#[derive(Debug, Serialize)]
+pub struct QuantityRow {
+    /// Its name in files and tables.
+    pub name: &'static str,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Its title in charts.
+    pub title: &'static str,
+    /// Its unit.
+    pub unit: Unit,
+    /// What values it has.
+    #[serde(skip)]
+    pub kind: QuantityKind,
+    /// Whether it is recorded at each step of a solve.
+    pub is_traced: bool,
+    /// Whether it has a curve over the states of a history.
+    #[serde(skip)]
+    pub has_curve: bool,
+    /// The states for which it has a meaning.
+    #[serde(skip)]
+    pub validity: Validity,
+    /// One sentence.
+    pub sentence: &'static str,
+    /// How it is computed of a contact or a step; none for a number that only a process knows.
+    #[serde(skip)]
+    pub(super) read: Option<fn(&dyn Readings) -> f64>,
+}
+
+impl QuantityRow {
+    /// Whether only the process that makes a state knows the number.
+    pub fn is_known_by_process(&self) -> bool {
+        self.read.is_none()
+    }
+}

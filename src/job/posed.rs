@@ -1,0 +1,34 @@
+//! A run that can begin.
+
+use crate::contact::{Load, Problem};
+use crate::setup::{ProcessKind, Setup};
+use crate::study::LoadCurve;
+
+/// A run whose setup was checked and whose surface was made.
+#[derive(Clone, Copy)]
+pub struct Posed<'a> {
+    /// What is solved.
+    pub setup: &'a Setup,
+    /// Its problem; that of a list of loads is under the largest of them.
+    pub problem: &'a Problem,
+    /// What makes its states.
+    pub kind: ProcessKind,
+    /// The list of loads, if there is one.
+    pub loads: &'a [Load],
+}
+
+impl Posed<'_> {
+    /// The text of the setup that repeats the run.
+    pub fn text(&self) -> String {
+        match self.loads {
+            [] => self.setup.clone().with_full_path().to_toml(),
+            loads => LoadCurve { setup: self.setup.clone(), loads: loads.into() }.to_table().to_toml(),
+        }
+    }
+
+    /// The number of axes of its arrays.
+    pub fn rank(&self) -> usize {
+        let of_grid = || if self.problem.surface().grid().is_line() { 1 } else { 2 };
+        self.setup.surface.rank(&self.setup.grid).unwrap_or_else(|_| of_grid())
+    }
+}
