@@ -104,7 +104,7 @@ pub fn with_flow(contact: &Contact) -> Result<State, FlowError> {
         return Ok(state);
     }
     let found = contact.setup.flow.measure(&contact.contact)?;
-    Ok(State { fields: found.leakages.into_iter().flat_map(Leakage::into_fields).collect(), ..state })
+    Ok(state.with_fields(found.leakages.into_iter().flat_map(Leakage::into_fields).collect()))
 }
 
 /// The name of an axis.

@@ -21,6 +21,9 @@ use serde_json::{Map, Value};
 use std::io::{self, Write, stdout};
 use std::path::Path;
 
+/// Columns of what flows, where it was asked for.
+const OF_FLOW: [Quantity; 3] = [Quantity::HydraulicGapX, Quantity::HydraulicGapY, Quantity::ConductancePerArea];
+
 /// Everything that a script may want to know about a history, and the setup that repeats it.
 #[derive(Serialize)]
 struct HistorySummary {
@@ -125,16 +128,16 @@ fn object(number: usize, state: &State, has_claims: bool) -> Map<String, Value> 
     let claim: &str = state.claim.into();
     let claim = has_claims.then(|| ("claim".to_owned(), Value::from(claim)));
     let numbers =
-        state.numbers().into_iter().map(|(quantity, value)| (quantity.name().to_owned(), number_of(quantity, value)));
+        state.numbers().iter().map(|(quantity, value)| (quantity.name().to_owned(), number_of(*quantity, *value)));
     first.into_iter().chain(claim).chain(numbers).collect()
 }
 
 /// A number of a state as JSON.
 fn number_of(quantity: Quantity, value: f64) -> Value {
-    if quantity.row().kind == QuantityKind::Whole && quantity != Quantity::Transforms {
-        Value::from(value as u64)
-    } else {
-        Value::from(value)
+    match quantity.row().kind {
+        QuantityKind::Flag => Value::from(value == 1.0),
+        QuantityKind::Whole => Value::from(value as u64),
+        QuantityKind::Number => Value::from(value),
     }
 }
 
@@ -151,7 +154,7 @@ impl HistorySummary {
         let of_adhesion = self.adhesion.iter().flat_map(|it| adhesion::rows(it, units));
         write_rows(self.subject.rows(units).into_iter().chain(claim).chain(of_adhesion), out)?;
         let has = |it: &Quantity| outcome.states.iter().any(|state| state.get(*it).is_some());
-        let columns: Vec<Quantity> = outcome.kind.row().columns.iter().copied().filter(has).collect();
+        let columns: Vec<Quantity> = outcome.kind.row().columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
         writeln!(out)?;
         columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(*it)))?;
         let is_claimed = self.adhesion.is_some();
@@ -187,6 +190,9 @@ fn heading(quantity: Quantity) -> &'static str {
         Quantity::MaxPressure => "max. pressure",
         Quantity::Certificate => "eta",
         Quantity::TractionCertificate => "eta of traction",
+        Quantity::HydraulicGapX => "leaks along x",
+        Quantity::HydraulicGapY => "leaks along y",
+        Quantity::ConductancePerArea => "conductance",
         _ => quantity.row().title,
     }
 }

@@ -202,7 +202,7 @@ impl Solve {
         let finding = Finding { flow: FlowFinding::from_numbers(&flow.numbers), ..finding };
         let is_archived = outputs.archive().is_some();
         let fields = flow.leakages.into_iter().filter(|_| is_archived).flat_map(Leakage::into_fields).collect();
-        let state = State { fields, ..State::from_contact(contact, None) };
+        let state = State::from_contact(contact, None).with_fields(fields);
         let contact = &state.contact;
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let warnings = warnings::in_flags(&warnings);

@@ -2,6 +2,7 @@
 
 use crate::contact::{Contact, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work};
 use crate::surface::Field;
+use std::sync::OnceLock;
 use strum::IntoEnumIterator;
 
 /// A state: a contact, and what the process that has made it knows besides. One contact alone is a state as well.
@@ -16,6 +17,8 @@ pub struct State {
     pub claim: ResultClaim,
     /// Further fields of the process.
     pub fields: Vec<StateField>,
+    /// All numbers, after they were read.
+    numbers: OnceLock<Vec<(Quantity, f64)>>,
 }
 
 /// A field of a state besides those of its contact.
@@ -46,7 +49,29 @@ impl State {
     /// The state of a contact that was solved for itself.
     pub fn from_contact(contact: Contact, point: Option<usize>) -> Self {
         let claim = contact.claim();
-        Self { contact, point, claim, fields: Vec::new() }
+        Self::new(contact, claim).at(point)
+    }
+
+    /// The state of a contact with a claim, between two points, without further fields.
+    pub fn new(contact: Contact, claim: ResultClaim) -> Self {
+        Self { contact, point: None, claim, fields: Vec::new(), numbers: OnceLock::new() }
+    }
+
+    /// The state at a point of the path, from 0.
+    pub fn at(self, point: Option<usize>) -> Self {
+        Self { point, ..self }
+    }
+
+    /// The state with further fields.
+    pub fn with_fields(self, fields: Vec<StateField>) -> Self {
+        Self { fields, ..self }
+    }
+
+    /// The state with more numbers of its process.
+    pub fn with_numbers(self, numbers: &[(Quantity, f64)]) -> Self {
+        let values = self.contact.values().clone();
+        let values = numbers.iter().fold(values, |values, (quantity, value)| values.with(*quantity, *value));
+        Self { contact: self.contact.with_values(values), numbers: OnceLock::new(), ..self }
     }
 
     /// The state of a contact whose numbers and further fields were saved.
@@ -71,12 +96,18 @@ impl State {
         let transforms = number(Quantity::Transforms).map_or(contact.work.transforms, |it| it as u64);
         let work = Work { transforms, ..contact.work };
         let contact = contact.with_work(work).with_values(values);
-        Self { contact, point, claim, fields }
+        Self::new(contact, claim).at(point).with_fields(fields)
     }
 
-    /// A number of the state, if it has it.
+    /// A number of the state, if it has it. A number that its process does not give is read with all others, once.
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
-        if quantity.tells_of(&self.contact) { Reading::from(&self.contact).get(quantity) } else { None }
+        if let Some(own) = self.contact.values().get(quantity) {
+            return Some(own).filter(|value| !value.is_nan());
+        }
+        if quantity.row().is_known_by_process() {
+            return None;
+        }
+        self.numbers().iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
     }
 
     /// The same; NaN where the state does not have it.
@@ -84,11 +115,13 @@ impl State {
         self.get(quantity).unwrap_or(f64::NAN)
     }
 
-    /// All numbers of the state, in the order of the table.
-    pub fn numbers(&self) -> Vec<(Quantity, f64)> {
-        let reading = Reading::from(&self.contact);
-        let told = Quantity::iter().filter(|it| it.tells_of(&self.contact));
-        told.filter_map(|it| Some((it, reading.get(it)?))).collect()
+    /// All numbers of the state, in the order of the table, read once: the contact is not to be changed afterwards.
+    pub fn numbers(&self) -> &[(Quantity, f64)] {
+        self.numbers.get_or_init(|| {
+            let reading = Reading::from(&self.contact);
+            let told = Quantity::iter().filter(|it| it.tells_of(&self.contact));
+            told.filter_map(|it| Some((it, reading.get(it)?))).collect()
+        })
     }
 
     /// A further field, if the state has it.

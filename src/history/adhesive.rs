@@ -122,7 +122,7 @@ impl AdhesiveProcess {
                     .with(Quantity::CurvatureError, state.curvature_error);
                 let fields = vec![StateField::attraction(state.traction)];
                 let contact = contact.with_work(work).with_values(values);
-                State { contact, point, claim: state.claim, fields }
+                State::new(contact, state.claim).at(point).with_fields(fields)
             }
             AdhesivePlace::Apart => {
                 let shape = self.search.problem().problem().surface().grid().shape();
@@ -135,12 +135,10 @@ impl AdhesiveProcess {
                 ];
                 let values = values.with(Quantity::MeanPressure, control.value());
                 let values = nothing.into_iter().fold(values, |values, it| values.with(it, 0.0));
-                State {
-                    contact: self.apart().with_work(work).with_values(values),
-                    point,
-                    claim: ResultClaim::Separated,
-                    fields: vec![StateField::attraction(Field::zeros(shape))],
-                }
+                let contact = self.apart().with_work(work).with_values(values);
+                State::new(contact, ResultClaim::Separated)
+                    .at(point)
+                    .with_fields(vec![StateField::attraction(Field::zeros(shape))])
             }
         }
     }

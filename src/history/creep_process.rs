@@ -92,6 +92,6 @@ impl CreepState {
             .with(Quantity::WorkTimeError, error(|it| it.work))
             .with(Quantity::HistoryBound, self.error_bound());
         let fields = vec![StateField::remembered(effective - &self.contact.pressure)];
-        State { contact: self.contact.with_values(values), point, claim: ResultClaim::Solution, fields }
+        State::new(self.contact.with_values(values), ResultClaim::Solution).at(point).with_fields(fields)
     }
 }

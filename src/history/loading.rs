@@ -86,7 +86,7 @@ impl Process for Loading<'_> {
         if state.is_err() {
             self.next = self.loads.len();
         }
-        Some(state.map(|state| State { point: Some(number), ..state }))
+        Some(state.map(|state| state.at(Some(number))))
     }
 
     fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {

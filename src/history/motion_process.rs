@@ -71,7 +71,7 @@ impl Sliding {
             .with(Quantity::FrictionPersson, self.persson)
             .with(Quantity::MeanTraction, self.friction * self.contact.mean_pressure());
         let contact = self.contact.with_values(values);
-        State { contact, point: None, claim: ResultClaim::Bounded, fields: Vec::new() }
+        State::new(contact, ResultClaim::Bounded)
     }
 }
 
@@ -126,6 +126,6 @@ impl Rolling {
         let work = Work { transforms: self.transforms, ..self.contact.work };
         let fields = vec![StateField::traction(self.traction), StateField::slip(self.slip)];
         let contact = self.contact.with_work(work).with_values(values);
-        State { contact, point: None, claim, fields }
+        State::new(contact, claim).with_fields(fields)
     }
 }

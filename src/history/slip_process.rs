@@ -43,7 +43,7 @@ impl Process for SlipProcess<'_> {
         if state.is_err() {
             self.at = (self.path.len(), 1);
         }
-        Some(state.map(|state| State { point: is_there.then_some(number), ..state }))
+        Some(state.map(|state| state.at(is_there.then_some(number))))
     }
 
     fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {

@@ -121,7 +121,7 @@ impl SlipState {
             [self.traction_across.map(StateField::traction_across), self.slip_across.map(StateField::slip_across)];
         let fields = along.into_iter().chain(across.into_iter().flatten()).collect();
         let contact = self.contact.with_work(self.work).with_values(values);
-        State { contact, point, claim: self.claim, fields }
+        State::new(contact, self.claim).at(point).with_fields(fields)
     }
 
     /// Whether both the normal contact and the traction met their goals.

@@ -107,14 +107,12 @@ fn give(
 }
 
 /// The state with what flows through it.
-fn with_flow(mut state: State, asked: &Flow, has_fields: bool) -> Result<State, SetupError> {
+fn with_flow(state: State, asked: &Flow, has_fields: bool) -> Result<State, SetupError> {
     if asked.is_none() {
         return Ok(state);
     }
     let found = asked.measure(&state.contact)?;
-    let values = state.contact.values().clone();
-    let values = found.numbers.iter().fold(values, |values, (quantity, value)| values.with(*quantity, *value));
-    state.contact = state.contact.with_values(values);
+    let mut state = state.with_numbers(&found.numbers);
     if has_fields {
         state.fields.extend(found.leakages.into_iter().flat_map(|it| it.into_fields()));
     }

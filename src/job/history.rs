@@ -124,8 +124,8 @@ impl HistoryOutcome {
 
     /// The quantities that the states have, in the order of their table.
     pub fn quantities(&self) -> Vec<Quantity> {
-        let numbers = self.states.iter().flat_map(|state| state.numbers());
-        let told: BTreeSet<Quantity> = numbers.map(|(quantity, _)| quantity).collect();
+        let numbers = self.states.iter().flat_map(|state| state.numbers().iter());
+        let told: BTreeSet<Quantity> = numbers.map(|(quantity, _)| *quantity).collect();
         told.into_iter().collect()
     }
 

@@ -217,7 +217,7 @@ fn add(recording: &mut LoadRecording, number: usize, curves: &[StateCurve], stat
 /// The quantities with curves that the first state of a history has.
 fn told(posed: &Posed<'_>, first: &State) -> Vec<Quantity> {
     let axis = posed.kind.row().axis;
-    let all = first.numbers().into_iter().map(|(quantity, _)| quantity);
+    let all = first.numbers().iter().map(|(quantity, _)| *quantity);
     all.filter(|it| it.row().has_curve && Some(*it) != axis).collect()
 }
 

@@ -28,7 +28,7 @@ impl StateTable {
 
     fn write(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> std::io::Result<()> {
         if self.file.is_none() {
-            let known = state.numbers().into_iter().map(|(quantity, _)| quantity);
+            let known = state.numbers().iter().map(|(quantity, _)| *quantity);
             self.columns = known.chain(posed.kind.row().columns.iter().copied()).collect();
             self.columns.sort_unstable();
             self.columns.dedup();

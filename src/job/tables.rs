@@ -69,6 +69,11 @@ pub struct LoadNumbers<'a> {
     pub flow: &'a [(Quantity, f64)],
 }
 
+/// A number of a state as a word of a table.
+fn in_table(quantity: Quantity, value: f64) -> String {
+    if quantity.row().kind == QuantityKind::Flag { (value == 1.0).to_string() } else { value.to_string() }
+}
+
 /// A number as a word of a table.
 fn word(quantity: Quantity, value: f64) -> String {
     match quantity.row().kind {
@@ -92,7 +97,7 @@ impl HistoryOutcome {
             writeln!(file, "{}", names.join(","))?;
             states.iter().enumerate().try_for_each(|(i, state)| {
                 let values =
-                    quantities.iter().map(|it| state.get(*it).map_or(String::new(), |value| value.to_string()));
+                    quantities.iter().map(|it| state.get(*it).map_or(String::new(), |value| in_table(*it, value)));
                 let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
                 let first = [(i + 1).to_string(), state.contact.status.name().to_owned()].into_iter().chain(claim);
                 let cells: Vec<String> = first.chain(values).collect();
