@@ -74,6 +74,9 @@ HISTORIES = {
 }
 
 
+CERTIFIED = ("load_error", "penetration")
+
+
 @pytest.mark.parametrize("process", HISTORIES)
 def test_a_history_comes_back(process: str, tmp_path: Path) -> None:
     keys: dict[str, Any] = HISTORIES[process]
@@ -84,7 +87,9 @@ def test_a_history_comes_back(process: str, tmp_path: Path) -> None:
     for there, here in ((again.numbers, history.numbers), (again.fields, history.fields)):
         assert there.keys() == here.keys()
         for name, values in here.items():
-            assert np.array_equal(there[name], values, equal_nan=True), name
+            # what a certificate measures is measured again
+            rounding = 1e-12 if name in CERTIFIED else 0.0
+            assert np.allclose(there[name], values, rtol=0.0, atol=rounding, equal_nan=True), name
     for there, here in zip(again, history):
         assert np.array_equal(there.pressure, here.pressure) and np.array_equal(there.gap, here.gap)
         assert there.measures.keys() == here.measures.keys()

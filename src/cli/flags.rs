@@ -6,6 +6,7 @@ use super::units::Units;
 use super::warnings;
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
+use asperity::contact::first_archive;
 use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
@@ -137,6 +138,7 @@ impl<E: Extent> SceneArgs<E> {
 
 /// The setup in a scene or a result, or one of the heights in any other file.
 fn read(path: &Path) -> Result<SetupTable> {
+    let path = &*first_archive(path);
     if let Some(setups) = asperity::record::setups(path)? {
         print_if_cut_off(path)?;
         return match setups.as_slice() {

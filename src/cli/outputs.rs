@@ -132,6 +132,21 @@ impl Outputs {
         })
     }
 
+    /// Refuses a run whose states would grow where something is already: the states of a run that was killed, or files of the user.
+    pub fn check_parts(&self) -> Result<()> {
+        let parts = [self.table().map(StateTable::part), self.archive().map(StateArchive::folder)];
+        match parts.into_iter().flatten().find(|part| part.exists()) {
+            Some(part) => {
+                let part = part.display();
+                usage(format!(
+                    "{part} exists, where the states of this run would grow; it may hold those of a run that was killed: read it (asperity view, \
+                     asp.load), and move it or remove it, or give another name"
+                ))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// Removes what grew beside the files that are written at the end.
     pub fn discard_parts(&self) {
         self.table().map(StateTable::discard);

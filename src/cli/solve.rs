@@ -112,6 +112,9 @@ impl Solve {
             return self.plan(&job, &cost, kind, loads.len());
         }
         cost.check(job.setup().solver.name())?;
+        if kind.is_some() {
+            outputs.check_parts()?;
+        }
         let ready = job.prepare()?;
         if outputs.strict {
             warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;

@@ -46,7 +46,9 @@ pub enum FlowError {
     )]
     NeedsHalfSpace { solid: String },
     /// A contact that moves over its solid.
-    #[error("the conductance follows from the stiffness of contacts at rest, but this one moves: leave the speed out")]
+    #[error(
+        "the conductance follows from the stiffness of an elastic contact at rest, but this one moves or has a history: leave it out"
+    )]
     NeedsRest,
 }
 

@@ -18,24 +18,36 @@ pub struct StateArchive {
 impl StateArchive {
     /// The folder beside an archive.
     pub fn beside(archive: &Path) -> Self {
-        Self { folder: archive.with_extension("part") }
+        Self { folder: Self::folder(archive) }
     }
 
-    /// Removes the folder that grew beside an archive.
+    /// The folder that grows beside an archive.
+    pub fn folder(archive: &Path) -> PathBuf {
+        archive.with_extension("part")
+    }
+
+    /// Removes the archives of states beside an archive, and their folder if there is nothing else in it.
     pub fn discard(archive: &Path) {
-        std::fs::remove_dir_all(archive.with_extension("part")).ok();
+        let folder = Self::folder(archive);
+        let mut numbers = 1..;
+        while numbers.next().is_some_and(|number| std::fs::remove_file(part(&folder, number)).is_ok()) {}
+        std::fs::remove_dir(folder).ok();
     }
 }
 
 impl StateSink for StateArchive {
     fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError> {
         if number == 0 {
-            std::fs::remove_dir_all(&self.folder).ok();
-            let made = std::fs::create_dir_all(&self.folder);
+            let made = std::fs::create_dir(&self.folder);
             made.map_err(|source| FileError::Write { path: self.folder.clone(), source })?;
         }
         let bytes = archive_of_states(from_ref(state), posed.rank(), &posed.text());
-        let path = self.folder.join(format!("{:06}.npz", number + 1));
+        let path = part(&self.folder, number + 1);
         write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))
     }
+}
+
+/// The archive of a state by its number, from 1.
+fn part(folder: &Path, number: usize) -> PathBuf {
+    folder.join(format!("{number:06}.npz"))
 }

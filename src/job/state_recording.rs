@@ -74,6 +74,7 @@ impl<'a> StateRecording<'a> {
         let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
         let scene = Scene {
             exact: None,
+            loads: posed.loads.to_vec(),
             further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
             ..Scene::from_setup(&setup, posed.problem)
         };

@@ -18,12 +18,17 @@ pub struct StateTable {
 impl StateTable {
     /// The table beside the one that is written at the end.
     pub fn beside(table: &Path) -> Self {
-        Self { path: table.with_extension("part.csv"), file: None, columns: Vec::new() }
+        Self { path: Self::part(table), file: None, columns: Vec::new() }
+    }
+
+    /// The table that grows beside another one.
+    pub fn part(table: &Path) -> PathBuf {
+        table.with_extension("part.csv")
     }
 
     /// Removes the table that grew beside another one.
     pub fn discard(table: &Path) {
-        std::fs::remove_file(table.with_extension("part.csv")).ok();
+        std::fs::remove_file(Self::part(table)).ok();
     }
 
     fn write(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> std::io::Result<()> {

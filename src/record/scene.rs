@@ -1,8 +1,10 @@
 //! Scenes: the problems of a recording.
 
+use crate::contact::Load;
 use crate::contact::{Forecast, Problem};
 use crate::diagnosis::Reference;
 use crate::setup::Setup;
+use crate::study::LoadCurve;
 use crate::theory::Exact;
 use std::sync::Arc;
 
@@ -17,6 +19,8 @@ pub struct Scene<'a> {
     pub problem: &'a Problem,
     /// The setup that repeats it, if there is one: the recording carries it.
     pub setup: Option<Setup>,
+    /// The list of loads of the setup, if it has one.
+    pub loads: Vec<Load>,
     /// The exact solution, where there is one; its pressure is drawn beside the computed one. A line is then shown around
     /// its contact only.
     pub exact: Option<Exact>,
@@ -65,11 +69,21 @@ impl<'a> Scene<'a> {
             title: name.into(),
             problem,
             setup: None,
+            loads: Vec::new(),
             exact: None,
             reference: None,
             apart: 0.0,
             further: Vec::new(),
         }
+    }
+
+    /// The text of the setup that repeats it.
+    pub(super) fn text(&self) -> Option<String> {
+        let setup = self.setup.clone()?;
+        Some(match self.loads.as_slice() {
+            [] => setup.with_full_path().to_toml(),
+            loads => LoadCurve { setup, loads: loads.into() }.to_table().to_toml(),
+        })
     }
 
     /// The scene `contact` of the problem of a setup.

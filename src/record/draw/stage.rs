@@ -76,7 +76,7 @@ impl Stage {
             palette,
             description: description::of_scene(scene, &options.length_unit),
             properties: properties::of_scene(scene),
-            setup: scene.setup.as_ref().map(|setup| setup.clone().with_full_path().to_toml()),
+            setup: scene.text(),
             what: options.what,
             grid,
             exact: [kappa_r, exact.map(|exact| exact.relative_area)],

@@ -141,9 +141,21 @@ fn a_history_that_is_killed_leaves_the_states_that_it_reached() {
     let values = chunks.filter(|chunk| chunk.entity_path().to_string() == "/load/value");
     let recorded: usize = values.map(|chunk| chunk.num_rows()).sum();
     assert!(recorded + 2 >= states, "{recorded} of {states}");
+    // a new run does not destroy them
+    let again = folder.run(&format!("{} --out all.npz", run(3)));
+    assert!(
+        again.status.code() == Some(2) && text(&again.stderr).contains("all.part exists"),
+        "{}",
+        text(&again.stderr)
+    );
+    assert_eq!(std::fs::read_dir(folder.join("all.part")).unwrap().count(), parts);
+    let setup = folder.run("solve --setup-of all.part --dry-run");
+    assert!(text(&setup.stdout).contains("about 300"), "{}{}", text(&setup.stdout), text(&setup.stderr));
+    std::fs::remove_dir_all(folder.join("all.part")).unwrap();
     // and so has a table; a run that comes to its end leaves neither
     signalled(&folder, &format!("{} --out all.csv", run(300)), "-KILL", || rows(&table) > 30);
     assert!(std::fs::read_to_string(&table).unwrap().starts_with("state,status,claim,time,"));
+    std::fs::remove_file(&table).unwrap();
     for end in ["csv", "npz"] {
         assert_eq!(folder.run(&format!("{} --out all.{end}", run(3))).status.code(), Some(0));
         assert!(folder.join(&format!("all.{end}")).exists());
