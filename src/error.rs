@@ -22,6 +22,7 @@ mod study;
 mod text;
 
 pub use adhesion::AdhesionError;
+#[cfg(feature = "explore")]
 pub(crate) use conflict::with_places;
 pub use conflict::{Conflict, ConflictRule};
 pub use creep::CreepError;

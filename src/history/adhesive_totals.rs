@@ -50,7 +50,7 @@ impl AdhesionTotals {
         let jump = |i: usize| {
             let energy = states[i].get(Quantity::Jump)?;
             let before = states[..i].iter().rfind(|state| !is_frame(state))?;
-            let pair = |of: &dyn Fn(&State) -> f64| [of(before), of(&states[i])];
+            let pair = |of: &dyn Fn(&State) -> f64| [of(before), of(states[i])];
             Some(AdhesionJump {
                 state: i + 1,
                 mean_gap: pair(&|state| state.contact.mean_gap()),

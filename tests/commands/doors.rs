@@ -11,7 +11,7 @@ fn is_same(one: &[f64], two: &[f64]) -> bool {
 }
 
 /// The values of a quantity in the states of a JSON object, or under its loads, or of its one contact; with flow, of its rows.
-fn told<'f>(found: &'f Found, quantity: Quantity) -> Option<&'f Vec<f64>> {
+fn told(found: &Found, quantity: Quantity) -> Option<&Vec<f64>> {
     let name = quantity.name();
     ["json/states", "json/loads", "json"].iter().find_map(|place| found.get(&format!("{place}/{name}")))
 }
