@@ -130,8 +130,21 @@ pub fn archive_of_stress(
 /// The errors of the format, which fields of doubles do not meet, unless there are no states.
 pub fn archive_of_states(states: &[impl Borrow<State>], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
     let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
+    archive_of(&states, ArchiveWriter::empty(rank, true, false), setup)
+}
+
+/// One of the states of a run that goes on, as `.npz`: as [`archive_of_states`], without spectra and distributions.
+///
+/// # Errors
+/// The errors of [`archive_of_states`].
+pub fn archive_of_part(state: &State, rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
+    archive_of(&[state], ArchiveWriter::empty(rank, true, true), setup)
+}
+
+/// The states in an archive that has begun.
+fn archive_of(states: &[&State], archive: ArchiveWriter, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
     let contacts: Vec<&Contact> = states.iter().map(|state| &state.contact).collect();
-    let mut archive = ArchiveWriter::new(&contacts, true, rank, Some(setup))?;
+    let mut archive = archive.with(&contacts, Some(setup))?;
     let points: Vec<String> =
         states.iter().map(|it| it.point.map_or("-".to_owned(), |point| point.to_string())).collect();
     archive.add_words("claim", states.iter().map(|it| it.claim.into()))?;
@@ -179,21 +192,31 @@ struct ArchiveWriter {
     rank: usize,
     /// Whether what depends on the state has a first axis of states.
     is_list: bool,
+    /// Whether spectra and distributions are left out.
+    is_short: bool,
 }
 
 impl ArchiveWriter {
     /// An archive of the contacts of one surface, if there are any.
     fn new(contacts: &[&Contact], is_list: bool, rank: usize, setup: Option<&str>) -> Result<Self, WriteNpzError> {
-        let mut archive = Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list };
+        Self::empty(rank, is_list, false).with(contacts, setup)
+    }
+
+    fn empty(rank: usize, is_list: bool, is_short: bool) -> Self {
+        Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list, is_short }
+    }
+
+    fn with(mut self, contacts: &[&Contact], setup: Option<&str>) -> Result<Self, WriteNpzError> {
         if let Some(first) = contacts.first() {
-            archive.add_problem(first, setup)?;
-            archive.add_contacts(first, contacts)?;
+            self.add_problem(first, setup)?;
+            self.add_contacts(first, contacts)?;
         }
-        Ok(archive)
+        Ok(self)
     }
 
     fn add_contacts(&mut self, first: &Contact, contacts: &[&Contact]) -> Result<(), WriteNpzError> {
-        for (name, of) in CURVES {
+        let curves = if self.is_short { &[][..] } else { &CURVES };
+        for (name, of) in curves {
             self.add_each(name, contacts.iter().map(|contact| Array1::from(of(contact)).into()))?;
         }
         for (name, of) in FIELDS {
@@ -236,9 +259,11 @@ impl ArchiveWriter {
         }
         self.npz.add_array("size", &ArrayView1::from(&grid.size()[2 - self.rank.min(2)..]))?;
         self.npz.add_array("contact_modulus", &arr0(modulus))?;
-        let heights = PowerSpectrum::new(surface);
-        self.npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
-        self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
+        if !self.is_short {
+            let heights = PowerSpectrum::new(surface);
+            self.npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
+            self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
+        }
         self.add_field("height", surface.heights_as_given().view())
     }
 

@@ -61,7 +61,7 @@ use crate::chunks;
 use sums::CertificateSums;
 
 pub use crate::error::Failure;
-pub use archive::{archive, archive_of_slip, archive_of_state, archive_of_states, archive_of_stress};
+pub use archive::{archive, archive_of_part, archive_of_slip, archive_of_state, archive_of_states, archive_of_stress};
 pub use archive_reader::{ArchiveReader, first_archive};
 pub use ceiling::Ceiling;
 pub use certificate::Certificate;

@@ -99,7 +99,7 @@ impl State {
         Self::new(contact, claim).at(point).with_fields(fields)
     }
 
-    /// A number of the state, if it has it. A number that its process does not give is read with all others, once.
+    /// A number of the state, if it has it. Whoever wants many of them reads all of them first, see [`State::numbers`].
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         if let Some(own) = self.contact.values().get(quantity) {
             return Some(own).filter(|value| !value.is_nan());
@@ -107,7 +107,11 @@ impl State {
         if quantity.row().is_known_by_process() {
             return None;
         }
-        self.numbers().iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
+        match self.numbers.get() {
+            Some(numbers) => numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value),
+            None if quantity.tells_of(&self.contact) => Reading::from(&self.contact).get(quantity),
+            None => None,
+        }
     }
 
     /// The same; NaN where the state does not have it.

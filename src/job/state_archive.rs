@@ -2,12 +2,11 @@
 
 use super::posed::Posed;
 use super::sink::StateSink;
-use crate::contact::{State, archive_of_states};
+use crate::contact::{State, archive_of_part};
 use crate::error::FileError;
 use crate::files::write_beside;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::slice::from_ref;
 
 /// The states so far, each an archive of its own in a folder `NAME.part` beside the archive that is written at the end. A killed run leaves the folder,
 /// which is read like the archive.
@@ -41,7 +40,7 @@ impl StateSink for StateArchive {
             let made = std::fs::create_dir(&self.folder);
             made.map_err(|source| FileError::Write { path: self.folder.clone(), source })?;
         }
-        let bytes = archive_of_states(from_ref(state), posed.rank(), &posed.text());
+        let bytes = archive_of_part(state, posed.rank(), &posed.text());
         let path = part(&self.folder, number + 1);
         write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))
     }
