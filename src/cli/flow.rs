@@ -41,7 +41,7 @@ struct AxisFinding {
 }
 
 impl AxisFinding {
-    /// What was found along an axis.
+    /// The flow along one axis, from the quantities of a state; none where a quantity of this axis is absent.
     fn new(axis: FlowAxis, get: impl Fn(Quantity) -> Option<f64>) -> Option<Self> {
         let names = match axis {
             FlowAxis::X => [
@@ -71,7 +71,7 @@ impl AxisFinding {
 }
 
 impl FlowFinding {
-    /// What was found, if anything was.
+    /// The flow through the gap, from the quantities of a state; none where the flow was not asked for.
     pub fn from_numbers(numbers: &[(Quantity, f64)]) -> Option<Self> {
         let get = |quantity: Quantity| numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value);
         let is_finite = |it: &f64| it.is_finite();

@@ -1,4 +1,4 @@
-//! What the command line sees of the states of a run.
+//! The watcher by which the command line follows the states of a run, one after the other.
 
 use super::exit_status::{ExitStatus, settle};
 use super::finding::Finding;
