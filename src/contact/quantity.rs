@@ -296,7 +296,7 @@ quantities! {
 }
 
 impl Quantity {
-    /// What the table says of it.
+    /// The row of the table of quantities for this quantity.
     pub fn row(self) -> &'static QuantityRow {
         &TABLE[self as usize]
     }

@@ -49,7 +49,7 @@ pub enum Unit {
     Stiffness,
 }
 
-/// What values a quantity has.
+/// The kind of the values of a quantity: numbers, counts or flags.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum QuantityKind {
     /// Any numbers.
@@ -73,7 +73,7 @@ pub(super) enum Curve {
     Both,
 }
 
-/// What the table says of a quantity.
+/// A row of the table of quantities: names, unit, kind and meaning of one quantity.
 #[derive(Debug, Serialize)]
 pub struct QuantityRow {
     /// Its name in files and tables.
@@ -84,7 +84,7 @@ pub struct QuantityRow {
     pub title: &'static str,
     /// Its unit.
     pub unit: Unit,
-    /// What values it has.
+    /// The kind of the values of the quantity.
     #[serde(skip)]
     pub kind: QuantityKind,
     /// Whether it is recorded at each step of a solve.

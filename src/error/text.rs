@@ -120,7 +120,7 @@ pub enum ExpectedValue {
     Boolean,
     /// One of some names, called as they are in the library.
     Choice(String),
-    /// A list of so many values.
+    /// A list of this number of values.
     Values(usize),
     /// Anything else.
     Words(String),
