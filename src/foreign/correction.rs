@@ -13,7 +13,7 @@ pub(super) enum MistakeKind {
     /// The nodes are in another order.
     Arrangement(Arrangement),
     /// A gap was taken for a displacement, or the reverse.
-    GivenField,
+    Quantity,
     /// The field has the other sign.
     Sign,
     /// The peaks point the other way.
@@ -39,7 +39,7 @@ const LEAST_FACTOR: f64 = 0.03;
 impl MistakeKind {
     /// All kinds that there can be on a grid, in the order in which one can follow another.
     pub fn all(grid: &Grid) -> Vec<Self> {
-        let others = [Self::GivenField, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
+        let others = [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
         Arrangement::on(grid).map(Self::Arrangement).chain(others).collect()
     }
 
@@ -52,7 +52,7 @@ impl MistakeKind {
     pub fn goes_with(self, other: Self) -> bool {
         let rank = |kind: Self| match kind {
             Self::Arrangement(_) => 0,
-            Self::GivenField => 1,
+            Self::Quantity => 1,
             Self::Sign => 2,
             Self::Heights => 3,
             Self::Modulus | Self::Scale => 4,
@@ -66,7 +66,7 @@ impl MistakeKind {
         let mut factor = 1.0;
         match self {
             Self::Arrangement(arrangement) => better.values = arrangement.apply(&claim.values, claim.surface.grid()),
-            Self::GivenField => better.quantity = other_length(claim)?,
+            Self::Quantity => better.quantity = other_length(claim)?,
             Self::Sign => better.values.iter_mut().for_each(|value| *value = -*value),
             Self::Heights => better.surface = upside_down(&claim.surface)?.into(),
             Self::Modulus => {

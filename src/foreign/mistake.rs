@@ -120,10 +120,10 @@ impl Claim {
                 let remedy = order.remedy(name, self.surface.grid());
                 format!("the {name}s {} relative to the heights: give {remedy}", order.words())
             }
-            MistakeKind::GivenField if self.quantity == GivenField::Gap => {
+            MistakeKind::Quantity if self.quantity == GivenField::Gap => {
                 "the field is the displacement, not the gap: give it with --displacement".into()
             }
-            MistakeKind::GivenField => "the field is the gap, not the displacement: give it with --gap".into(),
+            MistakeKind::Quantity => "the field is the gap, not the displacement: give it with --gap".into(),
             MistakeKind::Heights => {
                 "the heights have the wrong sign: give -height, so that peaks towards the solid are positive".into()
             }
