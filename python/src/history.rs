@@ -5,10 +5,11 @@ use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::to_python;
 use crate::error::{BoxedError, bail, py_error, unknown_name};
-use crate::output::{check_not_read, check_output};
+use crate::output::check_output;
 use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::shared_state::SharedState;
+use crate::states::States;
 use asperity::contact::{Quantity, State, StateField, archive_of_states};
 use asperity::files::write_beside;
 use asperity::job::HistoryOutcome;
@@ -16,7 +17,7 @@ use asperity::setup::ProcessChart;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyIterator, PyTuple};
+use pyo3::types::PyDict;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -26,32 +27,34 @@ use std::sync::Arc;
 ///
 /// history[0] is the contact of the first state. history.numbers["friction"] holds the friction of all states, and
 /// history.fields["traction"] the tractions of all states. A contact of a history has the numbers of its state in its measures.
-#[pyclass(frozen, sequence, module = "asperity")]
+#[pyclass(frozen, sequence, extends = States, module = "asperity")]
 pub struct History {
     pub outcome: Arc<HistoryOutcome>,
-    pub contacts: Py<PyTuple>,
-    pub setup: Setup,
     pub rank: usize,
 }
 
 impl History {
     /// The history that was followed from a setup.
-    pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Self> {
+    pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Py<Self>> {
         let Problem { surface, rank, preparation, .. } = problem;
         let rank = *rank;
         let contact = |state: &Arc<State>| {
             let contact = Contact::new(SharedState(state.clone()), surface.clone(), setup.setup.clone(), rank);
-            Py::new(py, Contact { is_of_history: true, preparation: preparation.clone(), ..contact })
+            Contact { is_of_history: true, preparation: preparation.clone(), ..contact }
         };
-        let contacts = outcome.states.iter().map(contact).collect::<PyResult<Vec<_>>>()?;
-        Ok(Self { outcome: Arc::new(outcome), contacts: PyTuple::new(py, contacts)?.unbind(), setup, rank })
+        let states = States::new(py, outcome.states.iter().map(contact), setup.clone())?;
+        Self::of(py, outcome, states, rank)
     }
-}
 
-impl History {
+    /// The history with an outcome and the contacts of its states.
+    pub fn of(py: Python<'_>, outcome: HistoryOutcome, states: States, rank: usize) -> PyResult<Py<Self>> {
+        let history = Self { outcome: Arc::new(outcome), rank };
+        Py::new(py, PyClassInitializer::from(states).add_subclass(history))
+    }
+
     /// Writes the fields and numbers of all states.
-    fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
-        let bytes = archive_of_states(&self.outcome.states, self.rank, &self.setup.with_full_path().to_toml());
+    fn write_archive(&self, path: &Path, setup: &Setup) -> Result<(), BoxedError> {
+        let bytes = archive_of_states(&self.outcome.states, self.rank, &setup.with_full_path().to_toml());
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
 }
@@ -121,20 +124,9 @@ impl History {
 
     /// The energy that each closed cycle of the path lost, per area of the cell.
     #[getter]
-    fn energy_per_cycle<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        vector(py, self.outcome.cycles(&self.setup.setup))
-    }
-
-    /// Whether the solver converged in all states.
-    #[getter]
-    fn converged(&self) -> bool {
-        self.outcome.states.iter().all(|state| state.contact.is_converged())
-    }
-
-    /// The setup that repeats the history. Heights that were given as an array have the name array.npy in it.
-    #[getter]
-    fn setup(&self) -> Setup {
-        self.setup.clone()
+    fn energy_per_cycle<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyArray1<f64>> {
+        let setup = &slf.as_super().get().setup;
+        vector(slf.py(), slf.get().outcome.cycles(&setup.setup))
     }
 
     /// Explains a number of `numbers` in one sentence.
@@ -163,13 +155,13 @@ impl History {
     /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the
     /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
-        let it = slf.get();
-        check_output(&path, &["npz", "csv", "svg", "png"], &it.setup.setup)?;
+        let (it, setup) = (slf.get(), &slf.as_super().get().setup);
+        check_output(&path, &["npz", "csv", "svg", "png"], &setup.setup)?;
         if it.outcome.states.is_empty() {
             return bail("the history has no states: nothing is saved");
         }
         match ending(&path).as_str() {
-            "npz" => slf.py().detach(|| it.write_archive(&path)).map_err(py_error),
+            "npz" => slf.py().detach(|| it.write_archive(&path, setup)).map_err(py_error),
             "csv" => slf.py().detach(|| it.outcome.write_table(&path)).map_err(py_error),
             _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
         }
@@ -185,12 +177,6 @@ impl History {
         slf.py().import("asperity.export")?.call_method1("history_to_xarray", (slf,))
     }
 
-    /// Writes the Dataset of to_xarray to a NetCDF file.
-    fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
-        check_not_read(&path, &slf.get().setup.setup)?;
-        slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
-    }
-
     /// A figure by matplotlib, with the quantities that the command line draws: area and gap over time for creep; mean pressure and area over the mean
     /// gap for adhesion, with an arrow for each jump; traction over the shift and the share that sticks for slip; friction and area over the
     /// speed for sliding; friction and the share that sticks over the creepage for rolling.
@@ -200,18 +186,6 @@ impl History {
 
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("asperity.plotting")?.call_method1("history_as_html", (slf,))
-    }
-
-    fn __len__(&self, py: Python<'_>) -> usize {
-        self.contacts.bind(py).len()
-    }
-
-    fn __getitem__<'py>(&self, py: Python<'py>, index: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.contacts.bind(py).as_any().get_item(index)
-    }
-
-    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
-        self.contacts.bind(py).try_iter()
     }
 
     fn __repr__(&self) -> String {

@@ -5,6 +5,7 @@ use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use crate::history::History;
 use crate::problem::Problem;
+use crate::states::States;
 use asperity::contact::{Quantity, ResultClaim, State, StateField};
 use asperity::job::HistoryOutcome;
 use numpy::PyArrayDyn;
@@ -23,34 +24,27 @@ type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
 
 #[pymethods]
 impl History {
-    fn __eq__(&self, py: Python<'_>, other: &Self) -> PyResult<bool> {
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, Self>) -> PyResult<bool> {
         let is_same = |(one, two): (&Arc<State>, &Arc<State>)| {
             let fields = |it: &State| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
             one.claim == two.claim && one.point == two.point && fields(one) == fields(two)
         };
-        let [one, two] = [self, other].map(|it| &it.outcome.states);
-        let has_same_contacts = self.contacts.bind(py).eq(other.contacts.bind(py))?;
-        Ok(self.setup == other.setup && has_same_contacts && one.iter().zip(two).all(is_same))
-    }
-
-    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
-        slf
-    }
-
-    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
-        slf
+        let [one, two] = [slf, other].map(|it| &it.get().outcome.states);
+        let has_same_contacts = slf.as_super().get().is_same(slf.py(), other.as_super().get())?;
+        Ok(has_same_contacts && one.iter().zip(two).all(is_same))
     }
 
     fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, HistoryParts<'py>)> {
         let (py, it) = (slf.py(), slf.get());
-        let Some(first) = it.contacts.bind(py).iter().next() else {
+        let States { contacts, setup } = slf.as_super().get();
+        let Some(first) = contacts.bind(py).iter().next() else {
             return bail("the history has no states: there is nothing to pickle");
         };
         let contact = first.cast::<Contact>()?.get();
         let problem = Problem {
             problem: contact.contact.problem.clone(),
             surface: contact.surface.clone(),
-            setup: it.setup.clone(),
+            setup: setup.clone(),
             rank: it.rank,
             preparation: contact.preparation.clone(),
         };
@@ -60,12 +54,12 @@ impl History {
         };
         let state = |state: &Arc<State>| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
         let states = it.outcome.states.iter().map(state).collect();
-        Ok((slf.get_type().getattr("_from_parts")?, (problem, it.contacts.clone_ref(py), states)))
+        Ok((slf.get_type().getattr("_from_parts")?, (problem, contacts.clone_ref(py), states)))
     }
 
     /// The history that the values of a pickle describe.
     #[staticmethod]
-    fn _from_parts(problem: &Problem, contacts: Bound<'_, PyTuple>, states: Vec<GivenParts<'_>>) -> PyResult<Self> {
+    fn _from_parts(problem: &Problem, contacts: Bound<'_, PyTuple>, states: Vec<GivenParts<'_>>) -> PyResult<Py<Self>> {
         let state = |(contact, (point, claim, fields)): (Bound<'_, PyAny>, GivenParts<'_>)| -> PyResult<_> {
             let contact = contact.cast::<Contact>()?.get();
             let claim: ResultClaim = claim.parse().map_err(|_| py_error(format!("there is no claim {claim:?}")))?;
@@ -77,7 +71,7 @@ impl History {
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;
         let outcome = HistoryOutcome::from_states(&setup.setup, problem, states).map_err(py_error)?;
-        Ok(Self { outcome: Arc::new(outcome), contacts: contacts.unbind(), setup: setup.clone(), rank: *rank })
+        Self::of(contacts.py(), outcome, States { contacts: contacts.clone().unbind(), setup: setup.clone() }, *rank)
     }
 }
 

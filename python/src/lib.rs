@@ -43,6 +43,7 @@ mod sink;
 mod slip;
 mod solve;
 mod solve_options;
+mod states;
 mod step;
 mod stress;
 mod study;
@@ -119,6 +120,8 @@ mod _asperity {
     use crate::setup::Setup;
     #[pymodule_export]
     use crate::slip::PartialSlip;
+    #[pymodule_export]
+    use crate::states::States;
     #[pymodule_export]
     use crate::step::Step;
     #[pymodule_export]

@@ -46,12 +46,12 @@ pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
             let under = |load| setup::Setup { load, ..setup.setup.clone() };
             let contacts = contacts.into_iter().map(|it| (under(it.problem.load()), it));
             let contacts = contacts.map(|(under, it)| Contact::new(it, surface.clone(), under, rank)).collect();
-            Ok(Py::new(py, LoadCurve::new(py, contacts, setup)?)?.into_any())
+            Ok(LoadCurve::new(py, contacts, setup)?.into_any())
         }
         SavedFound::History(outcome) => {
             let problem = setup.setup.problem_of(surface.clone()).map_err(py_error)?;
             let problem = Problem { problem, surface, setup: setup.clone(), rank, preparation: Arc::default() };
-            Ok(Py::new(py, History::new(py, *outcome, &problem, setup)?)?.into_any())
+            Ok(History::new(py, *outcome, &problem, setup)?.into_any())
         }
     }
 }

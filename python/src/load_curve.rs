@@ -7,37 +7,34 @@ use crate::conversion::sections_of;
 use crate::error::{BoxedError, py_error};
 use crate::flow::with_flow;
 use crate::measures::columns;
-use crate::output::{check_not_read, check_output};
+use crate::output::check_output;
 use crate::setup::Setup;
+use crate::states::States;
 use asperity::contact::{Observables, archive_of_states};
 use asperity::files::write_beside;
 use asperity::job::{LoadNumbers, write_loads};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyIterator, PyTuple};
+use pyo3::types::{PyDict, PyTuple};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// The contacts under a list of loads, in the order of the loads: a sequence of Contact.
 ///
 /// curve[0] is the contact under the first load, curve.measures["kappa_r"] holds kappa_r under all loads.
-#[pyclass(frozen, sequence, module = "asperity")]
-pub struct LoadCurve {
-    contacts: Py<PyTuple>,
-    setup: Setup,
-}
+#[pyclass(frozen, sequence, extends = States, module = "asperity")]
+pub struct LoadCurve;
 
 /// The values from which a curve is made again (pickle): the contacts and the setup.
 type LoadCurveParts = (Py<PyTuple>, Setup);
 
 impl LoadCurve {
     /// The curve of some contacts, with the setup that repeats it.
-    pub fn new(py: Python<'_>, contacts: Vec<Contact>, setup: Setup) -> PyResult<Self> {
-        let contacts = contacts.into_iter().map(|it| Py::new(py, it)).collect::<PyResult<Vec<_>>>()?;
-        Ok(Self { contacts: PyTuple::new(py, contacts)?.unbind(), setup })
+    pub fn new(py: Python<'_>, contacts: Vec<Contact>, setup: Setup) -> PyResult<Py<Self>> {
+        Self::of(py, States::new(py, contacts, setup)?)
     }
 
-    fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Vec<PyRef<'py, Contact>>> {
-        self.contacts.bind(py).iter().map(|it| Ok(it.cast::<Contact>()?.borrow())).collect()
+    fn of(py: Python<'_>, states: States) -> PyResult<Py<Self>> {
+        Py::new(py, PyClassInitializer::from(states).add_subclass(Self))
     }
 }
 
@@ -45,35 +42,24 @@ impl LoadCurve {
 impl LoadCurve {
     /// The values of the loads, in the form in which they were given.
     #[getter]
-    fn loads<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
-        vector(py, self.setup.loads.iter().flatten().map(|load| load.value()).collect()).into_any()
+    fn loads<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyAny> {
+        let setup = &slf.as_super().get().setup;
+        vector(slf.py(), setup.loads.iter().flatten().map(|load| load.value()).collect()).into_any()
     }
 
     /// All numbers of Contact.measures by their names, each an array with a value for every load.
     #[getter]
-    fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let contacts: Vec<Py<Contact>> = self.contacts(py)?.into_iter().map(Into::into).collect();
-        columns(py, &contacts)
-    }
-
-    /// Whether the solver converged under all loads.
-    #[getter]
-    fn converged(&self, py: Python<'_>) -> PyResult<bool> {
-        Ok(self.contacts(py)?.iter().all(|it| it.contact.is_converged()))
-    }
-
-    /// The setup that repeats the curve. Heights that were given as an array have the name array.npy in it.
-    #[getter]
-    fn setup(&self) -> Setup {
-        self.setup.clone()
+    fn measures<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
+        let py = slf.py();
+        columns(py, &slf.as_super().get().each(py)?)
     }
 
     /// Writes the curve to a file whose ending says what: .npz for the fields and numbers under all loads, with the setup, .csv for the table that the
     /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
-        let (py, it) = (slf.py(), slf.get());
+        let (py, it) = (slf.py(), slf.as_super().get());
         check_output(&path, &["npz", "csv", "svg", "png"], &it.setup.setup)?;
-        let contacts: Vec<Py<Contact>> = it.contacts(py)?.into_iter().map(Into::into).collect();
+        let contacts = it.each(py)?;
         match ending(&path).as_str() {
             "npz" => py.detach(|| write_archive(&path, &contacts, &it.setup)).map_err(py_error),
             "csv" => py.detach(|| write_table(&path, &contacts, &it.setup)).map_err(py_error),
@@ -83,18 +69,12 @@ impl LoadCurve {
 
     /// The measures as a data frame of pandas, with a row for every load.
     fn to_pandas<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("pandas")?.call_method1("DataFrame", (slf.get().measures(slf.py())?,))
+        slf.py().import("pandas")?.call_method1("DataFrame", (Self::measures(&slf)?,))
     }
 
     /// The fields and measures as a Dataset of xarray, over the loads and the positions of the nodes.
     fn to_xarray<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("asperity.export")?.call_method1("curve_to_xarray", (slf,))
-    }
-
-    /// Writes the Dataset of to_xarray to a NetCDF file.
-    fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
-        check_not_read(&path, &slf.get().setup.setup)?;
-        slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
     }
 
     /// A figure of relative area, kappa_r and mean gap over the reduced pressure, by matplotlib.
@@ -106,41 +86,29 @@ impl LoadCurve {
         slf.py().import("asperity.plotting")?.call_method1("curve_as_html", (slf,))
     }
 
-    fn __len__(&self, py: Python<'_>) -> usize {
-        self.contacts.bind(py).len()
-    }
-
-    fn __getitem__<'py>(&self, py: Python<'py>, index: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.contacts.bind(py).as_any().get_item(index)
-    }
-
-    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
-        self.contacts.bind(py).try_iter()
-    }
-
-    fn __eq__(&self, py: Python<'_>, other: &Self) -> PyResult<bool> {
-        Ok(self.setup == other.setup && self.contacts.bind(py).eq(other.contacts.bind(py))?)
+    fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, Self>) -> PyResult<bool> {
+        slf.as_super().get().is_same(slf.py(), other.as_super().get())
     }
 
     fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, LoadCurveParts)> {
-        let Self { contacts, setup } = slf.get();
+        let States { contacts, setup } = slf.as_super().get();
         Ok((slf.get_type().getattr("_from_parts")?, (contacts.clone_ref(slf.py()), setup.clone())))
     }
 
     /// The curve that the values of a pickle describe.
     #[staticmethod]
-    fn _from_parts(contacts: Bound<'_, PyTuple>, setup: Setup) -> PyResult<Self> {
+    fn _from_parts(contacts: Bound<'_, PyTuple>, setup: Setup) -> PyResult<Py<Self>> {
         contacts.iter().try_for_each(|it| it.cast::<Contact>().map(drop).map_err(PyErr::from))?;
-        Ok(Self { contacts: contacts.unbind(), setup })
+        Self::of(contacts.py(), States { contacts: contacts.clone().unbind(), setup })
     }
 
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let kind = sections_of(&self.setup.setup.load).keys().next().cloned().unwrap_or_default();
-        let [count, converged] = {
-            let contacts = self.contacts(py)?;
-            [contacts.len(), contacts.iter().filter(|it| it.contact.is_converged()).count()]
-        };
-        Ok(format!("LoadCurve({count} loads by {}, {converged} converged)", kind.replace('-', "_")))
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let states = slf.as_super().get();
+        let kind = sections_of(&states.setup.setup.load).keys().next().cloned().unwrap_or_default();
+        let contacts = states.each(slf.py())?;
+        let converged = contacts.iter().filter(|it| it.get().contact.is_converged()).count();
+        let (count, kind) = (contacts.len(), kind.replace('-', "_"));
+        Ok(format!("LoadCurve({count} loads by {kind}, {converged} converged)"))
     }
 }
 

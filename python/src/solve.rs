@@ -65,11 +65,11 @@ impl Problem {
         let solve = Solve { problem: self, setup: &setup, options: &options };
         let is_history = setup.setup.is_history().map_err(py_error)?;
         match &setup.loads {
-            None if is_history => Ok(Py::new(py, solve.history(py)?)?.into_any()),
+            None if is_history => Ok(solve.history(py)?.into_any()),
             Some(_) if is_history => {
                 bail("a history needs one load, but a list of loads is given: give one load and a path")
             }
-            Some(loads) => Ok(Py::new(py, solve.curve(py, loads)?)?.into_any()),
+            Some(loads) => Ok(solve.curve(py, loads)?.into_any()),
             None => Ok(Py::new(py, solve.contact(py)?)?.into_any()),
         }
     }
@@ -151,7 +151,7 @@ impl Solve<'_> {
     }
 
     /// Solves under one load after the other.
-    fn curve(&self, py: Python<'_>, loads: &[Load]) -> PyResult<LoadCurve> {
+    fn curve(&self, py: Python<'_>, loads: &[Load]) -> PyResult<Py<LoadCurve>> {
         self.check_fields(FIELDS_OF_CONTACT * loads.len().saturating_sub(1) as f64)?;
         let outcome = self.states(py)?;
         if let Some(failure) = outcome.failure {
@@ -176,7 +176,7 @@ impl Solve<'_> {
     }
 
     /// Follows a history.
-    fn history(&self, py: Python<'_>) -> PyResult<History> {
+    fn history(&self, py: Python<'_>) -> PyResult<Py<History>> {
         let SolveOptions { diagnose, start, .. } = self.options;
         let of_one_contact =
             [(*diagnose, "diagnose"), (start.is_some(), "start"), (self.setup.refinement.is_some(), "refine='auto'")];

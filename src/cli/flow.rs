@@ -4,6 +4,7 @@ use super::units::{Units, significant};
 use asperity::contact::Quantity;
 use asperity::flow::{FlowAxis, Leakage};
 use asperity::quantity::number_in_words;
+use asperity::setup::AxisFlow;
 use serde::Serialize;
 
 /// Leakage and conductance of a contact, each where it is asked for.
@@ -11,7 +12,7 @@ use serde::Serialize;
 pub struct FlowFinding {
     /// The leakage along x and y; of a line along x only.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    along: Vec<AxisFinding>,
+    along: Vec<AxisFlow>,
     /// The conductance per area, one over resistivity and length; none where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
     conductance_per_area: Option<f64>,
@@ -26,58 +27,13 @@ pub struct FlowFinding {
     pub numbers: Vec<(Quantity, f64)>,
 }
 
-/// The leakage through the gap along one axis, by Reynolds' equation.
-#[derive(Serialize)]
-struct AxisFinding {
-    axis: FlowAxis,
-    /// Whether the open area connects both sides.
-    open_percolates: bool,
-    /// Whether the contact connects both sides.
-    contact_percolates: bool,
-    /// Bounds of the cube of the gap of parallel plates that leak as much, a length cubed.
-    leakage: [f64; 2],
-    /// The gap of these plates, a length.
-    hydraulic_gap: f64,
-}
-
-impl AxisFinding {
-    /// The flow along one axis, from the quantities of a state; none where a quantity of this axis is absent.
-    fn new(axis: FlowAxis, get: impl Fn(Quantity) -> Option<f64>) -> Option<Self> {
-        let names = match axis {
-            FlowAxis::X => [
-                Quantity::OpenPercolatesX,
-                Quantity::ContactPercolatesX,
-                Quantity::LeakageLowerX,
-                Quantity::LeakageUpperX,
-                Quantity::HydraulicGapX,
-            ],
-            FlowAxis::Y => [
-                Quantity::OpenPercolatesY,
-                Quantity::ContactPercolatesY,
-                Quantity::LeakageLowerY,
-                Quantity::LeakageUpperY,
-                Quantity::HydraulicGapY,
-            ],
-        };
-        let [open, joined, lower, upper, hydraulic_gap] = names.map(get);
-        Some(Self {
-            axis,
-            open_percolates: open? == 1.0,
-            contact_percolates: joined? == 1.0,
-            leakage: [lower?, upper?],
-            hydraulic_gap: hydraulic_gap?,
-        })
-    }
-}
-
 impl FlowFinding {
     /// The flow through the gap, from the quantities of a state; none where the flow was not asked for.
     pub fn from_numbers(numbers: &[(Quantity, f64)]) -> Option<Self> {
         let get = |quantity: Quantity| numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value);
         let is_finite = |it: &f64| it.is_finite();
         let per_area = get(Quantity::ConductancePerArea);
-        let along: Vec<AxisFinding> =
-            FlowAxis::ALL.into_iter().filter_map(|axis| AxisFinding::new(axis, get)).collect();
+        let along: Vec<AxisFlow> = FlowAxis::ALL.into_iter().filter_map(|axis| AxisFlow::find(axis, get)).collect();
         (!along.is_empty() || per_area.is_some()).then(|| Self {
             along,
             conductance_per_area: per_area.filter(is_finite),

@@ -38,6 +38,9 @@ struct HistorySummary {
     /// Energy lost in each closed cycle of the path, per area of the cell.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     energy_per_cycle: Vec<f64>,
+    /// Why the history ended before its path did, if it did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ended: Option<String>,
     warnings: Vec<String>,
     setup: Setup,
 }
@@ -46,12 +49,10 @@ struct HistorySummary {
 pub fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outputs, Units)) -> Result<ExitStatus> {
     let mut all = warnings::in_flags(&solved.warnings());
     let (setup, Some(mut outcome)) = (solved.setup, solved.history) else { return Ok(ExitStatus::Done) };
-    let ended = outcome.ended.take();
-    let is_stopped = matches!(ended, Some(HistoryError::Stopped));
-    let failure = ended.filter(|_| !is_stopped);
+    let is_stopped = matches!(outcome.ended, Some(HistoryError::Stopped));
+    let failure = outcome.ended.as_ref().filter(|_| !is_stopped);
     // where everything slides, no state in equilibrium follows: the history ends there, and no solver has failed
-    let has_failed =
-        failure.as_ref().is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
+    let has_failed = failure.is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
     let failed = failure.map(|error| format!("The history ended after {}: {error}", counted(outcome.states.len())));
     if is_stopped {
         warnings::print(&[format!("interrupted: {} solved and written", counted(outcome.states.len()))]);
@@ -105,6 +106,7 @@ fn write_files(
         adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
         energy_per_cycle: outcome.cycles(setup),
+        ended: outcome.ended.as_ref().map(HistoryError::to_string),
         warnings,
         setup: full,
         subject,

@@ -12,7 +12,7 @@ use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Load, Observables, Problem, Status, archive_of_states, warnings_of};
-use asperity::error::{HistoryError, StudyError};
+use asperity::error::{HistoryError, StudyError, is_input};
 use asperity::files::write_beside;
 use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
 use asperity::setup::SetupTable;
@@ -27,6 +27,9 @@ struct LoadCurveSummary {
     #[serde(flatten)]
     subject: ProblemSummary,
     loads: Vec<Finding>,
+    /// Why not all loads were solved, if they were not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ended: Option<String>,
     warnings: Vec<String>,
     setup: SetupTable,
     #[serde(skip)]
@@ -44,7 +47,7 @@ pub fn write(
     let StateWatch { findings, status, .. } = watch;
     let Some(mut history) = solved.history else { return Ok(status) };
     let is_stopped = matches!(history.ended, Some(HistoryError::Stopped));
-    if let Some(error) = history.ended.take().filter(|_| !is_stopped) {
+    if let Some(error) = history.ended.take_if(|error| is_input(error)) {
         return Err(StudyError::from(error).into());
     }
     if findings.is_empty() {
@@ -57,14 +60,16 @@ pub fn write(
     write_files(&curve, problem, findings, &history, written)?;
     let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
     outputs.files().filter(is_whole).for_each(wrote);
-    if is_stopped {
-        let (solved, all) = (curve.loads.len(), loads.len());
-        warnings::print(&[format!("interrupted: {solved} of {all} loads were solved and written")]);
+    let (solved, all) = (curve.loads.len(), loads.len());
+    if let Some(error) = &history.ended {
+        let cause = if is_stopped { "interrupted".to_owned() } else { error.to_string() };
+        warnings::print(&[format!("{cause}: {solved} of {all} loads were solved and written")]);
     }
-    match failure {
-        Some(failure) => Err(failure.into()),
-        None if is_stopped => Ok(ExitStatus::Interrupted),
-        None => Ok(status),
+    match (failure, &history.ended) {
+        (Some(failure), _) => Err(failure.into()),
+        (None, Some(_)) if is_stopped => Ok(ExitStatus::Interrupted),
+        (None, Some(_)) => Ok(status.max(ExitStatus::NotConverged)),
+        (None, None) => Ok(status),
     }
 }
 
@@ -97,7 +102,8 @@ fn write_files(
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;
     }
-    let summary = LoadCurveSummary { subject, loads: findings, warnings, setup, units };
+    let ended = history.ended.as_ref().map(HistoryError::to_string);
+    let summary = LoadCurveSummary { subject, loads: findings, ended, warnings, setup, units };
     if outputs.json {
         write_json(&summary, &mut stdout())?
     } else {

@@ -21,7 +21,7 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{PartialSlip, State, archive_of_slip, archive_of_state};
 use asperity::diagnosis::Findings;
-use asperity::error::{HistoryError, SetupError};
+use asperity::error::{FileError, HistoryError, SetupError};
 use asperity::files::{check_apart, write_beside};
 use asperity::flow::Leakage;
 use asperity::job::{Job, JobRun, Solved, StateArchive, StateTable, write_nodes};
@@ -135,7 +135,10 @@ impl Solve {
             }
             _ => history::write(solved, &problem, (outputs, self.scene.units(&setup.surface))),
         };
-        outputs.discard_parts();
+        // where the end cannot be written, what grew beside it is kept
+        if !written.as_ref().is_err_and(|error| error.is::<FileError>()) {
+            outputs.discard_parts();
+        }
         written
     }
 

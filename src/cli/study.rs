@@ -140,7 +140,7 @@ pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
 
 /// Says how many rows are not resolved, and how many did not converge, if any.
 pub fn settled(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Result<ExitStatus> {
-    let unresolved = points.iter().filter(|point| point.is_converged() && !is_used(point)).count();
+    let unresolved = points.iter().filter(|point| point.is_converged() && !point.is_apart() && !is_used(point)).count();
     if unresolved > 0 {
         super::warnings::print(&[format!(
             "{unresolved} of {} rows are not resolved, since their contact has too few nodes. They are left out of means and figures. Use more \

@@ -74,19 +74,14 @@ impl State {
         Self { contact: self.contact.with_values(values), numbers: OnceLock::new(), ..self }
     }
 
-    /// The state of a contact whose numbers and further fields were saved.
+    /// The state of a contact whose numbers and further fields were saved. Its kind is that of the [`values`](Contact::values) of the contact.
     pub fn from_parts(
         contact: Contact,
         (point, claim): (Option<usize>, ResultClaim),
         number: impl Fn(Quantity) -> Option<f64>,
         fields: Vec<StateField>,
     ) -> Self {
-        let has = |name: &str| fields.iter().any(|it| it.name == name);
-        let kind = match (has("attraction"), has("stored_strain")) {
-            (true, _) => StateKind::Adhesion,
-            (false, true) => StateKind::Creep,
-            (false, false) => StateKind::Elastic,
-        };
+        let kind = contact.values().kind;
         let is_own = |it: &Quantity| {
             let is_net = *it == Quantity::MeanPressure && kind == StateKind::Adhesion;
             it.row().is_known_by_process() || SAVED.contains(it) || is_net

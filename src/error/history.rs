@@ -1,6 +1,6 @@
 //! Contacts with friction, and histories of contacts, that cannot be solved.
 
-use super::{AdhesionError, CreepError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
+use super::{AdhesionError, CreepError, FlowError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
 
 /// A tangential load that cannot be carried or solved.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -58,6 +58,8 @@ pub enum HistoryError {
     Motion(#[from] MotionError),
     #[error(transparent)]
     Adhesion(AdhesionError),
+    #[error(transparent)]
+    Flow(#[from] FlowError),
     /// A load that is not a pressure, on a surface that has yielded.
     #[error("the {load} cannot be solved after the surface has yielded: give pressures, or leave the hardness out")]
     Unload { load: &'static str },

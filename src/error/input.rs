@@ -144,6 +144,7 @@ impl InputError for HistoryError {
             Self::Creep(error) => error.is_input(),
             Self::Motion(error) => error.is_input(),
             Self::Adhesion(error) => error.is_input(),
+            Self::Flow(error) => error.is_input(),
             Self::Unload { .. } | Self::Pathless => true,
             Self::Stopped => false,
         }

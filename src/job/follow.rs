@@ -49,16 +49,19 @@ impl JobRun<'_> {
         let mut process = self.process(problem)?;
         let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
         let ended = loop {
-            let state = match process.next(&mut *watch.observer(Pass::State(self, number, count))) {
+            let solved = match process.next(&mut *watch.observer(Pass::State(self, number, count))) {
                 None => break None,
-                Some(Err(error)) if count == 0 => return Err(error.into()),
-                Some(Err(error)) => break Some(error),
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved
                     states.extend((kind == ProcessKind::Loads).then(|| Arc::new(state)));
                     break Some(HistoryError::Stopped);
                 }
-                Some(Ok(state)) => with_flow(state, &self.setup.flow, keeping.has_fields)?,
+                Some(solved) => solved,
+            };
+            let state = match solved.and_then(|state| with_flow(state, &self.setup.flow, keeping.has_fields)) {
+                Ok(state) => state,
+                Err(error) if count == 0 => return Err(error.into()),
+                Err(error) => break Some(error),
             };
             watch.state(number, &state);
             give(sinks, &mut failure, |sink| sink.state(&posed, count, &state));
@@ -107,7 +110,7 @@ fn give(
 }
 
 /// The state with what flows through it.
-fn with_flow(state: State, asked: &Flow, has_fields: bool) -> Result<State, SetupError> {
+fn with_flow(state: State, asked: &Flow, has_fields: bool) -> Result<State, HistoryError> {
     if asked.is_none() {
         return Ok(state);
     }

@@ -20,10 +20,7 @@ pub struct Posed<'a> {
 impl Posed<'_> {
     /// The text of the setup that repeats the run.
     pub fn text(&self) -> String {
-        match self.loads {
-            [] => self.setup.clone().with_full_path().to_toml(),
-            loads => LoadCurve { setup: self.setup.clone(), loads: loads.into() }.to_table().to_toml(),
-        }
+        LoadCurve { setup: self.setup.clone(), loads: self.loads.into() }.to_toml()
     }
 
     /// The number of axes of its arrays.

@@ -2,7 +2,10 @@
 
 use super::doubts::Doubts;
 use super::state_check::StateCheck;
-use crate::contact::{ArchiveReader, Contact, Problem, Quantity, ResultClaim, SavedContact, State, StateField, Status};
+use crate::contact::{
+    ArchiveReader, Contact, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind, StateValues,
+    Status,
+};
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
 use crate::surface::Field;
@@ -67,6 +70,7 @@ pub(super) fn certified_states(
 ) -> Result<Vec<State>, StudyError> {
     let columns = StateColumns::read(reader)?;
     let mut check = StateCheck::new(setup, problem)?;
+    let kind = setup.process()?.map_or_else(StateKind::default, |it| it.row().state);
     let mut states = Vec::with_capacity(contacts.len());
     for (number, saved) in contacts.into_iter().enumerate() {
         let (point, claim) = (columns.points[number], columns.claims[number]);
@@ -80,7 +84,7 @@ pub(super) fn certified_states(
         };
         let parts = ([saved.pressure, saved.displacement, saved.gap], (saved.certificate, saved.work, saved.status));
         let contact = Contact::from_parts(under, parts.0, parts.1, saved.solver, saved.coarser);
-        let contact = contact.map_err(SetupError::from)?;
+        let contact = contact.map_err(SetupError::from)?.with_values(StateValues::new(kind));
         let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
         let found = check.doubts(&mut state)?;
         if !found.is_empty() {

@@ -17,8 +17,7 @@ pub trait StateSink {
     ///
     /// # Errors
     /// For what cannot be written.
-    fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
-        let _ = (posed, outcome);
+    fn end(&mut self, _posed: &Posed<'_>, _outcome: &HistoryOutcome) -> Result<(), FileError> {
         Ok(())
     }
 }

@@ -12,12 +12,16 @@ use std::path::{Path, PathBuf};
 /// which is read like the archive.
 pub struct StateArchive {
     folder: PathBuf,
+    /// The text of the setup of the run, after its first state.
+    setup: String,
+    /// The number of axes of its arrays.
+    rank: usize,
 }
 
 impl StateArchive {
     /// The folder beside an archive.
     pub fn beside(archive: &Path) -> Self {
-        Self { folder: Self::folder(archive) }
+        Self { folder: Self::folder(archive), setup: String::new(), rank: 0 }
     }
 
     /// The folder that grows beside an archive.
@@ -39,8 +43,9 @@ impl StateSink for StateArchive {
         if number == 0 {
             let made = std::fs::create_dir(&self.folder);
             made.map_err(|source| FileError::Write { path: self.folder.clone(), source })?;
+            (self.setup, self.rank) = (posed.text(), posed.rank());
         }
-        let bytes = archive_of_part(state, posed.rank(), &posed.text());
+        let bytes = archive_of_part(state, self.rank, &self.setup);
         let path = part(&self.folder, number + 1);
         write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))
     }

@@ -3,7 +3,7 @@
 use super::history::HistoryOutcome;
 use super::posed::Posed;
 use super::sink::StateSink;
-use crate::contact::{Load, Observables, Quantity, State, Unit};
+use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Unit};
 use crate::error::FileError;
 use crate::plot::Colour;
 use crate::quantity::number_in_words;
@@ -135,17 +135,11 @@ impl HistoryOutcome {
     ///
     /// # Errors
     /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
-    pub fn record(&self, path: &Path, setup: &Setup, problem: &crate::contact::Problem) -> Result<(), FileError> {
+    pub fn record(&self, path: &Path, setup: &Setup, problem: &Problem) -> Result<(), FileError> {
         self.record_with(path, setup, problem, Options::from(setup))
     }
 
-    fn record_with(
-        &self,
-        path: &Path,
-        setup: &Setup,
-        problem: &crate::contact::Problem,
-        options: Options,
-    ) -> Result<(), FileError> {
+    fn record_with(&self, path: &Path, setup: &Setup, problem: &Problem, options: Options) -> Result<(), FileError> {
         let states: Vec<&State> = self.states.iter().map(|it| &**it).collect();
         let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
         let Some(highest) = highest else { return Ok(()) };
@@ -173,7 +167,7 @@ impl HistoryOutcome {
     }
 
     /// The largest distance between the surfaces where they are closest, as far as a picture has room for it.
-    fn apart(&self, problem: &crate::contact::Problem) -> f64 {
+    fn apart(&self, problem: &Problem) -> f64 {
         let least = |state: &State| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
         let most = self.states.iter().map(|state| least(state)).fold(0.0, f64::max);
         most.min(MOST_APART * problem.highest())
@@ -278,7 +272,7 @@ fn caption(kind: ProcessKind, number: usize, state: &State) -> String {
 fn further(posed: &Posed<'_>, states: &[&State], room: f64) -> Vec<FurtherField> {
     let Some(first) = states.first() else { return Vec::new() };
     let drawn = first.fields.iter().enumerate().filter(|(_, it)| it.unit != Unit::One);
-    let field = |(place, it): (usize, &crate::contact::StateField)| {
+    let field = |(place, it): (usize, &StateField)| {
         let values = states.iter().filter_map(|state| state.fields.get(place)).flat_map(|it| it.values.iter());
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
         let [low, high] = values.fold(ends, |[low, high], value| [low.min(*value), high.max(*value)]);

@@ -2,6 +2,7 @@
 
 use super::posed::Posed;
 use super::sink::StateSink;
+use super::tables::cell;
 use crate::contact::{Quantity, State};
 use crate::error::FileError;
 use std::fs::{File, OpenOptions};
@@ -43,7 +44,7 @@ impl StateTable {
             self.file = Some(file);
         }
         let Some(file) = &mut self.file else { return Ok(()) };
-        let values = self.columns.iter().map(|it| state.get(*it).map_or(String::new(), |value| value.to_string()));
+        let values = self.columns.iter().map(|it| cell(*it, state));
         let claim = <&str>::from(state.claim).to_owned();
         let first = [(number + 1).to_string(), state.contact.status.name().to_owned(), claim];
         writeln!(file, "{}", first.into_iter().chain(values).collect::<Vec<_>>().join(","))

@@ -1,7 +1,7 @@
 //! Contacts, load curves and histories as tables of comma-separated values.
 
 use super::history::HistoryOutcome;
-use crate::contact::{Contact, Observables, Quantity, QuantityKind, Status};
+use crate::contact::{Contact, Observables, Quantity, QuantityKind, State, Status};
 use crate::error::FileError;
 use crate::files::{write_beside, write_csv};
 use serde::Serialize;
@@ -69,8 +69,9 @@ pub struct LoadNumbers<'a> {
     pub flow: &'a [(Quantity, f64)],
 }
 
-/// A number of a state as a word of a table.
-fn in_table(quantity: Quantity, value: f64) -> String {
+/// A number of a state as a word of a table; empty where the state does not have it.
+pub(super) fn cell(quantity: Quantity, state: &State) -> String {
+    let Some(value) = state.get(quantity) else { return String::new() };
     if quantity.row().kind == QuantityKind::Flag { (value == 1.0).to_string() } else { value.to_string() }
 }
 
@@ -96,8 +97,7 @@ impl HistoryOutcome {
             let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name())).collect();
             writeln!(file, "{}", names.join(","))?;
             states.iter().enumerate().try_for_each(|(i, state)| {
-                let values =
-                    quantities.iter().map(|it| state.get(*it).map_or(String::new(), |value| in_table(*it, value)));
+                let values = quantities.iter().map(|it| cell(*it, state));
                 let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
                 let first = [(i + 1).to_string(), state.contact.status.name().to_owned()].into_iter().chain(claim);
                 let cells: Vec<String> = first.chain(values).collect();

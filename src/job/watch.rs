@@ -26,9 +26,7 @@ pub trait Watcher {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_>;
 
     /// Gets each state of a run with several, by the number of the run.
-    fn state(&mut self, run: usize, state: &State) {
-        let _ = (run, state);
-    }
+    fn state(&mut self, _run: usize, _state: &State) {}
 }
 
 /// Shows every step of the main solves to one observer, but not those of the first pass and of the solves for slip.

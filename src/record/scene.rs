@@ -80,10 +80,7 @@ impl<'a> Scene<'a> {
     /// The text of the setup that repeats it.
     pub(super) fn text(&self) -> Option<String> {
         let setup = self.setup.clone()?;
-        Some(match self.loads.as_slice() {
-            [] => setup.with_full_path().to_toml(),
-            loads => LoadCurve { setup, loads: loads.into() }.to_table().to_toml(),
-        })
+        Some(LoadCurve { setup, loads: self.loads.clone() }.to_toml())
     }
 
     /// The scene `contact` of the problem of a setup.

@@ -87,7 +87,7 @@ impl ParameterAxis {
     /// # Errors
     /// [`SetupError::Text`].
     pub fn check_varied(&self) -> Result<(), SetupError> {
-        if ["friction", "path", "record"].iter().any(|section| self.path.split('.').next() == Some(section)) {
+        if ["friction", "record"].iter().any(|section| self.path.split('.').next() == Some(section)) {
             return Err(wrong(&self.path, "it does not change the numbers of a study: give one value".into()));
         }
         let mut seen = BTreeSet::new();

@@ -95,7 +95,7 @@ impl Flow {
             let percolation = Percolation::from_contact(contact);
             for axis in FlowAxis::ALL.into_iter().take(if is_line { 1 } else { 2 }) {
                 let leakage = Leakage::from_contact(contact, axis, Leakage::TOLERANCE)?;
-                found.numbers.extend(numbers_of(&percolation, &leakage));
+                found.numbers.extend(AxisFlow::new(&percolation, &leakage).numbers());
                 found.leakages.push(leakage);
             }
         }
@@ -124,31 +124,69 @@ impl FlowFound {
     }
 }
 
-/// The numbers of the flow along an axis.
-fn numbers_of(percolation: &Percolation, leakage: &Leakage) -> [(Quantity, f64); 5] {
-    let names = match leakage.axis {
-        FlowAxis::X => [
-            Quantity::OpenPercolatesX,
-            Quantity::ContactPercolatesX,
-            Quantity::LeakageLowerX,
-            Quantity::LeakageUpperX,
-            Quantity::HydraulicGapX,
-        ],
-        FlowAxis::Y => [
-            Quantity::OpenPercolatesY,
-            Quantity::ContactPercolatesY,
-            Quantity::LeakageLowerY,
-            Quantity::LeakageUpperY,
-            Quantity::HydraulicGapY,
-        ],
-    };
-    let flag = |is_true: bool| f64::from(u8::from(is_true));
-    let values = [
-        flag(percolation.open_percolates(leakage.axis)),
-        flag(percolation.contact_percolates(leakage.axis)),
-        leakage.lower,
-        leakage.upper,
-        leakage.sigma().cbrt(),
-    ];
-    [0, 1, 2, 3, 4].map(|i| (names[i], values[i]))
+/// The leakage through the gap along one axis, by Reynolds' equation, and what connects both sides.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AxisFlow {
+    /// The axis.
+    pub axis: FlowAxis,
+    /// Whether the open area connects both sides.
+    pub open_percolates: bool,
+    /// Whether the contact connects both sides.
+    pub contact_percolates: bool,
+    /// Bounds of the cube of the gap of parallel plates that leak as much, a length cubed.
+    pub leakage: [f64; 2],
+    /// The gap of these plates, a length.
+    pub hydraulic_gap: f64,
+}
+
+impl AxisFlow {
+    fn new(percolation: &Percolation, leakage: &Leakage) -> Self {
+        Self {
+            axis: leakage.axis,
+            open_percolates: percolation.open_percolates(leakage.axis),
+            contact_percolates: percolation.contact_percolates(leakage.axis),
+            leakage: [leakage.lower, leakage.upper],
+            hydraulic_gap: leakage.sigma().cbrt(),
+        }
+    }
+
+    /// The flow along an axis of a state with these numbers; none where one of them is absent.
+    pub fn find(axis: FlowAxis, number: impl Fn(Quantity) -> Option<f64>) -> Option<Self> {
+        let [open, joined, lower, upper, hydraulic_gap] = Self::quantities(axis).map(number);
+        Some(Self {
+            axis,
+            open_percolates: open? == 1.0,
+            contact_percolates: joined? == 1.0,
+            leakage: [lower?, upper?],
+            hydraulic_gap: hydraulic_gap?,
+        })
+    }
+
+    /// Its numbers by their quantities.
+    fn numbers(&self) -> impl Iterator<Item = (Quantity, f64)> {
+        let flag = |is_true: bool| f64::from(u8::from(is_true));
+        let [lower, upper] = self.leakage;
+        let values = [flag(self.open_percolates), flag(self.contact_percolates), lower, upper, self.hydraulic_gap];
+        Self::quantities(self.axis).into_iter().zip(values)
+    }
+
+    /// The quantities of an axis, in the order of the fields.
+    fn quantities(axis: FlowAxis) -> [Quantity; 5] {
+        match axis {
+            FlowAxis::X => [
+                Quantity::OpenPercolatesX,
+                Quantity::ContactPercolatesX,
+                Quantity::LeakageLowerX,
+                Quantity::LeakageUpperX,
+                Quantity::HydraulicGapX,
+            ],
+            FlowAxis::Y => [
+                Quantity::OpenPercolatesY,
+                Quantity::ContactPercolatesY,
+                Quantity::LeakageLowerY,
+                Quantity::LeakageUpperY,
+                Quantity::HydraulicGapY,
+            ],
+        }
+    }
 }

@@ -72,7 +72,7 @@ pub use command::{command, lay};
 pub use cost::{Cost, Extras, available_bytes};
 pub use files::FILE_KEYS;
 pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
-pub use flow::{Flow, FlowFound};
+pub use flow::{AxisFlow, Flow, FlowFound};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;

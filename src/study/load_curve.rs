@@ -53,6 +53,14 @@ impl LoadCurve {
         table
     }
 
+    /// The text of the setup that repeats the run; without loads that of the setup alone.
+    pub fn to_toml(&self) -> String {
+        match self.loads.as_slice() {
+            [] => self.setup.clone().with_full_path().to_toml(),
+            _ => self.to_table().to_toml(),
+        }
+    }
+
     /// The cost of all solves, see [`Setup::cost`].
     ///
     /// # Errors

@@ -204,6 +204,11 @@ impl Point {
         self.get(Quantity::States).is_some()
     }
 
+    /// Whether the surfaces are apart at the end of a history, so that there is no contact that a grid could resolve.
+    pub fn is_apart(&self) -> bool {
+        self.is_history() && self.observables.relative_area_counted == 0.0
+    }
+
     /// Whether the point has the history of a setup with adhesion.
     pub fn has_adhesion(&self) -> bool {
         self.get(Quantity::Jumps).is_some()

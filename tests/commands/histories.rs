@@ -148,6 +148,7 @@ fn a_path_ends_where_everything_slides_and_keeps_its_states() {
         assert_eq!(found["states"].as_array().unwrap().len(), states, "{path}");
         assert!(error.contains("makes everything slide") && error.contains("The history ended after"), "{error}");
         assert!(found["warnings"][0].as_str().unwrap().contains("makes everything slide"));
+        assert!(found["ended"].as_str().unwrap().contains("makes everything slide"));
         let mut npz = ndarray_npy::NpzReader::new(std::fs::File::open(folder.join("states.npz")).unwrap()).unwrap();
         let traction: ndarray::Array2<f64> = npz.by_name("traction").unwrap();
         assert_eq!(traction.nrows(), states);

@@ -48,6 +48,34 @@ load = { reduced-pressure = [1e-5, 0.1] }
     assert!(warned.contains("warning: 4 of 8 rows are not resolved"), "{warned}");
 }
 
+/// Paths in lists give a row each, with the last state of a solve along that path. A contact that is apart at the end of its path is no
+/// contact of too few nodes.
+#[test]
+fn paths_in_lists_are_rows() {
+    let scene = |times: &str, loads: &str| {
+        format!(
+            "surface = {{ indenter = {{ shape = \"cylinder\", radius = 1.0 }} }}\ngrid = {{ points = 256, size = 1.0 }}\n\
+             load = {{ reduced-pressure = 1e-3 }}\nviscoelastic = {{ relaxation = [[0.5, 1.0]] }}\n\
+             path = {{ time = {times}, load = {loads} }}\n"
+        )
+    };
+    let folder = folder_with(&scene("[[0.0, 1.0], [0.0, 4.0]]", "[[2e-3, 1e-3], [1e-3, 0.0]]"));
+    let output = done(&folder, "study study.toml");
+    assert!(!text(&output.stderr).contains("not resolved"), "{}", text(&output.stderr));
+    let found = rows(&folder.join("study.csv"));
+    let alone = [("[0.0, 1.0]", "[2e-3, 1e-3]"), ("[0.0, 1.0]", "[1e-3, 0.0]"), ("[0.0, 4.0]", "[2e-3, 1e-3]")];
+    assert_eq!(found.len(), 4);
+    for (row, (times, loads)) in found.iter().zip(alone) {
+        std::fs::write(folder.join("alone.toml"), scene(times, loads)).unwrap();
+        let solved: Value = serde_json::from_slice(&done(&folder, "solve alone.toml --json").stdout).unwrap();
+        let states = solved["states"].as_array().unwrap();
+        let area = states.last().unwrap()["relative_area"].as_f64().unwrap();
+        assert_eq!(row["relative_area"].parse::<f64>().unwrap(), area, "{times} {loads}");
+        assert_eq!(row["states"], states.len().to_string());
+    }
+    assert!(found[0]["relative_area"] != found[2]["relative_area"] && found[1]["relative_area"] == "0.0");
+}
+
 /// The sentence of a line that must be refused.
 fn refused(folder: &Folder, line: &str) -> String {
     let output = folder.run(line);
