@@ -1,7 +1,7 @@
 //! The description of heights, as text.
 
 use super::output::write_rows;
-use asperity::surface::{Scale, Scales, Survey};
+use asperity::surface::{Noise, Scale, Scales, Survey};
 use std::io::{self, Write};
 
 /// Writes the description of heights, and their differences at each scale.
@@ -19,7 +19,15 @@ pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
             law.hurst_error
         )
     });
-    write_rows(overall.into_iter().chain(law.map(|law| ("power spectrum", law))).map(owned), out)?;
+    let Noise { rms, share, shortest_wavelength } = survey.noise;
+    let noise = format!(
+        "{rms:.3e} rms, {:.0} % of the mean square gradient; above it are wavelengths over {shortest_wavelength:.3e}",
+        100.0 * share
+    );
+    let artefacts = survey.artefacts.iter().map(|it| ("artefact".to_owned(), it.sentence()));
+    write_rows(artefacts, out)?;
+    let overall = overall.into_iter().chain([("noise", noise)]);
+    write_rows(overall.chain(law.map(|law| ("power spectrum", law))).map(owned), out)?;
     survey.axes.iter().try_for_each(|axis| write_axis(axis, out))
 }
 

@@ -135,8 +135,8 @@ fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
         ("jump across the period", format!("{} rms steps", axes(survey.jumps.map(figure)))),
         ("rms height", length(rms_height(scan))),
         ("rms gradient", figure(scan.rms_gradient())),
-        ("noise", format!("{}, {:.0} % of the mean square gradient", length(noise), 100.0 * survey.noise_share())),
-        ("shortest wavelength above the noise", length(survey.shortest_wavelength())),
+        ("noise", format!("{}, {:.0} % of the mean square gradient", length(noise), 100.0 * survey.noise.share)),
+        ("shortest wavelength above the noise", length(survey.noise.shortest_wavelength)),
     ];
     let rows = rows.map(|(name, value)| (name.to_owned(), value));
     let hurst = survey.power_law.map(|it| {

@@ -5,7 +5,8 @@ use crate::adhesion::{AdhesiveMethod, AttractionForm};
 use crate::contact::{Dynamics, Masses};
 use crate::elastic::Base;
 use crate::surface::{
-    Detrend, ExactPart, Fill, Form, Indenter, Mirror, Preparation, Resample, RolloffForm, SpectrumConvention,
+    Detrend, ExactPart, Fill, Form, Indenter, LineLevel, Mirror, Outliers, Preparation, Resample, RolloffForm, Scars,
+    SpectrumConvention,
 };
 use strum::{EnumMessage, IntoEnumIterator};
 
@@ -68,6 +69,10 @@ pub const FLAGS: &[Flag] = &[
     flag("prepare", "surface.prepare.steps", FlagValue::Choice(|| Preparation::WAYS.to_vec()), "WAY", "auto: choose the preparation steps from the heights, and print the reasons; steps that you give are kept"),
     flag("resample", "surface.prepare.resample", FlagValue::Choice(choices::<Resample>), "WAY", "Interpolate heights at uneven positions to even spacing"),
     flag("crop", "surface.prepare.crop", FlagValue::List, "A,B[,C,D]", "Part to keep: first node and last node + 1; of a map, first for the rows and then for the columns"),
+    flag("level-rows", "surface.prepare.level-rows", FlagValue::Choice(choices::<LineLevel>), "WAY", "Level the rows of a map, each for itself: offsets takes off what differs independently from row to row, the others more"),
+    flag("level-columns", "surface.prepare.level-columns", FlagValue::Choice(choices::<LineLevel>), "WAY", "Level the columns of a map, each for itself"),
+    flag("outliers", "surface.prepare.outliers", FlagValue::Choice(choices::<Outliers>), "WAY", "Single heights that stand off all their neighbours (dead pixels, spikes): make them voids, for --fill"),
+    flag("scars", "surface.prepare.scars", FlagValue::Choice(choices::<Scars>), "LINES", "Stretches of rows or columns that stand off the lines beside them: make them voids, for --fill"),
     flag("fill", "surface.prepare.fill", FlagValue::Choice(choices::<Fill>), "WAY", "Fill voids"),
     flag("detrend", "surface.prepare.detrend", FlagValue::Choice(choices::<Detrend>), "TREND", "Trend to subtract from the heights"),
     flag("remove-form", "surface.prepare.remove-form", FlagValue::Choice(choices::<Form>), "FORM", "Shape to fit and subtract"),

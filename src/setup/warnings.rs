@@ -2,15 +2,15 @@
 
 use super::{Recipe, Setup, Solid};
 use crate::elastic::stress::USUAL_POISSON;
-use crate::surface::{Detrend, HeightDistribution, HeightFile, Layout, Roughness, Scales, Surface, Survey};
+use crate::surface::{
+    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Noise, Roughness, Scan, Surface, Survey,
+};
 use crate::warning::Warning;
 
 /// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
 const STEEPEST: f64 = 10.0;
 /// Lengths whose logarithms to the base of ten differ from a whole number by less than this may be the same in another unit.
 const SAME_LENGTH: f64 = 0.01;
-/// The share of noise in the mean square gradient above which there is a warning.
-const NOISIEST: f64 = 0.25;
 /// Rms gradients at the spacing over those at twice the spacing above this give a warning: those of resolved heights are about equal.
 const LARGEST_GROWTH: f64 = 1.1;
 /// Spacings that differ by less than this share count as equal.
@@ -84,9 +84,9 @@ impl Recipe {
             of_file
                 .into_iter()
                 .chain(found.into_iter().flatten())
-                .chain(warning_of_noise(&Scales::from_surface(surface, refined)))
+                .chain(warnings_of_artefacts(&Scan::from_surface(surface, refined)))
         });
-        let jumps = self.warnings_of_jumps(surface.jumps()).into_iter();
+        let jumps = self.warnings_of_jumps(surface.jumps(), surface.ends()).into_iter();
         jumps.chain(self.warnings_of_distribution(surface)).chain(measured.into_iter().flatten()).collect()
     }
 
@@ -128,17 +128,18 @@ impl Recipe {
         )
         .with_remedy("surface.prepare.fill", Some("harmonic"))
         .with_remedy("surface.prepare.crop", None);
-        let jumps = self.warnings_of_jumps(survey.jumps);
+        let jumps = self.warnings_of_jumps(survey.jumps, survey.ends);
         [voids]
             .into_iter()
             .chain(jumps)
-            .chain(warning_of_noise(&survey.axes))
+            .chain(survey.artefacts.iter().filter_map(|it| warning_of(it, survey.area_error)))
+            .chain(warning_of_noise(&survey.noise))
             .chain(survey.warning_of_growth())
             .collect()
     }
 
     /// Warnings about jumps across the period along y and x.
-    fn warnings_of_jumps(&self, jumps: [f64; 2]) -> Vec<Warning> {
+    fn warnings_of_jumps(&self, jumps: [f64; 2], ends: [bool; 2]) -> Vec<Warning> {
         let jump = |(axis, jump): (&str, f64)| {
             let statement = format!(
                 "The heights jump by {jump:.3} rms steps across the period along {axis}, and the contact there is an \
@@ -157,7 +158,13 @@ impl Recipe {
             };
             warning.with_remedy("grid.boundary", Some("free"))
         };
-        ["y", "x"].into_iter().zip(jumps).filter(|(_, jump)| *jump > Surface::JUMP).map(jump).collect()
+        ["y", "x"]
+            .into_iter()
+            .zip(jumps.into_iter().zip(ends))
+            .filter(|(_, it)| it.1)
+            .map(|(axis, it)| (axis, it.0))
+            .map(jump)
+            .collect()
     }
 }
 
@@ -178,20 +185,43 @@ impl Survey {
     }
 }
 
+/// Warnings about artefacts in measured heights, and about noise in the rest of them.
+fn warnings_of_artefacts(scan: &Scan) -> Vec<Warning> {
+    let artefacts = Artefacts::new(scan);
+    let error = artefacts.area_error(scan);
+    let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| warning_of_noise(&it));
+    artefacts.all.iter().filter_map(|it| warning_of(it, error)).chain(noise).collect()
+}
+
+/// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended.
+fn warning_of(artefact: &Artefact, error: f64) -> Option<Warning> {
+    let what = artefact.sentence();
+    let mut letters = what.chars();
+    let what = letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect());
+    Some(match artefact {
+        Artefact::Clipped { is_top: false, .. } => return None,
+        it if it.can_be_mended() => {
+            Warning::new(format!("{what}. Area and kappa may be off by up to {:.0} %", 100.0 * error), "Mend it")
+                .with_remedy("surface.prepare.steps", Some("auto"))
+        }
+        Artefact::Border { .. } => Warning::new(what, "Crop the heights").with_remedy("surface.prepare.crop", None),
+        _ => Warning::new(what, "Look at the heights: no step of a preparation mends it"),
+    })
+}
+
 /// The warning that much of the gradient is noise, so that the area has no limit for small spacings.
-fn warning_of_noise(axes: &[Scales]) -> Option<Warning> {
-    let share = axes.iter().map(|it| it.noise_share).fold(0.0, f64::max);
-    let wavelength = axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max);
-    (share > NOISIEST).then(|| {
+fn warning_of_noise(noise: &Noise) -> Option<Warning> {
+    (noise.area_error() > Noise::TOLD).then(|| {
         Warning::new(
             format!(
                 "Noise at the spacing makes {:.0} % of the mean square gradient, so area and kappa depend on the \
-                 noise of the instrument",
-                100.0 * share
+                 noise of the instrument and may be off by {:.0} %",
+                100.0 * noise.share,
+                100.0 * noise.area_error()
             ),
             "Filter the noise out",
         )
-        .with_remedy("surface.prepare.low-pass", Some(&format!("{wavelength:.3e}")))
+        .with_remedy("surface.prepare.low-pass", Some(&format!("{:.3e}", noise.shortest_wavelength)))
         .with_remedy("surface.prepare.steps", Some("auto"))
     })
 }

@@ -1,5 +1,6 @@
 //! Rigid surfaces: heights on a grid, peaks towards the solid positive.
 
+mod bends;
 mod bumps;
 mod formats;
 mod indenter;
@@ -24,7 +25,9 @@ pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
 pub use moments::{MomentErrors, SpectralMoments};
 pub use plateau::Plateaus;
-pub use preparation::{Crop, Detrend, Fill, Form, Mirror, Preparation, Prepared, Resample, Scan};
+pub use preparation::{
+    Crop, Detrend, Fill, Form, LineLevel, LineOffsets, Mirror, Outliers, Preparation, Prepared, Resample, Scan, Scars,
+};
 pub use random::{
     ExactPart, HeightDistribution, Lay, MeasuredSpectrum, RandomRoughness, RankMap, Rolloff, RolloffForm,
     RoughnessScale, SelfAffine, SpectralDensity, SpectrumConvention, SpectrumFile, SpectrumKind, SpectrumTable,
@@ -32,7 +35,7 @@ pub use random::{
 };
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
-pub use survey::{Band, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
+pub use survey::{Artefact, Artefacts, Band, Noise, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
 pub use texture::{
     AbbottCurve, Autocorrelation, CoreHeights, SurfaceParameter, SurfaceParameters, Texture, TextureParameter,
 };

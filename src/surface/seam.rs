@@ -3,11 +3,13 @@
 use super::Surface;
 use crate::chunks;
 
-impl Surface {
-    /// Jumps across the period above this many rms steps are no roughness: periodic random lines have 0.05 to 2, measured traces less
-    /// their plane up to 100.
-    pub const JUMP: f64 = 10.0;
+/// The largest jumps, in rms steps, of a line and of a surface that is periodic.
+const MOST_OF_LINE: f64 = 3.0;
+const MOST_OF_SURFACE: f64 = 2.0;
+/// The number of pairs of lines that may differ more than those across the period do.
+const ABOVE: usize = 3;
 
+impl Surface {
     /// The jumps across the period along y and x, in rms steps: the root mean square of the differences between the
     /// last and the first nodes, divided by that of the differences between neighbours inside. About 1, or less, on a
     /// periodic surface; 0 along y of a line, along a free axis, and if all neighbours inside are equal.
@@ -33,8 +35,44 @@ impl Surface {
         [jump(round_y, across_y, along_y, ny - 1), jump(round_x, across_x, along_x, nx - 1)]
     }
 
-    /// The surface, free along the axes on which it jumps across the period by more than [`Surface::JUMP`]: a part of a larger one,
-    /// such as a measured map.
+    /// Whether the heights end along y and x, as a part of a larger surface does: whether they jump across the period by more than neighbours
+    /// differ inside. The one step of a line is to be above three rms steps, as a large one may come by chance. The rms of those of a surface
+    /// is to be above two rms steps, and above those between all but three pairs of neighbouring lines, such as the edges of a grating.
+    ///
+    /// Periodic random lines jump by 0.05 to 2.5 rms steps, periodic surfaces by about 1, and a sphere in its cell by 1.7.
+    ///
+    /// ```
+    /// use asperity::{Grid, Surface};
+    /// let surface = |of: fn(f64) -> f64| {
+    ///     let height = ndarray::Array2::from_shape_fn((8, 64), |(_, x)| of(x as f64 / 64.0));
+    ///     Surface::new(Grid::surface([8, 64], [1.0, 8.0]).unwrap(), height).unwrap()
+    /// };
+    /// assert_eq!(surface(|x| x).ends(), [false, true]);
+    /// assert_eq!(surface(|x| (4.0 * x).fract().round()).ends(), [false, false]);
+    /// ```
+    pub fn ends(&self) -> [bool; 2] {
+        let (jumps, is_line) = (self.jumps(), self.grid().is_line());
+        [0, 1].map(|axis| match is_line {
+            true => jumps[axis] > MOST_OF_LINE,
+            false => jumps[axis] > MOST_OF_SURFACE && jumps[axis] > self.large_step(axis),
+        })
+    }
+
+    /// The root mean square of the differences between two neighbouring lines across an axis, in rms steps: of the pair that has only three
+    /// above it.
+    fn large_step(&self, axis: usize) -> f64 {
+        let lines = self.height.axis_windows(ndarray::Axis(axis), 2);
+        let square = |pair: ndarray::ArrayView2<'_, f64>| {
+            let [one, next] = [0, 1].map(|i| pair.index_axis(ndarray::Axis(axis), i));
+            one.iter().zip(next).map(|(a, b)| (b - a) * (b - a)).sum::<f64>()
+        };
+        let mut squares: Vec<f64> = lines.into_iter().map(square).collect();
+        let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
+        squares.sort_unstable_by(|a, b| b.total_cmp(a));
+        squares.get(ABOVE).map_or(0.0, |it| (it / mean).sqrt())
+    }
+
+    /// The surface, free along the axes on which its heights end, see [`Surface::ends`]: a part of a larger one, such as a measured map.
     ///
     /// ```
     /// use asperity::{Grid, Surface};
@@ -45,8 +83,8 @@ impl Surface {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_jumps_free(&self) -> Self {
-        let (jumps, periodic) = (self.jumps(), self.grid().periodic());
-        let is_periodic = [0, 1].map(|axis| periodic[axis] && jumps[axis] <= Self::JUMP);
+        let (ends, periodic) = (self.ends(), self.grid().periodic());
+        let is_periodic = [0, 1].map(|axis| periodic[axis] && !ends[axis]);
         Self { grid: self.grid().with_periodic(is_periodic), ..self.clone() }
     }
 }

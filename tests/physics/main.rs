@@ -8,6 +8,7 @@ mod adhesion_loops;
 mod adhesion_motion;
 mod adhesion_rough;
 mod adhesion_stiff;
+mod artefacts;
 mod creep;
 mod direct_sum;
 mod flow;

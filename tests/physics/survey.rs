@@ -45,7 +45,7 @@ fn noise_is_told_from_roughness() {
             }
         }
         let clean = Survey::new(&surface).unwrap();
-        assert!(clean.noise_share() < 0.1, "{shape:?}: {} of the gradient is taken for noise", clean.noise_share());
+        assert!(clean.noise.share < 0.1, "{shape:?}: {} of the gradient is taken for noise", clean.noise.share);
     }
 }
 
@@ -152,7 +152,7 @@ fn a_plane_leaves_nothing_but_a_flat() {
     let tilted = |(y, x): (usize, usize)| 1e-9 * (y as f64 + 0.3 * x as f64) + 7e-9;
     let scan = Scan { height: ndarray::Array2::from_shape_fn((10, 5), tilted), spacing: [1e-9; 2] };
     let survey = Survey::new(&scan).unwrap();
-    assert!((survey.curvature_share, survey.noise_share()) == (0.0, 0.0), "{survey:?}");
+    assert!((survey.curvature_share, survey.noise.share) == (0.0, 0.0), "{survey:?}");
     for trend in [Detrend::Plane, Detrend::Curvature] {
         assert!(trend.apply(scan.clone()).height.iter().all(|h| *h == 0.0), "rounding is no roughness");
     }
@@ -205,7 +205,7 @@ fn prepared_heights_are_periodic_and_told_from_noise() {
         let before = Survey::new(&measured).unwrap();
         let after = Survey::new(&choice.preparation.apply(measured).unwrap().scan).unwrap();
         assert!(before.jumps[1] > 50.0 && after.jumps.iter().all(|jump| *jump < 3.0), "{:?}", after.jumps);
-        assert!(before.noise_share() > 0.5 && after.noise_share() < 0.05, "{}", after.noise_share());
+        assert!(before.noise.share > 0.5 && after.noise.share < 0.05, "{}", after.noise.share);
     }
 }
 

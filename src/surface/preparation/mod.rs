@@ -7,18 +7,25 @@ mod form;
 mod gaussian;
 mod laplace;
 mod least_squares;
+mod line_level;
 mod mirror;
+mod outliers;
 mod resample;
 mod scan;
+mod scars;
+mod stand_off;
 mod taper;
 
 pub use crop::Crop;
 pub use detrend::Detrend;
 pub use fill::Fill;
 pub use form::Form;
+pub use line_level::{LineLevel, LineOffsets};
 pub use mirror::Mirror;
+pub use outliers::Outliers;
 pub use resample::Resample;
 pub use scan::Scan;
+pub use scars::Scars;
 
 use crate::error::PreparationError;
 use crate::quantity::{number_in_words, some_length};
@@ -35,6 +42,18 @@ pub struct Preparation {
     /// The part to keep.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crop: Option<Crop>,
+    /// What is subtracted from each row, see [`LineLevel`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level_rows: Option<LineLevel>,
+    /// What is subtracted from each column.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level_columns: Option<LineLevel>,
+    /// What becomes of single heights that stand off all their neighbours.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<Outliers>,
+    /// What becomes of stretches of scan lines that stand off the lines beside them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scars: Option<Scars>,
     /// How voids are filled.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fill: Option<Fill>,
@@ -82,6 +101,10 @@ impl Preparation {
         let steps = [
             step("resample", self.resample),
             step("crop", self.crop.as_ref().map(|crop| &crop.0)),
+            step("level rows", self.level_rows),
+            step("level columns", self.level_columns),
+            step("outliers", self.outliers),
+            step("scars", self.scars),
             step("fill", self.fill),
             step("detrend", self.detrend),
             step("remove form", self.remove_form),
@@ -114,6 +137,19 @@ impl Preparation {
         if let Some(crop) = &self.crop {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
+        }
+        for (name, axis, level) in [("row", 0, self.level_rows), ("column", 1, self.level_columns)] {
+            let Some(level) = level else { continue };
+            let flat = level.apply(it.scan.clone(), axis);
+            it.take(flat, |before, after| format!("each {name} was levelled: {}", gradients(before, after)));
+        }
+        if let Some(outliers) = self.outliers {
+            let rest = outliers.apply(it.scan.clone());
+            it.take(rest, |before, after| voided("stand off all their neighbours", before, after));
+        }
+        if let Some(scars) = self.scars {
+            let rest = scars.apply(it.scan.clone());
+            it.take(rest, |before, after| voided("are in scars of scan lines", before, after));
         }
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
             let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
@@ -187,6 +223,11 @@ impl Crop {
 /// A step in the words of its key and value.
 fn step(name: &str, value: Option<impl std::fmt::Debug>) -> Option<String> {
     value.map(|value| format!("{name} {value:?}").to_lowercase())
+}
+
+/// How many heights a step took for voids, and the rms gradient without them.
+fn voided(reason: &str, before: &Scan, after: &Scan) -> String {
+    format!("{} heights that {reason} became voids: {}", after.voids() - before.voids(), gradients(before, after))
 }
 
 /// The rms gradient before and after a step.

@@ -61,7 +61,7 @@ impl Scan {
     }
 
     /// The axes along which there are several nodes: a line has no extent along y, and its spacing there says nothing.
-    pub(super) fn axes(&self) -> impl Iterator<Item = usize> + use<> {
+    pub(in crate::surface) fn axes(&self) -> impl Iterator<Item = usize> + use<> {
         let shape = self.shape();
         (0..2).filter(move |axis| shape[*axis] > 1)
     }

@@ -1,21 +1,20 @@
 //! The automatic choice of a preparation.
 
-use super::Survey;
+use super::{Artefact, Artefacts, Noise, Survey};
 use crate::error::SurfaceError;
+use crate::quantity::number_in_words;
 use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
 
-/// Jumps across the period, in rms steps, up to which lines and maps are periodic: the one step of a line may be large by chance, the rms of
-/// those of a map is about 1.
-const PERIODIC: [f64; 2] = [3.0, 1.5];
-/// The share of the mean square gradient from which on noise is filtered out.
-const NOISE: f64 = 0.25;
+/// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
+const NOISE: f64 = 0.12;
 
 /// A preparation chosen for heights, with a reason for each step.
 ///
-/// Uneven positions are resampled, and voids are filled. From heights that are not periodic, the polynomial of second
+/// Uneven positions are resampled. Artefacts that can be mended are mended, see [`Artefacts`]: offsets of scan lines are taken off, and single
+/// heights that stand off, and scars, become voids. Voids are filled. From heights that are not periodic, the polynomial of second
 /// order is subtracted (or only the plane, if the boundary is free and the heights may be a body). They are then
 /// mirrored along the axes on which they still jump. Waves that cannot be distinguished from noise are filtered out
-/// where the noise makes a quarter of the mean square gradient.
+/// where the noise makes more than an eighth of the mean square gradient; noise is what is independent from node to node, and the same along all axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparationChoice {
     /// The steps.
@@ -35,23 +34,41 @@ impl PreparationChoice {
             choice.preparation.resample = Some(Resample::Linear);
             choice.because("the positions are not evenly spaced: the heights are resampled to even spacing".into());
         }
-        let mut survey = Survey::new(scan)?;
-        if survey.voids > 0 {
+        let artefacts = Artefacts::new(scan);
+        choice.mend(&artefacts, scan);
+        let mut survey = Survey::without(&artefacts, scan)?;
+        let voids = artefacts.rest.voids();
+        if voids > 0 {
             choice.preparation.fill = Some(Fill::Harmonic);
             let all = scan.height.len();
-            choice.because(format!(
-                "{} of {all} heights are void: they are filled with the smoothest heights",
-                survey.voids
-            ));
+            choice.because(format!("{voids} of {all} heights are void: they are filled with the smoothest heights"));
         }
-        let most = PERIODIC[usize::from(scan.shape()[0] > 1)];
-        if jump(&survey, periodic) > most || periodic == [false; 2] {
-            let full = Fill::Harmonic.apply(scan.clone()).unwrap_or(scan.clone());
-            survey = Survey::new(&choice.detrended(full, &survey, periodic))?;
+        let mut full = Fill::Harmonic.apply(artefacts.rest.clone()).unwrap_or(artefacts.rest);
+        if ends(&survey, periodic) != [false; 2] || periodic == [false; 2] {
+            full = choice.detrended(full, &survey, periodic);
+            survey = Survey::new(&full)?;
         }
-        choice.mirror(&survey, periodic, most);
-        choice.filter(&survey);
+        choice.mirror(&survey, periodic);
+        choice.filter(&survey, &full);
         Ok(choice)
+    }
+
+    /// Mends artefacts, and tells of those that cannot be mended.
+    fn mend(&mut self, artefacts: &Artefacts, scan: &Scan) {
+        let Preparation { level_rows, level_columns, outliers, scars, .. } = artefacts.steps.clone();
+        self.preparation = Preparation { level_rows, level_columns, outliers, scars, ..self.preparation.clone() };
+        for artefact in &artefacts.all {
+            let what = artefact.sentence();
+            self.because(match artefact {
+                Artefact::Offsets { .. } => format!("{what}: these offsets are taken off"),
+                Artefact::Outliers { .. } | Artefact::Scars { .. } => format!("{what}: they become voids"),
+                _ => what,
+            });
+        }
+        if !self.reasons.is_empty() && artefacts.all.iter().any(Artefact::can_be_mended) {
+            let [before, after] = [scan, &artefacts.rest].map(|it| number_in_words(it.rms_gradient()));
+            self.because(format!("without these artefacts the rms gradient is {after}, not {before}"));
+        }
     }
 
     fn because(&mut self, reason: String) {
@@ -72,10 +89,9 @@ impl PreparationChoice {
         trend.apply(scan)
     }
 
-    /// Mirrors along the axes on which heights jump by more than a number of rms steps.
-    fn mirror(&mut self, survey: &Survey, periodic: [bool; 2], most: f64) {
-        let [y, x] = [0, 1].map(|axis| periodic[axis] && survey.jumps[axis] > most);
-        let (mirror, axes) = match [y, x] {
+    /// Mirrors along the axes on which heights end.
+    fn mirror(&mut self, survey: &Survey, periodic: [bool; 2]) {
+        let (mirror, axes) = match ends(survey, periodic) {
             [true, true] => (Mirror::Both, "y and x"),
             [true, false] => (Mirror::Y, "y"),
             [false, true] => (Mirror::X, "x"),
@@ -88,17 +104,38 @@ impl PreparationChoice {
         ));
     }
 
-    /// Filters noise out.
-    fn filter(&mut self, survey: &Survey) {
-        let (share, wavelength) = (survey.noise_share(), survey.shortest_wavelength());
-        if share > NOISE {
-            self.preparation.low_pass = Some(wavelength);
-            self.because(format!(
-                "noise makes {:.0} % of the mean square gradient: waves below {wavelength:.4e}, which are below the noise, are filtered out",
-                100.0 * share
-            ));
+    /// Filters noise out of full heights, and tells how much of the gradient goes with it. Less noise is told.
+    fn filter(&mut self, survey: &Survey, full: &Scan) {
+        let Noise { share, shortest_wavelength: wavelength, .. } = survey.noise;
+        let (noise, error) = (100.0 * share, survey.noise.area_error());
+        if share <= NOISE {
+            if error > Noise::TOLD {
+                let error = 100.0 * error;
+                self.because(format!(
+                    "noise makes {noise:.0} % of the mean square gradient, and is kept: areas may be {error:.0} % too small"
+                ));
+            }
+            return;
         }
+        self.preparation.low_pass = Some(wavelength);
+        let without = full.rms_gradient() * (1.0 - share).sqrt();
+        let after = full.low_pass(wavelength).rms_gradient();
+        let (kind, ratio) = if after < without { ("large", without / after) } else { ("small", after / without) };
+        self.because(format!(
+            "noise makes {noise:.0} % of the mean square gradient: waves below {wavelength:.4e}, which are below the noise, are filtered out"
+        ));
+        self.because(format!(
+            "without noise the rms gradient is estimated as {}, after the filter it is {}: areas may be {:.0} % too {kind}",
+            number_in_words(without),
+            number_in_words(after),
+            100.0 * (ratio - 1.0)
+        ));
     }
+}
+
+/// The axes on which heights end that are to be periodic.
+fn ends(survey: &Survey, periodic: [bool; 2]) -> [bool; 2] {
+    [0, 1].map(|axis| periodic[axis] && survey.ends[axis])
 }
 
 /// The largest jump across a period.

@@ -1,12 +1,16 @@
 //! A survey of measured heights.
 
+mod artefact;
 mod band;
 mod choice;
+mod noise;
 mod scales;
 mod table;
 
+pub use artefact::{Artefact, Artefacts};
 pub use band::{Band, PowerLawFit};
 pub use choice::PreparationChoice;
+pub use noise::Noise;
 pub use scales::{Scale, Scales};
 
 use super::{Detrend, Fill, PowerSpectrum, Scan, Surface};
@@ -26,7 +30,7 @@ use std::f64::consts::PI;
 /// let survey = Survey::new(&Scan { height, spacing: [1.0, 1.0] })?;
 /// assert!((survey.tilt[1] - 0.5).abs() < 1e-3);
 /// assert!(survey.jumps[1] > 1000.0);
-/// assert!((survey.axes[0].noise / 1e-3 - 1.0).abs() < 0.1);
+/// assert!((survey.noise.rms / 1e-3 - 1.0).abs() < 0.1);
 /// # Ok::<(), asperity::error::SurfaceError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -40,8 +44,16 @@ pub struct Survey {
     pub curvature_share: f64,
     /// Jumps across the period along y and x in rms steps, see [`Surface::jumps`].
     pub jumps: [f64; 2],
+    /// Whether the heights end along y and x, so that they are not periodic, see [`Surface::ends`].
+    pub ends: [bool; 2],
+    /// Artefacts. Scales, noise and spectrum are those of the heights without the ones that can be mended.
+    pub artefacts: Vec<Artefact>,
+    /// The largest relative error of areas that the artefacts which can be mended may cause, see [`Artefacts::area_error`].
+    pub area_error: f64,
     /// Scales, noise and resolution along y and x, of a profile along x; an axis of less than 9 nodes is left out.
     pub axes: Vec<Scales>,
+    /// Noise that is the same along all axes.
+    pub noise: Noise,
     /// The power law of the power spectrum, where it has one, between its roll-off and its cut-off and above the noise.
     pub power_law: Option<PowerLawFit>,
     /// The power spectrum of the heights minus their plane, with a Hann window of mean square 1.
@@ -54,43 +66,45 @@ impl Survey {
     /// # Errors
     /// [`SurfaceError::NonFinite`] for heights that are all void; [`SurfaceError::Grid`] for less nodes than a grid has.
     pub fn new(scan: &Scan) -> Result<Self, SurfaceError> {
+        Self::without(&Artefacts::new(scan), scan)
+    }
+
+    /// The survey of some heights whose artefacts are known.
+    pub(super) fn without(artefacts: &Artefacts, raw: &Scan) -> Result<Self, SurfaceError> {
+        let scan = &artefacts.rest;
         let full =
             if scan.voids() > 0 { Fill::Harmonic.apply(scan.clone()).unwrap_or(scan.clone()) } else { scan.clone() };
         let grid = grid(&full)?;
-        let jumps = Surface::new(grid, full.height.clone())?.jumps();
+        let surface = Surface::new(grid, full.height.clone())?;
+        let (jumps, ends) = (surface.jumps(), surface.ends());
         let flat = Detrend::Plane.apply(full.clone());
         let [total, rest] = [square(&flat), square(&Detrend::Curvature.apply(full.clone()))];
         let plane = Detrend::Plane.apply(scan.clone());
         let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::new(&plane, axis)).collect();
-        let spectrum = Band::all(&PowerSpectrum::new(&Surface::new(grid, windowed(&flat).height)?), &grid);
+        let spectrum = bands_of(&flat)?;
         let rough = |it: &Scales| it.shortest_wavelength.max(it.smooth_wavelength.unwrap_or(0.0));
         let shortest = axes.iter().map(rough).fold(grid.shortest_wavelength(), f64::max);
         Ok(Self {
-            voids: scan.voids(),
+            voids: raw.voids(),
+            artefacts: artefacts.all.clone(),
+            area_error: artefacts.area_error(raw),
+            noise: Noise::new(&axes, &spectrum, &flat),
             tilt: Detrend::tilt(&full),
             curvature_share: if total > 0.0 { 1.0 - rest / total } else { 0.0 },
             jumps,
+            ends,
             power_law: PowerLawFit::new(&spectrum, grid.is_line(), shortest),
             axes,
             spectrum,
         })
     }
 
-    /// The largest share of noise along any axis.
-    pub fn noise_share(&self) -> f64 {
-        self.axes.iter().map(|it| it.noise_share).fold(0.0, f64::max)
-    }
-
-    /// The shortest wavelength above the noise along all axes; 0 if no axis is long enough.
-    pub fn shortest_wavelength(&self) -> f64 {
-        self.axes.iter().map(|it| it.shortest_wavelength).fold(0.0, f64::max)
-    }
-
-    /// The ratio of the rms gradient at the spacing to that at twice the spacing, the largest of all axes: about 1 if
-    /// the gradient is resolved, and larger if it still grows with finer spacing.
+    /// The ratio of the rms gradient at the spacing to that at twice the spacing, along all axes together: about 1 if the gradient is resolved,
+    /// and larger if it still grows with finer spacing.
     pub fn gradient_growth(&self) -> f64 {
-        let growth = |it: &Scales| it.scales[0].rms_gradient / it.scales[1].rms_gradient;
-        self.axes.iter().map(growth).filter(|it| it.is_finite()).fold(0.0, f64::max)
+        let square = |i: usize| self.axes.iter().map(|it| it.scales[i].rms_gradient.powi(2)).sum::<f64>();
+        let growth = (square(0) / square(1)).sqrt();
+        if growth.is_finite() { growth } else { 0.0 }
     }
 }
 
@@ -103,6 +117,12 @@ fn grid(scan: &Scan) -> Result<Grid, SurfaceError> {
         Grid::surface([ny, nx], [ny as f64 * dy, nx as f64 * dx])
     };
     Ok(made?)
+}
+
+/// The spectrum of heights about their plane under a Hann window, in bands.
+fn bands_of(flat: &Scan) -> Result<Vec<Band>, SurfaceError> {
+    let grid = grid(flat)?;
+    Ok(Band::all(&PowerSpectrum::new(&Surface::new(grid, windowed(flat).height)?), &grid))
 }
 
 /// The mean square of heights without voids.

@@ -1,17 +1,14 @@
 //! Heights along an axis at several scales.
 
 use crate::chunks;
+use crate::surface::bends::white;
 use crate::surface::{Scan, Surface};
 
-/// Bends that grow by less than this factor from the spacing to twice the spacing are noise: those of independent heights do not grow, and
-/// those of a self-affine surface grow by `2^(2H)`.
-const NOISE: f64 = 1.1;
-/// Smallest growth from two to four spacings, divided by that from one to two, at which noise can be distinguished from
-/// roughness.
-const LEAST: f64 = 1.05;
 /// Exponent of the growth of bends from which on heights are smooth at a scale: 4 where they have a curvature, at most 2 where they are
 /// self-affine.
 const SMOOTH: f64 = 3.0;
+/// Differences below this part of the largest height are rounding errors.
+const ROUNDING: f64 = 1e-13;
 /// Second differences of noise divided by those of the heights, at the shortest scale that counts as above the noise.
 const ABOVE_NOISE: f64 = 0.5;
 
@@ -34,7 +31,7 @@ pub struct Scale {
 /// The mean square `B(s)` of the bends `h(x + s) - 2 h(x) + h(x - s)` is that of independent noise of the rms height
 /// `sigma`, which does not depend on `s`, and that of the surface, which grows as `s^(2H)` where it is self-affine:
 /// `B(s) = 6 sigma^2 + b s^(2H)`. Its values at one, two and four spacings give `sigma`; noise that is weaker than the
-/// steps of the surface is underestimated.
+/// steps of the surface is underestimated. Differences that are rounding errors of the heights count as 0.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Scales {
     /// The axis, "y" or "x".
@@ -78,32 +75,27 @@ impl Scales {
             }
         };
         let bends: Vec<f64> = squares.iter().map(|[_, bends]| *bends).collect();
-        let (step, noise) = (squares[0][0], noise(&bends));
+        let (step, noise) = (squares[0][0], white(&bends));
         let first = |is_it: &dyn Fn(usize) -> bool| (0..bends.len()).find(|i| is_it(*i));
-        let above = first(&|i| 6.0 * noise <= ABOVE_NOISE * bends[i]).unwrap_or(bends.len() - 1);
         let rough = first(&|i| bends.get(i + 1).is_none_or(|next| (next / bends[i]).log2() < SMOOTH));
         let wavelength = |i: usize| 2.0 * spacing * 2f64.powi(i as i32);
-        Some(Self {
+        let found = Self {
             axis: ["y", "x"][axis],
             scales: squares.iter().enumerate().map(scale).collect(),
             noise: noise.sqrt(),
             noise_share: if step > 0.0 { (2.0 * noise / step).min(1.0) } else { 0.0 },
-            shortest_wavelength: wavelength(above),
+            shortest_wavelength: 0.0,
             smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
-        })
+        };
+        Some(Self { shortest_wavelength: found.shortest_wavelength_above(noise.sqrt()), ..found })
     }
-}
 
-/// The mean square of independent noise, of the mean squares of bends at one, two, four, ... spacings.
-fn noise(bends: &[f64]) -> f64 {
-    let [one, two, four] = [bends[0], bends[1], bends[2]];
-    let growth = (four - two) / (two - one);
-    if two <= NOISE * one {
-        one / 6.0
-    } else if growth > LEAST {
-        (one - (two - one) / (growth - 1.0)).max(0.0) / 6.0
-    } else {
-        0.0
+    /// The shortest wavelength above noise of some rms height: twice the distance at which the second differences are twice those of the noise.
+    pub(super) fn shortest_wavelength_above(&self, noise: f64) -> f64 {
+        let is_above =
+            |it: &&Scale| 6.0 * noise * noise <= ABOVE_NOISE * (it.rms_curvature * it.distance.powi(2)).powi(2);
+        let above = self.scales.iter().find(is_above).or(self.scales.last());
+        above.map_or(0.0, |it| 2.0 * it.distance)
     }
 }
 
@@ -112,12 +104,14 @@ fn differences(scan: &Scan, axis: usize, distance: usize) -> Option<[f64; 2]> {
     let ([ny, nx], h) = (scan.shape(), &scan.height);
     let h = h.as_slice()?;
     let (stride, nodes) = if axis == 0 { (nx, ny) } else { (1, nx) };
+    let rounding = ROUNDING * h.iter().filter(|h| !h.is_nan()).fold(0.0, |most, h| f64::max(most, h.abs()));
     let sums = chunks::visit(h.len(), |range| {
         range.fold([0.0; 4], |[steps, all_steps, bends, all_bends], node| {
             let place = if axis == 0 { node / nx } else { node % nx };
             let step = if place + distance < nodes { h[node + distance * stride] - h[node] } else { f64::NAN };
             let back = if place >= distance { h[node] - h[node - distance * stride] } else { f64::NAN };
-            let [step, bend] = [step, step - back].map(|it| if it.is_nan() { [0.0; 2] } else { [it * it, 1.0] });
+            let square = |it: f64| if it.abs() <= rounding { 0.0 } else { it * it };
+            let [step, bend] = [step, step - back].map(|it| if it.is_nan() { [0.0; 2] } else { [square(it), 1.0] });
             [steps + step[0], all_steps + step[1], bends + bend[0], all_bends + bend[1]]
         })
     });

@@ -1,0 +1,129 @@
+//! Scan lines brought to one level.
+
+use super::Scan;
+use super::least_squares::linear;
+use crate::surface::bends::{bends, median};
+use serde::{Deserialize, Serialize};
+use strum::{EnumIter, EnumMessage, IntoStaticStr};
+
+/// White offsets over the bends of the offsets, at the shortest distance that counts as above the white ones.
+const ABOVE_WHITE: f64 = 0.5;
+
+/// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays.
+///
+/// The offset of a line is the sum of the medians of the differences between neighbouring lines up to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum LineLevel {
+    /// The part of the offsets that is independent from line to line.
+    ///
+    /// Waves of the surface across the lines are kept, as they differ little between neighbouring lines.
+    Offsets,
+    /// The whole offset of each line, by the medians of differences.
+    ///
+    /// Waves whose crests lie along the lines are subtracted as well.
+    Median,
+    /// The straight line of least squares through each scan line.
+    Line,
+    /// The parabola of least squares through each scan line.
+    Parabola,
+}
+
+/// The offsets of the scan lines of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineOffsets {
+    /// The offset of each line.
+    pub offsets: Vec<f64>,
+    /// The mean squares of their bends at one, two, four, ... lines.
+    bends: Vec<f64>,
+}
+
+impl LineOffsets {
+    /// The offsets of the lines of a map across an axis, 0 for rows and 1 for columns; none for less than 16 lines or a profile.
+    pub fn new(scan: &Scan, axis: usize) -> Option<Self> {
+        let lines = scan.shape()[axis];
+        if scan.is_line() || lines < 16 {
+            return None;
+        }
+        let mut level = 0.0;
+        let mut offsets = vec![0.0; lines];
+        for place in 1..lines {
+            let (one, next) = (line(scan, axis, place - 1), line(scan, axis, place));
+            let mut steps: Vec<f64> = next.iter().zip(&one).map(|(a, b)| a - b).filter(|it| !it.is_nan()).collect();
+            level += median(&mut steps).unwrap_or(0.0);
+            offsets[place] = level;
+        }
+        Some(Self { bends: bends(&offsets), offsets })
+    }
+
+    /// The mean square of the part of the offsets that is independent from line to line, at least: bends of the medians of a rough surface
+    /// grow twice from one line to two, or more, as those of its profiles do by `2^(2H)`.
+    pub fn white(&self) -> f64 {
+        let [one, two] = [self.bends[0], self.bends[1]];
+        (2.0 * one - two).clamp(0.0, one) / 6.0
+    }
+
+    /// How much larger the bends over two lines are than those over one; 1 for white offsets.
+    pub fn growth(&self) -> f64 {
+        if self.bends[0] > 0.0 { self.bends[1] / self.bends[0] } else { f64::INFINITY }
+    }
+
+    /// The part that is independent from line to line: the offsets without their waves that are longer than the distance at which white
+    /// offsets make half of the bends.
+    pub fn independent(&self) -> Vec<f64> {
+        let white = self.white();
+        if white == 0.0 {
+            return vec![0.0; self.offsets.len()];
+        }
+        let above = self.bends.iter().position(|it| 6.0 * white <= ABOVE_WHITE * it).unwrap_or(self.bends.len() - 1);
+        let height = ndarray::Array2::from_shape_fn((1, self.offsets.len()), |(_, i)| self.offsets[i]);
+        let short = Scan { height, spacing: [1.0; 2] }.high_pass(2f64.powi(above as i32 + 1));
+        short.height.iter().copied().collect()
+    }
+}
+
+impl LineLevel {
+    /// The heights without the level of each line across an axis, 0 for rows and 1 for columns.
+    pub fn apply(self, mut scan: Scan, axis: usize) -> Scan {
+        match (self, LineOffsets::new(&scan, axis)) {
+            (_, None) => scan,
+            (Self::Offsets, Some(found)) => less(scan, axis, &found.independent()),
+            (Self::Median, Some(found)) => less(scan, axis, &found.offsets),
+            (Self::Line | Self::Parabola, Some(_)) => {
+                let order = if self == Self::Line { 1 } else { 2 };
+                let lines = scan.height.axis_iter_mut(ndarray::Axis(axis));
+                lines.for_each(|line| subtract_polynomial(line, order));
+                scan
+            }
+        }
+    }
+}
+
+/// The heights along a line across an axis.
+fn line(scan: &Scan, axis: usize, place: usize) -> ndarray::ArrayView1<'_, f64> {
+    scan.height.index_axis(ndarray::Axis(axis), place)
+}
+
+/// The heights less an offset of each line, whose mean is kept.
+fn less(mut scan: Scan, axis: usize, offsets: &[f64]) -> Scan {
+    let mean = offsets.iter().sum::<f64>() / offsets.len() as f64;
+    for (mut line, offset) in scan.height.axis_iter_mut(ndarray::Axis(axis)).zip(offsets) {
+        line.mapv_inplace(|h| h - (offset - mean));
+    }
+    scan
+}
+
+/// Subtracts the polynomial of least squares through the heights of a line that are there.
+fn subtract_polynomial(mut line: ndarray::ArrayViewMut1<'_, f64>, order: usize) {
+    let half = 0.5 * (line.len() as f64 - 1.0);
+    let terms = |i: usize| {
+        let x = (i as f64 - half) / half.max(1.0);
+        [1.0, x, if order > 1 { x * x - 1.0 / 3.0 } else { 0.0 }]
+    };
+    let there = line.iter().enumerate().filter(|(_, h)| !h.is_nan());
+    let factors = linear(there.map(|(i, h)| (terms(i), *h)));
+    line.iter_mut().enumerate().for_each(|(i, h)| {
+        *h -= terms(i).iter().zip(factors).map(|(term, factor)| term * factor).sum::<f64>();
+    });
+}

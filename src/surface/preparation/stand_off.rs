@@ -1,0 +1,71 @@
+//! How far nodes stand off those on both sides of them.
+
+use super::Scan;
+use crate::surface::bends::{DEVIATION, median};
+
+/// The most heights that a scale is found from: more of them hardly change it.
+const MOST: usize = 1 << 16;
+/// Heights that differ by less than this part of the range of all are equal.
+const ROUNDING: f64 = 1e-9;
+
+/// How far nodes stand off those at a distance on both sides along a direction, and how far chance lets them.
+pub(super) struct StandOff<'a> {
+    scan: &'a Scan,
+    /// The step to one side, in rows and columns.
+    step: [isize; 2],
+    /// The standard deviation of the heights from the means of both sides, by the median of their magnitudes.
+    pub scale: f64,
+}
+
+impl<'a> StandOff<'a> {
+    /// The nodes of a scan and those at a step on both sides; none where no node has both.
+    pub fn new(scan: &'a Scan, step: [isize; 2]) -> Option<Self> {
+        let mut it = Self { scan, step, scale: 0.0 };
+        let [ny, nx] = scan.shape();
+        let every = (ny * nx).div_ceil(MOST);
+        let nodes = (0..ny * nx).step_by(every).map(|i| [i / nx, i % nx]);
+        let mut deviations: Vec<f64> = nodes.filter_map(|node| it.bend(node)).collect();
+        it.scale = (DEVIATION * median(&mut deviations)?).max(ROUNDING * range(scan));
+        Some(it)
+    }
+
+    /// The heights at a node and on both sides of it, if all of them are there.
+    fn heights(&self, [y, x]: [usize; 2]) -> Option<[f64; 3]> {
+        let at = |sign: isize| {
+            let [row, column] =
+                [y.checked_add_signed(sign * self.step[0])?, x.checked_add_signed(sign * self.step[1])?];
+            self.scan.height.get([row, column]).copied().filter(|h| !h.is_nan())
+        };
+        Some([at(-1)?, at(0)?, at(1)?])
+    }
+
+    /// The magnitude of the difference between a node and the mean of both sides.
+    fn bend(&self, node: [usize; 2]) -> Option<f64> {
+        self.heights(node).map(|[before, here, after]| (here - 0.5 * (before + after)).abs())
+    }
+
+    /// How far a node is above both sides, or below both of them (then negative): the lesser difference; 0 where it is between them. None
+    /// where a height is not there.
+    pub fn at(&self, node: [usize; 2]) -> Option<f64> {
+        let [before, here, after] = self.heights(node)?;
+        let [one, other] = [here - before, here - after];
+        Some(if one * other <= 0.0 { 0.0 } else { one.signum() * one.abs().min(other.abs()) })
+    }
+
+    /// The scale near a node: of the window of some nodes to each side, if it is larger than that of all nodes.
+    pub fn scale_near(&self, [y, x]: [usize; 2], reach: usize) -> f64 {
+        let [rows, columns] = [(y, 0), (x, 1)].map(|(place, axis)| {
+            let reach = if self.scan.shape()[axis] == 1 { 0 } else { reach };
+            place.saturating_sub(reach)..(place + reach + 1).min(self.scan.shape()[axis])
+        });
+        let nodes = rows.flat_map(|row| columns.clone().map(move |column| [row, column]));
+        let mut near: Vec<f64> = nodes.filter_map(|node| self.bend(node)).collect();
+        median(&mut near).map_or(self.scale, |it| self.scale.max(DEVIATION * it))
+    }
+}
+
+/// The height of the highest node above the lowest one.
+fn range(scan: &Scan) -> f64 {
+    let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
+    there().fold(f64::NEG_INFINITY, f64::max) - there().fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,245 @@
+//! Artefacts of measured heights, by their names.
+
+use crate::surface::bends::{DEVIATION, median};
+use crate::surface::{LineLevel, LineOffsets, Outliers, Preparation, Scan, Scars};
+
+/// Offsets of lines are an artefact where those that are independent make this share of the mean square step across the lines.
+const OFFSETS: f64 = 0.01;
+/// Bends of offsets that grow more than this from one line to two are those of the surface.
+const MOST_GROWTH: f64 = 1.5;
+/// Offsets that are larger than the rest by this factor may be grooves of the surface.
+const GROOVES: f64 = 5.0;
+/// A step between lines is larger than the usual one by this many standard deviations, and stands alone or nearly so.
+const STEP: f64 = 12.0;
+const MOST_STEPS: usize = 2;
+/// The share of equal highest heights from which on the peaks are cut off, and the fewest of these heights.
+const CLIPPED: f64 = 5e-4;
+const FEWEST_CLIPPED: usize = 8;
+/// Rounded heights are told of where the mean square of rounding makes this share of that of the steps.
+const ROUNDED: f64 = 0.05;
+/// The most heights of which it is looked whether they are rounded.
+const SAMPLE: usize = 1 << 16;
+
+/// An artefact of measured heights. An axis, "y" or "x", is the one across the lines: rows lie across y, columns across x.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs, reason = "the fields are described with their variant")]
+pub enum Artefact {
+    /// Lines whose levels differ independently: their rms `rms`, a length, and their share `share` of the mean square step across the lines.
+    Offsets { axis: &'static str, rms: f64, share: f64 },
+    /// The same where nothing but the lines differs, so that they may be grooves.
+    Grooves { axis: &'static str, rms: f64 },
+    /// Single heights, `nodes` of them, that stand off all their neighbours, such as dead pixels and spikes.
+    Outliers { nodes: usize },
+    /// Stretches of scan lines that stand off the lines beside them, with `nodes` nodes.
+    Scars { axis: &'static str, nodes: usize },
+    /// A step of a height over the whole width, between line number `line`, from 0, and the next one.
+    Step { axis: &'static str, line: usize, height: f64 },
+    /// Equal heights, `nodes` of them and a share `share` of all, that are the highest (`is_top`) or the lowest.
+    Clipped { nodes: usize, share: f64, is_top: bool },
+    /// Lines of equal heights at the rim: how many first and last rows, and first and last columns.
+    Border { lines: [usize; 4] },
+    /// Heights that are rounded to multiples of `step`, a length, which is `share` times the rms difference between neighbours.
+    Rounded { step: f64, share: f64 },
+}
+
+/// The artefacts of some heights, and the heights without those that can be mended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Artefacts {
+    /// The artefacts, those that can be mended first.
+    pub all: Vec<Artefact>,
+    /// The steps that mend them; they leave voids.
+    pub steps: Preparation,
+    /// The heights after these steps.
+    pub rest: Scan,
+}
+
+impl Artefact {
+    /// What it is, in a sentence without its end.
+    pub fn sentence(&self) -> String {
+        let line = |axis: &str| if axis == "y" { "row" } else { "column" };
+        match *self {
+            Self::Offsets { axis, rms, share } => format!(
+                "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, {1:.0} % of the mean square step across them",
+                line(axis),
+                100.0 * share.min(1.0)
+            ),
+            Self::Grooves { axis, rms } => format!(
+                "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, and little else does: they may be grooves, and are kept",
+                line(axis)
+            ),
+            Self::Outliers { nodes } => {
+                format!("{nodes} single heights stand off all their neighbours, as dead pixels and spikes do")
+            }
+            Self::Scars { axis, nodes } => format!("{nodes} heights are in scars along {}s", line(axis)),
+            Self::Step { axis, line: number, height } => format!(
+                "a step of {height:.3e} over the whole width is between {} {number} and the next one: of the surface, or a jump of the instrument",
+                line(axis)
+            ),
+            Self::Clipped { nodes, share, is_top } => {
+                let (which, effect) = match is_top {
+                    true => {
+                        ("highest", format!("peaks were cut off, and relative areas are too large by up to {share:.2}"))
+                    }
+                    false => ("lowest", "valleys were cut off".to_owned()),
+                };
+                format!("{nodes} of the {which} heights ({:.1} % of all) are equal: {effect}", 100.0 * share)
+            }
+            Self::Border { lines: [top, bottom, left, right] } => format!(
+                "heights at the rim are equal in {top} and {bottom} rows and in {left} and {right} columns: they were not measured, and can be cropped"
+            ),
+            Self::Rounded { step, share } => format!(
+                "the heights are rounded to multiples of {step:.3e}, {share:.1} times the rms step between neighbours"
+            ),
+        }
+    }
+
+    /// Whether a step of a preparation mends it.
+    pub fn can_be_mended(&self) -> bool {
+        matches!(self, Self::Offsets { .. } | Self::Outliers { .. } | Self::Scars { .. })
+    }
+
+    /// The name of the axis across whose lines it lies, if it lies so.
+    fn of_lines(scan: &Scan, axis: usize) -> Option<Self> {
+        let found = LineOffsets::new(scan, axis)?;
+        let [rms, step, rest] = [found.white().sqrt(), rms_step(scan, axis), rms_step(scan, 1 - axis)];
+        let share = 2.0 * (rms / step).powi(2);
+        let axis = ["y", "x"][axis];
+        if share.is_nan() || share < OFFSETS || found.growth() > MOST_GROWTH {
+            None
+        } else if rms > GROOVES * rest {
+            // where heights hardly differ along the lines, these are the surface
+            Some(Self::Grooves { axis, rms })
+        } else {
+            Some(Self::Offsets { axis, rms, share })
+        }
+    }
+}
+
+impl Artefacts {
+    /// The artefacts of some heights, some of which may be void.
+    pub fn new(scan: &Scan) -> Self {
+        let mut it = Self { all: Vec::new(), steps: Preparation::default(), rest: scan.clone() };
+        it.mend_offsets();
+        let outliers = Outliers::find(&it.rest).len();
+        if outliers > 0 {
+            it.all.push(Artefact::Outliers { nodes: outliers });
+            it.steps.outliers = Some(Outliers::Void);
+            it.rest = Outliers::Void.apply(it.rest);
+        }
+        it.mend_scars();
+        let lasting = [0, 1].into_iter().flat_map(|axis| step(&it.rest, axis));
+        let lasting = lasting.chain(clipped(scan, true)).chain(clipped(scan, false)).chain(border(scan));
+        let lasting: Vec<Artefact> = lasting.chain(rounded(scan)).collect();
+        it.all.extend(lasting);
+        it
+    }
+
+    /// Levels the lines across one axis, the one where their offsets are larger.
+    fn mend_offsets(&mut self) {
+        let found: Vec<(usize, Artefact)> =
+            [0, 1].into_iter().filter_map(|axis| Some((axis, Artefact::of_lines(&self.rest, axis)?))).collect();
+        for (axis, artefact) in found {
+            if artefact.can_be_mended() {
+                let level = if axis == 0 { &mut self.steps.level_rows } else { &mut self.steps.level_columns };
+                *level = Some(LineLevel::Offsets);
+                self.rest = LineLevel::Offsets.apply(self.rest.clone(), axis);
+            }
+            self.all.push(artefact);
+        }
+    }
+
+    /// Takes scars for voids, along the axis that has more of them.
+    fn mend_scars(&mut self) {
+        let along = [Scars::Rows, Scars::Columns].map(|it| (it, it.find(&self.rest).len()));
+        let Some((scars, nodes)) = along.into_iter().max_by_key(|(_, nodes)| *nodes).filter(|it| it.1 > 0) else {
+            return;
+        };
+        let axis = if scars == Scars::Rows { "y" } else { "x" };
+        self.all.push(Artefact::Scars { axis, nodes });
+        self.steps.scars = Some(scars);
+        self.rest = scars.apply(self.rest.clone());
+    }
+
+    /// The largest relative error of areas that the artefacts which can be mended may cause, by the rms gradient with and without them; 1 where
+    /// they are above all the rest, so that the contact begins at them.
+    pub fn area_error(&self, scan: &Scan) -> f64 {
+        let highest = |it: &Scan| it.height.iter().copied().filter(|h| !h.is_nan()).fold(f64::NEG_INFINITY, f64::max);
+        let (before, after) = (scan.rms_gradient(), self.rest.rms_gradient());
+        match self.all.iter().any(Artefact::can_be_mended) {
+            false => 0.0,
+            true if highest(scan) > highest(&self.rest) => 1.0,
+            true => (1.0 - after / before).abs(),
+        }
+    }
+}
+
+/// The root mean square of the differences between neighbours along an axis that are there.
+fn rms_step(scan: &Scan, axis: usize) -> f64 {
+    let lines = scan.height.axis_windows(ndarray::Axis(axis), 2);
+    let steps = lines.into_iter().flat_map(|pair| {
+        let [one, next] = [0, 1].map(|i| pair.index_axis(ndarray::Axis(axis), i).to_owned());
+        next - one
+    });
+    let (count, sum) = steps.filter(|it| !it.is_nan()).fold((0usize, 0.0), |(n, sum), it| (n + 1, sum + it * it));
+    (sum / count.max(1) as f64).sqrt()
+}
+
+/// Single large steps between neighbouring lines across an axis.
+fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
+    let Some(LineOffsets { offsets, .. }) = LineOffsets::new(scan, axis) else { return Vec::new() };
+    let steps: Vec<f64> = offsets.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut magnitudes: Vec<f64> = steps.iter().map(|it| it.abs()).collect();
+    let usual = DEVIATION * median(&mut magnitudes).unwrap_or(0.0);
+    let least = STEP * usual.max(0.1 * rms_step(scan, axis));
+    let far: Vec<usize> = (0..steps.len()).filter(|i| steps[*i].abs() > least).collect();
+    let found = far.iter().filter(|_| far.len() <= MOST_STEPS);
+    found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
+}
+
+/// Equal heights among the highest, or among the lowest.
+fn clipped(scan: &Scan, is_top: bool) -> Option<Artefact> {
+    let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
+    let (count, end) = match is_top {
+        true => (there().count(), there().fold(f64::NEG_INFINITY, f64::max)),
+        false => (there().count(), there().fold(f64::INFINITY, f64::min)),
+    };
+    let nodes = there().filter(|h| *h == end).count();
+    let share = nodes as f64 / count.max(1) as f64;
+    // a punch, a step or a line of one height is no peak that was cut off
+    let is_cut = nodes >= FEWEST_CLIPPED && (CLIPPED..0.2).contains(&share);
+    is_cut.then_some(Artefact::Clipped { nodes, share, is_top })
+}
+
+/// Lines of equal heights at the rim, unless most lines are so.
+fn border(scan: &Scan) -> Option<Artefact> {
+    let edge = scan.height.first().copied()?;
+    let is_level = |axis: usize, place: &usize| {
+        scan.height.index_axis(ndarray::Axis(axis), *place).iter().all(|h| *h == edge || h.is_nan())
+    };
+    let count = |axis: usize, is_first: bool| {
+        let lines = scan.shape()[axis];
+        let places: Vec<usize> = if is_first { (0..lines).collect() } else { (0..lines).rev().collect() };
+        places.iter().take_while(|place| is_level(axis, place)).count()
+    };
+    let lines = [count(0, true), count(0, false), count(1, true), count(1, false)];
+    let is_rim =
+        !scan.is_line() && lines.iter().any(|it| *it > 0) && 4 * lines.iter().max()? < *scan.shape().iter().min()?;
+    is_rim.then_some(Artefact::Border { lines })
+}
+
+/// Heights that are multiples of a step, where these are few.
+fn rounded(scan: &Scan) -> Option<Artefact> {
+    let every = scan.height.len().div_ceil(SAMPLE);
+    let mut heights: Vec<f64> = scan.height.iter().copied().step_by(every).filter(|h| !h.is_nan()).collect();
+    heights.sort_unstable_by(f64::total_cmp);
+    let count = heights.len();
+    heights.dedup();
+    let gaps: Vec<f64> = heights.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let step = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+    let is_multiple = |gap: &f64| ((gap / step).round() * step - gap).abs() < 1e-3 * step;
+    let usual = scan.axes().map(|axis| rms_step(scan, axis)).fold(f64::INFINITY, f64::min);
+    let is_rounded = heights.len() > 2 && 4 * heights.len() < count && gaps.iter().all(is_multiple);
+    let share = step / usual;
+    (is_rounded && share * share / 6.0 > ROUNDED).then_some(Artefact::Rounded { step, share })
+}

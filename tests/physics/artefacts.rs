@@ -1,0 +1,236 @@
+//! Maps of known truth that were spoiled as instruments do: what an automatic preparation makes of them, and what is said.
+
+use asperity::contact::{ContactModulus, Load, Multilevel, Problem, Solver, Stop};
+
+use asperity::surface::{Artefacts, Preparation, PreparationChoice, Scan, Spectrum};
+use asperity::{Grid, Surface};
+use ndarray::Array2;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use rand_distr::{Distribution, StandardNormal};
+use std::f64::consts::TAU;
+
+/// Nodes of a map along each axis, and its size, in metres.
+const N: usize = 128;
+const SIZE: f64 = 20e-6;
+
+/// A map: its kind, its heights without and with what the instrument has done, and whether anything has to be done.
+struct Map {
+    kind: &'static str,
+    truth: Array2<f64>,
+    measured: Array2<f64>,
+}
+
+fn scan(height: &Array2<f64>) -> Scan {
+    Scan { height: height.clone(), spacing: [SIZE / N as f64; 2] }
+}
+
+/// Heights of a periodic random surface with a roll-off of a quarter of the cell.
+fn rough(hurst: f64, spacings: f64, seed: u64) -> Array2<f64> {
+    let grid = Grid::surface([N, N], [SIZE; 2]).unwrap();
+    let short_cutoff = spacings * SIZE / N as f64;
+    let spectrum = Spectrum { hurst, rolloff_wavelength: SIZE / 4.0, short_cutoff, rms_gradient: 0.1 };
+    Surface::rough(grid, &spectrum, seed).unwrap().heights_as_given()
+}
+
+/// The same with a lay along x: waves are five times as long there.
+fn with_lay(hurst: f64, seed: u64) -> Array2<f64> {
+    let long = Grid::surface([N, 5 * N], [SIZE, 5.0 * SIZE]).unwrap();
+    let spectrum =
+        Spectrum { hurst, rolloff_wavelength: SIZE / 4.0, short_cutoff: 4.0 * SIZE / N as f64, rms_gradient: 0.1 };
+    let whole = Surface::rough(long, &spectrum, seed).unwrap().heights_as_given();
+    Array2::from_shape_fn((N, N), |(y, x)| whole[[y, 5 * x]]).t().as_standard_layout().into_owned()
+}
+
+/// The relative area at the pressure at which the truth has about a tenth of it in contact.
+fn area(height: &Array2<f64>) -> f64 {
+    let [ny, nx] = height.dim().into();
+    let size = [ny, nx].map(|n| n as f64 * SIZE / N as f64);
+    let surface = Surface::new(Grid::surface([ny, nx], size).unwrap(), height.clone()).unwrap();
+    let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(5e-3)).unwrap();
+    Multilevel::default().solve(&problem, &Stop::default(), &mut ()).unwrap().counted().relative_area
+}
+
+/// What instruments do to heights.
+struct Spoiler {
+    random: ChaCha8Rng,
+}
+
+impl Spoiler {
+    fn normal(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.random)
+    }
+
+    fn spikes(&mut self, height: &Array2<f64>, count: usize, sign: f64) -> Array2<f64> {
+        let (mut height, rms) = (height.clone(), rms(height));
+        for _ in 0..count {
+            let node = [self.random.random_range(0..N), self.random.random_range(0..N)];
+            height[node] += sign * rms * self.random.random_range(3.0..15.0);
+        }
+        height
+    }
+
+    fn dead(&mut self, height: &Array2<f64>, count: usize) -> Array2<f64> {
+        let floor = height.iter().copied().fold(f64::INFINITY, f64::min) - 5.0 * rms(height);
+        let mut height = height.clone();
+        for _ in 0..count {
+            height[[self.random.random_range(0..N), self.random.random_range(0..N)]] = floor;
+        }
+        height
+    }
+
+    fn offsets(&mut self, height: &Array2<f64>, share: f64) -> Array2<f64> {
+        let rms = share * rms(height);
+        let offsets: Vec<f64> = (0..N).map(|_| rms * self.normal()).collect();
+        Array2::from_shape_fn((N, N), |(y, x)| height[[y, x]] + offsets[y])
+    }
+
+    fn scars(&mut self, height: &Array2<f64>, count: usize) -> Array2<f64> {
+        let (mut height, rms) = (height.clone(), rms(height));
+        for _ in 0..count {
+            let (y, x) = (self.random.random_range(0..N), self.random.random_range(0..N - 40));
+            let (length, sign) = (self.random.random_range(12..40), if self.random.random() { 1.0 } else { -1.0 });
+            (x..x + length).for_each(|x| height[[y, x]] += sign * 3.0 * rms);
+        }
+        height
+    }
+
+    /// Noise of a share of the rms step.
+    fn noise(&mut self, height: &Array2<f64>, share: f64) -> Array2<f64> {
+        let step = share * 0.07 * SIZE / N as f64;
+        height.mapv(|h| h + step * self.normal())
+    }
+}
+
+fn rms(height: &Array2<f64>) -> f64 {
+    height.std(0.0)
+}
+
+fn clipped(height: &Array2<f64>, share: f64) -> Array2<f64> {
+    let mut sorted: Vec<f64> = height.iter().copied().collect();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let most = sorted[((1.0 - share) * sorted.len() as f64) as usize];
+    height.mapv(|h| h.min(most))
+}
+
+/// Shapes that are no artefact: gratings, a roller, ground lines, and steps.
+fn standards(seed: u64) -> Vec<(&'static str, Array2<f64>)> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let at = |of: &dyn Fn(f64, f64) -> f64| {
+        Array2::from_shape_fn((N, N), |(y, x)| of(y as f64 / N as f64, x as f64 / N as f64))
+    };
+    let mut walk = vec![0.0; N];
+    (1..N).for_each(|i| walk[i] = walk[i - 1] + 2e-9 * (random.random::<f64>() - 0.5));
+    let back = walk[N - 1];
+    let waves = 4.0 + seed as f64;
+    vec![
+        ("grating", at(&|_, x| 1e-7 * (waves * TAU * x).sin())),
+        ("grating across", at(&|y, _| 1e-7 * (waves * TAU * y).sin())),
+        ("crossed grating", at(&|y, x| 1e-7 * (waves * TAU * y).sin() * (waves * TAU * x).sin())),
+        ("steps", at(&|y, _| if (waves * y).fract() < 0.5 { 1e-7 } else { 0.0 })),
+        ("posts", at(&|y, x| if (waves * y).fract() < 0.5 && (waves * x).fract() < 0.5 { 1e-7 } else { 0.0 })),
+        ("roller", at(&|y, _| -1e-6 * (y - 0.5).powi(2))),
+        ("ground", Array2::from_shape_fn((N, N), |(y, _)| walk[y] - back * y as f64 / N as f64)),
+    ]
+}
+
+/// Maps that an automatic preparation must leave as they are.
+fn clean() -> Vec<Map> {
+    let mut maps = Vec::new();
+    let mut add = |kind, truth: Array2<f64>| maps.push(Map { kind, measured: truth.clone(), truth });
+    for seed in 0..10 {
+        add("rough, H 0.3", rough(0.3, 4.0, seed));
+        add("rough, H 0.5", rough(0.5, 4.0, seed));
+        add("rough, H 0.8", rough(0.8, 4.0, seed));
+        add("rough to the nodes", rough(0.6, 2.0, seed));
+    }
+    for seed in 0..2 {
+        standards(seed).into_iter().for_each(|(kind, truth)| add(kind, truth));
+    }
+    for (_, truth) in standards(3) {
+        let mut noise = Spoiler { random: ChaCha8Rng::seed_from_u64(9) };
+        add("with 0.1 nm of noise", truth.mapv(|h| h + 1e-10 * noise.normal()));
+    }
+    maps
+}
+
+/// Maps with artefacts.
+fn spoiled() -> Vec<Map> {
+    let mut maps = Vec::new();
+    let mut it = Spoiler { random: ChaCha8Rng::seed_from_u64(5) };
+    for seed in 0..4 {
+        for hurst in [0.3, 0.5, 0.8] {
+            let truth = rough(hurst, 4.0, 100 + seed);
+            let lay = with_lay(hurst, 200 + seed);
+            let mut add = |kind, truth: &Array2<f64>, measured| maps.push(Map { kind, truth: truth.clone(), measured });
+            add("2 spikes", &truth, it.spikes(&truth, 2, 1.0));
+            add("60 spikes", &truth, it.spikes(&truth, 60, 1.0));
+            add("dead pixels", &truth, it.dead(&truth, 60));
+            add("spikes on a lay", &lay, it.spikes(&lay, 20, 1.0));
+            add("row offsets of 0.1 rms", &truth, it.offsets(&truth, 0.1));
+            add("row offsets of 1 rms", &truth, it.offsets(&truth, 1.0));
+            let turned = it.offsets(&truth.t().to_owned(), 0.3).t().as_standard_layout().into_owned();
+            add("column offsets", &truth, turned);
+            add("scars", &truth, it.scars(&truth, 15));
+            add("noise of 0.3 steps", &truth, it.noise(&truth, 0.3));
+            add("noise of a step", &truth, it.noise(&truth, 1.0));
+            add("noise on a lay", &lay, it.noise(&lay, 1.0));
+            add("clipped peaks", &truth, clipped(&truth, 0.05));
+            let offsets = it.offsets(&truth, 0.3);
+            add("offsets and spikes", &truth, it.spikes(&offsets, 30, 1.0));
+            let noisy = it.noise(&truth, 1.0);
+            add("noise and dead pixels", &truth, it.dead(&noisy, 30));
+        }
+    }
+    maps
+}
+
+/// What an automatic preparation does to a map, and the relative area that is left.
+fn prepared(map: &Map) -> (Preparation, Vec<String>, f64) {
+    let choice = PreparationChoice::new(&scan(&map.measured), true, [true; 2]).unwrap();
+    let height = choice.preparation.apply(scan(&map.measured)).unwrap().scan.height;
+    (choice.preparation, choice.reasons, area(&height))
+}
+
+/// The largest part, over 1, that is told by which areas may be off.
+fn told(reasons: &[String]) -> f64 {
+    let number = |reason: &String| {
+        let words: Vec<&str> = reason.split_whitespace().collect();
+        let percent = words.windows(2).rev().find(|pair| pair[1] == "%").and_then(|pair| pair[0].parse::<f64>().ok());
+        let share = reason.split("by up to ").nth(1).and_then(|it| it.parse::<f64>().ok());
+        share.map(|it| it / 0.1).or(percent.filter(|_| reason.contains("areas may be")).map(|it| 0.01 * it))
+    };
+    reasons.iter().filter_map(number).fold(0.0, f64::max)
+}
+
+#[test]
+fn clean_maps_are_left_as_they_are() {
+    let maps = clean();
+    for map in &maps {
+        let choice = PreparationChoice::new(&scan(&map.measured), true, [true; 2]).unwrap();
+        let Preparation { detrend, mirror, .. } = choice.preparation;
+        let others = Preparation { detrend: None, mirror: None, ..choice.preparation.clone() };
+        assert_eq!(others, Preparation::default(), "{}: {:?}", map.kind, choice.reasons);
+        let is_periodic = map.kind != "with 0.1 nm of noise";
+        assert!(!is_periodic || (detrend.is_none() && mirror.is_none()), "{}: {:?}", map.kind, choice.reasons);
+        assert!(!Artefacts::new(&scan(&map.measured)).all.iter().any(|it| it.can_be_mended()), "{}", map.kind);
+    }
+    assert!(maps.len() >= 60);
+}
+
+/// Areas are within 10 % of the truth after an automatic preparation, or the difference is told.
+#[test]
+fn an_automatic_preparation_is_near_the_truth_or_says_by_how_much_it_is_not() {
+    let mut failures = Vec::new();
+    println!("{:24} {:>8} {:>8} {:>8} {:>6}  steps", "kind", "truth", "raw", "prepared", "told");
+    for map in spoiled() {
+        let (truth, raw) = (area(&map.truth), area(&map.measured));
+        let (steps, reasons, found) = prepared(&map);
+        let (off, told) = ((found / truth - 1.0).abs(), told(&reasons));
+        println!("{:24} {truth:8.4} {raw:8.4} {found:8.4} {told:6.2}  {}", map.kind, steps.description());
+        if off > told.max(0.1) {
+            failures.push(format!("{}: {found:.4} for {truth:.4}: {reasons:?}", map.kind));
+        }
+    }
+    assert!(failures.is_empty(), "{} of 168: {failures:#?}", failures.len());
+}
