@@ -83,6 +83,14 @@ pub fn write_grids(refinement: &Refinement, out: &mut impl Write) -> io::Result<
     writeln!(out, "Finer grids follow until area and kappa_r are accurate enough, if memory allows:")?;
     for setup in refinement.setups().skip(1) {
         let Ok(cost) = setup.cost(&Extras::default()) else { break };
+        if cost.check(setup.solver.name()).is_err() {
+            let needed = bytes_in_words(cost.bytes);
+            return writeln!(
+                out,
+                "  {:<11} and finer ones are not tried: it takes about {needed}",
+                points(cost.grid.shape())
+            );
+        }
         writeln!(out, "  {:<11} about {}", points(cost.grid.shape()), bytes_in_words(cost.bytes))?;
     }
     Ok(())

@@ -7,6 +7,7 @@ use super::output::{write_json, write_rows};
 use super::problem_summary::along_axes;
 use super::survey;
 use super::texture::TextureReport;
+use super::units::{Units, significant};
 use super::warnings::{self, in_flags};
 use super::wrote::wrote;
 use anyhow::Result;
@@ -16,8 +17,8 @@ use asperity::files::{check_apart, check_named};
 use asperity::record::record_survey;
 use asperity::setup::{Cost, Recipe};
 use asperity::surface::{
-    Field, HeightFile, Measurement, RankMap, Resample, Roughness, Scan, SpectrumConvention, SpectrumTable, Surface,
-    Survey,
+    Field, HeightFile, Measurement, PreparationChoice, RankMap, Resample, Roughness, Scan, SpectrumConvention,
+    SpectrumTable, Surface, Survey,
 };
 use clap::Args;
 use serde::Serialize;
@@ -50,6 +51,9 @@ pub struct Describe {
     /// Convention of the density in --psd [default: surface or profile, without factors of 2 pi]
     #[arg(long, value_name = "NAME", value_parser = choice::<SpectrumConvention>(), requires = "psd", help_heading = "Output")]
     psd_convention: Option<SpectrumConvention>,
+    /// Also print the differences of heights at each scale along each axis
+    #[arg(long, help_heading = "Output")]
+    scales: bool,
     /// Treat warnings as errors
     #[arg(long, help_heading = "Output")]
     strict: bool,
@@ -81,6 +85,11 @@ struct Statistics {
     #[serde(flatten)]
     whole: Option<HeightStatistics>,
     warnings: Vec<String>,
+    /// What is wrong with measured heights, and what an automatic preparation would do.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    verdict: Vec<String>,
+    #[serde(skip)]
+    units: Units,
 }
 
 /// What a file of heights says of itself.
@@ -128,6 +137,7 @@ impl Describe {
         recipe.check(&grid)?;
         Cost::from_fields(&grid, FIELDS).check("a surface")?;
         let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?)?;
+        statistics.units = self.scene.units(&recipe);
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
         self.out.iter().try_for_each(|path| statistics.check_unit(&recipe, path))?;
@@ -144,7 +154,7 @@ impl Describe {
         if self.json {
             write_json(&statistics, &mut stdout())?
         } else {
-            statistics.write(&mut stdout())?
+            statistics.write(self.scales, &mut stdout())?
         }
         warnings::print(&statistics.warnings);
         self.record.iter().for_each(|path| wrote(path));
@@ -185,15 +195,20 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         survey: None,
         seed: recipe.spectrum.as_ref().map(|_| recipe.seed()),
         whole: None,
+        verdict: Vec::new(),
+        units: Units::default(),
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
         let survey = Survey::new(&prepared.scan)?;
         statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, grid.len())));
+        statistics.verdict = verdict(recipe, &survey, &prepared.scan, grid.periodic())?;
         statistics.survey = Some(survey);
         return Ok((statistics, prepared.scan.height));
     }
     let surface = recipe.surface(*grid)?;
-    let survey = Survey::new(&Scan::from_surface(&surface, 1))?;
+    let scan = Scan::from_surface(&surface, 1);
+    let survey = Survey::new(&scan)?;
+    statistics.verdict = verdict(recipe, &survey, &scan, grid.periodic())?;
     let is_sample = recipe.indenter.is_none() && (recipe.is_measured() || recipe.spectrum.is_some());
     statistics.whole = Some(HeightStatistics::new(&surface, outer, is_sample));
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
@@ -251,7 +266,7 @@ impl Statistics {
     fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
         let survey = self.whole_survey("the surface cannot be recorded")?;
         let mut text = Vec::new();
-        self.write(&mut text)?;
+        self.write(true, &mut text)?;
         let text = format!("```text\n{}```\n", String::from_utf8_lossy(&text));
         let unit = if self.file.as_ref().is_some_and(|it| it.is_in_metres) { "m" } else { "" };
         let surface = Surface::new(grid, height.clone())?;
@@ -280,21 +295,74 @@ impl Statistics {
         Err(FileError::Target { path: path.into(), reason: reason.into() })
     }
 
-    fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    /// Writes what is wrong with the heights first, then their size, heights, texture and spectrum, and on request their differences at all scales.
+    fn write(&self, has_scales: bool, out: &mut impl Write) -> io::Result<()> {
+        let units = self.units;
         writeln!(out, "{}", self.source)?;
+        if !self.verdict.is_empty() {
+            writeln!(out, "\nVerdict")?;
+            self.verdict.iter().try_for_each(|line| writeln!(out, "  {line}"))?;
+        }
+        writeln!(out, "\nSize")?;
         write_rows(self.file.iter().flat_map(Origin::rows), out)?;
-        let join = |values: Vec<String>| values.join(" x ");
+        let size: Vec<String> = self.size.iter().map(|it| units.length(*it)).collect();
+        let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
         let rows = [
-            ("points", join(self.points.iter().map(usize::to_string).collect())),
-            ("size", join(lengths(&self.size))),
-            ("spacing", along_axes(&self.spacing, number)),
+            ("points", points.join(" x ")),
+            ("size", size.join(" x ")),
+            ("spacing", along_axes(&self.spacing, |it| units.length(it))),
             ("voids", self.voids.to_string()),
         ];
         write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
         write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.clone())), out)?;
-        write_rows(self.whole.iter().flat_map(HeightStatistics::rows), out)?;
-        self.survey.as_ref().map_or(Ok(()), |survey| survey::write(survey, out))
+        if let Some(whole) = &self.whole {
+            writeln!(out, "\nHeights and slopes")?;
+            write_rows(whole.rows(units), out)?;
+            writeln!(out, "\nTexture, by ISO 25178 or ISO 21920, and spectral moments")?;
+            write_rows(whole.texture.rows(units), out)?;
+        }
+        let Some(survey) = &self.survey else { return Ok(()) };
+        writeln!(out, "\nTrend, noise and spectrum")?;
+        write_rows(survey::rows(survey, units), out)?;
+        if has_scales { survey::write_scales(survey, out) } else { Ok(()) }
     }
+}
+
+/// What is wrong with measured heights, and what an automatic preparation would do.
+fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Result<Vec<String>> {
+    if !recipe.is_measured() {
+        return Ok(Vec::new());
+    }
+    let found = survey.artefacts.iter().map(|it| capital(&it.sentence()));
+    let error = survey.area_error;
+    let error = (error > 0.0).then(|| {
+        format!("As they are, areas and kappa may be off by up to {:.0} % by what can be mended", 100.0 * error)
+    });
+    let mut lines: Vec<String> = found.chain(error).collect();
+    if lines.is_empty() {
+        lines.push("No artefacts were found".into());
+    }
+    if recipe.prepare.is_none() {
+        let choice = PreparationChoice::new(scan, true, periodic)?;
+        match choice.reasons.as_slice() {
+            [] => lines.push("--prepare auto would leave the heights as they are".into()),
+            _ => {
+                let steps =
+                    if choice.preparation.is_none() { "nothing".to_owned() } else { choice.preparation.description() };
+                lines.push(format!("--prepare auto would do: {steps}"));
+                let is_new =
+                    |it: &&String| !survey.artefacts.iter().any(|artefact| it.starts_with(&artefact.sentence()));
+                lines.extend(choice.reasons.iter().filter(is_new).map(|reason| format!("  {reason}")));
+            }
+        }
+    }
+    Ok(lines)
+}
+
+/// A sentence that begins with a capital letter.
+fn capital(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 impl HeightStatistics {
@@ -309,18 +377,21 @@ impl HeightStatistics {
         }
     }
 
-    fn rows(&self) -> Vec<(String, String)> {
+    fn rows(&self, units: Units) -> Vec<(String, String)> {
         let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
         let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));
         let rows = [
             ("jump across the period", format!("{jumps} rms steps")),
-            ("rms height", number(rms_height)),
-            ("rms gradient", number(rms_gradient)),
-            ("rms curvature", number(rms_curvature)),
-            ("highest peak", number(peak)),
-            ("deepest valley", number(valley)),
-            ("skewness", number(skewness)),
-            ("kurtosis", number(kurtosis)),
+            ("rms height", units.length(rms_height)),
+            ("rms gradient", significant(rms_gradient)),
+            (
+                "rms curvature",
+                if units.metres { format!("{rms_curvature:.6e} 1/m") } else { format!("{rms_curvature:.6e}") },
+            ),
+            ("highest peak", units.length(peak)),
+            ("deepest valley", units.length(valley)),
+            ("skewness", significant(skewness)),
+            ("kurtosis", significant(kurtosis)),
         ];
         let heights = self.rank_map.map(|RankMap { rounds, spectrum_error, height_error }| {
             let told = match spectrum_error > 0.0 {
@@ -329,18 +400,6 @@ impl HeightStatistics {
             };
             ("distribution", format!("{told}, after {rounds} rounds"))
         });
-        let rows = rows.into_iter().chain(heights).map(|(name, value)| (name.to_owned(), value));
-        rows.chain(self.texture.rows(number)).collect()
+        rows.into_iter().chain(heights).map(|(name, value)| (name.to_owned(), value)).collect()
     }
-}
-
-/// Lengths as they were given, unless that takes many digits.
-fn lengths(values: &[f64]) -> Vec<String> {
-    let plain: Vec<String> = values.iter().map(f64::to_string).collect();
-    let is_short = plain.iter().zip(values).all(|(plain, value)| plain.len() < number(*value).len());
-    if is_short { plain } else { values.iter().map(|value| number(*value)).collect() }
-}
-
-fn number(value: f64) -> String {
-    format!("{value:.6e}")
 }

@@ -1,62 +1,54 @@
 //! The description of heights, as text.
 
 use super::output::write_rows;
+use super::units::Units;
 use asperity::surface::{Noise, Scale, Scales, Survey};
 use std::io::{self, Write};
 
-/// Writes the description of heights, and their differences at each scale.
-pub fn write(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
+/// Names and values of what long and short waves of heights are like.
+pub fn rows(survey: &Survey, units: Units) -> Vec<(String, String)> {
     let [along_y, along_x] = survey.tilt.map(|tilt| format!("{tilt:.3e}"));
     let is_map = survey.axes.iter().any(|axis| axis.axis == "y");
     let tilt = if is_map { format!("{along_y} along y, {along_x} along x") } else { along_x };
-    let share = 100.0 * survey.curvature_share;
-    let overall = [("tilt", tilt), ("curvature", format!("{share:.1} % of the mean square height about the plane"))];
+    let curvature = format!("{:.1} % of the mean square height about the plane", 100.0 * survey.curvature_share);
     let law = survey.power_law.map(|law| {
-        let [shortest, longest] = law.wavelengths;
-        let (exponent, hurst) = (law.exponent, law.hurst);
-        format!(
-            "C(q) ~ q^{exponent:.2} (H = {hurst:.2} ± {:.2}) at wavelengths of {shortest:.3e} to {longest:.3e}",
-            law.hurst_error
-        )
+        let [shortest, longest] = law.wavelengths.map(|it| units.length(it));
+        let (exponent, hurst, error) = (law.exponent, law.hurst, law.hurst_error);
+        format!("C(q) ~ q^{exponent:.2} (H = {hurst:.2} ± {error:.2}) at wavelengths of {shortest} to {longest}")
     });
-    let Noise { rms, share, shortest_wavelength } = survey.noise;
-    let noise = format!(
-        "{rms:.3e} rms, {:.0} % of the mean square gradient; above it are wavelengths over {shortest_wavelength:.3e}",
-        100.0 * share
-    );
-    let artefacts = survey.artefacts.iter().map(|it| ("artefact".to_owned(), it.sentence()));
-    write_rows(artefacts, out)?;
-    let overall = overall.into_iter().chain([("noise", noise)]);
-    write_rows(overall.chain(law.map(|law| ("power spectrum", law))).map(owned), out)?;
-    survey.axes.iter().try_for_each(|axis| write_axis(axis, out))
+    let Noise { rms, share, shortest_wavelength, .. } = survey.noise;
+    let noise = match rms > 0.0 {
+        true => format!(
+            "{} rms, {:.0} % of the mean square gradient; above it are wavelengths over {}",
+            units.length(rms),
+            100.0 * share,
+            units.length(shortest_wavelength)
+        ),
+        false => "none that differs from roughness".to_owned(),
+    };
+    let smooth = survey.axes.iter().map(|axis| (format!("smooth along {}", axis.axis), smooth(axis, units)));
+    let named = |(name, value): (&str, String)| (name.to_owned(), value);
+    let rows = [("tilt", tilt), ("curvature", curvature), ("noise", noise)].map(named).into_iter();
+    rows.chain(law.map(|law| ("power spectrum".to_owned(), law))).chain(smooth).collect()
 }
 
-fn write_axis(axis: &Scales, out: &mut impl Write) -> io::Result<()> {
-    let Scales { noise, noise_share, shortest_wavelength, .. } = axis;
-    let smooth = axis.smooth_wavelength.map_or("at no wavelength: rough down to the spacing".into(), |wavelength| {
-        format!("below wavelengths of {wavelength:.3e}")
-    });
-    let rows = [
-        ("noise", format!("{noise:.3e} rms, {:.0} % of the mean square gradient", 100.0 * noise_share)),
-        ("above the noise", format!("wavelengths over {shortest_wavelength:.3e}")),
-        ("smooth", smooth),
-    ];
-    write_rows(rows.map(|(name, value)| (format!("{name} along {}", axis.axis), value)), out)?;
-    writeln!(
-        out,
-        "  {:<25} {:<13} {:<13} rms curvature",
-        format!("distance along {}", axis.axis),
-        "rms step",
-        "rms gradient"
-    )?;
-    write_rows(axis.scales.iter().map(row), out)
+/// Below which wavelengths heights are smooth along an axis.
+fn smooth(axis: &Scales, units: Units) -> String {
+    axis.smooth_wavelength.map_or("at no wavelength: rough down to the spacing".into(), |wavelength| {
+        format!("below wavelengths of {}", units.length(wavelength))
+    })
+}
+
+/// Writes the differences of heights at each scale along each axis.
+pub fn write_scales(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
+    survey.axes.iter().try_for_each(|axis| {
+        let distance = format!("distance along {}", axis.axis);
+        writeln!(out, "\n  {distance:<25} {:<13} {:<13} rms curvature", "rms step", "rms gradient")?;
+        write_rows(axis.scales.iter().map(row), out)
+    })
 }
 
 fn row(scale: &Scale) -> (String, String) {
     let Scale { distance, rms_step, rms_gradient, rms_curvature } = scale;
     (format!("{distance:.4e}"), format!("{rms_step:<13.4e} {rms_gradient:<13.4e} {rms_curvature:.4e}"))
-}
-
-fn owned((name, value): (&str, String)) -> (String, String) {
-    (name.to_owned(), value)
 }

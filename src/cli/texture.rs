@@ -1,5 +1,6 @@
 //! Spectral moments and parameters of texture, as they are printed.
 
+use super::units::{Units, significant};
 use asperity::surface::{Surface, SurfaceParameter, SurfaceParameters};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -28,13 +29,18 @@ impl TextureReport {
         Self { texture_boundary: boundary, by_key, parameters }
     }
 
-    /// Rows for reading, with a word for numbers.
-    pub fn rows(&self, number: fn(f64) -> String) -> Vec<(String, String)> {
+    /// Rows for reading.
+    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
         let taken = ("texture taken as".to_owned(), self.texture_boundary.to_owned());
+        let number = |it: &SurfaceParameter, value: f64| match it.is_length() {
+            true => units.length(value),
+            false => significant(value),
+        };
         let word = |it: &SurfaceParameter| match (it.value, it.error) {
             (None, _) => "not within half of the cell".to_owned(),
-            (Some(value), None) => number(value),
-            (Some(value), Some(error)) => format!("{} ± {error:.1e}", number(value)),
+            (Some(value), None) => number(it, value),
+            (Some(value), Some(error)) if it.is_length() => format!("{} ± {}", number(it, value), units.length(error)),
+            (Some(value), Some(error)) => format!("{} ± {error:.1e}", number(it, value)),
         };
         [taken].into_iter().chain(self.parameters.iter().map(|it| (it.name.clone(), word(it)))).collect()
     }

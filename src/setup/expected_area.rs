@@ -1,6 +1,6 @@
 //! The expected contact of a setup, without solving it or generating a large surface.
 
-use super::Setup;
+use super::{Cell, Setup};
 use crate::contact::{Forecast, Load};
 use crate::error::SetupError;
 use crate::grid::Grid;
@@ -39,7 +39,9 @@ impl Setup {
     /// The forecast for the heights themselves where they are measured, or else for those on a small grid.
     fn looked_at(&self, grid: &Grid) -> Result<f64, SetupError> {
         if self.surface.is_measured() {
-            return Ok(Forecast::new(&self.problem()?).relative_area);
+            // on the nodes of the file: heights between them change little
+            let grid = Cell { refine: None, ..self.grid.clone() };
+            return Ok(Forecast::new(&Setup { grid, ..self.clone() }.problem()?).relative_area);
         }
         let most = SIDES[usize::from(!grid.is_line())];
         let mut small = self.clone();

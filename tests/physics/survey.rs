@@ -187,8 +187,10 @@ fn what_is_chosen_is_what_heights_need() {
     assert_eq!(choose(&holed, [true; 2]).preparation, Preparation { fill: Some(Fill::Harmonic), ..mirrored.clone() });
 
     let step = Survey::new(&part).unwrap().axes[0].scales[0].rms_step;
-    let low_pass = choose(&noisy(part.clone(), step, 1), [true; 2]).preparation.low_pass.unwrap();
-    assert!(low_pass > 4.0 * SPACING, "{low_pass}");
+    let measured = noisy(part.clone(), step, 1);
+    let low_pass = choose(&measured, [true; 2]).preparation.low_pass.unwrap();
+    let (filtered, clean) = (measured.low_pass(low_pass).rms_gradient(), part.rms_gradient());
+    assert!((filtered / clean - 1.0).abs() < 0.1, "{filtered} after a filter at {low_pass}, but {clean} without noise");
 
     let uneven = PreparationChoice::new(&rough([1, 4096], 8.0, 1), false, [true; 2]).unwrap().preparation;
     assert_eq!(uneven.resample, Some(Resample::Linear));

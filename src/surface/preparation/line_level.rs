@@ -9,6 +9,9 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 /// White offsets over the bends of the offsets, at the shortest distance that counts as above the white ones.
 const ABOVE_WHITE: f64 = 0.5;
 
+/// Bends of offsets that grow more than this from one line to two are those of the surface.
+const MOST_GROWTH: f64 = 1.8;
+
 /// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays.
 ///
 /// The offset of a line is the sum of the medians of the differences between neighbouring lines up to it.
@@ -57,16 +60,12 @@ impl LineOffsets {
         Some(Self { bends: bends(&offsets), offsets })
     }
 
-    /// The mean square of the part of the offsets that is independent from line to line, at least: bends of the medians of a rough surface
-    /// grow twice from one line to two, or more, as those of its profiles do by `2^(2H)`.
+    /// The mean square of the offsets that are independent from line to line; 0 if they are not independent.
+    ///
+    /// Bends of independent offsets are as large over two lines as over one. Those of the medians of a rough surface grow twice, or more.
     pub fn white(&self) -> f64 {
         let [one, two] = [self.bends[0], self.bends[1]];
-        (2.0 * one - two).clamp(0.0, one) / 6.0
-    }
-
-    /// How much larger the bends over two lines are than those over one; 1 for white offsets.
-    pub fn growth(&self) -> f64 {
-        if self.bends[0] > 0.0 { self.bends[1] / self.bends[0] } else { f64::INFINITY }
+        if two < MOST_GROWTH * one { one / 6.0 } else { 0.0 }
     }
 
     /// The part that is independent from line to line: the offsets without their waves that are longer than the distance at which white

@@ -67,7 +67,7 @@ impl Scan {
     }
 
     /// Half of the longer side.
-    pub(super) fn half(&self) -> f64 {
+    pub(in crate::surface) fn half(&self) -> f64 {
         let sides = self.axes().map(|axis| self.shape()[axis] as f64 * self.spacing[axis]);
         0.5 * sides.reduce(f64::max).unwrap_or(1.0)
     }

@@ -5,9 +5,7 @@ use crate::surface::{LineLevel, LineOffsets, Outliers, Preparation, Scan, Scars}
 
 /// Offsets of lines are an artefact where those that are independent make this share of the mean square step across the lines.
 const OFFSETS: f64 = 0.01;
-/// Bends of offsets that grow more than this from one line to two are those of the surface.
-const MOST_GROWTH: f64 = 1.5;
-/// Offsets that are larger than the rest by this factor may be grooves of the surface.
+/// Offsets that are larger than the heights along the lines by this factor may be grooves of the surface.
 const GROOVES: f64 = 5.0;
 /// A step between lines is larger than the usual one by this many standard deviations, and stands alone or nearly so.
 const STEP: f64 = 12.0;
@@ -102,12 +100,12 @@ impl Artefact {
     /// The name of the axis across whose lines it lies, if it lies so.
     fn of_lines(scan: &Scan, axis: usize) -> Option<Self> {
         let found = LineOffsets::new(scan, axis)?;
-        let [rms, step, rest] = [found.white().sqrt(), rms_step(scan, axis), rms_step(scan, 1 - axis)];
-        let share = 2.0 * (rms / step).powi(2);
+        let (rms, step) = (found.white().sqrt(), rms_step(scan, axis));
+        let (share, along) = (2.0 * (rms / step).powi(2), rms_along(scan, axis));
         let axis = ["y", "x"][axis];
-        if share.is_nan() || share < OFFSETS || found.growth() > MOST_GROWTH {
+        if share.is_nan() || share < OFFSETS {
             None
-        } else if rms > GROOVES * rest {
+        } else if rms > GROOVES * along {
             // where heights hardly differ along the lines, these are the surface
             Some(Self::Grooves { axis, rms })
         } else {
@@ -182,6 +180,18 @@ fn rms_step(scan: &Scan, axis: usize) -> f64 {
         next - one
     });
     let (count, sum) = steps.filter(|it| !it.is_nan()).fold((0usize, 0.0), |(n, sum), it| (n + 1, sum + it * it));
+    (sum / count.max(1) as f64).sqrt()
+}
+
+/// The root mean square of the heights about the mean of their line, of the lines across an axis.
+fn rms_along(scan: &Scan, axis: usize) -> f64 {
+    let (mut sum, mut count) = (0.0, 0usize);
+    for line in scan.height.axis_iter(ndarray::Axis(axis)) {
+        let there: Vec<f64> = line.iter().copied().filter(|h| !h.is_nan()).collect();
+        let mean = there.iter().sum::<f64>() / there.len().max(1) as f64;
+        sum += there.iter().map(|h| (h - mean).powi(2)).sum::<f64>();
+        count += there.len();
+    }
     (sum / count.max(1) as f64).sqrt()
 }
 

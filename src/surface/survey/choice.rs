@@ -8,6 +8,11 @@ use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
 /// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
 const NOISE: f64 = 0.12;
 
+/// The error of areas that is told at least after a filter of much noise, since what is left of the noise touches as the surface does not.
+const LEAST_ERROR: f64 = 0.15;
+/// Halvings of the range of cut-offs.
+const BISECTIONS: usize = 6;
+
 /// A preparation chosen for heights, with a reason for each step.
 ///
 /// Uneven positions are resampled. Artefacts that can be mended are mended, see [`Artefacts`]: offsets of scan lines are taken off, and single
@@ -112,25 +117,42 @@ impl PreparationChoice {
             if error > Noise::TOLD {
                 let error = 100.0 * error;
                 self.because(format!(
-                    "noise makes {noise:.0} % of the mean square gradient, and is kept: areas may be {error:.0} % too small"
+                    "noise makes {noise:.0} % of the mean square gradient, and is kept: areas may be up to {error:.0} % off"
                 ));
             }
             return;
         }
+        let before = full.rms_gradient();
+        let [without, least] = survey.noise.gradients_without().map(|it| it * before);
+        let wavelength = wavelength_of_gradient(full, without, wavelength);
         self.preparation.low_pass = Some(wavelength);
-        let without = full.rms_gradient() * (1.0 - share).sqrt();
         let after = full.low_pass(wavelength).rms_gradient();
-        let (kind, ratio) = if after < without { ("large", without / after) } else { ("small", after / without) };
+        let error = (after / without - 1.0).abs().max(1.0 - least / after).max(share.min(LEAST_ERROR));
         self.because(format!(
-            "noise makes {noise:.0} % of the mean square gradient: waves below {wavelength:.4e}, which are below the noise, are filtered out"
+            "noise makes {noise:.0} % of the mean square gradient: waves below {wavelength:.3e} are filtered out"
         ));
         self.because(format!(
-            "without noise the rms gradient is estimated as {}, after the filter it is {}: areas may be {:.0} % too {kind}",
+            "without noise the rms gradient is estimated as {}, after the filter it is {}: areas may be up to {:.0} % off",
             number_in_words(without),
             number_in_words(after),
-            100.0 * (ratio - 1.0)
+            100.0 * error
         ));
     }
+}
+
+/// The cut-off of the low-pass filter that leaves an rms gradient, up to twice a wavelength at most: what it takes of the roughness, it leaves
+/// of the noise.
+fn wavelength_of_gradient(scan: &Scan, gradient: f64, most: f64) -> f64 {
+    let shortest = 2.0 * scan.axes().map(|axis| scan.spacing[axis]).fold(0.0, f64::max);
+    let longest = (2.0 * most).clamp(shortest, 2.0 * scan.half());
+    let (mut low, mut high) = (shortest, longest);
+    for _ in 0..BISECTIONS {
+        let middle = (low * high).sqrt();
+        let is_longer = scan.low_pass(middle).rms_gradient() > gradient;
+        *(if is_longer { &mut low } else { &mut high }) = middle;
+    }
+    // four digits are enough, and are what the reason says
+    format!("{:.3e}", (low * high).sqrt()).parse().unwrap_or(high)
 }
 
 /// The axes on which heights end that are to be periodic.

@@ -11,20 +11,25 @@ const LEAST: f64 = 0.05;
 const SHORT: [f64; 2] = [0.6, 1.4];
 /// The largest density of these waves over the smallest one, if they are noise.
 const FLAT: f64 = 1.25;
+/// The rms of the level may be larger by this factor.
+const SURE: f64 = 1.03;
 /// The fewest independent waves of a band that tells the level.
 const FEWEST: f64 = 16.0;
 
 /// Noise of an instrument: independent from node to node, and the same along all axes. What differs along one axis only is roughness with a
 /// lay, or an artefact, but no noise.
 ///
-/// The bends along the axes tell that there is noise, and how much there is at least, see [`Scales`]. Where the spectrum is flat at the
-/// shortest waves, its level tells how much: a density of `sigma^2 dx / 2 pi` on a line, and `sigma^2 dx dy / 4 pi^2` on a surface.
+/// The bends along each axis tell how much noise there is at least, see [`Scales`], and how much there is at most: bends of a smooth surface
+/// grow 16 times from one spacing to two, and those of another one less. Where the spectrum is flat at the shortest waves, its level tells
+/// how much it is: a density of `sigma^2 dx / 2 pi` on a line, and `sigma^2 dx dy / 4 pi^2` on a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Noise {
     /// Its rms height `sigma`, a length.
     pub rms: f64,
     /// Its share of the mean square gradient at the spacing, of all axes together.
     pub share: f64,
+    /// The largest share that it may have.
+    pub most_share: f64,
     /// The shortest wavelength above it along all axes, see [`Scales::shortest_wavelength`].
     pub shortest_wavelength: f64,
 }
@@ -52,31 +57,46 @@ impl Noise {
     pub(super) fn new(axes: &[Scales], bands: &[Band], scan: &Scan) -> Self {
         let least = Self::least(axes);
         match level(bands, scan).filter(|_| least.share >= LEAST) {
-            Some(rms) => Self::of(axes, rms.max(least.rms)),
+            Some(rms) => {
+                let rms = rms.max(least.rms);
+                Self::of(axes, rms, SURE * rms)
+            }
             None => least,
         }
     }
 
     /// The noise that there is at least, by the bends along the axes.
     fn least(axes: &[Scales]) -> Self {
-        Self::of(axes, axes.iter().map(|it| it.noise).reduce(f64::min).unwrap_or(0.0))
+        let most = axes.iter().map(Scales::most_noise).reduce(f64::min).unwrap_or(0.0);
+        let least = axes.iter().map(|it| it.noise).reduce(f64::max).unwrap_or(0.0);
+        Self::of(axes, least.min(most), most)
     }
 
-    fn of(axes: &[Scales], rms: f64) -> Self {
+    fn of(axes: &[Scales], rms: f64, most: f64) -> Self {
         let sum = |of: &dyn Fn(&Scales) -> f64| axes.iter().map(of).sum::<f64>();
         let gradient = sum(&|it| it.scales[0].rms_gradient.powi(2));
-        let noise = sum(&|it| 2.0 * (rms / it.scales[0].distance).powi(2));
+        let share = |rms: f64| {
+            let noise = sum(&|it| 2.0 * (rms / it.scales[0].distance).powi(2));
+            if gradient > 0.0 { (noise / gradient).min(1.0) } else { 0.0 }
+        };
         Self {
             rms,
-            share: if gradient > 0.0 { (noise / gradient).min(1.0) } else { 0.0 },
+            share: share(rms),
+            most_share: share(most),
             shortest_wavelength: axes.iter().map(|it| it.shortest_wavelength_above(rms)).fold(0.0, f64::max),
         }
     }
 
-    /// The largest relative error of areas that it causes. The gradient of the heights as waves has `pi^2/6` as much noise in it as that of
-    /// differences between nodes.
+    /// The rms gradient without the noise, and the least that it may be, over that with it.
+    pub fn gradients_without(&self) -> [f64; 2] {
+        [self.share, self.most_share].map(|share| (1.0 - share).sqrt())
+    }
+
+    /// The largest relative error of areas that it causes, with twice the share that there is at least if there may be so much. The gradient of
+    /// the heights as waves has `pi^2/6` as much noise in it as that of differences between nodes.
     pub fn area_error(&self) -> f64 {
-        let noise = PI * PI / 6.0 * self.share;
+        let share = self.most_share.min(2.0 * self.share);
+        let noise = PI * PI / 6.0 * share;
         noise / (1.0 - self.share + noise)
     }
 }

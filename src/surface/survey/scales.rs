@@ -9,6 +9,8 @@ use crate::surface::{Scan, Surface};
 const SMOOTH: f64 = 3.0;
 /// Differences below this part of the largest height are rounding errors.
 const ROUNDING: f64 = 1e-13;
+/// Growth of the bends of smooth heights from one spacing to two.
+const SMOOTHEST: f64 = 16.0;
 /// Second differences of noise divided by those of the heights, at the shortest scale that counts as above the noise.
 const ABOVE_NOISE: f64 = 0.5;
 
@@ -88,6 +90,12 @@ impl Scales {
             smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
         };
         Some(Self { shortest_wavelength: found.shortest_wavelength_above(noise.sqrt()), ..found })
+    }
+
+    /// The largest rms height that independent noise may have: heights whose bends grow 16 times, the most that they can, make the rest of the bends.
+    pub(super) fn most_noise(&self) -> f64 {
+        let [one, two] = [0, 1].map(|i| (self.scales[i].rms_curvature * self.scales[i].distance.powi(2)).powi(2));
+        ((SMOOTHEST * one - two) / (SMOOTHEST - 1.0) / 6.0).max(0.0).sqrt()
     }
 
     /// The shortest wavelength above noise of some rms height: twice the distance at which the second differences are twice those of the noise.

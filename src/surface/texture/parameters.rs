@@ -1,6 +1,6 @@
 //! All parameters of a surface with their names and errors.
 
-use super::{Texture, TextureParameter};
+use super::{RATIOS, Texture, TextureParameter};
 use crate::grid::Grid;
 use crate::surface::{Field, MomentErrors, SpectralMoments, Surface};
 
@@ -22,6 +22,18 @@ pub struct SurfaceParameter {
     pub value: Option<f64>,
     /// The standard error; none where it is not known.
     pub error: Option<f64>,
+}
+
+/// The letters behind S or P of the parameters that are lengths.
+const LENGTHS: [&str; 9] = ["a", "q", "p", "v", "z", "al", "k", "pk", "vk"];
+
+impl SurfaceParameter {
+    /// Whether it is a length.
+    pub fn is_length(&self) -> bool {
+        let symbol = self.key.get(1..).unwrap_or_default();
+        let is_material = || RATIOS.iter().any(|(_, name)| *name == symbol);
+        self.key.starts_with("correlation_length") || LENGTHS.contains(&symbol) || is_material()
+    }
 }
 
 /// The parameters of texture and the spectral moments of a surface, with standard errors.
