@@ -105,7 +105,7 @@ impl Surface {
     ///
     /// The keywords are keys of the sections `surface` and `grid` of a scene: size, boundary, datum, refine, channel, file_unit, prepare,
     /// against. With prepare="auto" the program chooses the steps that the heights need; `preparation` states them. Steps of one's own are a
-    /// dictionary: crop, fill, detrend, remove_form, high_pass, low_pass, taper, mirror.
+    /// dictionary: crop, level_rows, level_columns, outliers, scars, fill, detrend, remove_form, high_pass, low_pass, taper, mirror.
     #[staticmethod]
     #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, prepare=None, **grid)")]
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {

@@ -50,7 +50,8 @@ impl Surface {
 
     /// What the heights are like, as `asperity surface` prints it: a dictionary with voids, tilt and jumps (along y and x; the jumps across the period in
     /// rms steps), curvature_share, axes (for each its noise, resolution, and rms step, gradient and curvature at each distance), power_law
-    /// and spectrum (in bands). A jump much above 3 of a line, or 1.5 of a surface, says that the heights are not periodic.
+    /// and spectrum (in bands), ends (whether the heights end along y and x, so that they are not periodic), artefacts, area_error (the largest relative
+    /// error of areas by those that can be mended), and noise.
     fn survey<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let survey = py.detach(|| Survey::new(&Scan::from_surface(&self.surface, 1))).map_err(py_error)?;
         to_python(py, &survey)

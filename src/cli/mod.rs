@@ -43,6 +43,7 @@ mod study_row;
 mod study_table;
 mod surface;
 mod survey;
+mod survey_picture;
 mod texture;
 mod units;
 mod view;

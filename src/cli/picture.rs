@@ -180,17 +180,18 @@ impl NodePositions {
 }
 
 /// The name of the largest unit that is not larger than a value, and its size; none of unknown units.
-fn unit(is_known: bool, units: &[(&'static str, f64)], value: f64) -> (&'static str, f64) {
+pub fn unit(is_known: bool, units: &[(&'static str, f64)], value: f64) -> (&'static str, f64) {
     let fits = |unit: &&(&str, f64)| value.abs() >= unit.1;
     if is_known { *units.iter().find(fits).unwrap_or(&units[units.len() - 1]) } else { ("", 1.0) }
 }
 
-fn label(name: &str, unit: &str) -> String {
+/// The name of an axis with its unit, if there is one.
+pub fn label(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.into() } else { format!("{name} / {unit}") }
 }
 
 /// The least and the largest of the finite values, or two values around the only one.
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     let [low, high] = values.filter(|it| it.is_finite()).fold(ends, |[low, high], it| [low.min(it), high.max(it)]);
     match low.total_cmp(&high) {
@@ -201,7 +202,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// A range with some room at both ends.
-fn wider([low, high]: [f64; 2]) -> [f64; 2] {
+pub fn wider([low, high]: [f64; 2]) -> [f64; 2] {
     let room = ROOM * (high - low);
     [low - room, high + room]
 }

@@ -4,8 +4,10 @@ use super::choice::choice;
 use super::exit_status::{ExitStatus, usage};
 use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
+use super::picture;
 use super::problem_summary::along_axes;
 use super::survey;
+use super::survey_picture::of_survey;
 use super::texture::TextureReport;
 use super::units::{Units, significant};
 use super::warnings::{self, in_flags};
@@ -39,7 +41,7 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: SceneArgs<OfSurface>,
-    /// Write the heights in metres; the file name gives the format: .npy, .sdf, .x3p or .xyz
+    /// Write the heights in metres (.npy, .sdf, .x3p or .xyz), or a picture of them, of their artefacts and of their spectrum (.svg or .png)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer
@@ -120,7 +122,7 @@ struct HeightStatistics {
 impl Describe {
     pub fn run(&self) -> Result<ExitStatus> {
         if let Some(path) = &self.out {
-            check_named(path, &Scan::endings())?;
+            check_named(path, &Scan::endings().into_iter().chain(PICTURES).collect::<Vec<_>>())?;
         }
         if let Some(path) = &self.record {
             check_named(path, &["rrd"])?;
@@ -140,7 +142,8 @@ impl Describe {
         statistics.units = self.scene.units(&recipe);
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
-        self.out.iter().try_for_each(|path| statistics.check_unit(&recipe, path))?;
+        let mut heights = self.out.iter().filter(|path| !is_picture(path));
+        heights.try_for_each(|path| statistics.check_unit(&recipe, path))?;
         if let Some(path) = &self.record {
             statistics.record(path, &recipe, &height, grid)?;
         }
@@ -148,8 +151,14 @@ impl Describe {
             statistics.whole_survey("their spectrum cannot be written")?;
             write_psd(path, self.psd_convention, &Surface::new(grid, height.clone())?)?;
         }
-        if let Some(path) = &self.out {
-            scan(height, &grid).write(path)?;
+        match &self.out {
+            Some(path) if is_picture(path) => {
+                let survey = statistics.survey.as_ref().expect("heights have a survey");
+                let title = recipe.title(&grid);
+                picture::write(path, &of_survey(&title, &scan(height, &grid), survey, statistics.units))?;
+            }
+            Some(path) => scan(height, &grid).write(path)?,
+            None => {}
         }
         if self.json {
             write_json(&statistics, &mut stdout())?
@@ -227,6 +236,13 @@ fn write_psd(path: &Path, convention: Option<SpectrumConvention>, surface: &Surf
 fn scan(height: Field, grid: &Grid) -> Scan {
     let (points, size) = ([height.nrows(), height.ncols()], grid.size());
     Scan { height, spacing: [0, 1].map(|axis| size[axis] / points[axis] as f64) }
+}
+
+/// Endings of the names of pictures.
+const PICTURES: [&str; 2] = ["svg", "png"];
+
+fn is_picture(path: &Path) -> bool {
+    path.extension().is_some_and(|given| PICTURES.iter().any(|ending| given.eq_ignore_ascii_case(ending)))
 }
 
 impl Origin {

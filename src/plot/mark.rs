@@ -15,6 +15,13 @@ pub enum Mark {
     Area,
     /// An arrow from the first point to the last one.
     Arrow,
+    /// A filled tile about each point, of which so many fill the frame: cells of a map in colours.
+    Tile {
+        /// Tiles along the frame.
+        columns: u32,
+        /// Tiles above each other.
+        rows: u32,
+    },
     /// A symbol at each point.
     Symbol {
         /// Shape of the symbol.

@@ -5,7 +5,7 @@ use super::colour::Colour;
 use super::figure::{Dot, Series};
 use super::frame::AxesFrame;
 use super::mark::Mark;
-use super::sheet::Sheet;
+use super::sheet::{Sheet, rectangle};
 
 const LINE: f64 = 2.0;
 const FINE_LINE: f64 = 1.4;
@@ -13,6 +13,8 @@ const FINE_LINE: f64 = 1.4;
 const PALE: f64 = 0.18;
 /// Length of the head of an arrow.
 const HEAD: f64 = 12.0;
+/// By what neighbouring tiles overlap.
+const SEAM: f64 = 0.4;
 /// From the middle of an error bar to the end of a cap.
 const CAP: f64 = 4.0;
 
@@ -24,14 +26,24 @@ pub fn draw_series(sheet: &mut Sheet, frame: &AxesFrame, series: &Series) {
         draw_line(sheet, series, run.into_iter().map(|place| frame.position(place)).collect());
     }
     for place in places.into_iter().filter(|place| place.iter().all(|place| (0.0..=1.0).contains(place))) {
-        draw_symbol(sheet, series, frame.position(place));
+        match series.mark {
+            Mark::Tile { columns, rows } => draw_tile(sheet, frame, series.colour, place, [columns, rows]),
+            _ => draw_symbol(sheet, series, frame.position(place)),
+        }
     }
+}
+
+/// Draws a tile about a place, a little larger than its share of the frame, so that no seam is seen between tiles.
+fn draw_tile(sheet: &mut Sheet, frame: &AxesFrame, colour: Colour, place: [f64; 2], tiles: [u32; 2]) {
+    let [x, y] = frame.position(place);
+    let [width, height] = [0, 1].map(|axis| frame.size[axis] / f64::from(tiles[axis]) + SEAM);
+    sheet.shape(rectangle([x - 0.5 * width, y - 0.5 * height], [width, height]), colour, 1.0);
 }
 
 /// Draws the line of a series through `points` of the sheet, if it has one.
 pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
     let pattern = match series.mark {
-        Mark::Symbol { .. } => return,
+        Mark::Symbol { .. } | Mark::Tile { .. } => return,
         Mark::Area => return sheet.shape(points, series.colour, PALE),
         Mark::Arrow => return draw_arrow(sheet, series.colour, &points),
         Mark::Line | Mark::Joined { .. } => return sheet.line(points, series.colour, LINE),

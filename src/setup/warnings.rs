@@ -13,6 +13,8 @@ const STEEPEST: f64 = 10.0;
 const SAME_LENGTH: f64 = 0.01;
 /// Rms gradients at the spacing over those at twice the spacing above this give a warning: those of resolved heights are about equal.
 const LARGEST_GROWTH: f64 = 1.1;
+/// Artefacts that change areas by less than this part get no warning.
+const SMALLEST_ERROR: f64 = 0.01;
 /// Spacings that differ by less than this share count as equal.
 const UNEQUAL: f64 = 0.01;
 /// Spectra and distributions of heights that are farther than this from what was asked for give a warning.
@@ -84,10 +86,19 @@ impl Recipe {
             of_file
                 .into_iter()
                 .chain(found.into_iter().flatten())
-                .chain(warnings_of_artefacts(&Scan::from_surface(surface, refined)))
+                .chain(self.warnings_of_artefacts(&Scan::from_surface(surface, refined)))
         });
         let jumps = self.warnings_of_jumps(surface.jumps(), surface.ends()).into_iter();
         jumps.chain(self.warnings_of_distribution(surface)).chain(measured.into_iter().flatten()).collect()
+    }
+
+    /// Warnings about artefacts in measured heights, without their mirror images, and about noise in the rest of them.
+    fn warnings_of_artefacts(&self, scan: &Scan) -> Vec<Warning> {
+        let scan = self.prepare.mirror.map_or_else(|| scan.clone(), |mirror| mirror.original(scan));
+        let artefacts = Artefacts::new(&scan);
+        let error = artefacts.area_error(&scan);
+        let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| warning_of_noise(&it));
+        artefacts.all.iter().filter_map(|it| warning_of(it, error)).chain(noise).collect()
     }
 
     /// Warnings about random heights whose distribution and spectrum are far from what was asked for.
@@ -185,14 +196,6 @@ impl Survey {
     }
 }
 
-/// Warnings about artefacts in measured heights, and about noise in the rest of them.
-fn warnings_of_artefacts(scan: &Scan) -> Vec<Warning> {
-    let artefacts = Artefacts::new(scan);
-    let error = artefacts.area_error(scan);
-    let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| warning_of_noise(&it));
-    artefacts.all.iter().filter_map(|it| warning_of(it, error)).chain(noise).collect()
-}
-
 /// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended.
 fn warning_of(artefact: &Artefact, error: f64) -> Option<Warning> {
     let what = artefact.sentence();
@@ -200,6 +203,7 @@ fn warning_of(artefact: &Artefact, error: f64) -> Option<Warning> {
     let what = letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect());
     Some(match artefact {
         Artefact::Clipped { is_top: false, .. } => return None,
+        it if it.can_be_mended() && error < SMALLEST_ERROR => return None,
         it if it.can_be_mended() => {
             Warning::new(format!("{what}. Area and kappa may be off by up to {:.0} %", 100.0 * error), "Mend it")
                 .with_remedy("surface.prepare.steps", Some("auto"))

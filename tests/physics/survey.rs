@@ -65,12 +65,11 @@ fn the_hurst_exponent_is_that_of_the_roughness() {
     for (shape, within) in [([1, 1 << 15], 0.1), ([512, 512], 0.1)] {
         // the roll-off lies at half of the length of this part
         let law = Survey::new(&rough(shape, 2.0, 11)).unwrap().power_law.unwrap();
-        assert!((law.hurst - 0.7).abs() < law.hurst_error.min(within), "{shape:?}: {law:?}");
+        assert!((law.hurst - 0.7).abs() < (3.0 * law.hurst_error).min(within), "{shape:?}: {law:?}");
     }
 }
 
-/// Roughness of any Hurst exponent, roll-off and cut-off: what is told is right within what is told of its error, and not told where that is
-/// large.
+/// Roughness of any Hurst exponent, roll-off and cut-off: the error that is told is a standard error, and nothing is told where it is large.
 #[test]
 fn the_hurst_exponent_is_right_within_its_stated_error() {
     let mut random = ChaCha8Rng::seed_from_u64(30);
@@ -89,12 +88,14 @@ fn the_hurst_exponent_is_right_within_its_stated_error() {
         let Some(law) = Survey::new(&heights).unwrap().power_law else { continue };
         let share = (law.hurst - hurst).abs() / law.hurst_error;
         let what = format!("case {case}: H = {hurst:.2}, {rolloff:.1} to {cutoff:.0} waves: {law:?}");
-        assert!(share < 1.5 && (0.0..=1.0).contains(&law.hurst) && law.hurst_error <= 0.5, "{what}");
+        assert!(share < 4.0 && (0.0..=1.0).contains(&law.hurst) && law.hurst_error <= 0.17, "{what}");
         assert!(law.wavelengths[0] > 0.8 / cutoff, "waves beyond the cut-off are fitted: {what}");
         shares.push(share);
     }
-    let beyond = shares.iter().filter(|share| **share > 1.0).count();
-    assert!(shares.len() > 120 && beyond * 50 <= shares.len(), "{beyond} of {} are further off", shares.len());
+    let part = |most: f64| shares.iter().filter(|share| **share <= most).count() as f64 / shares.len() as f64;
+    let parts = [part(1.0), part(2.0), part(3.0)];
+    println!("Hurst exponents within one, two and three stated errors: {parts:.3?} of {}", shares.len());
+    assert!(shares.len() > 120 && (0.55..0.9).contains(&parts[0]) && parts[1] > 0.93 && parts[2] > 0.98, "{parts:?}");
 }
 
 /// What is not self-affine has no Hurst exponent: a wave, an arc, steps.

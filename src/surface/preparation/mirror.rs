@@ -25,6 +25,14 @@ impl Mirror {
         [twice(ny, self != Self::X), twice(nx, self != Self::Y)]
     }
 
+    /// The heights without their images, of which there are some.
+    pub fn original(self, scan: &Scan) -> Scan {
+        let once = |n: usize, is_mirrored: bool| if is_mirrored && n > 2 { n / 2 + 1 } else { n };
+        let [ny, nx] = scan.shape();
+        let shape = [once(ny, self != Self::X && ny > 1), once(nx, self != Self::Y)];
+        Scan { height: Field::from_shape_fn(shape, |node| scan.height[node]), ..*scan }
+    }
+
     /// The heights and their images.
     pub fn apply(self, scan: &Scan) -> Scan {
         let (shape, mirrored) = (scan.shape(), self.shape(scan.shape()));

@@ -3,7 +3,7 @@
 use crate::surface::bends::{DEVIATION, median};
 use crate::surface::{LineLevel, LineOffsets, Outliers, Preparation, Scan, Scars};
 
-/// Offsets of lines are an artefact where those that are independent make this share of the mean square step across the lines.
+/// Offsets of lines are an artefact where those that are independent make this share of the mean square gradient.
 const OFFSETS: f64 = 0.01;
 /// Offsets that are larger than the heights along the lines by this factor may be grooves of the surface.
 const GROOVES: f64 = 5.0;
@@ -13,6 +13,9 @@ const MOST_STEPS: usize = 2;
 /// The share of equal highest heights from which on the peaks are cut off, and the fewest of these heights.
 const CLIPPED: f64 = 5e-4;
 const FEWEST_CLIPPED: usize = 8;
+const MOST_CLIPPED: f64 = 0.2;
+/// Shapes of fewer heights have no peaks.
+const FEWEST_LEVELS: usize = 64;
 /// Rounded heights are told of where the mean square of rounding makes this share of that of the steps.
 const ROUNDED: f64 = 0.05;
 /// The most heights of which it is looked whether they are rounded.
@@ -23,7 +26,7 @@ const SAMPLE: usize = 1 << 16;
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs, reason = "the fields are described with their variant")]
 pub enum Artefact {
-    /// Lines whose levels differ independently: their rms `rms`, a length, and their share `share` of the mean square step across the lines.
+    /// Lines whose levels differ independently: their rms `rms`, a length, and their share `share` of the mean square gradient.
     Offsets { axis: &'static str, rms: f64, share: f64 },
     /// The same where nothing but the lines differs, so that they may be grooves.
     Grooves { axis: &'static str, rms: f64 },
@@ -58,7 +61,7 @@ impl Artefact {
         let line = |axis: &str| if axis == "y" { "row" } else { "column" };
         match *self {
             Self::Offsets { axis, rms, share } => format!(
-                "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, {1:.0} % of the mean square step across them",
+                "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, {1:.0} % of the mean square gradient",
                 line(axis),
                 100.0 * share.min(1.0)
             ),
@@ -100,8 +103,9 @@ impl Artefact {
     /// The name of the axis across whose lines it lies, if it lies so.
     fn of_lines(scan: &Scan, axis: usize) -> Option<Self> {
         let found = LineOffsets::new(scan, axis)?;
-        let (rms, step) = (found.white().sqrt(), rms_step(scan, axis));
-        let (share, along) = (2.0 * (rms / step).powi(2), rms_along(scan, axis));
+        let slopes = [0, 1].map(|axis| rms_step(scan, axis) / scan.spacing[axis]);
+        let (rms, along) = (found.white().sqrt(), rms_along(scan, axis));
+        let share = 2.0 * (rms / scan.spacing[axis]).powi(2) / (slopes[0].powi(2) + slopes[1].powi(2));
         let axis = ["y", "x"][axis];
         if share.is_nan() || share < OFFSETS {
             None
@@ -207,42 +211,59 @@ fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
     found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
 }
 
-/// Equal heights among the highest, or among the lowest.
+/// Plateaus at the highest heights, or at the lowest. Shapes of a few heights only, such as steps, have no peaks that could be cut off.
 fn clipped(scan: &Scan, is_top: bool) -> Option<Artefact> {
     let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
-    let (count, end) = match is_top {
-        true => (there().count(), there().fold(f64::NEG_INFINITY, f64::max)),
-        false => (there().count(), there().fold(f64::INFINITY, f64::min)),
+    let end = there().fold(f64::NAN, if is_top { f64::max } else { f64::min });
+    let at = |node: [usize; 2]| scan.height.get(node).is_some_and(|h| *h == end);
+    let has_equal = |[y, x]: [usize; 2], axis: usize| {
+        let step =
+            |sign: isize| if axis == 0 { [y.wrapping_add_signed(sign), x] } else { [y, x.wrapping_add_signed(sign)] };
+        at(step(-1)) || at(step(1))
     };
-    let nodes = there().filter(|h| *h == end).count();
-    let share = nodes as f64 / count.max(1) as f64;
-    // a punch, a step or a line of one height is no peak that was cut off
-    let is_cut = nodes >= FEWEST_CLIPPED && (CLIPPED..0.2).contains(&share);
-    is_cut.then_some(Artefact::Clipped { nodes, share, is_top })
+    let nodes = scan.height.indexed_iter().map(|(node, _)| <[usize; 2]>::from(node));
+    let nodes = nodes.filter(|node| at(*node) && scan.axes().all(|axis| has_equal(*node, axis))).count();
+    let share = nodes as f64 / there().count().max(1) as f64;
+    let is_cut = nodes >= FEWEST_CLIPPED && (CLIPPED..MOST_CLIPPED).contains(&share);
+    (is_cut && levels(scan) > FEWEST_LEVELS).then_some(Artefact::Clipped { nodes, share, is_top })
 }
 
-/// Lines of equal heights at the rim, unless most lines are so.
+/// The number of different heights, of some of the nodes.
+fn levels(scan: &Scan) -> usize {
+    let mut heights = sample(scan);
+    heights.dedup();
+    heights.len()
+}
+
+/// Some of the heights, ascending.
+fn sample(scan: &Scan) -> Vec<f64> {
+    let every = scan.height.len().div_ceil(SAMPLE);
+    let mut heights: Vec<f64> = scan.height.iter().copied().step_by(every).filter(|h| !h.is_nan()).collect();
+    heights.sort_unstable_by(f64::total_cmp);
+    heights
+}
+
+/// Lines of equal heights at the rim, unless lines inside are level as well.
 fn border(scan: &Scan) -> Option<Artefact> {
     let edge = scan.height.first().copied()?;
-    let is_level = |axis: usize, place: &usize| {
-        scan.height.index_axis(ndarray::Axis(axis), *place).iter().all(|h| *h == edge || h.is_nan())
+    let level = |axis: usize, place: usize, value: Option<f64>| {
+        let line = scan.height.index_axis(ndarray::Axis(axis), place);
+        let value = value.or(line.first().copied());
+        line.iter().all(|h| Some(*h) == value || h.is_nan())
     };
     let count = |axis: usize, is_first: bool| {
         let lines = scan.shape()[axis];
-        let places: Vec<usize> = if is_first { (0..lines).collect() } else { (0..lines).rev().collect() };
-        places.iter().take_while(|place| is_level(axis, place)).count()
+        (0..lines).take_while(|i| level(axis, if is_first { *i } else { lines - 1 - i }, Some(edge))).count()
     };
     let lines = [count(0, true), count(0, false), count(1, true), count(1, false)];
-    let is_rim =
-        !scan.is_line() && lines.iter().any(|it| *it > 0) && 4 * lines.iter().max()? < *scan.shape().iter().min()?;
+    let all = [0, 1].map(|axis| (0..scan.shape()[axis]).filter(|place| level(axis, *place, None)).count());
+    let is_rim = !scan.is_line() && all != [0, 0] && all == [lines[0] + lines[1], lines[2] + lines[3]];
     is_rim.then_some(Artefact::Border { lines })
 }
 
 /// Heights that are multiples of a step, where these are few.
 fn rounded(scan: &Scan) -> Option<Artefact> {
-    let every = scan.height.len().div_ceil(SAMPLE);
-    let mut heights: Vec<f64> = scan.height.iter().copied().step_by(every).filter(|h| !h.is_nan()).collect();
-    heights.sort_unstable_by(f64::total_cmp);
+    let mut heights = sample(scan);
     let count = heights.len();
     heights.dedup();
     let gaps: Vec<f64> = heights.windows(2).map(|pair| pair[1] - pair[0]).collect();

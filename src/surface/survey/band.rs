@@ -14,11 +14,12 @@ const LEAST_OCTAVES: f64 = 1.0;
 /// How many neighbouring waves a Hann window makes one along each axis: 1 + 2 (2/3)^2 + 2 (1/6)^2, the sum of the squares of their
 /// correlations.
 const WINDOWED: f64 = 1.0 + 2.0 * 4.0 / 9.0 + 2.0 / 36.0;
-/// Standard deviations of the stated error, and what is added for the bend of a spectrum at its ends.
-const DEVIATIONS: f64 = 3.0;
-const BEND: f64 = 0.02;
+/// What is added to the standard error for the bend of a spectrum at its ends.
+const BEND: f64 = 0.01;
+/// The part of the difference from the shorter half of the waves that the error is at least.
+const OF_HALF: f64 = 0.5;
 /// A Hurst exponent with a larger error than this is not reported.
-const LARGEST_ERROR: f64 = 0.5;
+const LARGEST_ERROR: f64 = 0.17;
 
 /// The waves in a quarter of an octave.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -38,8 +39,7 @@ pub struct PowerLawFit {
     pub exponent: f64,
     /// The Hurst exponent that follows from it, `-(1 + exponent) / 2` of a line and `-1 - exponent / 2` of a surface, between 0 and 1.
     pub hurst: f64,
-    /// The error of the Hurst exponent: three standard deviations, or the difference from that of the shorter half of
-    /// the waves.
+    /// The standard error of the Hurst exponent, or half of the difference from that of the shorter half of the waves if it is larger.
     pub hurst_error: f64,
     /// The shortest and the longest wavelength of the fit.
     pub wavelengths: [f64; 2],
@@ -97,7 +97,7 @@ impl PowerLawFit {
         let law = Self::from_stretch(inner, is_line)?;
         // long waves are few, so that chance may hide a roll-off among them: then the shorter half has another exponent
         let half = hurst(&Line::fit(&logarithms(&inner[inner.len() / 2..])), is_line);
-        let hurst_error = law.hurst_error.max((law.hurst - half).abs());
+        let hurst_error = law.hurst_error.max(OF_HALF * (law.hurst - half).abs());
         (hurst_error <= LARGEST_ERROR).then_some(Self { hurst_error, ..law })
     }
 
@@ -112,7 +112,7 @@ impl PowerLawFit {
         follows.then(|| Self {
             exponent: slope,
             hurst,
-            hurst_error: BEND + DEVIATIONS * 0.5 * (variance * scatter.max(1.0)).sqrt(),
+            hurst_error: BEND + 0.5 * (variance * scatter.max(1.0)).sqrt(),
             wavelengths: [last, first].map(|q| TAU / q.exp()),
         })
     }
