@@ -269,7 +269,7 @@ fn rounded(scan: &Scan) -> Option<Artefact> {
     let gaps: Vec<f64> = heights.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let step = gaps.iter().copied().fold(f64::INFINITY, f64::min);
     let is_multiple = |gap: &f64| ((gap / step).round() * step - gap).abs() < 1e-3 * step;
-    let usual = scan.axes().map(|axis| rms_step(scan, axis)).fold(f64::INFINITY, f64::min);
+    let usual = scan.axes().map(|axis| rms_step(scan, axis).powi(2)).sum::<f64>().sqrt();
     let is_rounded = heights.len() > 2 && 4 * heights.len() < count && gaps.iter().all(is_multiple);
     let share = step / usual;
     (is_rounded && share * share / 6.0 > ROUNDED).then_some(Artefact::Rounded { step, share })
