@@ -3,25 +3,34 @@
 mod al3d;
 #[cfg(feature = "instruments")]
 mod axis;
+mod bcr;
 mod bytes;
 mod cdf;
 mod channel;
+mod entries;
 mod export;
 mod format;
+mod frt;
 mod gwy;
 mod height_file;
+mod ibw;
 mod instrument;
 mod layout;
 mod measurement;
+mod metropro;
+mod mi;
 mod nanoscope;
 mod netcdf;
+mod nid;
 mod npy;
 mod npz;
+mod number_type;
 mod numbers;
 mod opd;
 mod plu;
 mod points;
 mod profile;
+mod raster;
 mod remarks;
 mod sdf;
 #[cfg(feature = "instruments")]
@@ -29,6 +38,7 @@ mod sur;
 mod table;
 mod text;
 mod unit;
+mod wsxm;
 #[cfg(feature = "instruments")]
 mod x3p;
 
@@ -50,14 +60,21 @@ static FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
 const INSTRUMENTS: &[Instrument] = &[
     al3d::INSTRUMENT,
+    bcr::INSTRUMENT,
+    frt::INSTRUMENT,
     gwy::INSTRUMENT,
+    ibw::INSTRUMENT,
+    metropro::INSTRUMENT,
+    mi::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
+    nid::INSTRUMENT,
     opd::INSTRUMENT,
     plu::INSTRUMENT,
     sdf::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,
+    wsxm::INSTRUMENT,
     #[cfg(feature = "instruments")]
     x3p::INSTRUMENT,
     numbers::INSTRUMENT,
