@@ -16,7 +16,7 @@ use std::io;
 /// void, and a height above 1.7e38. The lowest height `zmin` is not applied: it moves the heights as a whole.
 ///
 /// # Source
-/// "BCR-STM File Format" in the reference guide of SPIP 6 (Image Metrology); Gwyddion 2.61 (`bcrfile.c`) for voids.
+/// "BCR-STM File Format" in the reference guide of SPIP 6 (Image Metrology); Gwyddion (`bcrfile.c`) for voids.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "BCR-STM (BCR, BCRF)", is_it, channels };
 
 /// What the header begins with.

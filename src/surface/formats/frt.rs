@@ -15,7 +15,7 @@ use std::io;
 /// `y = 0`. A point of 1 is void. Images of the topography and of an AFM are heights.
 ///
 /// # Source
-/// Gwyddion 2.61 (`microprof.c`); SurfaceTopography 1.27 (`FRT.py`), which keeps the order of the rows.
+/// Gwyddion (`microprof.c`); SurfaceTopography 1.27 (`FRT.py`).
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "FRT MicroProf", is_it, channels };
 
 /// What a file begins with, up to the version.
@@ -52,12 +52,15 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let (blocks, rest) = blocks(bytes)?;
     let find = |kind: u16| blocks.iter().find(|it| it.0 == kind).map(|it| ByteReader::new(it.1));
     let need = |kind: u16| find(kind).ok_or_else(|| malformed(format!("it has no block {kind:#04x}")));
+    let mut doubts: Vec<String> = left_over(rest, "the last block").into_iter().collect();
     let images = match find(0x7d) {
         Some(at) => images(at)?,
         None => {
-            let mut at = need(0x66)?;
+            let (mut at, mut points) = (need(0x66)?, need(0x0b)?);
             let [columns, rows, bits] = [at.u32()?, at.u32()?, at.u32()?];
-            vec![Image { kind: TOPOGRAPHY, raster: raster(&mut need(0x0b)?, [rows, columns], bits)? }]
+            let image = Image { kind: TOPOGRAPHY, raster: raster(&mut points, [rows, columns], bits)? };
+            doubts.extend(left_over(points.rest().len(), "the points"));
+            vec![image]
         }
     };
     let mut lengths = need(0x67)?;
@@ -80,7 +83,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
             is_height: HEIGHTS.contains(&(kind & KIND)),
             unit: Some(unit),
             header: header.clone(),
-            doubts: left_over(rest, "the last block").into_iter().collect(),
+            doubts: doubts.clone(),
             ..map.spaced([height / ny, width / nx], [Some(1.0); 2])
         });
     }

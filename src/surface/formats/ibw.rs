@@ -17,7 +17,7 @@ use std::io;
 /// NaN. In files of Asylum Research all layers are stated to be metres, and those of a height or of the Z sensor are.
 ///
 /// # Source
-/// Technical note 003 of WaveMetrics with its `IgorBin.h`; Gwyddion 2.61 (`igorfile.c`) for the files of Asylum Research and the order of rows.
+/// `IgorBin.h` of technical note 003 of WaveMetrics; Gwyddion (`igorfile.c`) for the files of Asylum Research and the order of rows.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "Igor binary wave (IBW)", is_it, channels };
 
 /// Bytes of the header of a wave of version 5, and of the older ones.

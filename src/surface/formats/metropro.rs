@@ -14,7 +14,7 @@ use std::io;
 /// 2147483640 on.
 ///
 /// # Source
-/// "MetroPro Reference Guide" OMP-0347 of Zygo for heights and voids; Gwyddion 2.61 (`metropro.c`) for the places of the fields.
+/// Gwyddion (`metropro.c`) and SurfaceTopography 1.27 (`MetroPro.py`).
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "Zygo MetroPro", is_it, channels };
 
 /// What files of the formats 1, 2 and 3 begin with.

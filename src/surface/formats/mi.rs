@@ -17,7 +17,7 @@ use std::io;
 /// Rows follow each other upwards, so that the last one is at `y = 0`. No value is void. Files of curves are refused.
 ///
 /// # Source
-/// Gwyddion 2.61 (`mifile.c`); SurfaceTopography 1.27 (`MI.py`) for integers of four bytes.
+/// Gwyddion (`mifile.c`); SurfaceTopography 1.27 (`MI.py`) for integers of four bytes.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "Molecular Imaging (MI)", is_it, channels };
 
 /// What a file begins with.

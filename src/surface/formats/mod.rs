@@ -15,6 +15,7 @@ mod gwy;
 mod height_file;
 mod ibw;
 mod instrument;
+mod jpk;
 mod layout;
 mod measurement;
 mod metropro;
@@ -37,6 +38,7 @@ mod sdf;
 mod sur;
 mod table;
 mod text;
+mod tiff;
 mod unit;
 mod wsxm;
 #[cfg(feature = "instruments")]
@@ -64,6 +66,7 @@ const INSTRUMENTS: &[Instrument] = &[
     frt::INSTRUMENT,
     gwy::INSTRUMENT,
     ibw::INSTRUMENT,
+    jpk::INSTRUMENT,
     metropro::INSTRUMENT,
     mi::INSTRUMENT,
     nanoscope::INSTRUMENT,

@@ -17,7 +17,7 @@ use std::io;
 /// the range of z. Rows follow each other upwards, so that the last one is at `y = 0`. No value is void.
 ///
 /// # Source
-/// Gwyddion 2.61 (`ezdfile.c`) and SurfaceTopography 1.27 (`EZD.py`).
+/// Gwyddion (`ezdfile.c`) and SurfaceTopography 1.27 (`EZD.py`).
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "Nanosurf (NID, EZD)", is_it, channels };
 
 /// What a file begins with.

@@ -16,14 +16,15 @@ use std::io;
 /// right to left and from the lowest row on, so that the last one is at `x = 0, y = 0`. No value is void.
 ///
 /// # Source
-/// "File specifications" of SPMImages (Universidad Autónoma de Madrid) for the header and the order; Gwyddion 2.61 (`wsxmfile.c`) for the
-/// types of numbers. The length of the header is not believed: some programs write a wrong one.
+/// "File specifications" of SPMImages (Universidad Autónoma de Madrid) for the header; Gwyddion (`wsxmfile.c`) for order and types of numbers. The length of the header is not believed: some programs write a wrong one.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "WSxM (STP, TOP)", is_it, channels };
 
 /// What a file begins with.
 const MAGIC: &[u8] = b"WSxM file copyright";
 /// The second line of a file of an image.
 const IMAGE: &str = "SxM Image file";
+/// The relative error of a stated difference of heights.
+const ROUNDING: f64 = 1e-5;
 /// The last line of the header.
 const END: &[u8] = b"[Header end]";
 
@@ -95,12 +96,13 @@ impl<'a> Length<'a> {
     }
 }
 
-/// Heights out of numbers that span a difference of heights, from the last number on. If that is not known or not positive, the numbers are
-/// heights.
+/// Heights out of numbers that span a difference of heights, from the last number on. The numbers are heights if that difference is not known
+/// or not positive, or if it is theirs except for its rounding.
 fn scaled(mut numbers: Vec<f64>, span: f64) -> Vec<f64> {
     let known = || numbers.iter().copied().filter(|it| it.is_finite());
     let range = known().fold(f64::NEG_INFINITY, f64::max) - known().fold(f64::INFINITY, f64::min);
-    let scale = if span > 0.0 && range > 0.0 { span / range } else { 1.0 };
+    let is_height = !(span > 0.0 && range > 0.0) || (span / range - 1.0).abs() < ROUNDING;
+    let scale = if is_height { 1.0 } else { span / range };
     numbers.iter_mut().for_each(|it| *it *= scale);
     numbers.reverse();
     numbers
