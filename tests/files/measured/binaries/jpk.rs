@@ -21,7 +21,7 @@ fn double(number: u16, value: f64) -> Tag {
 fn add(file: &mut Vec<u8>, link: usize, tags: &[Tag]) -> usize {
     let start = file.len();
     file[link..link + 4].copy_from_slice(&(start as u32).to_be_bytes());
-    let mut rest = Vec::new();
+    let mut rest: Vec<u8> = Vec::new();
     file.extend((tags.len() as u16).to_be_bytes());
     for (number, kind, bytes) in tags {
         let size = match kind {
