@@ -28,6 +28,7 @@ const KIND: u32 = 0xffdf;
 const BELOW: u32 = 0x1000_0000;
 /// Kinds of images of heights.
 const HEIGHTS: [u32; 2] = [TOPOGRAPHY, 0x1000];
+/// The kind of images of the topography.
 const TOPOGRAPHY: u32 = 0x4;
 /// Names of the kinds of images.
 const NAMES: [(u32, &str); 9] = [

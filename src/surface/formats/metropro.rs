@@ -23,6 +23,18 @@ const MAGICS: [&[u8]; 3] = [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b
 const HEADER: usize = 834;
 /// The first phase that is void.
 const VOID: f64 = 2_147_483_640.0;
+/// Places of fields: bytes of the header, columns and rows of the images and their number, columns and rows of the phases.
+const LENGTH: usize = 6;
+const PIXELS: usize = 52;
+const IMAGES: usize = 56;
+const POINTS: usize = 68;
+/// Places of fields of the phases: factors, distance of points, code of the resolution, and whether heights are turned around.
+const SCALE: usize = 164;
+const WAVELENGTH: usize = 168;
+const OBLIQUITY: usize = 176;
+const SPACING: usize = 184;
+const RESOLUTION: usize = 218;
+const SIGN: usize = 232;
 /// Texts in the header: names, places and lengths.
 const TEXTS: [(&str, [usize; 2]); 6] = [
     ("Date", [12, 30]),
@@ -39,15 +51,15 @@ fn is_it(bytes: &[u8]) -> bool {
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let at = |place: usize| ByteReader::new(bytes).big_endian(true).seek(place);
-    let length = at(6)?.u32()? as usize;
+    let length = at(LENGTH)?.u32()? as usize;
     if length < HEADER {
         return Err(malformed(format!("its header has {length} bytes, but at least {HEADER} are needed")));
     }
     let mut data = at(length)?;
     let header = header(bytes)?;
-    let spacing = Some(f64::from(at(184)?.f32()?)).filter(|it| *it != 0.0);
-    let (pixels, points) = (shape(at(52)?)?, shape(at(68)?)?);
-    let images = if pixels == [0, 0] { 0 } else { usize::from(at(56)?.u16()?) };
+    let spacing = Some(f64::from(at(SPACING)?.f32()?)).filter(|it| *it != 0.0);
+    let (pixels, points) = (shape(at(PIXELS)?)?, shape(at(POINTS)?)?);
+    let images = if pixels == [0, 0] { 0 } else { usize::from(at(IMAGES)?.u16()?) };
     check_count(images + 1)?;
     let mut channels: Vec<Channel> = Vec::new();
     for _ in 0..images {
@@ -63,21 +75,13 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         channels.push(Channel { unit: Some(unit(bytes)?), ..Channel::map("height", raster.shape, values) });
     }
     let rest = left_over(data.rest().len(), "the phases");
-    Ok(channels.into_iter().map(|it| finished(it, spacing, &header, rest.as_ref())).collect())
-}
-
-/// A channel with what is said of all.
-fn finished<'a>(
-    channel: Channel<'a>,
-    spacing: Option<f64>,
-    header: &[(String, String)],
-    doubt: Option<&String>,
-) -> Channel<'a> {
-    let channel = Channel { header: header.to_vec(), doubts: doubt.cloned().into_iter().collect(), ..channel };
-    match spacing {
-        Some(spacing) => channel.spaced([spacing; 2], [Some(1.0); 2]),
-        None => channel,
+    for channel in &mut channels {
+        channel.header.clone_from(&header);
+        channel.doubts.extend(rest.clone());
+        channel.spacing = spacing.map(|it| [it; 2]);
+        channel.lateral_unit = spacing.map(|_| 1.0);
     }
+    Ok(channels)
 }
 
 /// Rows and columns out of columns and rows.
@@ -89,14 +93,15 @@ fn shape(mut at: ByteReader) -> io::Result<[i64; 2]> {
 /// Metres in a phase of one.
 fn unit(bytes: &[u8]) -> io::Result<f64> {
     let at = |place: usize| ByteReader::new(bytes).big_endian(true).seek(place);
-    let [scale, wavelength, obliquity] = [at(164)?.f32()?, at(168)?.f32()?, at(176)?.f32()?].map(f64::from);
-    let resolution = match at(218)?.i16()? {
+    let [scale, wavelength, obliquity] =
+        [at(SCALE)?.f32()?, at(WAVELENGTH)?.f32()?, at(OBLIQUITY)?.f32()?].map(f64::from);
+    let resolution = match at(RESOLUTION)?.i16()? {
         0 => 4096.0,
         1 => 32768.0,
         2 => 131_072.0,
         code => return Err(malformed(format!("its phases have the resolution {code}, which is none of 0, 1 and 2"))),
     };
-    let sign = if at(232)?.i16()? == 0 { 1.0 } else { -1.0 };
+    let sign = if at(SIGN)?.i16()? == 0 { 1.0 } else { -1.0 };
     match sign * scale * wavelength * obliquity / resolution {
         unit if unit.is_finite() && unit != 0.0 => Ok(unit),
         unit => Err(malformed(format!("it states that a phase of one is {unit:?} metres"))),
