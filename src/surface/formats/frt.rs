@@ -51,8 +51,8 @@ fn is_it(bytes: &[u8]) -> bool {
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let (blocks, rest) = blocks(bytes)?;
-    let find = |kind: u16| blocks.iter().find(|it| it.0 == kind).map(|it| ByteReader::new(it.1));
-    let need = |kind: u16| find(kind).ok_or_else(|| malformed(format!("it has no block {kind:#04x}")));
+    let find = |number: u16| blocks.iter().find(|it| it.number == number).map(|it| ByteReader::new(it.bytes));
+    let need = |number: u16| find(number).ok_or_else(|| malformed(format!("it has no block {number:#04x}")));
     let mut doubts: Vec<String> = left_over(rest, "the last block").into_iter().collect();
     let images = match find(0x7d) {
         Some(at) => images(at)?,
@@ -91,8 +91,14 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     Ok(channels)
 }
 
-/// The numbers and the bytes of all blocks, and how many bytes follow them.
-fn blocks(bytes: &[u8]) -> io::Result<(Vec<(u16, &[u8])>, usize)> {
+/// A part of the file.
+struct Block<'a> {
+    number: u16,
+    bytes: &'a [u8],
+}
+
+/// All parts, and how many bytes follow them.
+fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
     let mut at = ByteReader::new(bytes).seek(MAGIC.len())?;
     let version = at.text(4)?;
     let is_long = match version.as_str() {
@@ -103,9 +109,9 @@ fn blocks(bytes: &[u8]) -> io::Result<(Vec<(u16, &[u8])>, usize)> {
     at.u16()?; // number of blocks
     let mut blocks = Vec::new();
     while at.rest().len() >= if is_long { 10 } else { 6 } {
-        let kind = at.u16()?;
+        let number = at.u16()?;
         let length = if is_long { at.u64()? } else { at.u32()?.into() };
-        blocks.push((kind, at.take(usize::try_from(length).unwrap_or(usize::MAX))?));
+        blocks.push(Block { number, bytes: at.take(usize::try_from(length).unwrap_or(usize::MAX))? });
     }
     Ok((blocks, at.rest().len()))
 }
