@@ -8,11 +8,18 @@ use std::io;
 pub(super) struct ByteReader<'a> {
     all: &'a [u8],
     at: usize,
+    /// Whether the first byte of a number is the most significant one.
+    is_big: bool,
 }
 
 impl<'a> ByteReader<'a> {
     pub fn new(all: &'a [u8]) -> Self {
-        Self { all, at: 0 }
+        Self { all, at: 0, is_big: false }
+    }
+
+    /// The same bytes, the first byte of a number the most significant one or not.
+    pub fn big_endian(self, is_big: bool) -> Self {
+        Self { is_big, ..self }
     }
 
     /// The place of the next byte.
@@ -51,6 +58,14 @@ impl<'a> ByteReader<'a> {
         Ok(taken)
     }
 
+    /// The next `count` bytes apart from the others.
+    ///
+    /// # Errors
+    /// For fewer bytes than that.
+    pub fn part(&mut self, count: usize) -> io::Result<Self> {
+        Ok(Self { all: self.take(count)?, at: 0, ..*self })
+    }
+
     /// The next bytes as an array.
     fn array<const N: usize>(&mut self) -> io::Result<[u8; N]> {
         let mut array = [0; N];
@@ -74,20 +89,21 @@ pub(super) fn left_over(count: usize, behind: &str) -> Option<String> {
     (count > 0).then(|| format!("{count} unexpected bytes follow {behind}"))
 }
 
-/// Readers of numbers of one type, the first byte the least significant one.
+/// Readers of numbers of one type, the first byte the least significant one if nothing else is asked for.
 macro_rules! numbers {
     ($($kind:ident)*) => {
         impl ByteReader<'_> {
             $(
                 pub fn $kind(&mut self) -> io::Result<$kind> {
-                    Ok($kind::from_le_bytes(self.array()?))
+                    let bytes = self.array()?;
+                    Ok(if self.is_big { $kind::from_be_bytes(bytes) } else { $kind::from_le_bytes(bytes) })
                 }
             )*
         }
     };
 }
 
-numbers!(u8 u16 u32 i16 i32 i64 f32 f64);
+numbers!(u8 u16 u32 u64 i8 i16 i32 i64 f32 f64);
 
 /// A text in UTF-8 or, if it is none, in Latin-1.
 pub(super) fn latin(bytes: &[u8]) -> String {

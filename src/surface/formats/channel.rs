@@ -3,6 +3,11 @@
 use super::format::malformed;
 use std::io;
 
+/// The most channels that a file may have if it can state any number of them, each with a header of its own.
+const MOST: usize = 64;
+/// Words in the names of channels that are lengths, but no heights.
+const NO_HEIGHTS: [&str; 3] = ["amplitude", "deflection", "error"];
+
 /// One of the fields in a file of an instrument. Its values are read on request.
 ///
 /// Rows follow each other along y and columns along x, the first row at `y = 0`, as in the file. Values times `unit`
@@ -40,6 +45,38 @@ impl<'a> Channel<'a> {
         let name = name.into();
         Self { name, is_height, shape, is_profile, spacing, positions, lateral_unit, unit, header, doubts, values }
     }
+
+    /// The channel with the spacing of its rows and of its columns, each in a unit of so many metres, or without any.
+    pub fn spaced(self, spacing: [f64; 2], units: [Option<f64>; 2]) -> Self {
+        let (spacing, lateral_unit) = match (units, spacing) {
+            ([Some(along), Some(across)], [y, x]) => ([y * along, x * across], Some(1.0)),
+            _ => (spacing, None),
+        };
+        Self { spacing: Some(spacing), lateral_unit, ..self }
+    }
+}
+
+/// Refuses a file that states more channels than can be read.
+///
+/// # Errors
+/// For more than [`MOST`] channels.
+pub(super) fn check_count(count: usize) -> io::Result<()> {
+    match count {
+        ..=MOST => Ok(()),
+        _ => Err(malformed(format!("it contains {count} channels, but at most {MOST} are read"))),
+    }
+}
+
+/// The name of the next channel: the same, or with its number behind it if one before has that name.
+pub(super) fn new_name(name: &str, before: &[Channel]) -> String {
+    let is_new = before.iter().all(|it| it.name != name);
+    if is_new { name.to_owned() } else { format!("{name} ({})", before.len() + 1) }
+}
+
+/// Whether a channel of lengths holds heights, judged by its name.
+pub(super) fn may_be_height(name: &str) -> bool {
+    let name = name.to_lowercase();
+    !NO_HEIGHTS.iter().any(|word| name.contains(word))
 }
 
 /// The channel with a name or a number (1, 2, ...); by default, the first channel of heights.

@@ -4,7 +4,7 @@ use super::bytes::{ByteReader, latin, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
-use super::unit::metres;
+use super::unit::metres_of_si;
 use std::collections::HashMap;
 use std::io;
 
@@ -171,11 +171,6 @@ impl<'a> ComponentMap<'a> {
     }
 }
 
-/// Metres in a unit, whose A is the ampere.
-fn length(unit: &str) -> Option<f64> {
-    metres(unit).filter(|_| unit != "A")
-}
-
 /// The numbers in bytes.
 fn doubles(bytes: &[u8]) -> impl Iterator<Item = io::Result<f64>> {
     bytes.chunks_exact(8).map(|it| ByteReader::new(it).f64())
@@ -201,10 +196,10 @@ fn channel<'a>(file: &ComponentMap<'a>, number: u64) -> io::Result<Channel<'a>> 
         Some((_, mask)) => doubles(bytes).zip(doubles(mask)).take(count).map(|(z, m)| unmasked(z?, m?)).collect(),
     };
     Ok(Channel {
-        is_height: across.is_empty() || length(&across).is_some(),
+        is_height: across.is_empty() || metres_of_si(&across).is_some(),
         spacing,
-        lateral_unit: length(&along),
-        unit: length(&across),
+        lateral_unit: metres_of_si(&along),
+        unit: metres_of_si(&across),
         header: header(file, &field, &named("meta"), mask.is_some())?,
         ..Channel::map(title.map_or_else(|| named("data"), str::to_owned), shape, values)
     })

@@ -3,32 +3,44 @@
 mod al3d;
 #[cfg(feature = "instruments")]
 mod axis;
+mod bcr;
 mod bytes;
 mod cdf;
 mod channel;
+mod entries;
 mod export;
 mod format;
+mod frt;
 mod gwy;
 mod height_file;
+mod ibw;
 mod instrument;
+mod jpk;
 mod layout;
 mod measurement;
+mod metropro;
+mod mi;
 mod nanoscope;
 mod netcdf;
+mod nid;
 mod npy;
 mod npz;
+mod number_type;
 mod numbers;
 mod opd;
 mod plu;
 mod points;
 mod profile;
+mod raster;
 mod remarks;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod sur;
 mod table;
 mod text;
+mod tiff;
 mod unit;
+mod wsxm;
 #[cfg(feature = "instruments")]
 mod x3p;
 
@@ -50,14 +62,22 @@ static FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
 const INSTRUMENTS: &[Instrument] = &[
     al3d::INSTRUMENT,
+    bcr::INSTRUMENT,
+    frt::INSTRUMENT,
     gwy::INSTRUMENT,
+    ibw::INSTRUMENT,
+    jpk::INSTRUMENT,
+    metropro::INSTRUMENT,
+    mi::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
+    nid::INSTRUMENT,
     opd::INSTRUMENT,
     plu::INSTRUMENT,
     sdf::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,
+    wsxm::INSTRUMENT,
     #[cfg(feature = "instruments")]
     x3p::INSTRUMENT,
     numbers::INSTRUMENT,

@@ -1,7 +1,7 @@
 //! The image files of Nanoscope atomic force microscopes of Digital Instruments, Veeco and Bruker.
 
 use super::bytes::{ByteReader, latin, left_over, nodes};
-use super::channel::Channel;
+use super::channel::{Channel, new_name};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::unit::metres;
@@ -51,10 +51,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut channels: Vec<Channel> = Vec::new();
     for image in &images {
         let (kind, label) = image.kind();
-        let number = channels.len() + 1;
-        let is_new = channels.iter().all(|it| it.name != label);
-        let name = if is_new { label.to_owned() } else { format!("{label} ({number})") };
-        channels.push(channel(bytes, name, kind, image, &lists)?);
+        channels.push(channel(bytes, new_name(label, &channels), kind, image, &lists)?);
     }
     Ok(channels)
 }

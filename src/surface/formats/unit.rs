@@ -15,3 +15,8 @@ pub(super) fn metres(unit: &str) -> Option<f64> {
         _ => return None,
     })
 }
+
+/// Metres in a unit of length of files that write the ampere as A, too; none for other units.
+pub(super) fn metres_of_si(unit: &str) -> Option<f64> {
+    metres(unit).filter(|_| unit.trim() != "A")
+}

@@ -1,7 +1,7 @@
 //! Files of instruments that nobody can use, and steps that they do not allow.
 
 use super::{Folder, LOAD, OUTPUTS, folder, refuse_in_one_sentence, text};
-use crate::measured::binaries::{self, al3d, nanoscope, opd, plu, sdf};
+use crate::measured::binaries::{self, al3d, bcr, frt, ibw, jpk, metropro, mi, nanoscope, nid, opd, plu, sdf, wsxm};
 use crate::measured::containers::{self, gwy, netcdf, sur, x3p};
 
 /// A file with other bytes for these, wherever they are in it.
@@ -67,6 +67,17 @@ fn files_of_absurd_sizes_are_refused() {
         ("a.sur", counts(sur::file, &[5, 4, 20]), "2147483647"),
         ("a.x3p", described("<SizeX>5", "<SizeX>2147483647"), "2147483647"),
     ]);
+    let told = |file: Vec<u8>, from: &str| changed(file, from.as_bytes(), from.replace('5', "2147483647").as_bytes());
+    refuse_files(&[
+        ("a.bcr", told(bcr::file(), "xpixels = 5"), "2147483647"),
+        ("a.frt", counts(frt::file, &[5, 4]), "2147483647"),
+        ("a.ibw", ibw::signed(counts(ibw::file, &[5, 4])), "2147483647"),
+        ("a.jpk", changed(jpk::file(), &[1, 0, 0, 4, 0, 0, 0, 1, 0, 0], &[1, 0, 0, 4, 0, 0, 0, 1, 9, 9]), "151584773"),
+        ("a.dat", changed(metropro::file(), &[0, 5, 0, 4], &[0xff; 4]), "65535"),
+        ("a.mi", told(mi::file(), "xPixels       5"), "2147483647"),
+        ("a.nid", told(nid::file(), "Points=5"), "2147483647"),
+        ("a.stp", told(wsxm::file(), "Number of columns: 5"), "2147483647"),
+    ]);
 }
 
 #[test]
@@ -89,6 +100,17 @@ fn files_of_wrong_units_are_refused() {
         ("a.sdf", unit("Xscale = 2.0e-006", "Xscale = -1"), "-1"),
         ("b.sdf", unit("Zscale = 1.0e-9", "Zscale = one"), "one"),
         ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "a spacing of 0.0"),
+    ]);
+    let told = |file: Vec<u8>, from: &str, to: &str| changed(file, from.as_bytes(), to.as_bytes());
+    refuse_files(&[
+        ("a.bcr", told(bcr::file(), "bit2nm = 0.5", "bit2nm = 0.x"), "0.x"),
+        ("a.frt", changed(frt::file(), &1e-9_f64.to_le_bytes(), &f64::NAN.to_le_bytes()), "NaN"),
+        ("a.ibw", ibw::signed(told(ibw::alone(), "micron", "ampere")), "none of its channels \"steel\" is a length"),
+        ("a.jpk", changed(jpk::file(), &10e-6_f64.to_be_bytes(), &(-1_f64).to_be_bytes()), "-0.2"),
+        ("a.dat", changed(metropro::file(), &2e-6_f32.to_be_bytes(), &f32::NAN.to_be_bytes()), "NaN"),
+        ("a.mi", told(mi::file(), "xLength       1.0e-005", "xLength       -1"), "-0.2"),
+        ("a.nid", told(nid::file(), "Dim2Range=65.536", "Dim2Range=nan"), "NaN"),
+        ("a.stp", told(wsxm::file(), "Z Amplitude: 46 nm", "Z Amplitude: 46 nA"), "is a length"),
     ]);
 }
 

@@ -1,6 +1,6 @@
 //! Files that contradict themselves: counts that are not those of the data, and check sums of other bytes.
 
-use super::binaries::{self, POINTS, nanoscope, opd, plu, sdf};
+use super::binaries::{self, POINTS, bcr, frt, ibw, metropro, mi, nanoscope, nid, opd, plu, sdf, wsxm};
 use super::containers::{sur, x3p};
 use asperity::surface::{Field, Measurement, Scan};
 use std::io::{Cursor, Read, Write};
@@ -81,6 +81,26 @@ fn a_row_that_no_count_accounts_for_is_told() {
         assert_eq!(doubts(&file), [""; 0], "{name}");
         let found = doubts(&changed);
         assert!(found.iter().any(|doubt| doubt.contains(told)), "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn a_row_too_many_of_a_microscope_or_profilometer_is_told() {
+    let less = |file: Vec<u8>, from: &str, to: &str| replaced(file, from.as_bytes(), to.as_bytes());
+    let counts = |file: Vec<u8>| replaced(file, &[5, 0, 0, 0, 4, 0, 0, 0], &[5, 0, 0, 0, 3, 0, 0, 0]);
+    let cases = [
+        ("bcr", bcr::file(), less(bcr::file(), "ypixels = 4", "ypixels = 3"), 10, "the last row"),
+        ("frt", frt::file(), counts(frt::file()), 10, "the points"),
+        ("ibw", ibw::file(), ibw::signed(counts(ibw::file())), 80, "the numbers of the wave"),
+        ("metropro", metropro::file(), replaced(metropro::file(), &[0, 5, 0, 4], &[0, 5, 0, 3]), 30, "the phases"),
+        ("mi", mi::file(), less(mi::file(), "yPixels       4", "yPixels       3"), 30, "the last channel"),
+        ("nid", nid::file(), less(nid::file(), "Lines=4", "Lines=3"), 25, "the last channel"),
+        ("wsxm", wsxm::file(), less(wsxm::file(), "Number of rows: 4", "Number of rows: 3"), 10, "the last row"),
+    ];
+    for (name, file, changed, count, behind) in cases {
+        assert_eq!(doubts(&file), [""; 0], "{name}");
+        let (found, told) = (doubts(&changed), format!("{count} unexpected bytes follow {behind}"));
+        assert!(found.len() == 1 && found[0].contains(&told), "{name}: {found:?}");
     }
 }
 

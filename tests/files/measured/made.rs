@@ -4,23 +4,23 @@ use super::binaries::{self, POINTS, VOID, height, nanoscope, opd, plu, sdf};
 use asperity::surface::Measurement;
 
 /// Distances along y and x that the files of most formats state, in metres.
-const SPACING: [f64; 2] = [3e-6, 2e-6];
+pub const SPACING: [f64; 2] = [3e-6, 2e-6];
 
-fn read(file: &[u8], channel: Option<&str>) -> Measurement {
+pub fn read(file: &[u8], channel: Option<&str>) -> Measurement {
     Measurement::from_bytes(file, channel).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// What is wrong with a file.
-fn reason(file: &[u8]) -> String {
+pub fn reason(file: &[u8]) -> String {
     Measurement::from_bytes(file, None).unwrap_err().to_string()
 }
 
-fn is_close(found: f64, told: f64) -> bool {
+pub fn is_close(found: f64, told: f64) -> bool {
     (found - told).abs() <= 1e-6 * told.abs()
 }
 
 /// Asserts that a map in metres has its heights in this unit, its void and its distances.
-fn assert_map(measured: &Measurement, unit: f64, spacing: [f64; 2], has_void: bool) {
+pub fn assert_map(measured: &Measurement, unit: f64, spacing: [f64; 2], has_void: bool) {
     let [nx, ny] = POINTS;
     assert_eq!(measured.height.dim(), (ny, nx));
     assert!(measured.is_in_metres && !measured.is_profile && measured.positions.is_none());
@@ -34,13 +34,13 @@ fn assert_map(measured: &Measurement, unit: f64, spacing: [f64; 2], has_void: bo
 }
 
 /// Asserts that the header says something.
-fn assert_says(measured: &Measurement, name: &str, value: &str) {
+pub fn assert_says(measured: &Measurement, name: &str, value: &str) {
     let told: Vec<&str> = measured.header.iter().filter(|it| it.0 == name).map(|it| it.1.as_str()).collect();
     assert_eq!(told, [value], "{name} in {:?}", measured.header);
 }
 
 /// A file with other bytes for these, which are in it once.
-fn changed(file: &[u8], from: &[u8], to: &[u8]) -> Vec<u8> {
+pub fn changed(file: &[u8], from: &[u8], to: &[u8]) -> Vec<u8> {
     let places: Vec<usize> = (0..file.len()).filter(|at| file[*at..].starts_with(from)).collect();
     let [place] = places[..] else { panic!("{from:?} is at {places:?}") };
     [&file[..place], to, &file[place + from.len()..]].concat()

@@ -7,5 +7,6 @@ mod doubts;
 mod exports;
 mod made;
 mod mutants;
+mod probes;
 mod texts;
 mod truth;

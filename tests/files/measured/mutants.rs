@@ -1,7 +1,8 @@
 //! Files with errors in them: whatever they are, they are read or refused, in little memory, and what is read can be prepared or not.
 
+use super::binaries::{self, ibw};
 use super::containers::{self, x3p};
-use super::{binaries, texts};
+use super::texts;
 use asperity::error::{SetupError, SurfaceError};
 use asperity::setup::{Cell, Recipe};
 use asperity::surface::{Detrend, Fill, Form, Measurement, Mirror, Preparation, Resample};
@@ -163,6 +164,14 @@ fn files_with_errors_do_no_harm() {
         let file = file();
         assert!(Measurement::from_bytes(&file, None).is_ok(), "{name}");
         survive(name, seed as u64, |random| mutant(&file, random));
+    }
+}
+
+/// Their errors are not found by the check sum of the headers.
+#[test]
+fn waves_with_errors_whose_check_sums_hold_do_no_harm() {
+    for (seed, file) in [ibw::file(), ibw::alone(), ibw::profile()].iter().enumerate() {
+        survive("ibw whose check sum holds", 102 + seed as u64, |random| ibw::signed(mutant(file, random)));
     }
 }
 

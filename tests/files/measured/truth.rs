@@ -111,6 +111,43 @@ fn al3d() {
 }
 
 #[test]
+fn bcr() {
+    reads("bcrf-1.bcrf");
+}
+
+#[test]
+fn frt() {
+    reads("frt-2.frt");
+}
+
+#[test]
+fn ibw() {
+    reads("10x10-one_channel_without_name.ibw");
+    reads("spot_1-1000nm.ibw");
+}
+
+#[test]
+fn metropro() {
+    reads("metropro-1.dat");
+}
+
+#[test]
+fn mi() {
+    reads("mi-1.mi");
+}
+
+#[test]
+fn nid() {
+    reads("nid-1.nid");
+}
+
+#[test]
+fn wsxm() {
+    reads("stp-1.stp");
+    reads("top-1.top");
+}
+
+#[test]
 fn nanoscope() {
     reads("di-1.di");
     reads("di-3.di");

@@ -1,10 +1,18 @@
 //! Small valid files of the formats of instruments.
 
 pub mod al3d;
+pub mod bcr;
+pub mod frt;
+pub mod ibw;
+pub mod jpk;
+pub mod metropro;
+pub mod mi;
 pub mod nanoscope;
+pub mod nid;
 pub mod opd;
 pub mod plu;
 pub mod sdf;
+pub mod wsxm;
 
 /// A name of a file and what makes it.
 pub type Writer = (&'static str, fn() -> Vec<u8>);
@@ -12,8 +20,23 @@ pub type Writer = (&'static str, fn() -> Vec<u8>);
 /// All files.
 pub const ALL: &[Writer] = &[
     ("al3d", al3d::file),
+    ("bcr", bcr::file),
+    ("bcr, wide", bcr::wide),
+    ("frt", frt::file),
+    ("frt, images", frt::images),
+    ("ibw", ibw::file),
+    ("ibw, alone", ibw::alone),
+    ("ibw, profile", ibw::profile),
+    ("jpk", jpk::file),
+    ("metropro", metropro::file),
+    ("metropro, long", metropro::long),
+    ("mi", mi::file),
+    ("mi, long", mi::long),
+    ("mi, text", mi::text),
+    ("mi, columns", mi::columns),
     ("nanoscope", nanoscope::file),
     ("nanoscope, long", nanoscope::long),
+    ("nid", nid::file),
     ("opd", opd::file),
     ("opd, integers", opd::integers),
     ("plu", plu::file),
@@ -22,6 +45,8 @@ pub const ALL: &[Writer] = &[
     ("sdf, text of BCR", sdf::text_of_bcr),
     ("sdf, binary", sdf::binary),
     ("sdf, binary of ISO-2.0", sdf::binary_of_iso_2),
+    ("wsxm", wsxm::file),
+    ("wsxm, double", wsxm::double),
 ];
 
 /// Points along x and y.
