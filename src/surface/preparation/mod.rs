@@ -138,18 +138,23 @@ impl Preparation {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
         }
-        for (name, axis, level) in [("row", 0, self.level_rows), ("column", 1, self.level_columns)] {
+        let levels = [(self.level_rows, "each row was levelled"), (self.level_columns, "each column was levelled")];
+        for (axis, (level, effect)) in levels.into_iter().enumerate() {
             let Some(level) = level else { continue };
             let flat = level.apply(it.scan.clone(), axis);
-            it.take(flat, |before, after| format!("each {name} was levelled: {}", gradients(before, after)));
+            it.take(flat, |before, after| format!("{effect}: {}", gradients(before, after)));
         }
         if let Some(outliers) = self.outliers {
             let rest = outliers.apply(it.scan.clone());
-            it.take(rest, |before, after| voided("stand off all their neighbours", before, after));
+            it.take(rest, |before, after| {
+                voided("heights that stand off all their neighbours became voids", before, after)
+            });
         }
         if let Some(scars) = self.scars {
             let rest = scars.apply(it.scan.clone());
-            it.take(rest, |before, after| voided("are in scars of scan lines", before, after));
+            it.take(rest, |before, after| {
+                voided("heights that are in scars of scan lines became voids", before, after)
+            });
         }
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
             let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
@@ -226,8 +231,8 @@ fn step(name: &str, value: Option<impl std::fmt::Debug>) -> Option<String> {
 }
 
 /// How many heights a step took for voids, and the rms gradient without them.
-fn voided(reason: &str, before: &Scan, after: &Scan) -> String {
-    format!("{} heights that {reason} became voids: {}", after.voids() - before.voids(), gradients(before, after))
+fn voided(effect: &str, before: &Scan, after: &Scan) -> String {
+    format!("{} {effect}: {}", after.voids() - before.voids(), gradients(before, after))
 }
 
 /// The rms gradient before and after a step.

@@ -60,11 +60,13 @@ impl Artefact {
     pub fn sentence(&self) -> String {
         let line = |axis: &str| if axis == "y" { "row" } else { "column" };
         match *self {
-            Self::Offsets { axis, rms, share } => format!(
-                "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, {1:.0} % of the mean square gradient",
-                line(axis),
-                100.0 * share.min(1.0)
-            ),
+            Self::Offsets { axis, rms, share } => {
+                let what = match axis {
+                    "y" => "the levels of rows differ from row to row by",
+                    _ => "the levels of columns differ from column to column by",
+                };
+                format!("{what} {rms:.3e} rms, {:.0} % of the mean square gradient", 100.0 * share.min(1.0))
+            }
             Self::Grooves { axis, rms } => format!(
                 "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, and little else does: they may be grooves, and are kept",
                 line(axis)
@@ -72,7 +74,8 @@ impl Artefact {
             Self::Outliers { nodes } => {
                 format!("{nodes} single heights stand off all their neighbours, as dead pixels and spikes do")
             }
-            Self::Scars { axis, nodes } => format!("{nodes} heights are in scars along {}s", line(axis)),
+            Self::Scars { axis: "y", nodes } => format!("{nodes} heights are in scars along rows"),
+            Self::Scars { nodes, .. } => format!("{nodes} heights are in scars along columns"),
             Self::Step { axis, line: number, height } => format!(
                 "a step of {height:.3e} over the whole width is between {} {number} and the next one: of the surface, or a jump of the instrument",
                 line(axis)
