@@ -138,22 +138,22 @@ impl Preparation {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
         }
-        let levels = [(self.level_rows, "each row was levelled"), (self.level_columns, "each column was levelled")];
+        let levels = [(self.level_rows, "each row was levelled:"), (self.level_columns, "each column was levelled:")];
         for (axis, (level, effect)) in levels.into_iter().enumerate() {
             let Some(level) = level else { continue };
             let flat = level.apply(it.scan.clone(), axis);
-            it.take(flat, |before, after| format!("{effect}: {}", gradients(before, after)));
+            it.take(flat, |before, after| format!("{effect} {}", gradients(before, after)));
         }
         if let Some(outliers) = self.outliers {
             let rest = outliers.apply(it.scan.clone());
             it.take(rest, |before, after| {
-                voided("heights that stand off all their neighbours became voids", before, after)
+                voided("heights that stand off all their neighbours became voids:", before, after)
             });
         }
         if let Some(scars) = self.scars {
             let rest = scars.apply(it.scan.clone());
             it.take(rest, |before, after| {
-                voided("heights that are in scars of scan lines became voids", before, after)
+                voided("heights that are in scars of scan lines became voids:", before, after)
             });
         }
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
@@ -232,7 +232,7 @@ fn step(name: &str, value: Option<impl std::fmt::Debug>) -> Option<String> {
 
 /// How many heights a step took for voids, and the rms gradient without them.
 fn voided(effect: &str, before: &Scan, after: &Scan) -> String {
-    format!("{} {effect}: {}", after.voids() - before.voids(), gradients(before, after))
+    format!("{} {effect} {}", after.voids() - before.voids(), gradients(before, after))
 }
 
 /// The rms gradient before and after a step.

@@ -80,14 +80,12 @@ impl Artefact {
                 "a step of {height:.3e} over the whole width is between {} {number} and the next one: of the surface, or a jump of the instrument",
                 line(axis)
             ),
-            Self::Clipped { nodes, share, is_top } => {
-                let (which, effect) = match is_top {
-                    true => {
-                        ("highest", format!("peaks were cut off, and relative areas are too large by up to {share:.2}"))
-                    }
-                    false => ("lowest", "valleys were cut off".to_owned()),
-                };
-                format!("{nodes} of the {which} heights ({:.1} % of all) are equal: {effect}", 100.0 * share)
+            Self::Clipped { nodes, share, is_top: true } => format!(
+                "{nodes} of the highest heights ({:.1} % of all) are equal: peaks were cut off, and relative areas are too large by up to {share:.2}",
+                100.0 * share
+            ),
+            Self::Clipped { nodes, share, .. } => {
+                format!("{nodes} of the lowest heights ({:.1} % of all) are equal: valleys were cut off", 100.0 * share)
             }
             Self::Border { lines: [top, bottom, left, right] } => format!(
                 "heights at the rim are equal in {top} and {bottom} rows and in {left} and {right} columns: they were not measured, and can be cropped"
