@@ -10,6 +10,7 @@ mod export;
 mod format;
 mod gwy;
 mod height_file;
+mod hfm;
 mod instrument;
 mod layout;
 mod measurement;
@@ -19,6 +20,7 @@ mod npy;
 mod npz;
 mod numbers;
 mod opd;
+mod opdx;
 mod plu;
 mod points;
 mod profile;
@@ -28,6 +30,7 @@ mod sdf;
 mod sur;
 mod table;
 mod text;
+mod tmd;
 mod unit;
 #[cfg(feature = "instruments")]
 mod x3p;
@@ -51,11 +54,14 @@ static FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 const INSTRUMENTS: &[Instrument] = &[
     al3d::INSTRUMENT,
     gwy::INSTRUMENT,
+    hfm::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
     opd::INSTRUMENT,
+    opdx::INSTRUMENT,
     plu::INSTRUMENT,
     sdf::INSTRUMENT,
+    tmd::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,
     #[cfg(feature = "instruments")]
