@@ -46,7 +46,7 @@ impl<'a> Channel<'a> {
 ///
 /// # Errors
 /// The first error, if no channel of heights can be read.
-pub(super) fn listed<'a>(found: Vec<(&str, io::Result<Channel<'a>>)>) -> io::Result<Vec<Channel<'a>>> {
+pub(super) fn listed<'a>(found: Vec<(impl Into<String>, io::Result<Channel<'a>>)>) -> io::Result<Vec<Channel<'a>>> {
     let mut first = None;
     let mut channels = Vec::new();
     for (name, channel) in found {

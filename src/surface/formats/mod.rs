@@ -2,10 +2,14 @@
 
 mod al3d;
 #[cfg(feature = "instruments")]
+mod archive;
+#[cfg(feature = "instruments")]
 mod axis;
 mod bytes;
 mod cdf;
 mod channel;
+#[cfg(feature = "instruments")]
+mod compound;
 mod export;
 mod format;
 mod gwy;
@@ -14,6 +18,8 @@ mod hfm;
 mod instrument;
 mod layout;
 mod measurement;
+#[cfg(feature = "instruments")]
+mod mnt;
 mod nanoscope;
 mod netcdf;
 mod npy;
@@ -22,6 +28,8 @@ mod numbers;
 mod opd;
 mod opdx;
 mod plu;
+#[cfg(feature = "instruments")]
+mod plux;
 mod points;
 mod profile;
 mod remarks;
@@ -32,8 +40,15 @@ mod table;
 mod text;
 mod tmd;
 mod unit;
+mod vk4;
 #[cfg(feature = "instruments")]
 mod x3p;
+#[cfg(feature = "instruments")]
+mod xlsx;
+#[cfg(feature = "instruments")]
+mod zlib;
+#[cfg(feature = "instruments")]
+mod zon;
 
 pub use height_file::HeightFile;
 pub use layout::Layout;
@@ -55,17 +70,26 @@ const INSTRUMENTS: &[Instrument] = &[
     al3d::INSTRUMENT,
     gwy::INSTRUMENT,
     hfm::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    mnt::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
     opd::INSTRUMENT,
     opdx::INSTRUMENT,
     plu::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    plux::INSTRUMENT,
     sdf::INSTRUMENT,
     tmd::INSTRUMENT,
+    vk4::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,
     #[cfg(feature = "instruments")]
     x3p::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    xlsx::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    zon::INSTRUMENT,
     numbers::INSTRUMENT,
 ];
 

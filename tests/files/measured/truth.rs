@@ -128,6 +128,16 @@ fn opdx() {
 }
 
 #[test]
+fn mnt() {
+    reads("mnt-1.mnt");
+}
+
+#[test]
+fn xlsx() {
+    reads("mitutoyo_mock.xlsx");
+}
+
+#[test]
 fn hfm() {
     reads("hfm-1.hfm");
 }
