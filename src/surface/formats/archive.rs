@@ -94,12 +94,11 @@ pub(super) fn document<'a>(text: &'a str, name: &str) -> io::Result<Document<'a>
     read.map_err(|error| malformed(format!("its {name} cannot be read: {error}")))
 }
 
-/// The number of bytes that a file of an archive states, if its packed bytes can hold them.
+/// The number of bytes that a file of an archive of some length states, if that can hold them.
 ///
 /// # Errors
 /// For a file that is missing or damaged, or states more.
-pub(super) fn size(archive: &mut Archive, name: &str) -> io::Result<usize> {
-    let length = archive.clone().into_inner().into_inner().len();
+pub(super) fn size(archive: &mut Archive, name: &str, length: usize) -> io::Result<usize> {
     let file = archive.by_name(name).map_err(missing(name))?;
     let size = usize::try_from(file.size()).unwrap_or(usize::MAX);
     match size <= length.saturating_mul(LARGEST_RATIO) {

@@ -55,7 +55,7 @@ fn channel<'a>(bytes: &'a [u8], general: Node, layer: Node, name: &str) -> io::R
     let count = |path: &str| number::<i64>(general, path)?.ok_or_else(|| needed(path));
     let distance = |path: &str| number::<f64>(general, path)?.ok_or_else(|| needed(path));
     let mut archive = archive::open(bytes)?;
-    let size = archive::size(&mut archive, &file)?;
+    let size = archive::size(&mut archive, &file, bytes.len())?;
     let [ny, nx] = nodes(count("IMAGE_SIZE_Y")?, count("IMAGE_SIZE_X")?, 4, size)?;
     let doubts = left_over(size - 4 * nx * ny, &format!("the heights in {file:?}")).into_iter().collect();
     let values = move || {

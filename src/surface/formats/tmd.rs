@@ -1,6 +1,6 @@
 //! The TMD files of TrueMap and of GelSight.
 
-use super::bytes::{ByteReader, latin, left_over, nodes};
+use super::bytes::{ByteReader, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -29,8 +29,8 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut at = ByteReader::new(bytes).seek(MAGIC.len())?;
     let version = at.take(VERSION.len())?;
     if version != VERSION {
-        let version = latin(version);
-        return Err(malformed(format!("it is of the version {:?}: only version v2.0 is read", version.trim())));
+        let version = ByteReader::new(version).text(version.len())?;
+        return Err(malformed(format!("it is of the version {version:?}: only version v2.0 is read")));
     }
     let end = at.rest().iter().position(|byte| *byte == 0);
     let comment = at.text(end.ok_or_else(|| malformed("its comment does not end: it is incomplete"))? + 1)?;

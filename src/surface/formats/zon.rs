@@ -46,8 +46,8 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         found.ok_or_else(|| malformed(format!("its description of units has no {path}")))
     };
     let [spacing, unit] = [unit("XYCalibration/MeterPerPixel")?, unit("ZCalibration/MeterPerUnit")?];
-    let heights = Grid::new(&mut archive, HEIGHTS, 4)?;
-    let marks = archive.index_for_name(MARKS).map(|_| Grid::new(&mut archive, MARKS, 1)).transpose()?;
+    let heights = Grid::new(&mut archive, HEIGHTS, [4, bytes.len()])?;
+    let marks = archive.index_for_name(MARKS).map(|_| Grid::new(&mut archive, MARKS, [1, bytes.len()])).transpose()?;
     if let Some(marks) = marks.as_ref().filter(|it| it.shape != heights.shape) {
         return Err(malformed(format!("it has marks of {:?} points for {:?} heights", marks.shape, heights.shape)));
     }
@@ -82,9 +82,9 @@ struct Grid {
 }
 
 impl Grid {
-    /// The points of a file, each of `size` bytes.
-    fn new(archive: &mut Archive, name: &'static str, size: usize) -> io::Result<Self> {
-        let length = archive::size(archive, name)?;
+    /// The points of a file, each of `size` bytes, in an archive of some length.
+    fn new(archive: &mut Archive, name: &'static str, [size, all]: [usize; 2]) -> io::Result<Self> {
+        let length = archive::size(archive, name, all)?;
         let head = archive::first(archive, name, HEAD)?;
         let mut at = ByteReader::new(&head);
         let [columns, rows, stated, row] = [at.i32()?, at.i32()?, at.i32()?, at.i32()?].map(i64::from);

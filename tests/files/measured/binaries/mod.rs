@@ -3,8 +3,11 @@
 pub mod al3d;
 pub mod nanoscope;
 pub mod opd;
+pub mod opdx;
 pub mod plu;
 pub mod sdf;
+pub mod tmd;
+pub mod vk4;
 
 /// A name of a file and what makes it.
 pub type Writer = (&'static str, fn() -> Vec<u8>);
@@ -16,12 +19,16 @@ pub const ALL: &[Writer] = &[
     ("nanoscope, long", nanoscope::long),
     ("opd", opd::file),
     ("opd, integers", opd::integers),
+    ("opdx", opdx::file),
+    ("opdx, profile", opdx::profile),
     ("plu", plu::file),
     ("plu, profile", plu::profile),
     ("sdf", sdf::file),
     ("sdf, text of BCR", sdf::text_of_bcr),
     ("sdf, binary", sdf::binary),
     ("sdf, binary of ISO-2.0", sdf::binary_of_iso_2),
+    ("tmd", tmd::file),
+    ("vk4", vk4::file),
 ];
 
 /// Points along x and y.
