@@ -48,7 +48,7 @@ fn area(height: &Array2<f64>) -> f64 {
     let size = [ny, nx].map(|n| n as f64 * SIZE / N as f64);
     let surface = Surface::new(Grid::surface([ny, nx], size).unwrap(), height.clone()).unwrap();
     let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(5e-3)).unwrap();
-    Multilevel::default().solve(&problem, &Stop::default(), &mut ()).unwrap().counted().relative_area
+    Multilevel.solve(&problem, &Stop::default(), &mut ()).unwrap().counted().relative_area
 }
 
 /// What instruments do to heights.

@@ -79,6 +79,26 @@ pub(super) fn may_be_height(name: &str) -> bool {
     !NO_HEIGHTS.iter().any(|word| name.contains(word))
 }
 
+/// The channels of these names. One that cannot be read is listed as one that contains no heights.
+///
+/// # Errors
+/// The first error, if no channel of heights can be read.
+pub(super) fn listed<'a>(found: Vec<(impl Into<String>, io::Result<Channel<'a>>)>) -> io::Result<Vec<Channel<'a>>> {
+    let mut first = None;
+    let mut channels = Vec::new();
+    for (name, channel) in found {
+        channels.push(channel.unwrap_or_else(|error| {
+            first.get_or_insert(error);
+            let values = || Err(malformed("it cannot be read"));
+            Channel { is_height: false, ..Channel::map(name, [1, 1], values) }
+        }));
+    }
+    match first.filter(|_| channels.iter().all(|it| !it.is_height)) {
+        Some(error) => Err(error),
+        None => Ok(channels),
+    }
+}
+
 /// The channel with a name or a number (1, 2, ...); by default, the first channel of heights.
 ///
 /// # Errors

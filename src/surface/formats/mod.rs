@@ -2,17 +2,22 @@
 
 mod al3d;
 #[cfg(feature = "instruments")]
+mod archive;
+#[cfg(feature = "instruments")]
 mod axis;
 mod bcr;
 mod bytes;
 mod cdf;
 mod channel;
+#[cfg(feature = "instruments")]
+mod compound;
 mod entries;
 mod export;
 mod format;
 mod frt;
 mod gwy;
 mod height_file;
+mod hfm;
 mod ibw;
 mod instrument;
 mod jpk;
@@ -20,6 +25,8 @@ mod layout;
 mod measurement;
 mod metropro;
 mod mi;
+#[cfg(feature = "instruments")]
+mod mnt;
 mod nanoscope;
 mod netcdf;
 mod nid;
@@ -28,7 +35,10 @@ mod npz;
 mod number_type;
 mod numbers;
 mod opd;
+mod opdx;
 mod plu;
+#[cfg(feature = "instruments")]
+mod plux;
 mod points;
 mod profile;
 mod raster;
@@ -39,10 +49,18 @@ mod sur;
 mod table;
 mod text;
 mod tiff;
+mod tmd;
 mod unit;
+mod vk4;
 mod wsxm;
 #[cfg(feature = "instruments")]
 mod x3p;
+#[cfg(feature = "instruments")]
+mod xlsx;
+#[cfg(feature = "instruments")]
+mod zlib;
+#[cfg(feature = "instruments")]
+mod zon;
 
 pub use height_file::HeightFile;
 pub use layout::Layout;
@@ -69,17 +87,29 @@ const INSTRUMENTS: &[Instrument] = &[
     jpk::INSTRUMENT,
     metropro::INSTRUMENT,
     mi::INSTRUMENT,
+    hfm::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    mnt::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
     nid::INSTRUMENT,
     opd::INSTRUMENT,
+    opdx::INSTRUMENT,
     plu::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    plux::INSTRUMENT,
     sdf::INSTRUMENT,
+    tmd::INSTRUMENT,
+    vk4::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,
     wsxm::INSTRUMENT,
     #[cfg(feature = "instruments")]
     x3p::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    xlsx::INSTRUMENT,
+    #[cfg(feature = "instruments")]
+    zon::INSTRUMENT,
     numbers::INSTRUMENT,
 ];
 

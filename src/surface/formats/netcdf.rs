@@ -34,7 +34,9 @@ fn is_it(bytes: &[u8]) -> bool {
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     if bytes.starts_with(HDF5) {
-        return Err(malformed("it is a NetCDF-4 file or another HDF5 file: convert it with `nccopy -3`"));
+        return Err(malformed(
+            "it is a NetCDF-4 file or another HDF5 file: convert it with `nccopy -k classic`, or save its heights as .npy",
+        ));
     }
     let file = File::new(bytes)?;
     let mut candidates: Vec<_> = file.variables.iter().filter(|it| file.may_be_heights(it)).collect();

@@ -5,9 +5,9 @@ use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::unit::metres;
-use flate2::read::ZlibDecoder;
+use super::zlib::{LARGEST_RATIO, unpack};
 use std::borrow::Cow;
-use std::io::{self, Read};
+use std::io;
 
 /// Objects one after the other, each of a header of 512 bytes, a comment, a private zone and points of 16 or 32 bits row by row, the least
 /// significant byte first; the first header says how many objects there are. Points are numbers times the step along z plus the offset
@@ -22,8 +22,6 @@ pub(super) const INSTRUMENT: Instrument = Instrument { name: "Digital Surf (SUR,
 
 /// What objects of plain and of compressed points begin with.
 const MAGIC: [&[u8; 12]; 2] = [b"DIGITAL SURF", b"DSCOMPRESSED"];
-/// Largest number of bytes that one byte of compressed points can unpack to.
-const LARGEST_RATIO: usize = 1032;
 /// The kinds of files whose objects all are profiles or surfaces: one, a series, several layers.
 const HEIGHTS: [i16; 6] = [1, 2, 4, 5, 7, 8];
 /// The kinds of files whose first object is a surface and whose others are images of it.
@@ -248,16 +246,6 @@ fn plain<'a>(at: &mut ByteReader<'a>, shape: [i64; 2], size: usize, depth: usize
     let size = size.saturating_mul(depth);
     let [ny, nx] = nodes(shape[0], shape[1], size, at.rest().len())?;
     Ok(PointData::Plain(at.take(ny * nx * size)?))
-}
-
-/// Unpacks a number of bytes of a stream, and reads on after them: check sums are compared at the end.
-fn unpack(stream: &[u8], length: u64, bytes: &mut Vec<u8>) -> io::Result<()> {
-    let mut stream = ZlibDecoder::new(stream);
-    stream.by_ref().take(length).read_to_end(bytes)?;
-    match stream.read(&mut [0])? {
-        0 => Ok(()),
-        _ => Err(malformed(format!("a stream has more than the expected {length} bytes"))),
-    }
 }
 
 /// The number in two or four bytes.

@@ -1,15 +1,15 @@
 //! Surfaces and profiles in archives with a description in XML.
 
+use super::archive::{self, Archive, TEXT, bytes_of, damaged, missing};
 use super::axis::{CoordinateAxis, CoordinateType, child, find, number};
 use super::bytes::{latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::zlib::LARGEST_RATIO;
 use md5::{Context, Digest};
 use roxmltree::{Document, Node};
-use std::io::{self, Cursor, Read};
-use zip::ZipArchive;
-use zip::result::ZipError;
+use std::io::{self, Read};
 
 /// An archive whose `main.xml` describes three axes and the numbers of points along them, and holds the points as a list or names a file
 /// of the archive with them, x fastest, then y, the least significant byte first. Only coordinates along absolute axes are stored, and
@@ -28,39 +28,17 @@ const MAIN: &str = "main.xml";
 const SUM: &str = "md5checksum.hex";
 /// Points that are unpacked at a time.
 const PIECE: usize = 1 << 16;
-/// Largest number of bytes that one byte of an archive can unpack to: the limit of its compression.
-const LARGEST_RATIO: usize = 1032;
-/// Largest number of bytes of a description per byte of an archive: beyond it, a document is too large to be useful.
-const TEXT_RATIO: u64 = 64;
 /// Attributes of a description at most: the time that it takes to compare them grows with their square.
 const ATTRIBUTES: usize = 1024;
 /// Entries of a record, and of one of its entries, that are shown.
 const SHOWN: usize = 64;
-/// Bytes that every description may have.
-const TEXT: u64 = 1 << 16;
 
 fn is_it(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"PK\x03\x04") && bytes.windows(MAIN.len()).any(|it| it == MAIN.as_bytes())
-}
-
-/// An archive in the bytes of a file.
-type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
-
-/// The error of an archive.
-fn damaged(error: impl std::fmt::Display) -> io::Error {
-    malformed(format!("it is an archive that cannot be unpacked: {error}"))
-}
-
-/// The error of a file of an archive.
-fn missing(name: &str) -> impl Fn(ZipError) -> io::Error {
-    move |error| match error {
-        ZipError::FileNotFound => malformed(format!("it is an archive without {name:?}, which it refers to")),
-        other => damaged(other),
-    }
+    archive::names(bytes, MAIN)
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let mut archive: Archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
+    let mut archive = archive::open(bytes)?;
     let (text, found) = description(&mut archive, bytes.len() as u64)?;
     let sum = archive.by_name(SUM).ok().map(|sum| bytes_of(sum, TEXT)).transpose()?;
     let document = Document::parse(&text).map_err(|error| malformed(format!("its {MAIN} cannot be read: {error}")))?;
@@ -82,21 +60,11 @@ fn is_sum(sum: Digest, text: &str) -> bool {
 
 /// The text of the description, and its check sum.
 fn description(archive: &mut Archive, length: u64) -> io::Result<(String, Digest)> {
-    let limit = TEXT + TEXT_RATIO.saturating_mul(length);
+    let limit = archive::text_limit(length);
     let text = bytes_of(archive.by_name(MAIN).map_err(damaged)?, limit)?;
     match text.iter().filter(|byte| **byte == b'=').count() {
         ..=ATTRIBUTES => Ok((latin(&text), md5::compute(&text))),
         count => Err(malformed(format!("its {MAIN} has {count} attributes, more than {ATTRIBUTES}"))),
-    }
-}
-
-/// The bytes of a file of an archive, fewer than `limit`.
-fn bytes_of(file: impl Read, limit: u64) -> io::Result<Vec<u8>> {
-    let mut text = Vec::new();
-    file.take(limit).read_to_end(&mut text).map_err(damaged)?;
-    match text.len() as u64 == limit {
-        true => Err(malformed(format!("its description has more than {limit} bytes"))),
-        false => Ok(text),
     }
 }
 

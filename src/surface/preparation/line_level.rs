@@ -51,11 +51,11 @@ impl LineOffsets {
         }
         let mut level = 0.0;
         let mut offsets = vec![0.0; lines];
-        for place in 1..lines {
+        for (place, offset) in offsets.iter_mut().enumerate().skip(1) {
             let (one, next) = (line(scan, axis, place - 1), line(scan, axis, place));
             let mut steps: Vec<f64> = next.iter().zip(&one).map(|(a, b)| a - b).filter(|it| !it.is_nan()).collect();
             level += median(&mut steps).unwrap_or(0.0);
-            offsets[place] = level;
+            *offset = level;
         }
         Some(Self { bends: bends(&offsets), offsets })
     }

@@ -1,8 +1,10 @@
 //! Files of instruments that nobody can use, and steps that they do not allow.
 
 use super::{Folder, LOAD, OUTPUTS, folder, refuse_in_one_sentence, text};
-use crate::measured::binaries::{self, al3d, bcr, frt, ibw, jpk, metropro, mi, nanoscope, nid, opd, plu, sdf, wsxm};
-use crate::measured::containers::{self, gwy, netcdf, sur, x3p};
+use crate::measured::binaries::{
+    self, al3d, bcr, frt, ibw, jpk, metropro, mi, nanoscope, nid, opd, opdx, plu, sdf, tmd, vk4, wsxm,
+};
+use crate::measured::containers::{self, gwy, netcdf, plux, sur, x3p};
 
 /// A file with other bytes for these, wherever they are in it.
 fn changed(file: Vec<u8>, from: &[u8], to: &[u8]) -> Vec<u8> {
@@ -61,7 +63,11 @@ fn files_of_absurd_sizes_are_refused() {
         ("a.spm", changed(samples, b"line: 5\r\n", b"line: 2147483647\r\n"), "2147483647"),
         ("a.nc", changed(netcdf::file(), b"x\0\0\0\0\0\0\x05", b"x\0\0\0\x7f\xff\xff\xff"), "2147483647"),
         ("a.opd", changed(opd::file(), b"\x05\0\x04\0\x04\0", b"\xff\xff\xff\xff\x04\0"), "65535"),
+        ("a.opdx", counts(opdx::file, &[4, 5]), "2147483647"),
         ("a.plu", counts(plu::file, &[4, 5]), "2147483647"),
+        ("a.plux", plux::archive(&plux::index([4, 2147483647])), "2147483647"),
+        ("a.tmd", counts(tmd::file, &[5, 4]), "2147483647"),
+        ("a.vk4", counts(vk4::file, &[5, 4]), "2147483647"),
         ("a.sdf", changed(sdf::file(), b"NumPoints = 5", b"NumPoints = 2147483647"), "2147483647"),
         ("b.sdf", counts(sdf::binary_of_iso_2, &[5, 4]), "2147483647"),
         ("a.sur", counts(sur::file, &[5, 4, 20]), "2147483647"),

@@ -1,6 +1,6 @@
 //! Files that contradict themselves: counts that are not those of the data, and check sums of other bytes.
 
-use super::binaries::{self, POINTS, bcr, frt, ibw, metropro, mi, nanoscope, nid, opd, plu, sdf, wsxm};
+use super::binaries::{self, POINTS, bcr, frt, ibw, metropro, mi, nanoscope, nid, opd, opdx, plu, sdf, tmd, vk4, wsxm};
 use super::containers::{sur, x3p};
 use asperity::surface::{Field, Measurement, Scan};
 use std::io::{Cursor, Read, Write};
@@ -46,6 +46,24 @@ fn a_row_that_no_count_accounts_for_is_told() {
             opd::file(),
             with(opd::file(), points(&opd::file()) - 4, &3u16.to_le_bytes()),
             "20 unexpected bytes follow the points of \"Raw\"",
+        ),
+        (
+            "opdx",
+            opdx::profile(),
+            replaced(opdx::profile(), &[0x0b, 5, 0, 0], &[0x0b, 6, 0, 0]),
+            "\"Raw\" states 6 points, but has 5",
+        ),
+        (
+            "tmd",
+            tmd::file(),
+            replaced(tmd::file(), &[5, 0, 0, 0, 4, 0, 0, 0], &[5, 0, 0, 0, 3, 0, 0, 0]),
+            "20 unexpected bytes follow the heights",
+        ),
+        (
+            "vk4",
+            vk4::file(),
+            replaced(vk4::file(), &[5, 0, 0, 0, 4, 0, 0, 0, 32], &[5, 0, 0, 0, 3, 0, 0, 0, 32]),
+            "20 unexpected bytes follow the points of \"height\"",
         ),
         ("sdf", sdf::binary(), with(sdf::binary(), 44, &3u16.to_le_bytes()), "19 unexpected bytes follow the heights"),
         (

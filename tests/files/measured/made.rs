@@ -1,6 +1,6 @@
 //! Small files of every format, whose heights, distances, voids and header are known.
 
-use super::binaries::{self, POINTS, VOID, height, nanoscope, opd, plu, sdf};
+use super::binaries::{self, POINTS, VOID, height, nanoscope, opd, opdx, plu, sdf, tmd, vk4};
 use asperity::surface::Measurement;
 
 /// Distances along y and x that the files of most formats state, in metres.
@@ -126,6 +126,79 @@ fn opd_that_is_refused() {
     let flat = changed(&file, &0.25_f32.to_le_bytes(), &0_f32.to_le_bytes());
     assert_eq!(reason(&flat), "its Pixel_size has the invalid value 0.0");
     assert!(reason(&file[..file.len() - 1]).contains("incomplete"), "{}", reason(&file[..file.len() - 1]));
+}
+
+#[test]
+fn opdx_of_maps() {
+    let file = opdx::file();
+    let measured = read(&file, None);
+    assert_eq!((measured.format, measured.channel.as_str()), ("Dektak OPDx", "Raw"));
+    assert_eq!(measured.channels, ["Raw", "Analyzed"]);
+    assert_map(&measured, 2e-9, SPACING, true);
+    assert_map(&read(&file, Some("Analyzed")), 1e-9, SPACING, true);
+    for (name, value) in [("Settings/InstrumentName", "Dektak"), ("Settings/StylusForce", "3 mg")] {
+        assert_says(&measured, name, value);
+    }
+    for name in ["Broken", "Image"] {
+        let error = Measurement::from_bytes(&file, Some(name)).unwrap_err().to_string();
+        assert!(error.contains("contains no heights: choose one of \"Raw\", \"Analyzed\""), "{error}");
+    }
+}
+
+#[test]
+fn opdx_of_profiles() {
+    let heights: Vec<f64> = (0..POINTS[0]).map(|ix| f64::from(height(ix, 0)) * 2e-9).collect();
+    let even = read(&opdx::profile(), None);
+    let uneven = read(&opdx::of_positions(&[0.0, 1.0, 4.0, 6.0, 8.0]), None);
+    let unknown = read(&opdx::of_positions(&[]), None);
+    for measured in [&even, &uneven, &unknown] {
+        assert!(measured.is_profile && measured.is_in_metres && is_close(measured.spacing.unwrap()[1], 2e-6));
+        assert!(measured.height.iter().zip(&heights).all(|(found, told)| is_close(*found, *told)));
+    }
+    assert!(even.positions.is_none() && unknown.positions.is_none());
+    assert!(is_close(uneven.positions.unwrap()[1], 1e-6));
+}
+
+#[test]
+fn opdx_that_is_refused() {
+    let file = opdx::profile();
+    assert!(reason(&file[..file.len() / 2]).contains("incomplete"), "{}", reason(&file[..file.len() / 2]));
+    assert_eq!(
+        reason(&changed(&file, b"\x0b\x05\0", b"\x3b\x05\0")),
+        "it has an item of the unknown type 59 at byte 202"
+    );
+    let nested = (0..100).fold(Vec::new(), |inner, _| opdx::container("a", &[inner]));
+    let nested = [b"VCA DATA\x01\x00\x00\x55".to_vec(), nested].concat();
+    assert_eq!(reason(&nested), "its containers are nested more than 32 times");
+}
+
+#[test]
+fn tmd_of_any_comment() {
+    for comment in ["steel\r\n", "", "Created by TrueMap v6\r\n"] {
+        let measured = read(&tmd::written(" v2.0", comment), None);
+        assert_eq!(measured.format, "TrueMap TMD");
+        assert_map(&measured, 1e-3, SPACING, true);
+        assert_says(&measured, "Y0", "0.25 mm");
+        assert_eq!(measured.header.iter().any(|it| it.0 == "Comment"), !comment.is_empty());
+    }
+    assert_eq!(reason(&tmd::written(" v3.0", "")), "it is of the version \"v3.0\": only version v2.0 is read");
+    let file = tmd::file();
+    assert!(reason(&file[..file.len() - 1]).contains("has 79 bytes for them"), "{}", reason(&file[..file.len() - 1]));
+}
+
+#[test]
+fn vk4_of_every_size_of_numbers() {
+    for size in [1, 2, 4] {
+        let mut measured = read(&vk4::of_size(size), None);
+        assert_eq!((measured.format, measured.channels.as_slice()), ("Keyence VK4", &["height".to_owned()][..]));
+        assert_says(&measured, "Date", "2026-11-22 03:04:05");
+        measured.height -= f64::from(vk4::SHIFT) * 1e-9;
+        measured.height.iter_mut().filter(|it| it.abs() < 1e-15).for_each(|it| *it = 0.0);
+        assert_map(&measured, 1e-9, SPACING, false);
+    }
+    let file = vk4::file();
+    assert!(reason(&file[..file.len() - 1]).contains("has 79 bytes for them"), "{}", reason(&file[..file.len() - 1]));
+    assert_eq!(reason(&[b"VK6", &file[..]].concat()), "it is of the version VK6 or VK7: save it as VK4");
 }
 
 #[test]

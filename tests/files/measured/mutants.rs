@@ -1,7 +1,7 @@
 //! Files with errors in them: whatever they are, they are read or refused, in little memory, and what is read can be prepared or not.
 
 use super::binaries::{self, ibw};
-use super::containers::{self, x3p};
+use super::containers::{self, SHAPE, plux, x3p, xlsx};
 use super::texts;
 use asperity::error::{SetupError, SurfaceError};
 use asperity::setup::{Cell, Recipe};
@@ -183,6 +183,14 @@ fn archives_of_files_with_errors_do_no_harm() {
     survive("x3p of wrong points", 101, |random| {
         x3p::archive(valid.as_bytes(), &mutant(&points, random), &mutant(&[0xff; 3], random))
     });
+}
+
+#[test]
+fn descriptions_and_sheets_with_errors_do_no_harm() {
+    let (index, data) = (plux::index(SHAPE), xlsx::data());
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    survive("plux of a wrong description", 102, |random| plux::archive(&text(mutant(index.as_bytes(), random))));
+    survive("xlsx of wrong cells", 103, |random| xlsx::archive("DATA", &text(mutant(data.as_bytes(), random))));
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub const ALL: &[Writer] = &[
     ("text, decimal commas", || b"1,5\t2,5\t-3e-1\t4\n5\t6,25\tNaN\t8\n9\t10\t11\t12\n1\t1,0\t1\t0\n".into()),
     ("text, commas", || b"x [nm],z [nm]\n0.0,1.5\n0.5,-2\n1.0,0.3\n1.5,---\n2.0,1\n".into()),
     ("text, exported points", || EXPORTED.into()),
+    ("hfm", || HFM.into()),
 ];
 
 /// A map of 3 x 2 points in any order, of which one is missing.
@@ -22,6 +23,9 @@ const POINTS: &str = "x [mm]\ty [mm]\tz [\u{b5}m]\n0.2 0.5 6\n0 0 1\n0.1 0 2\n0 
 /// A map of 4 x 4 points row by row, of which one is missing.
 const EXPORTED: &str = "# x (m), y (m), height (m)\n0 0 1e-9\n1e-6 0 2e-9\n2e-6 0 1e-9\n3e-6 0 4e-9\n0 2e-6 0\n1e-6 2e-6 5e-9\n\
     2e-6 2e-6 1e-9\n3e-6 2e-6 4e-9\n0 4e-6 1e-9\n1e-6 4e-6 2e-9\n2e-6 4e-6 9e-9\n0 6e-6 1e-9\n1e-6 6e-6 2e-9\n2e-6 6e-6 1e-9\n3e-6 6e-6 7e-9\n";
+
+/// A profile of four points, of which the third one is not valid.
+const HFM: &str = "X;Y;valid\r\n[mm];[\u{b5}m];[1/0]\r\n8.001;100.5;1\r\n8.002;-7;1\r\n8.003;0;0\r\n8.004;3e1;1\r\n";
 
 const GWYDDION: &str = "# Kanal: H\u{f6}he 2\n# Breite: 3,0 \u{b5}m\n# H\u{f6}he: 1000 nm\n# Value units: m\n1e-9 2e-9 3e-9\n4e-9 5e-9 6e-9\n";
 
@@ -51,6 +55,20 @@ fn profiles_with_units_in_their_head_are_metres() {
     let uneven = read(b"5 1\n1 2\n2 3\n");
     assert_eq!((uneven.positions, uneven.is_in_metres), (Some(vec![0.0, 1.0, 4.0]), false));
     assert_map(&Measurement { positions: None, ..read(b"5 1\n1 2\n2 3\n") }, &[&[2.0, 3.0, 1.0]], Some([2.0; 2]));
+}
+
+#[test]
+fn hfm_has_points_that_are_not_valid() {
+    let measured = read(HFM.as_bytes());
+    assert_eq!((measured.format, measured.is_profile, measured.is_in_metres), ("HFM", true, true));
+    assert!(measured.positions.is_none() && (measured.spacing.unwrap()[1] / 1e-6 - 1.0).abs() < 1e-9);
+    let told = [100.5e-6, -7e-6, f64::NAN, 30e-6];
+    assert!(measured.height.iter().zip(told).all(|(found, told)| is_close(*found, told)), "{:?}", measured.height);
+    let reason =
+        |from: &str, to: &str| Measurement::from_bytes(HFM.replace(from, to).as_bytes(), None).unwrap_err().to_string();
+    assert_eq!(reason("[mm]", "[s]"), "its unit \"[s]\" is no length");
+    assert_eq!(reason("-7;1", "-7;2"), "line 4 has \"8.002;-7;2\" instead of position, height and 0 or 1");
+    assert_eq!(reason("-7;1", "-7"), "line 4 has \"8.002;-7\" instead of position, height and 0 or 1");
 }
 
 #[test]

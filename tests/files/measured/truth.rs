@@ -76,7 +76,8 @@ fn reads(name: &str) {
 
 /// Positions and heights of a profile, over the length and the range.
 fn profile_deviation(name: &str, measured: &Measurement, truth: &Value) -> f64 {
-    let number = |value: &Value| value.as_f64().unwrap();
+    let unit = truth["unit_in_file"].as_str().map_or(1.0, metres);
+    let number = |value: &Value| value.as_f64().unwrap() * unit;
     let count = truth["points"].as_u64().unwrap() as usize;
     assert_eq!((measured.height.dim(), measured.is_profile), ((1, count), true), "{name}");
     // positions that are even except for rounding are so here, and some of them are not to the peer
@@ -156,6 +157,31 @@ fn nanoscope() {
 #[test]
 fn opd() {
     reads("opd-1.opd");
+}
+
+#[test]
+fn opdx() {
+    reads("opdx-3.opdx");
+}
+
+#[test]
+fn mnt() {
+    reads("mnt-1.mnt");
+}
+
+#[test]
+fn xlsx() {
+    reads("mitutoyo_mock.xlsx");
+}
+
+#[test]
+fn hfm() {
+    reads("hfm-1.hfm");
+}
+
+#[test]
+fn tmd() {
+    reads("tmd-1.tmd");
 }
 
 #[test]

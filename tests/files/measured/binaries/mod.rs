@@ -10,8 +10,11 @@ pub mod mi;
 pub mod nanoscope;
 pub mod nid;
 pub mod opd;
+pub mod opdx;
 pub mod plu;
 pub mod sdf;
+pub mod tmd;
+pub mod vk4;
 pub mod wsxm;
 
 /// A name of a file and what makes it.
@@ -39,6 +42,8 @@ pub const ALL: &[Writer] = &[
     ("nid", nid::file),
     ("opd", opd::file),
     ("opd, integers", opd::integers),
+    ("opdx", opdx::file),
+    ("opdx, profile", opdx::profile),
     ("plu", plu::file),
     ("plu, profile", plu::profile),
     ("sdf", sdf::file),
@@ -47,6 +52,8 @@ pub const ALL: &[Writer] = &[
     ("sdf, binary of ISO-2.0", sdf::binary_of_iso_2),
     ("wsxm", wsxm::file),
     ("wsxm, double", wsxm::double),
+    ("tmd", tmd::file),
+    ("vk4", vk4::file),
 ];
 
 /// Points along x and y.

@@ -1,18 +1,10 @@
 //! Archives of X3P.
 
-use super::{SHAPE, VOID, heights, points};
-use std::io::{Cursor, Write};
-use zip::ZipWriter;
-use zip::write::SimpleFileOptions;
+use super::{SHAPE, VOID, heights, points, zipped};
 
 /// The archive of a description and of files of points and valid points.
 pub fn archive(main: &[u8], data: &[u8], valid: &[u8]) -> Vec<u8> {
-    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    for (name, bytes) in [("bindata/data.bin", data), ("bindata/valid.bin", valid), ("main.xml", main)] {
-        archive.start_file(name, SimpleFileOptions::default()).unwrap();
-        archive.write_all(bytes).unwrap();
-    }
-    archive.finish().unwrap().into_inner()
+    zipped(&[("bindata/data.bin", data), ("bindata/valid.bin", valid), ("main.xml", main)])
 }
 
 /// A description of a kind of feature, axes and record of points.

@@ -1,0 +1,21 @@
+//! Streams of zlib in files of instruments.
+
+use super::format::malformed;
+use flate2::read::ZlibDecoder;
+use std::io::{self, Read};
+
+/// Largest number of bytes that one byte of a stream can unpack to: the limit of its compression.
+pub(super) const LARGEST_RATIO: usize = 1032;
+
+/// Unpacks a number of bytes of a stream, and reads on after them: check sums are compared at the end.
+///
+/// # Errors
+/// For a stream that is damaged or has more bytes.
+pub(super) fn unpack(stream: &[u8], length: u64, bytes: &mut Vec<u8>) -> io::Result<()> {
+    let mut stream = ZlibDecoder::new(stream);
+    stream.by_ref().take(length).read_to_end(bytes)?;
+    match stream.read(&mut [0])? {
+        0 => Ok(()),
+        _ => Err(malformed(format!("a stream has more than the expected {length} bytes"))),
+    }
+}
