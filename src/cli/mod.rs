@@ -43,6 +43,7 @@ mod study_row;
 mod study_table;
 mod surface;
 mod survey;
+mod terminal;
 mod texture;
 mod units;
 mod view;
@@ -53,7 +54,8 @@ mod wrote;
 use clap::{CommandFactory, Parser, Subcommand};
 use exit_status::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
-use std::io::{self, Write, stderr};
+use std::io::{self, Write};
+use terminal::stderr;
 use words::with_negative_numbers;
 
 /// Rough contact: press a rigid surface on an elastic half-space, and see how the solver converges.

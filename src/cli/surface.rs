@@ -6,6 +6,7 @@ use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::problem_summary::along_axes;
 use super::survey;
+use super::terminal::stdout;
 use super::texture::TextureReport;
 use super::warnings::{self, in_flags};
 use super::wrote::wrote;
@@ -21,7 +22,7 @@ use asperity::surface::{
 };
 use clap::Args;
 use serde::Serialize;
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Fields that a surface takes while it is made, described and written: heights as they are and as given, with trends and windows on and
@@ -89,6 +90,9 @@ struct Origin {
     format: &'static str,
     channels: Vec<String>,
     channel: String,
+    /// The channels that cannot be read, and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unreadable: Vec<(String, String)>,
     /// Whether the file has units, so that lengths are in metres.
     is_in_metres: bool,
     header: Vec<(String, String)>,
@@ -216,14 +220,14 @@ fn scan(height: Field, grid: &Grid) -> Scan {
 
 impl Origin {
     fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
-        let Measurement { format, channels, channel, is_in_metres, header, .. } =
+        let Measurement { format, channels, channel, unreadable, is_in_metres, header, .. } =
             file.measurement(recipe.channel.as_deref())?;
-        Ok(Self { format, channels, channel, is_in_metres, header })
+        Ok(Self { format, channels, channel, unreadable, is_in_metres, header })
     }
 
     /// Whether the unit of lengths is known.
     fn has_unit(&self, recipe: &Recipe) -> bool {
-        self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
+        self.is_in_metres || recipe.file_unit.or(recipe.height_unit).is_some() || self.format == "NumPy"
     }
 
     /// The warning that the unit of lengths is unknown.
@@ -242,7 +246,10 @@ impl Origin {
             all => format!("{}, one of {}: choose with --channel", self.channel, all.join(", ")),
         };
         let rows = [("format", self.format.to_owned()), ("channel", channel), ("lengths", unit.to_owned())];
-        rows.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(self.header.clone()).collect()
+        let rows = rows.map(|(name, value)| (name.to_owned(), value)).into_iter();
+        let unreadable =
+            self.unreadable.iter().map(|(name, why)| ("unreadable channel".into(), format!("{name}: {why}")));
+        rows.chain(unreadable).chain(self.header.clone()).collect()
     }
 }
 

@@ -6,6 +6,7 @@ mod axis;
 mod bytes;
 mod cdf;
 mod channel;
+mod columns;
 mod export;
 mod format;
 mod gwy;
@@ -23,12 +24,14 @@ mod plu;
 mod points;
 mod profile;
 mod remarks;
+mod room;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod sur;
 mod table;
 mod text;
 mod unit;
+mod wyko_text;
 #[cfg(feature = "instruments")]
 mod x3p;
 
@@ -60,6 +63,7 @@ const INSTRUMENTS: &[Instrument] = &[
     sur::INSTRUMENT,
     #[cfg(feature = "instruments")]
     x3p::INSTRUMENT,
+    wyko_text::INSTRUMENT,
     numbers::INSTRUMENT,
 ];
 

@@ -127,7 +127,8 @@ fn steps_that_heights_do_not_allow_are_refused() {
             ("--channel phase", "\"phase\""),
             ("--channel 0", "\"0\""),
             ("--channel 1.5", "or its number"),
-            ("--file-unit 1um", "leave the file unit"),
+            ("--file-unit 1um", "leave the unit 1e-6 out"),
+            ("--height-unit 1um", "leave the unit 1e-6 out"),
             ("--crop 0,9,0,5", "[0, 9, 0, 5]"),
             ("--crop 3,2,0,5", "[3, 2, 0, 5]"),
             ("--crop 0,4", "[0, 4]"),
@@ -149,6 +150,7 @@ fn steps_that_heights_do_not_allow_are_refused() {
         ("--size 1 --remove-form cylinder", "the shape cannot be fitted"),
         ("--size 1 --file-unit 0", "0.0"),
         ("--size 1 --file-unit=-1um", "-1e-6"),
+        ("--size 1 --height-unit 0", "0.0"),
         ("", "--size"),
     ];
     refuse_steps(&folder, "flat.txt", &flat);
