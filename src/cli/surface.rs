@@ -95,6 +95,9 @@ struct Origin {
     unreadable: Vec<(String, String)>,
     /// Whether the file has units, so that lengths are in metres.
     is_in_metres: bool,
+    /// Whether the file says distances.
+    #[serde(skip)]
+    has_spacing: bool,
     header: Vec<(String, String)>,
 }
 
@@ -220,14 +223,15 @@ fn scan(height: Field, grid: &Grid) -> Scan {
 
 impl Origin {
     fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
-        let Measurement { format, channels, channel, unreadable, is_in_metres, header, .. } =
+        let Measurement { format, channels, channel, unreadable, is_in_metres, spacing, header, .. } =
             file.measurement(recipe.channel.as_deref())?;
-        Ok(Self { format, channels, channel, unreadable, is_in_metres, header })
+        Ok(Self { format, channels, channel, unreadable, is_in_metres, has_spacing: spacing.is_some(), header })
     }
 
     /// Whether the unit of lengths is known.
     fn has_unit(&self, recipe: &Recipe) -> bool {
-        self.is_in_metres || recipe.file_unit.or(recipe.height_unit).is_some() || self.format == "NumPy"
+        let own = recipe.height_unit.filter(|_| !self.has_spacing); // otherwise distances have none
+        self.is_in_metres || recipe.file_unit.or(own).is_some() || self.format == "NumPy"
     }
 
     /// The warning that the unit of lengths is unknown.

@@ -1,4 +1,4 @@
-//! Columns of a text that are neither positions nor heights.
+//! HeightColumns of a text that are neither positions nor heights.
 
 use super::points::map;
 use super::remarks::Remarks;
@@ -8,12 +8,12 @@ use super::table::TextTable;
 const VALIDITY: [&str; 4] = ["valid", "validity", "is valid", "isvalid"];
 
 /// The columns of a table that are positions and heights, with the metres in their units.
-pub(super) struct Columns {
+pub(super) struct HeightColumns {
     pub table: TextTable,
     pub units: Vec<Option<f64>>,
 }
 
-impl Columns {
+impl HeightColumns {
     /// The columns of a table with the units and under the names that its head says: heights are void where a column of validity is 0, and that
     /// column and one that counts the points are left out.
     pub fn new(table: TextTable, remarks: &Remarks) -> Self {

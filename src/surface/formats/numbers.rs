@@ -2,7 +2,7 @@
 
 use super::bytes::decoded;
 use super::channel::Channel;
-use super::columns::Columns;
+use super::columns::HeightColumns;
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::points::map;
@@ -12,7 +12,7 @@ use super::text::is_text;
 use super::unit::{lateral, ratio};
 use std::io;
 
-/// A [`TextTable`] in text. Columns are, in this order of choice:
+/// A [`TextTable`] in text. HeightColumns are, in this order of choice:
 ///
 /// | columns | what they are |
 /// |---------|---------------|
@@ -36,7 +36,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let channel = if remarks.width.is_some() || remarks.pixel.is_some() {
         sized(table, &remarks)
     } else {
-        let Columns { table, units } = Columns::new(table, &remarks);
+        let HeightColumns { table, units } = HeightColumns::new(table, &remarks);
         let of_column = |column: usize| units.get(column).copied().flatten();
         let unit = remarks.value_unit.or(of_column(table.columns - 1));
         let channel = match table.shape() {

@@ -35,7 +35,7 @@ pub(super) struct TextTable {
 }
 
 /// A line that is neither empty nor a remark, and its place from 0 on.
-type Line<'a> = (usize, &'a str);
+type TextLine<'a> = (usize, &'a str);
 
 impl TextTable {
     /// The table in a text.
@@ -193,7 +193,7 @@ fn is_row(line: &str) -> bool {
 }
 
 /// The place where the table begins: with the first rows that are enough for one, or else with most rows in sequence.
-fn first_row<'a>(lines: impl Iterator<Item = Line<'a>>) -> Option<usize> {
+fn first_row<'a>(lines: impl Iterator<Item = TextLine<'a>>) -> Option<usize> {
     let (mut best, mut run): (Option<(usize, usize)>, Option<(usize, usize)>) = (None, None);
     for (at, line) in lines {
         run = is_row(line).then(|| run.map_or((1, at), |(rows, first)| (rows + 1, first)));
@@ -210,7 +210,7 @@ fn first_row<'a>(lines: impl Iterator<Item = Line<'a>>) -> Option<usize> {
 }
 
 /// Where rows of several numbers begin below single numbers or voids, and the whole number right above them, if there are some.
-fn below_single_numbers<'a>(lines: impl Iterator<Item = Line<'a>> + Clone) -> (usize, Option<usize>) {
+fn below_single_numbers<'a>(lines: impl Iterator<Item = TextLine<'a>> + Clone) -> (usize, Option<usize>) {
     let first = lines.clone().next().map_or(0, |it| it.0);
     let singles = lines.clone().take(ROWS - 1).take_while(|(_, line)| words(line) == 1 && is_row(line));
     let Some((place, (_, last))) = singles.enumerate().last() else { return (first, None) };

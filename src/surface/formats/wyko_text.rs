@@ -1,6 +1,6 @@
 //! The text files of Wyko interferometers.
 
-use super::bytes::{decoded, nodes};
+use super::bytes::decoded;
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -33,9 +33,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         Ok(None) => Err(malformed(format!("it has no {name}"))),
         _ => Err(malformed(format!("its {name} has the invalid value {}", find(name).unwrap_or_default()))),
     };
-    let shape = ["Y Size", "X Size"].map(|name| number(name, None).map(|it| it as i64));
-    let [rows, columns] = shape;
-    let [ny, nx] = nodes(rows?, columns?, 1, table.values.len())?;
+    let [ny, nx] = [number("Y Size", None)? as usize, number("X Size", None)? as usize];
     let is_turned = table.shape() == [nx, ny];
     if !is_turned && table.shape() != [ny, nx] {
         let [lines, numbers] = table.shape();
