@@ -81,14 +81,14 @@ pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io
     };
     let fault = channels.iter().find_map(|it| it.fault.clone());
     let found = channels.into_iter().enumerate().find(is_wanted).map(|(_, it)| it);
-    let choice = if names.is_empty() { String::new() } else { format!(": choose one of {names}") };
     Err(malformed(match (found, wanted) {
         (Some(channel), _) if channel.is_height => return Ok(channel),
         (Some(Channel { name, fault: Some(fault), .. }), _) => {
-            format!("its channel {name:?} cannot be read, because {fault}{choice}")
+            let others = if names.is_empty() { String::new() } else { format!(": choose one of {names}") };
+            format!("its channel {name:?} cannot be read, because {fault}{others}")
         }
-        (Some(channel), _) => format!("its channel {:?} contains no heights{choice}", channel.name),
-        (None, Some(name)) => format!("it has no channel {name:?}{choice}"),
+        (Some(channel), _) => format!("its channel {:?} contains no heights: choose one of {names}", channel.name),
+        (None, Some(name)) => format!("it has no channel {name:?}: choose one of {names}"),
         (None, None) if all.is_empty() => "it contains no heights".into(),
         (None, None) => fault
             .unwrap_or_else(|| format!("it contains no heights: none of its channels {} is a length", all.join(", "))),

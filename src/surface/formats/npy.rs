@@ -136,7 +136,8 @@ pub(super) fn header(file: &mut dyn ReadSeek, place: &Range<u64>) -> io::Result<
     if let Some(stated) = stated {
         let found = place.end - place.start;
         return Err(malformed(format!(
-            "it states a header of {stated} bytes, but it has {found} in all and headers of at most {HEADER_BYTES} are read"
+            "it is not a valid .npy file: it states a header of {stated} bytes, but it has {found} in all and headers of at most \
+             {HEADER_BYTES} are read"
         )));
     }
     let mut rest = start.as_slice();

@@ -66,6 +66,6 @@ fn headers_of_arrays_are_no_longer_than_the_file() {
     for (version, count) in [(1, vec![0xff, 0xff]), (2, vec![0xff; 4]), (3, vec![0xff; 4])] {
         let file = [b"\x93NUMPY".to_vec(), vec![version, 0], count, b"{'descr'".to_vec()].concat();
         let error = Measurement::from_bytes(&file, None).unwrap_err().to_string();
-        assert!(error.starts_with("it states a header of "), "{error}");
+        assert!(error.contains("it states a header of "), "{error}");
     }
 }
