@@ -88,6 +88,11 @@ pub enum SurfaceError {
     /// A height is NaN or infinite.
     #[error("the height at row {}, column {} is {value:?}: all heights must be finite", index[0], index[1])]
     NonFinite { index: [usize; 2], value: f64 },
+    /// The differences of heights are beyond the range of numbers.
+    #[error(
+        "the heights lie between {least:?} and {most:?}, and differences of so large numbers overflow: give them in a larger unit"
+    )]
+    Overflow { least: f64, most: f64 },
     /// A parameter that must be positive and finite is not.
     #[error("{name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },

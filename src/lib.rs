@@ -52,6 +52,7 @@
 //! | 0 | [`error`] | what can go wrong, one enum for each concern | |
 //! | 0 | [`warning`] | reasons to doubt a result, with what to do about them | |
 //! | 0 | [`files`] | input files; output files that appear completely or not at all; CSV | |
+//! | 0 | [`seen`] | text that can be shown on a terminal | |
 //! | 0 | [`quantity`] | lengths and pressures with units | (`units`) |
 //! | 1 | [`grid`] | grids of lines and surfaces, periodic or free along each axis | |
 //! | 1 | [`fourier`] | pairs of real Fourier transforms | |
@@ -130,6 +131,7 @@ pub mod history;
 pub mod job;
 #[cfg(feature = "figures")]
 pub mod lab;
+mod memory;
 #[cfg(feature = "figures")]
 pub mod paper;
 #[cfg(feature = "figures")]
@@ -137,6 +139,7 @@ pub mod plot;
 pub mod quantity;
 #[cfg(feature = "record")]
 pub mod record;
+pub mod seen;
 #[cfg(feature = "serve")]
 pub mod serve;
 pub mod setup;

@@ -2,6 +2,7 @@
 
 use crate::words::{at_place, in_python, keyword_of_flag, unknown_keyword, without_flags};
 use asperity::error::{ClaimError, Conflict, ConflictRule, SetupError, StudyError};
+use asperity::seen::plain;
 use pyo3::create_exception;
 use pyo3::exceptions::{
     PyFileNotFoundError, PyIndexError, PyKeyError, PyPermissionError, PyTypeError, PyUserWarning, PyValueError,
@@ -80,6 +81,7 @@ pub fn error_of_keywords(py: Python<'_>, function: &str, sections: &[&str], erro
 
 /// The exception of the class for an error, with a sentence.
 fn exception(error: &BoxedError, sentence: String) -> PyErr {
+    let sentence = plain(&sentence).into_owned();
     match io_error(error.as_ref()) {
         Some(io::ErrorKind::NotFound) => PyFileNotFoundError::new_err(sentence),
         Some(io::ErrorKind::PermissionDenied) => PyPermissionError::new_err(sentence),

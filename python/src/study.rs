@@ -28,7 +28,7 @@ pub struct Study {
 
 impl Study {
     fn from_table(table: SetupTable, exception: impl FnOnce(StudyError) -> PyErr) -> PyResult<Self> {
-        let table = table.beside(&absolute("study.toml")?);
+        let table = table.beside(&absolute("study.toml")?).map_err(py_error)?;
         let text = table.to_toml();
         let plan = Plan::from_table(table).map_err(exception)?;
         Ok(Self { plan, text })

@@ -103,11 +103,11 @@ impl Surface {
 
     /// The surface in a file of heights: a file of an instrument, .npy, .npz or text.
     ///
-    /// The keywords are keys of the sections `surface` and `grid` of a scene: size, boundary, datum, refine, channel, file_unit, prepare,
+    /// The keywords are keys of the sections `surface` and `grid` of a scene: size, boundary, datum, refine, channel, file_unit, height_unit, prepare,
     /// against. With prepare="auto" the program chooses the steps that the heights need; `preparation` states them. Steps of one's own are a
     /// dictionary: crop, level_rows, level_columns, outliers, scars, fill, detrend, remove_form, high_pass, low_pass, taper, mirror.
     #[staticmethod]
-    #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, prepare=None, **grid)")]
+    #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, height_unit=None, prepare=None, **grid)")]
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut fixed = Sections::new();
         match value_from_py(&path, "path")? {

@@ -4,6 +4,7 @@ use crate::contact::Contact;
 use crate::error::AsperityWarning;
 use crate::words::given_as;
 use asperity::contact::{Observables, Status, warning_of_rim, warnings_of};
+use asperity::seen::plain;
 use asperity::warning::{Remedy, Warning};
 use pyo3::prelude::*;
 use std::ffi::CString;
@@ -32,7 +33,7 @@ pub fn warn(py: Python<'_>, warnings: &[Warning]) -> PyResult<()> {
 
 /// Raises a warning with one sentence, at the line of code outside of the package that has called it.
 pub fn warn_sentence(py: Python<'_>, sentence: &str) -> PyResult<()> {
-    PyErr::warn(py, &py.get_type::<AsperityWarning>(), &CString::new(sentence)?, stack_level(py)?)
+    PyErr::warn(py, &py.get_type::<AsperityWarning>(), &CString::new(&*plain(sentence))?, stack_level(py)?)
 }
 
 /// The level of the stack at which the calling code stands: above the functions of the package.

@@ -343,7 +343,7 @@ def test_an_error_is_one_of_python(call: Callable[[], Any], kind: type[Exception
 def test_no_error_has_flags_or_words_of_a_parser_or_keys_of_a_scene() -> None:
     keys = keys_of(setup(solid={"contact_modulus": 1.0}, solver={"method": "gfmd"}).to_dict())
     assert {"contact-modulus", "max-iterations", "reduced-pressure", "time-step", "length-unit"} <= keys
-    keys |= {"rolloff-wavelength", "short-cutoff", "mean-pressure", "pressure-tolerance", "half-width", "file-unit", "raster-at", "time-tolerance"}
+    keys |= {"rolloff-wavelength", "short-cutoff", "mean-pressure", "pressure-tolerance", "half-width", "file-unit", "height-unit", "raster-at", "time-tolerance"}
     for call, _, _ in REFUSALS:
         with pytest.raises(Exception) as refusal:
             call()

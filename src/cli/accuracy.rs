@@ -4,6 +4,7 @@ use super::choice::choice;
 use super::choice::count;
 use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
+use super::terminal::stdout;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::Stop;
@@ -13,7 +14,7 @@ use asperity::lab::accuracy::{AccuracyScene, Experiment, Measurements, figure, w
 use asperity::plot::{write_png, write_svg};
 use asperity::setup::Part;
 use clap::{Args, ValueEnum};
-use std::io::{Write, stdout};
+use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 

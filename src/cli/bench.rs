@@ -3,6 +3,7 @@
 use super::choice::{choice, count};
 use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
+use super::terminal::stdout;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};
@@ -12,7 +13,7 @@ use asperity::plot::write_svg;
 use asperity::setup::Method;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
-use std::io::{Write, stdout};
+use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Duration;

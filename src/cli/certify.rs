@@ -8,6 +8,7 @@ use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::output::write_json;
 use super::recording_args::RecordingArgs;
+use super::terminal::stdout;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -20,7 +21,7 @@ use asperity::plot::{write_png, write_svg};
 use asperity::setup::{Cost, Setup};
 use asperity::surface::read_field;
 use clap::{ArgGroup, Args};
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Fields that a claim takes while it is assessed: its own, heights, and those of a half-space, a contact and a trial.

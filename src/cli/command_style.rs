@@ -1,11 +1,12 @@
 //! Options of all commands: output and threads.
 
 use super::exit_status::usage;
+use super::terminal::stderr;
 use anyhow::Result;
 use clap::Args;
 use rayon::ThreadPoolBuilder;
 use std::fmt::Display;
-use std::io::{Write, stderr};
+use std::io::Write;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
 

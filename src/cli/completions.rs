@@ -1,10 +1,11 @@
 //! `asperity completions`: shell completions.
 
 use super::exit_status::ExitStatus;
+use super::terminal::stdout;
 use anyhow::Result;
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
-use std::io::{Write, stdout};
+use std::io::Write;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -2,6 +2,7 @@
 
 use super::exit_status::{ExitStatus, settle};
 use super::progress::Bars;
+use super::terminal::stdout;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Gfmd, Load, Observables};
@@ -11,7 +12,7 @@ use asperity::record::Target;
 use asperity::setup::{Cell, Method, Recipe, Setup, Solid};
 use asperity::surface::{Indenter, Spectrum};
 use clap::Args;
-use std::io::{Write, stdout};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// The cell of the paper: eight roll-off wavelengths of 20 micrometres, and an indenter radius of a quarter of it (metres).

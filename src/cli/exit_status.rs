@@ -1,11 +1,12 @@
 //! How commands end.
 
+use super::terminal::stderr;
 use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
 use asperity::error::{ClaimError, Failure, FileError, SetupError, is_input};
 use asperity::setup::FLAGS;
 use asperity::warning::Remedy;
-use std::io::{Write, stderr};
+use std::io::Write;
 
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

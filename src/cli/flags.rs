@@ -7,6 +7,7 @@ use super::warnings;
 use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::contact::first_archive;
+use asperity::files::path_in_text;
 use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
@@ -149,12 +150,13 @@ fn read(path: &Path) -> Result<SetupTable> {
         };
     }
     match SetupTable::read(path) {
-        Err(_) if path.is_file() && !is_named_scene(path) => {
+        Ok(table) if table != SetupTable::default() || is_named_scene(path) => Ok(table),
+        Err(error) if !path.is_file() || is_named_scene(path) => Err(error.into()),
+        _ => {
             let mut table = SetupTable::default();
-            table.lay("surface.height", path.to_string_lossy().into_owned().into());
+            table.lay("surface.height", path_in_text(path)?.into());
             Ok(table)
         }
-        read => Ok(read?),
     }
 }
 

@@ -6,6 +6,7 @@ use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
+use super::terminal::stdout;
 use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
@@ -18,7 +19,7 @@ use asperity::quantity::number_in_words;
 use asperity::setup::Setup;
 use serde::Serialize;
 use serde_json::{Map, Value};
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 use std::path::Path;
 
 /// Columns of what flows, where it was asked for.

@@ -10,6 +10,7 @@ use super::iteration::Iteration;
 use super::output::write_json;
 use super::progress::Progress;
 use super::recording_args::RecordingArgs;
+use super::terminal::stdout;
 use super::warnings;
 use anyhow::Result;
 use asperity::contact::{Contact, ContactModulus, Multilevel, Observer, Problem, Solver, Stop};
@@ -20,7 +21,6 @@ use asperity::foreign::{Claim, Distances, Follow, Frame, GivenField, Replay, Ste
 use asperity::setup::{Cost, Setup, SetupTable};
 use asperity::surface::{read_field, read_fields, read_fields_shape};
 use clap::Args;
-use std::io::stdout;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;

@@ -7,6 +7,7 @@ use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::state_watch::StateWatch;
+use super::terminal::stdout;
 use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
@@ -18,7 +19,7 @@ use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
 use asperity::setup::SetupTable;
 use asperity::study::LoadCurve;
 use serde::Serialize;
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 use std::path::Path;
 
 /// Everything that a script may want to know about contacts under one load after the other, and the setup that repeats them.

@@ -1,12 +1,13 @@
 //! `asperity man`: the manual.
 
 use super::exit_status::{ExitStatus, with_file_error};
+use super::terminal::stdout;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::fill_folder;
 use clap::{Args, Command};
 use clap_mangen::{Man as Page, generate_to};
-use std::io::{Write, stdout};
+use std::io::Write;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\

@@ -44,6 +44,7 @@ mod study_table;
 mod surface;
 mod survey;
 mod survey_picture;
+mod terminal;
 mod texture;
 mod units;
 mod view;
@@ -51,10 +52,13 @@ mod warnings;
 mod words;
 mod wrote;
 
+use asperity::seen::plain;
+use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use exit_status::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
-use std::io::{self, Write, stderr};
+use std::io::{self, Write};
+use terminal::stderr;
 use words::with_negative_numbers;
 
 /// Rough contact: press a rigid surface on an elastic half-space, and see how the solver converges.
@@ -146,10 +150,14 @@ enum Command {
     View(view::View),
 }
 
-/// Runs a command line, whose first word is the name of the program, and returns the exit code. Help and invalid
-/// arguments end the process.
+/// Runs a command line, whose first word is the name of the program, and returns the exit code.
 pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
-    match carry_out(Cli::parse_from(with_negative_numbers(words))) {
+    let words = with_negative_numbers(words);
+    let cli = match Cli::try_parse_from(&words) {
+        Ok(cli) => cli,
+        Err(error) => return misunderstood(&error, &words),
+    };
+    match carry_out(cli) {
         Ok(outcome) => outcome.exit_code(),
         Err(error) if is_unheard(&error) => ExitStatus::Done.exit_code(),
         Err(error) => {
@@ -157,6 +165,19 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
             exit_code(&error)
         }
     }
+}
+
+/// Prints help that is asked for, or why words are not understood, and returns the exit code.
+fn misunderstood(error: &clap::Error, words: &[OsString]) -> u8 {
+    let is_seen = |word: &OsString| word.to_str().is_some_and(|word| plain(word) == word);
+    let wrong = words.iter().find(|word| word.to_str().is_none());
+    match wrong.filter(|_| error.kind() == ErrorKind::InvalidUtf8) {
+        Some(word) => writeln!(stderr(), "error: the argument {word:?} is not UTF-8: rename the file").ok(),
+        // the parser repeats words as they are
+        None if !words.iter().all(is_seen) => write!(stderr(), "{}", error.render()).ok(),
+        None => error.print().ok(),
+    };
+    error.exit_code() as u8
 }
 
 /// Whether an error is a closed output pipe, as with `head`.

@@ -6,6 +6,7 @@ use super::flags::{OfSealing, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::problem_summary::ProblemSummary;
 use super::progress::Progress;
+use super::terminal::stdout;
 use super::units::Units;
 use super::warnings;
 use anyhow::Result;
@@ -13,7 +14,7 @@ use asperity::flow::{FlowAxis, PercolationLoad};
 use asperity::setup::{Extras, Setup};
 use clap::Args;
 use serde::Serialize;
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -16,6 +16,7 @@ use super::slip::SlipFinding;
 use super::solve_plan::{self, SolvePlan};
 use super::state_watch::StateWatch;
 use super::stress;
+use super::terminal::stdout;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
@@ -28,7 +29,7 @@ use asperity::job::{Job, JobRun, Solved, StateArchive, StateTable, write_nodes};
 use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable};
 use asperity::study::LoadCurve;
 use clap::Args;
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 use std::path::Path;
 
 const EXAMPLES: &str = "\

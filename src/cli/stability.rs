@@ -3,6 +3,7 @@
 use super::choice::one_of;
 use super::exit_status::{ExitStatus, usage};
 use super::progress::bar;
+use super::terminal::stdout;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::{check_named, write_csv};
@@ -10,7 +11,7 @@ use asperity::lab::Rival;
 use asperity::lab::stability::{HEAD, Kernel, Tally, TimeSteps, Trial, judge, trials};
 use clap::Args;
 use clap::builder::TypedValueParser;
-use std::io::{Write, stdout};
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 

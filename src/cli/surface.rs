@@ -8,6 +8,7 @@ use super::picture;
 use super::problem_summary::along_axes;
 use super::survey;
 use super::survey_picture::of_survey;
+use super::terminal::stdout;
 use super::texture::TextureReport;
 use super::units::{Units, significant};
 use super::warnings::{self, in_flags};
@@ -24,7 +25,7 @@ use asperity::surface::{
 };
 use clap::Args;
 use serde::Serialize;
-use std::io::{self, Write, stdout};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Fields that a surface takes while it is made, described and written: heights as they are and as given, with trends and windows on and
@@ -100,8 +101,14 @@ struct Origin {
     format: &'static str,
     channels: Vec<String>,
     channel: String,
+    /// The channels that cannot be read, and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unreadable: Vec<(String, String)>,
     /// Whether the file has units, so that lengths are in metres.
     is_in_metres: bool,
+    /// Whether the file says distances.
+    #[serde(skip)]
+    has_spacing: bool,
     header: Vec<(String, String)>,
 }
 
@@ -247,14 +254,15 @@ fn is_picture(path: &Path) -> bool {
 
 impl Origin {
     fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
-        let Measurement { format, channels, channel, is_in_metres, header, .. } =
+        let Measurement { format, channels, channel, unreadable, is_in_metres, spacing, header, .. } =
             file.measurement(recipe.channel.as_deref())?;
-        Ok(Self { format, channels, channel, is_in_metres, header })
+        Ok(Self { format, channels, channel, unreadable, is_in_metres, has_spacing: spacing.is_some(), header })
     }
 
     /// Whether the unit of lengths is known.
     fn has_unit(&self, recipe: &Recipe) -> bool {
-        self.is_in_metres || recipe.file_unit.is_some() || self.format == "NumPy"
+        let own = recipe.height_unit.filter(|_| !self.has_spacing); // otherwise distances have none
+        self.is_in_metres || recipe.file_unit.or(own).is_some() || self.format == "NumPy"
     }
 
     /// The warning that the unit of lengths is unknown.
@@ -273,7 +281,10 @@ impl Origin {
             all => format!("{}, one of {}: choose with --channel", self.channel, all.join(", ")),
         };
         let rows = [("format", self.format.to_owned()), ("channel", channel), ("lengths", unit.to_owned())];
-        rows.map(|(name, value)| (name.to_owned(), value)).into_iter().chain(self.header.clone()).collect()
+        let rows = rows.map(|(name, value)| (name.to_owned(), value)).into_iter();
+        let unreadable =
+            self.unreadable.iter().map(|(name, why)| ("unreadable channel".into(), format!("{name}: {why}")));
+        rows.chain(unreadable).chain(self.header.clone()).collect()
     }
 }
 

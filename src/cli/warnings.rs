@@ -2,10 +2,11 @@
 
 use super::command_style::remark;
 use super::exit_status::usage;
+use super::terminal::stderr;
 use anyhow::Result;
 use asperity::setup::FLAGS;
 use asperity::warning::{Remedy, Warning};
-use std::io::{Write, stderr};
+use std::io::Write;
 use std::path::Path;
 
 /// Warnings as texts with the flags that help.

@@ -31,7 +31,7 @@ pub enum ConflictRule {
     #[strum(props(keys = "surface.joined surface.second-spectrum"), message =
         "`surface.joined` needs two spectra: give `surface.second-spectrum` as well, or leave it out")]
     JoinedWithoutSecond,
-    #[strum(props(keys = "surface.prepare surface.channel surface.file-unit surface.height"), message =
+    #[strum(props(keys = "surface.prepare surface.channel surface.file-unit surface.height-unit surface.height"), message =
         "options for reading or preparing heights are given without a height file: give one, or leave them out")]
     PreparationWithoutHeights,
 

@@ -4,6 +4,7 @@ use super::{
     AdhesionError, Conflict, ConflictRule, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError,
     ProblemError, SettingError, SlipError, SolidError, SolveError, SurfaceError, TextFault, TextPlace,
 };
+use crate::memory::free_in_words;
 use crate::quantity::{bytes_in_words, grouped};
 use std::path::PathBuf;
 
@@ -75,7 +76,7 @@ pub enum SetupError {
     )]
     Datum { datum: f64, length: f64 },
     /// A unit for a file that has its own.
-    #[error("the file has units, so leave the file unit {unit:?} out")]
+    #[error("the file has units, so leave the unit {unit:?} out")]
     UnitOfFile { unit: f64 },
     /// Positions that are not evenly spaced.
     #[error("the positions in {} are not evenly spaced: resample the heights to even spacing", path.display())]
@@ -137,8 +138,7 @@ impl From<ConflictRule> for SetupError {
 /// The sentence about memory that is missing.
 fn memory_in_words([ny, nx]: [usize; 2], states: usize, what: &str, needed: f64, free: Option<f64>) -> String {
     let needed = bytes_in_words(needed);
-    let free =
-        free.map_or("more than the system allows".into(), |free| format!("and {} are free", bytes_in_words(free)));
+    let free = free_in_words(free);
     let points = if ny == 1 { nx.to_string() } else { format!("{ny} x {nx}") };
     match states {
         0 => format!(

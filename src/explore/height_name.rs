@@ -1,5 +1,7 @@
 //! The name of a file that a page sends.
 
+use crate::seen::is_seen;
+
 /// Largest number of characters of a name.
 const LONGEST: usize = 100;
 /// The name of a file that has none.
@@ -9,15 +11,9 @@ const NAMELESS: &str = "heights";
 pub fn plain_name(encoded: &str) -> String {
     let name = decoded(encoded);
     let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let name: String = last.chars().filter(is_seen).take(LONGEST).collect();
+    let name: String = last.chars().filter(|letter| is_seen(*letter)).take(LONGEST).collect();
     let name = name.trim().trim_start_matches('-');
     if name.chars().all(|c| c == '.') { NAMELESS.into() } else { name.into() }
-}
-
-/// Whether a character can be seen and leaves the order of others as it is.
-fn is_seen(c: &char) -> bool {
-    !c.is_control()
-        && !matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')
 }
 
 /// A text whose bytes may be written as `%` and two hexadecimal digits.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// A file that is read: its path, or a name and its bytes in memory. As text it is the path or the name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(from = "PathBuf", into = "PathBuf")]
+#[serde(from = "PathBuf", into = "String")]
 pub struct InputFile {
     path: PathBuf,
     /// Its bytes, if it is not on disk.
@@ -64,10 +64,20 @@ impl From<PathBuf> for InputFile {
     }
 }
 
-impl From<InputFile> for PathBuf {
+impl From<InputFile> for String {
     fn from(file: InputFile) -> Self {
-        file.path
+        file.path.to_string_lossy().into_owned()
     }
+}
+
+/// The path of a file as text, such as that of a scene.
+///
+/// # Errors
+/// [`FileError::Read`] for a path that is not UTF-8.
+pub fn path_in_text(path: &Path) -> Result<String, FileError> {
+    let reason = "its path is not UTF-8, so that no scene can name it: rename the file or its folder";
+    let wrong = || FileError::Read { path: path.into(), source: io::Error::new(io::ErrorKind::InvalidData, reason) };
+    path.to_str().map(str::to_owned).ok_or_else(wrong)
 }
 
 /// Opens a regular file. Others are refused: a device may have no end, and a pipe may never begin.

@@ -4,7 +4,7 @@ mod apart;
 mod input_file;
 
 pub use apart::check_apart;
-pub use input_file::{InputFile, open_regular, read_bytes};
+pub use input_file::{InputFile, open_regular, path_in_text, read_bytes};
 
 use crate::error::{Failure, FileError, reason};
 use serde::Serialize;

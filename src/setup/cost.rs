@@ -5,6 +5,7 @@ use crate::contact::Multilevel;
 use crate::elastic::Compliance;
 use crate::error::SetupError;
 use crate::grid::Grid;
+use crate::memory::check_bytes;
 
 /// Fields that are needed to generate random roughness: lines, surfaces.
 const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
@@ -130,27 +131,10 @@ impl Cost {
         let of_states = bytes(&self.grid, self.states as f64 * STATE_FIELDS);
         let states = if of_states > 0.5 * needed { self.states } else { 0 };
         let refuse = |free| SetupError::Memory { shape: self.grid.shape(), states, what: what.into(), needed, free };
-        if let Some(free) = available_bytes().filter(|free| needed > *free) {
-            return Err(refuse(Some(free)));
-        }
-        let mut reserved = Vec::<u8>::new();
-        let granted = reserved.try_reserve_exact(needed as usize);
-        std::hint::black_box(reserved);
-        granted.map_err(|_| refuse(None))
+        check_bytes(needed).map_err(|missing| refuse(missing.free))
     }
 }
 
 fn bytes(grid: &Grid, fields: f64) -> f64 {
     fields * size_of::<f64>() as f64 * grid.len() as f64
-}
-
-/// Bytes of free memory, if the system reports it.
-pub fn available_bytes() -> Option<f64> {
-    #[cfg(all(target_os = "linux", feature = "figures"))]
-    {
-        use procfs::{Current, Meminfo};
-        Meminfo::current().ok().and_then(|memory| memory.mem_available).map(|bytes| bytes as f64)
-    }
-    #[cfg(not(all(target_os = "linux", feature = "figures")))]
-    None
 }

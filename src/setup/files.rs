@@ -1,8 +1,8 @@
 //! The files that a setup names.
 
 use super::{Setup, SetupTable};
-use crate::error::SetupError;
-use crate::files::InputFile;
+use crate::error::{FileError, SetupError};
+use crate::files::{InputFile, path_in_text};
 use std::path::{Path, PathBuf};
 
 /// The keys of a scene whose values are files, in the order of [`Setup::files`].
@@ -71,15 +71,18 @@ impl Setup {
 
 impl SetupTable {
     /// The sections and keys with the files that lie in the folder of the file `path`.
-    pub fn beside(mut self, path: &Path) -> Self {
+    ///
+    /// # Errors
+    /// For a folder whose path is not UTF-8.
+    pub fn beside(mut self, path: &Path) -> Result<Self, FileError> {
         for key in FILE_KEYS {
             for file in self.find_mut(key).map(list_mut).unwrap_or_default() {
                 if let toml::Value::String(file) = file {
-                    *file = path.with_file_name(&*file).to_string_lossy().into_owned();
+                    *file = path_in_text(&path.with_file_name(&*file))?;
                 }
             }
         }
-        self
+        Ok(self)
     }
 
     /// The paths of all files that the sections and keys name, those in lists as well.

@@ -64,12 +64,13 @@ mod viscoelastic;
 mod warnings;
 mod words;
 
+pub use crate::memory::available_bytes;
 pub use adhesion::Adhesion;
 pub use auto::Auto;
 pub use axis::{ParameterAxis, Scalar};
 pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
-pub use cost::{Cost, Extras, available_bytes};
+pub use cost::{Cost, Extras};
 pub use files::FILE_KEYS;
 pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
 pub use flow::{AxisFlow, Flow, FlowFound};

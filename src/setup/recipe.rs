@@ -43,6 +43,9 @@ pub struct Recipe {
     /// they are.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub file_unit: Option<f64>,
+    /// The unit of the heights of a file that states none, where that of the distances is another one.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
+    pub height_unit: Option<f64>,
     /// The preparation of the heights of files.
     #[serde(skip_serializing_if = "Preparation::is_none")]
     pub prepare: Preparation,
@@ -117,7 +120,8 @@ impl Recipe {
     /// Checks that both files of heights have the same shape and even (or resampled) positions, and that options for
     /// files are given only with a file.
     fn check_files(&self) -> Result<(), SetupError> {
-        if !self.is_measured() && (self.channel.is_some() || self.file_unit.is_some() || !self.prepare.is_none()) {
+        let has_unit = self.file_unit.or(self.height_unit).is_some();
+        if !self.is_measured() && (self.channel.is_some() || has_unit || !self.prepare.is_none()) {
             return Err(ConflictRule::PreparationWithoutHeights.into());
         }
         let layouts = self.files().map(|file| Ok((file, file.layout(self.channel.as_deref())?)));
@@ -168,14 +172,15 @@ impl Recipe {
         Ok(whole.unrefined(&shape)?.spacing())
     }
 
-    /// The unit of a file.
+    /// The unit of the distances of a file.
     fn unit(&self, is_in_metres: bool) -> Result<f64, SetupError> {
-        match self.file_unit {
-            None => Ok(1.0),
-            Some(unit) if is_in_metres => Err(SetupError::UnitOfFile { unit }),
-            Some(unit) if unit > 0.0 && unit.is_finite() => Ok(unit),
-            Some(unit) => Err(SurfaceError::NotPositive { name: "the unit of the file", value: unit }.into()),
-        }
+        checked_unit(self.file_unit, "the unit of the file", is_in_metres)
+    }
+
+    /// The unit of the heights of a file: their own, or else that of the file.
+    fn unit_of_heights(&self, is_in_metres: bool) -> Result<f64, SetupError> {
+        let unit = self.unit(is_in_metres)?;
+        checked_unit(self.height_unit.or(Some(unit).filter(|_| !is_in_metres)), "the unit of the heights", is_in_metres)
     }
 
     /// Number of axes of its arrays.
@@ -219,7 +224,7 @@ impl Recipe {
     /// For a file that cannot be read, positions that are not evenly spaced, and steps that its heights do not allow.
     pub fn prepared(&self, file: &HeightFile, grid: &Grid) -> Result<Prepared, SetupError> {
         let mut measured = file.measurement(self.channel.as_deref())?;
-        let unit = self.unit(measured.is_in_metres)?;
+        let unit = self.unit_of_heights(measured.is_in_metres)?;
         if let Some(x) = &measured.positions {
             let resample = self.prepare.resample.ok_or_else(|| SetupError::Uneven { path: file.path().into() })?;
             let (even, _) = resample.apply(x, &measured.height.row(0).to_vec());
@@ -329,6 +334,16 @@ impl Recipe {
             count => format!("{count} bumps"),
         });
         [files, smooth, rough, second, bumps].into_iter().flatten().collect::<Vec<_>>().join(", with ")
+    }
+}
+
+/// A unit of a file, 1 if it is not given.
+fn checked_unit(given: Option<f64>, name: &'static str, is_in_metres: bool) -> Result<f64, SetupError> {
+    match given {
+        None => Ok(1.0),
+        Some(unit) if is_in_metres => Err(SetupError::UnitOfFile { unit }),
+        Some(unit) if unit > 0.0 && unit.is_finite() => Ok(unit),
+        Some(unit) => Err(SurfaceError::NotPositive { name, value: unit }.into()),
     }
 }
 

@@ -4,7 +4,7 @@ use super::fault::{found_in, keys_of};
 use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::contact::first_archive;
 use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
-use crate::files::{read_bytes, write_beside};
+use crate::files::{path_in_text, read_bytes, write_beside};
 use crate::surface::{read_fields, read_text};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -59,7 +59,7 @@ impl SetupTable {
     pub fn read(path: &Path) -> Result<Self, SetupError> {
         let path = &*first_archive(path);
         match read_text(path, "setup") {
-            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)),
+            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)?),
             Ok(None) => Self::read_scene(path),
             Err(FileError::Format { reason, .. }) => {
                 Err(SetupError::text("", format!("it contains no setup: {reason}")).in_file(path))
@@ -79,20 +79,20 @@ impl SetupTable {
             true => Self::from_json(&text),
             _ => Self::from_toml(&text),
         };
-        Ok(table.map_err(|error| error.in_file(path))?.beside(path))
+        Ok(table.map_err(|error| error.in_file(path))?.beside(path)?)
     }
 
     /// The setup whose surface, if it was made with a height file, is the one that a result holds.
-    fn with_heights_of(mut self, result: &Path) -> Self {
+    fn with_heights_of(mut self, result: &Path) -> Result<Self, FileError> {
         if self.find("surface.height").is_some() {
             self.remove("surface");
             self.remove("grid.refine");
-            self.lay("surface.height", result.to_string_lossy().into_owned().into());
+            self.lay("surface.height", path_in_text(result)?.into());
             if let Ok(size) = read_fields(result, "size") {
                 self.lay("grid.size", size.iter().copied().collect::<Vec<f64>>().into());
             }
         }
-        self
+        Ok(self)
     }
 
     /// The sections and keys as TOML, all numbers to the last bit.

@@ -69,7 +69,8 @@ impl Surface {
     /// A surface with given heights.
     ///
     /// # Errors
-    /// [`SurfaceError::Shape`] if the array does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity.
+    /// [`SurfaceError::Shape`] if the array does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity,
+    /// [`SurfaceError::Overflow`] for heights so large that their differences are not finite.
     pub fn new(grid: Grid, height: Field) -> Result<Self, SurfaceError> {
         let mut height = checked(&grid, height)?;
         let mean_height = centre(height.as_slice_mut().expect("standard layout"));
@@ -285,7 +286,17 @@ fn checked(grid: &Grid, height: Field) -> Result<Field, SurfaceError> {
     if let Some(((row, column), &value)) = height.indexed_iter().find(|(_, h)| !h.is_finite()) {
         return Err(SurfaceError::NonFinite { index: [row, column], value });
     }
+    if let Some([least, most]) = overflowing(height.iter().copied()) {
+        return Err(SurfaceError::Overflow { least, most });
+    }
     Ok(if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() })
+}
+
+/// The lowest and the highest of some heights, if the sum of their differences may overflow.
+fn overflowing(heights: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let none = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+    let (least, most, count) = heights.fold(none, |(least, most, n), h| (least.min(h), most.max(h), n + 1.0));
+    (count > 0.0 && !((most - least) * count).is_finite()).then_some([least, most])
 }
 
 /// Refuses the first of some named values that is not positive and finite.

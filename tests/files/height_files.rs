@@ -164,7 +164,9 @@ fn unusable_files_say_why() {
     let path = folder.path().join("h.npy");
     assert!(matches!(read_heights(&path), Err(FileError::Read { .. })));
     assert!(reason(folder.path()).contains("directory"));
-    for text in [&b""[..], b"hello", b"12 \x01", b"\x93NUMPY\x01\x00\xff\xff", b"\x93NUMPY\x02\x00\xff\xff\xff\xff"] {
+    std::fs::write(&path, b"").unwrap();
+    assert!(reason(&path).ends_with("it is empty"));
+    for text in [&b"hello"[..], b"12 \x01", b"\x93NUMPY\x01\x00\xff\xff", b"\x93NUMPY\x02\x00\xff\xff\xff\xff"] {
         std::fs::write(&path, text).unwrap();
         assert!(reason(&path).contains(" .npy file"), "{text:?}: {}", reason(&path));
     }

@@ -87,7 +87,7 @@ solid = { contact-modulus = 1.0 }
 adhesion = { table = \"att.csv\" }
 path = { file = \"path.csv\" }
 ";
-    let table = SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("scene.toml"));
+    let table = SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("scene.toml")).unwrap();
     assert_eq!(table.files().len(), FILE_KEYS.len());
     let setup = table.clone().setup().unwrap();
     let listed: Vec<_> = setup.files().map(|file| file.path().to_path_buf()).collect();
@@ -119,7 +119,8 @@ fn files_are_found_beside_their_scene_and_by_a_saved_setup() {
 fn a_fingerprint_depends_on_what_is_in_the_files_and_not_on_their_names() {
     let folder = tempfile::tempdir().unwrap();
     write_files(folder.path());
-    let setup = |scene: &str| SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("it")).setup().unwrap();
+    let setup =
+        |scene: &str| SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("it")).unwrap().setup().unwrap();
     let of = |scene: &str| setup(scene).fingerprint().unwrap();
     for (scene, name) in [(SPECTRUM, "psd.txt"), (SPECTRUM, "like.txt"), (STICKY, "att.csv"), (STICKY, "path.csv")] {
         let (before, text) = (of(scene), fs::read_to_string(folder.path().join(name)).unwrap());
@@ -141,7 +142,7 @@ fn no_key_takes_a_device() {
             Some("adhesion" | "path") => STICKY,
             _ => SPECTRUM,
         };
-        let mut table = SetupTable::from_toml(base).unwrap().beside(&folder.path().join("it"));
+        let mut table = SetupTable::from_toml(base).unwrap().beside(&folder.path().join("it")).unwrap();
         if key == "surface.against" || key == "surface.height" {
             table.remove("grid.points");
             table.lay("surface.height", folder.path().join("h.npy").to_string_lossy().into_owned().into());

@@ -84,6 +84,7 @@ if TYPE_CHECKING:
         prepare: Keys | Literal["auto"] | None
         channel: str | int | None
         file_unit: Length | None
+        height_unit: Length | None
         against: os.PathLike[str] | str | None
         solid: Pressure | Keys | Stiffness | None
         law: Keys | None
@@ -187,6 +188,7 @@ def solve(
     prepare: Keys | Literal["auto"] | None = None,
     channel: str | int | None = None,
     file_unit: Length | None = None,
+    height_unit: Length | None = None,
     against: os.PathLike[str] | str | None = None,
     solid: Pressure | Keys | Stiffness | None = None,
     law: Keys | None = None,
@@ -225,7 +227,8 @@ def solve(
     datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
     prepare: "auto" prepares measured heights as they need it, or a dictionary of steps, as of Surface.read. Contact.problem.surface.preparation says
         what was done, and why.
-    channel, file_unit, against: of a file of heights: its channel, the unit of one that states none, and a file of the second body.
+    channel, file_unit, height_unit, against: of a file of heights: its channel, the unit of one that states none, that of its heights where it is
+        another one, and a file of the second body.
     solid: contact modulus E / (1 - nu^2), or a dictionary: contact_modulus, or young and poisson (two each for two bodies); for a layer also its
         thickness as layer, and base. Without a solid, pressures are in units of the contact modulus. A solid of your own is a function k(q)
         that returns the stiffness, pressure over displacement, of waves of the wavenumbers q = 2 pi / wavelength; or a dictionary with such
@@ -277,7 +280,7 @@ def solve(
         "force": force,
         "approach": approach,
     }
-    of_file = {"channel": channel, "file_unit": file_unit, "against": against}
+    of_file = {"channel": channel, "file_unit": file_unit, "height_unit": height_unit, "against": against}
     problem: Problem[Any] = Problem(_surface(height, size, boundary, datum, prepare, of_file), **keys)
     options: SolveOptions = {
         "solver": solver,

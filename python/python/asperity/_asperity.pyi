@@ -186,6 +186,7 @@ class Surface:
         size: Length | Sequence[Length] | None = None,
         channel: str | int | None = None,
         file_unit: Length | None = None,
+        height_unit: Length | None = None,
         prepare: Keys | Literal["auto"] | None = None,
         against: Path | None = None,
         boundary: str | Sequence[str] | None = ...,

@@ -1,6 +1,7 @@
 //! Binary data, read from its start without ever going beyond its end.
 
 use super::format::malformed;
+use super::room::check_points;
 use std::io;
 
 /// Bytes of a file with the place in them.
@@ -113,17 +114,30 @@ pub(super) fn latin(bytes: &[u8]) -> String {
     }
 }
 
-/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if they fit into `bytes`.
+/// A text in UTF-16 with a mark of the order of its bytes, or else like [`latin`].
+pub(super) fn decoded(bytes: &[u8]) -> String {
+    let of_pairs = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
+        let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        char::decode_utf16(units).map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+    };
+    match bytes {
+        [0xff, 0xfe, rest @ ..] => of_pairs(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => of_pairs(rest, u16::from_be_bytes),
+        _ => latin(bytes),
+    }
+}
+
+/// The nodes of a map of `columns` by `rows`, each of `size` bytes, if they fit into `bytes` and their heights into memory.
 ///
 /// # Errors
-/// For counts that are not positive, and for more nodes than bytes.
+/// For counts that are not positive, for more nodes than bytes, and for more than there is memory for.
 pub(super) fn nodes(rows: i64, columns: i64, size: usize, bytes: usize) -> io::Result<[usize; 2]> {
     let shape = [usize::try_from(rows), usize::try_from(columns)];
     let [Ok(ny @ 1..), Ok(nx @ 1..)] = shape else {
         return Err(malformed(format!("it states {rows} rows of {columns} points")));
     };
     match ny.checked_mul(nx).and_then(|n| n.checked_mul(size)) {
-        Some(needed) if needed <= bytes => Ok([ny, nx]),
+        Some(needed) if needed <= bytes => check_points(&[ny, nx]).map(|()| [ny, nx]),
         _ => Err(malformed(format!("it states {rows} rows of {columns} points, but has {bytes} bytes for them"))),
     }
 }

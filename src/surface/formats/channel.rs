@@ -17,6 +17,8 @@ pub(super) struct Channel<'a> {
     pub name: String,
     /// Whether its values are heights: other fields, such as a phase, are listed but not read.
     pub is_height: bool,
+    /// Why it cannot be read, if that is so; it is listed all the same.
+    pub fault: Option<String>,
     /// Rows and columns; a profile has one row.
     pub shape: [usize; 2],
     /// Whether it is a profile, not a map of one row.
@@ -41,9 +43,31 @@ impl<'a> Channel<'a> {
     /// A channel of heights on a map, without units, distances and header.
     pub fn map(name: impl Into<String>, shape: [usize; 2], values: impl FnOnce() -> io::Result<Vec<f64>> + 'a) -> Self {
         let (is_height, is_profile, values) = (true, false, Box::new(values));
-        let (spacing, positions, lateral_unit, unit, header, doubts) = Default::default();
+        let (fault, spacing, positions, lateral_unit, unit, header, doubts) = Default::default();
         let name = name.into();
-        Self { name, is_height, shape, is_profile, spacing, positions, lateral_unit, unit, header, doubts, values }
+        Self {
+            name,
+            is_height,
+            fault,
+            shape,
+            is_profile,
+            spacing,
+            positions,
+            lateral_unit,
+            unit,
+            header,
+            doubts,
+            values,
+        }
+    }
+
+    /// The channel of a name, or one with a fault where it cannot be read: the other channels of the file can be read all the same.
+    pub fn or_unreadable(name: impl Into<String>, found: io::Result<Self>) -> Self {
+        found.unwrap_or_else(|error| Self {
+            is_height: false,
+            fault: Some(error.to_string()),
+            ..Self::map(name, [0, 0], || Ok(Vec::new()))
+        })
     }
 
     /// The channel with the spacing of its rows and of its columns, each in a unit of so many metres, or without any.
@@ -84,25 +108,17 @@ pub(super) fn may_be_height(name: &str) -> bool {
 /// # Errors
 /// The first error, if no channel of heights can be read.
 pub(super) fn listed<'a>(found: Vec<(impl Into<String>, io::Result<Channel<'a>>)>) -> io::Result<Vec<Channel<'a>>> {
-    let mut first = None;
-    let mut channels = Vec::new();
-    for (name, channel) in found {
-        channels.push(channel.unwrap_or_else(|error| {
-            first.get_or_insert(error);
-            let values = || Err(malformed("it cannot be read"));
-            Channel { is_height: false, ..Channel::map(name, [1, 1], values) }
-        }));
-    }
-    match first.filter(|_| channels.iter().all(|it| !it.is_height)) {
-        Some(error) => Err(error),
+    let channels: Vec<_> = found.into_iter().map(|(name, channel)| Channel::or_unreadable(name, channel)).collect();
+    match channels.iter().find_map(|it| it.fault.as_ref()).filter(|_| channels.iter().all(|it| !it.is_height)) {
+        Some(fault) => Err(malformed(fault)),
         None => Ok(channels),
     }
 }
 
-/// The channel with a name or a number (1, 2, ...); by default, the first channel of heights.
+/// The channel with a name or a number (1, 2, ...); by default, the first channel of heights that can be read.
 ///
 /// # Errors
-/// For a channel that is not there or holds no heights, with the names of those that do.
+/// For a channel that is not there, holds no heights or cannot be read, with the names of those that can.
 pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io::Result<Channel<'a>> {
     let names: Vec<String> = channels.iter().filter(|it| it.is_height).map(|it| format!("{:?}", it.name)).collect();
     let names = names.join(", ");
@@ -112,16 +128,18 @@ pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io
         None => it.is_height,
         Some(name) => it.name == name || number == Some(i + 1),
     };
+    let fault = channels.iter().find_map(|it| it.fault.clone());
     let found = channels.into_iter().enumerate().find(is_wanted).map(|(_, it)| it);
-    match (found, wanted) {
-        (Some(channel), _) if channel.is_height => Ok(channel),
-        (Some(channel), _) => {
-            Err(malformed(format!("its channel {:?} contains no heights: choose one of {names}", channel.name)))
+    Err(malformed(match (found, wanted) {
+        (Some(channel), _) if channel.is_height => return Ok(channel),
+        (Some(Channel { name, fault: Some(fault), .. }), _) => {
+            let others = if names.is_empty() { String::new() } else { format!(": choose one of {names}") };
+            format!("its channel {name:?} cannot be read, because {fault}{others}")
         }
-        (None, Some(name)) => Err(malformed(format!("it has no channel {name:?}: choose one of {names}"))),
-        (None, None) if all.is_empty() => Err(malformed("it contains no heights")),
-        (None, None) => {
-            Err(malformed(format!("it contains no heights: none of its channels {} is a length", all.join(", "))))
-        }
-    }
+        (Some(channel), _) => format!("its channel {:?} contains no heights: choose one of {names}", channel.name),
+        (None, Some(name)) => format!("it has no channel {name:?}: choose one of {names}"),
+        (None, None) if all.is_empty() => "it contains no heights".into(),
+        (None, None) => fault
+            .unwrap_or_else(|| format!("it contains no heights: none of its channels {} is a length", all.join(", "))),
+    }))
 }

@@ -27,6 +27,9 @@ pub struct Format {
     pub read: fn(&mut dyn ReadSeek, &ArrayRequest) -> io::Result<ArrayD<f64>>,
 }
 
+/// The fault of a file without a single byte.
+pub const EMPTY: &str = "it is empty";
+
 /// An error that describes the fault of a file.
 pub fn malformed(reason: impl Into<String>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, reason.into())

@@ -37,13 +37,19 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let file = ComponentMap::new(&mut ByteReader::new(rest))?;
     let mut numbers: Vec<u64> = file.components.keys().filter_map(|it| number(it)).collect();
     numbers.sort_unstable();
-    numbers.into_iter().map(|it| channel(&file, it)).collect()
+    Ok(numbers.into_iter().map(|it| Channel::or_unreadable(name(&file, it), channel(&file, it))).collect())
 }
 
 /// The number of the channel whose data have a name.
 fn number(name: &str) -> Option<u64> {
     let number = name.strip_prefix('/')?.strip_suffix("/data")?.parse().ok()?;
     (name == format!("/{number}/data")).then_some(number)
+}
+
+/// The title of a channel, or else where it is.
+fn name(file: &ComponentMap, number: u64) -> String {
+    let title = file.text(&format!("/{number}/data/title")).filter(|it| !it.is_empty());
+    title.map_or_else(|| format!("/{number}/data"), str::to_owned)
 }
 
 /// A value, of which an object and the numbers of an array are not read before they are asked for.
@@ -189,7 +195,6 @@ fn channel<'a>(file: &ComponentMap<'a>, number: u64) -> io::Result<Channel<'a>> 
     let [along, across] = [field.unit("si_unit_xy")?, field.unit("si_unit_z")?];
     let size = [field.double("yreal"), field.double("xreal")];
     let spacing = size[0].zip(size[1]).map(|(y, x)| [y / shape[0] as f64, x / shape[1] as f64]);
-    let title = file.text(&named("data/title")).filter(|it| !it.is_empty());
     let count = shape[0] * shape[1];
     let values = move || match mask {
         None => doubles(bytes).take(count).collect(),
@@ -201,7 +206,7 @@ fn channel<'a>(file: &ComponentMap<'a>, number: u64) -> io::Result<Channel<'a>> 
         lateral_unit: metres_of_si(&along),
         unit: metres_of_si(&across),
         header: header(file, &field, &named("meta"), mask.is_some())?,
-        ..Channel::map(title.map_or_else(|| named("data"), str::to_owned), shape, values)
+        ..Channel::map(name(file, number), shape, values)
     })
 }
 

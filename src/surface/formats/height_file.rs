@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// # Ok::<(), asperity::error::FileError>(())
 /// ```
 #[derive(Clone, Serialize, Deserialize)]
-#[serde(from = "PathBuf", into = "PathBuf")]
+#[serde(from = "PathBuf", into = "String")]
 pub struct HeightFile {
     file: InputFile,
     kept: Arc<Mutex<Kept>>,
@@ -120,7 +120,7 @@ impl From<PathBuf> for HeightFile {
     }
 }
 
-impl From<HeightFile> for PathBuf {
+impl From<HeightFile> for String {
     fn from(file: HeightFile) -> Self {
         file.file.into()
     }

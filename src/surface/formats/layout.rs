@@ -23,9 +23,9 @@ pub struct Layout {
 }
 
 /// Positions in ascending order, the first one at 0.
-pub(super) struct SortedPositions {
-    /// Which of those in the file comes next.
-    pub order: Vec<usize>,
+pub(super) struct AscendingPositions {
+    /// Whether they descend in the file.
+    pub is_reversed: bool,
     pub x: Vec<f64>,
 }
 
@@ -36,7 +36,7 @@ impl Layout {
     }
 
     /// The layout of a channel, and the positions in it.
-    pub(super) fn from_channel(channel: &Channel) -> io::Result<(Self, Option<SortedPositions>)> {
+    pub(super) fn from_channel(channel: &Channel) -> io::Result<(Self, Option<AscendingPositions>)> {
         let Channel { shape, is_profile, spacing, ref positions, lateral_unit, unit, .. } = *channel;
         let is_in_metres = lateral_unit.is_some() && unit.is_some();
         let lateral = lateral_unit.filter(|_| is_in_metres).unwrap_or(1.0);
@@ -44,7 +44,7 @@ impl Layout {
         if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
             return Err(malformed(format!("it states a spacing of {wrong:?}")));
         }
-        let positions = positions.as_ref().map(|x| SortedPositions::new(x, lateral)).transpose()?;
+        let positions = positions.as_ref().map(|x| AscendingPositions::new(x, lateral)).transpose()?;
         let mean = positions.as_ref().and_then(|it| Some(it.x.last()? / (it.x.len() - 1) as f64));
         let is_even = positions.as_ref().zip(mean).is_none_or(|(it, dx)| it.is_even(dx));
         let spacing = spacing.or(mean.map(|dx| [dx; 2]));
@@ -52,24 +52,52 @@ impl Layout {
     }
 }
 
-impl SortedPositions {
+impl AscendingPositions {
     /// The positions in a file, times the length of its unit.
+    ///
+    /// # Errors
+    /// For positions that are not finite, that turn back, and that occur twice.
     fn new(x: &[f64], unit: f64) -> io::Result<Self> {
         if let Some(wrong) = x.iter().find(|x| !x.is_finite()) {
             return Err(malformed(format!("it contains the position {wrong:?}")));
         }
-        let mut order: Vec<usize> = (0..x.len()).collect();
-        order.sort_by(|i, j| x[*i].total_cmp(&x[*j]));
-        let first = order.first().map_or(0.0, |i| x[*i]);
-        let sorted: Vec<f64> = order.iter().map(|i| (x[*i] - first) * unit).collect();
-        if let Some(i) = (1..sorted.len()).find(|&i| sorted[i] == sorted[i - 1]) {
-            return Err(malformed(format!("it contains two heights at the position {:?}", x[order[i]])));
+        let is_reversed = x.first() > x.last();
+        refuse_turn(x)?;
+        if let Some(twice) = x.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(malformed(format!("it contains two heights at the position {:?}", twice[0])));
         }
-        Ok(Self { order, x: sorted })
+        let mut ascending = x.to_vec();
+        if is_reversed {
+            ascending.reverse();
+        }
+        let first = ascending.first().copied().unwrap_or_default();
+        ascending.iter_mut().for_each(|x| *x = (*x - first) * unit);
+        match ascending.last() {
+            Some(last) if !last.is_finite() => Err(malformed(format!("its positions span {last:?}"))),
+            _ => Ok(Self { is_reversed, x: ascending }),
+        }
     }
 
     /// Whether they are evenly spaced except for rounding.
     fn is_even(&self, spacing: f64) -> bool {
         self.x.iter().enumerate().all(|(i, x)| (x - i as f64 * spacing).abs() <= UNEVEN * spacing)
     }
+}
+
+/// Refuses positions that go forth and back, such as trace and retrace of a line.
+fn refuse_turn(x: &[f64]) -> io::Result<()> {
+    let mut last = 0.0;
+    for (i, pair) in x.windows(2).enumerate() {
+        let step = pair[1] - pair[0];
+        if step * last < 0.0 {
+            return Err(malformed(format!(
+                "its positions turn back at point {}, from {:?} to {:?}, and two passes or an overhang are no profile: give one pass",
+                i + 2,
+                pair[0],
+                pair[1]
+            )));
+        }
+        last = if step == 0.0 { last } else { step.signum() };
+    }
+    Ok(())
 }

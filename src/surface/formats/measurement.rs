@@ -1,13 +1,15 @@
 //! Heights as measured by an instrument.
 
 use super::channel::{Channel, choose};
+use super::format::EMPTY;
 use super::format::{ReadSeek, malformed};
 use super::instrument::Instrument;
 use super::layout::Layout;
+use super::room::check_points;
 use super::{HEIGHTS, INSTRUMENTS, npy, npz, profile_of, shape_of};
 use crate::error::FileError;
 use crate::files::open_regular;
-use crate::surface::Field;
+use crate::surface::{Field, overflowing};
 use crate::warning::Warning;
 use ndarray::Axis;
 use std::fs::File;
@@ -26,6 +28,8 @@ pub struct Measurement {
     pub channels: Vec<String>,
     /// The one that was read.
     pub channel: String,
+    /// The names of the channels that cannot be read, and why.
+    pub unreadable: Vec<(String, String)>,
     /// Heights, shape `(ny, nx)` (a profile has one row); NaN if not measured.
     pub height: Field,
     /// Whether it is a profile, not a map of one row.
@@ -110,12 +114,14 @@ impl Measurement {
         let instrument = instrument(bytes)?;
         let all = (instrument.channels)(bytes)?;
         let channels = all.iter().filter(|it| it.is_height).map(|it| it.name.clone()).collect();
-        Self::new(instrument.name, channels, choose(all, channel)?)
+        let unreadable = all.iter().filter_map(|it| Some((it.name.clone(), it.fault.clone()?))).collect();
+        Ok(Self { unreadable, ..Self::new(instrument.name, channels, choose(all, channel)?)? })
     }
 
     /// The heights of an array of a file, and the positions beside them if there are any.
     fn from_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<Self> {
         let (channels, name) = array_names(source, channel)?;
+        check_points(&shape_of(source, &name)?)?;
         let (array, positions) = profile_of(source, &name)?;
         let is_profile = array.ndim() == 1;
         let array = if is_profile { array.insert_axis(Axis(0)) } else { array };
@@ -152,9 +158,14 @@ impl Measurement {
         })?;
         let unit = unit.filter(|_| is_in_metres).unwrap_or(1.0);
         let height = height.mapv_into(|h| if h.is_finite() { h * unit } else { f64::NAN });
+        if let Some([least, most]) = overflowing(height.iter().copied().filter(|h| !h.is_nan())) {
+            return Err(malformed(format!(
+                "its heights lie between {least:?} and {most:?}, and differences of so large numbers overflow: give them in a larger unit"
+            )));
+        }
         let height = match &positions {
-            Some(positions) => height.select(Axis(1), &positions.order),
-            None => height,
+            Some(positions) if positions.is_reversed => reversed(height),
+            _ => height,
         };
         let positions = positions.filter(|_| !is_even).map(|it| it.x);
         let advice =
@@ -164,6 +175,7 @@ impl Measurement {
             format,
             channels,
             channel: name,
+            unreadable: Vec::new(),
             height,
             is_profile,
             spacing,
@@ -175,8 +187,17 @@ impl Measurement {
     }
 }
 
+/// Heights with the last column first.
+fn reversed(mut height: Field) -> Field {
+    height.invert_axis(Axis(1));
+    height.as_standard_layout().into_owned()
+}
+
 /// The format of the bytes of a file.
 fn instrument(bytes: &[u8]) -> io::Result<&'static Instrument> {
+    if bytes.is_empty() {
+        return Err(malformed(EMPTY));
+    }
     let found = INSTRUMENTS.iter().find(|it| (it.is_it)(bytes));
     found.ok_or_else(|| malformed("its format is not known"))
 }
@@ -188,7 +209,9 @@ fn is_array(source: &mut dyn ReadSeek) -> bool {
 
 fn layout_of_arrays(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<Layout> {
     let (_, name) = array_names(source, channel)?;
-    match *shape_of(source, &name)? {
+    let shape = shape_of(source, &name)?;
+    check_points(&shape)?;
+    match *shape {
         [ny, nx] => Ok(Layout::map([ny, nx])),
         _ => Ok(Measurement::from_arrays(source, channel)?.layout()),
     }

@@ -9,6 +9,7 @@ mod bcr;
 mod bytes;
 mod cdf;
 mod channel;
+mod columns;
 #[cfg(feature = "instruments")]
 mod compound;
 mod entries;
@@ -43,6 +44,7 @@ mod points;
 mod profile;
 mod raster;
 mod remarks;
+mod room;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod sur;
@@ -53,6 +55,7 @@ mod tmd;
 mod unit;
 mod vk4;
 mod wsxm;
+mod wyko_text;
 #[cfg(feature = "instruments")]
 mod x3p;
 #[cfg(feature = "instruments")]
@@ -110,6 +113,7 @@ const INSTRUMENTS: &[Instrument] = &[
     xlsx::INSTRUMENT,
     #[cfg(feature = "instruments")]
     zon::INSTRUMENT,
+    wyko_text::INSTRUMENT,
     numbers::INSTRUMENT,
 ];
 

@@ -11,7 +11,7 @@ use std::str::FromStr;
 /// A header of lists of `\Name: value` lines up to `\*File list end`, and images as integers, row by row from the last
 /// one on, whichever way they were scanned. An image has a Z scale, such as `V [Sens. Zsens] (0.005 V/LSB) 2.91 V`: the
 /// volts of all numbers of `Bytes/pixel` bytes, to multiply by the sensitivity of that name, such as `V 20.8 nm/V`. Its
-/// scan size has a unit. From version 9.2 on a number has four bytes, independent of `Bytes/pixel`, if the file is long
+/// scan size has a unit; a scan that is not square has an aspect ratio, in the list of the image or in another one, or a slow axis. From version 9.2 on a number has four bytes, independent of `Bytes/pixel`, if the file is long
 /// enough. No value is void. Images of a height or of the Z sensor are heights if their unit is one of length: a
 /// deflection in nanometres is none. Files older than version 4.3, curves and text are refused.
 ///
@@ -51,7 +51,9 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut channels: Vec<Channel> = Vec::new();
     for image in &images {
         let (kind, label) = image.kind();
-        channels.push(channel(bytes, new_name(label, &channels), kind, image, &lists)?);
+        let name = new_name(label, &channels);
+        let read = channel(bytes, &name, kind, image, &lists);
+        channels.push(Channel::or_unreadable(name, read));
     }
     Ok(channels)
 }
@@ -113,15 +115,23 @@ impl<'a> List<'a> {
     }
 }
 
-/// What is between brackets at the beginning of a text, and what follows them.
+/// What is between brackets at the beginning of a text, which may contain such brackets, and what follows them.
 fn bracketed(text: &str, [open, close]: [char; 2]) -> (Option<&str>, &str) {
-    match text.strip_prefix(open).and_then(|text| text.split_once(close)) {
-        Some((inside, rest)) => (Some(inside).filter(|it| !it.is_empty()), rest.trim_start()),
+    let mut depth = 0;
+    let mut is_end = |letter| {
+        depth += i32::from(letter == open) - i32::from(letter == close);
+        depth == 0
+    };
+    match text.starts_with(open).then(|| text.find(&mut is_end)).flatten() {
+        Some(end) => {
+            let (inside, rest) = (&text[open.len_utf8()..end], &text[end + close.len_utf8()..]);
+            (Some(inside).filter(|it| !it.is_empty()), rest.trim_start())
+        }
         None => (None, text),
     }
 }
 
-fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &[List]) -> io::Result<Channel<'a>> {
+fn channel<'a>(bytes: &'a [u8], name: &str, kind: &str, image: &List, lists: &[List]) -> io::Result<Channel<'a>> {
     let data = ByteReader::new(bytes).seek(image.number("Data offset")?)?.rest();
     let length: usize = image.number("Data length")?;
     let missing = length.saturating_sub(data.len());
@@ -140,10 +150,10 @@ fn channel<'a>(bytes: &'a [u8], name: String, kind: &str, image: &List, lists: &
     if !range.is_finite() || range == 0.0 {
         return Err(malformed(format!("its Z scale is {range:?} metres")));
     }
-    let ([width, height], lateral) = size(image.need("Scan Size")?)?;
+    let [width, height] = scan_size(image, lists, rows)?;
     Ok(Channel {
         spacing: Some([height / ny as f64, width / nx as f64]),
-        lateral_unit: Some(lateral),
+        lateral_unit: Some(1.0),
         unit: Some(range / 256_f64.powi(scaled)),
         header: header(image, lists),
         ..map
@@ -212,18 +222,46 @@ fn ratio(unit: &str, other: &str) -> Option<f64> {
     if unit == other { Some(1.0) } else { Some(volts(unit)? / volts(other)?) }
 }
 
-/// Width and height of an image, of which one alone is both, and metres in their unit.
-fn size(text: &str) -> io::Result<([f64; 2], f64)> {
+/// Width and height of an image of some rows, in metres. The scan may be given by its width alone, or by its width twice, and then its
+/// aspect ratio says the height, or the size of its slow axis; an image of fewer rows than its scan has is a part of it.
+fn scan_size(image: &List, lists: &[List], rows: i64) -> io::Result<[f64; 2]> {
+    let size = size(image.need("Scan Size")?)?;
+    let ratio = find(image, lists, "Aspect Ratio").map(aspect).transpose()?.unwrap_or(1.0);
+    let width = size[0];
+    Ok(match (find(image, lists, "Slow Axis Size"), size[..] == [width, width] || size.len() == 1) {
+        (Some(slow), _) => {
+            let whole: Option<i64> = lists.iter().find_map(|list| list.number("Lines").ok());
+            let part =
+                whole.filter(|whole| ratio != 1.0 && rows < *whole).map_or(1.0, |whole| rows as f64 / whole as f64);
+            [width, self::size(slow)?[0] * part]
+        }
+        (None, true) => [width, width / ratio],
+        (None, false) => [width, size[1]],
+    })
+}
+
+/// A value of an image, or else of the first list that has it and describes no other image.
+fn find<'a>(image: &List<'a>, lists: &[List<'a>], name: &str) -> Option<&'a str> {
+    image.find(name).or_else(|| lists.iter().filter(|list| !list.is_image()).find_map(|list| list.find(name)))
+}
+
+/// The ratio of width and height, such as 2 in `2:1` and `2`.
+fn aspect(text: &str) -> io::Result<f64> {
+    let (width, height) = text.split_once(':').unwrap_or((text, "1"));
+    let ratio = width.trim().parse::<f64>().ok().zip(height.trim().parse::<f64>().ok()).map(|(x, y)| x / y);
+    let ratio = ratio.filter(|ratio| *ratio > 0.0 && ratio.is_finite());
+    ratio.ok_or_else(|| malformed(format!("its aspect ratio is {text:?}")))
+}
+
+/// One or two lengths with a unit, in metres.
+fn size(text: &str) -> io::Result<Vec<f64>> {
     let wrong = || malformed(format!("its scan size is {text:?}"));
     let words: Vec<&str> = text.split_whitespace().collect();
     let (unit, numbers) = words.split_last().ok_or_else(wrong)?;
-    let numbers: Vec<f64> = numbers.iter().map(|it| it.parse()).collect::<Result<_, _>>().map_err(|_| wrong())?;
-    let size = match numbers[..] {
-        [width] => [width, width],
-        [width, height] => [width, height],
-        _ => return Err(wrong()),
-    };
-    Ok((size, metres(unit).ok_or_else(wrong)?))
+    let unit = metres(unit).ok_or_else(wrong)?;
+    let lengths = numbers.iter().map(|it| it.parse::<f64>().map(|it| it * unit));
+    let lengths: Vec<f64> = lengths.collect::<Result<_, _>>().map_err(|_| wrong())?;
+    if (1..=2).contains(&lengths.len()) { Ok(lengths) } else { Err(wrong()) }
 }
 
 /// What the file says of an image.

@@ -4,7 +4,7 @@ use super::cdf::{File, ValueType, Variable};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
-use super::unit::metres;
+use super::unit::{lateral, metres, ratio};
 use std::io;
 
 /// A header of dimensions, attributes and variables, and the values of each variable at a place that the header says, the most significant
@@ -41,7 +41,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let file = File::new(bytes)?;
     let mut candidates: Vec<_> = file.variables.iter().filter(|it| file.may_be_heights(it)).collect();
     candidates.sort_by_key(|it| (it.name != HEIGHTS, it.dimensions.len() == 1));
-    candidates.into_iter().map(|it| file.channel(it)).collect()
+    Ok(candidates.into_iter().map(|it| Channel::or_unreadable(&it.name, file.channel(it))).collect())
 }
 
 impl<'a> File<'a> {
@@ -65,26 +65,29 @@ impl<'a> File<'a> {
         let is_turned = self.names(variable) == ["x", "y"];
         let [y, x] = if is_turned || is_profile { [1, 0] } else { [0, 1] }.map(|place| self.axis(variable, place));
         let [y, x] = [y?, x?];
-        let factor = y.unit.zip(x.unit).map_or(1.0, |(across, along)| across / along);
-        let across = if is_profile { x.step } else { y.step.map(|it| it * factor) };
-        let unit = variable.unit();
-        let number = self.numbers(variable)?;
-        let turned = move |i: usize| i % rows * columns + i / rows;
-        let shape = if is_turned { [columns, rows] } else { [rows, columns] };
-        let is_uneven = !is_profile && (x.uneven.is_some() || y.uneven.is_some());
-        let values = move || match is_uneven {
-            true => Err(malformed("its map has coordinates that are not evenly spaced")),
-            false => Ok((0..rows * columns).map(|i| number(if is_turned { turned(i) } else { i })).collect()),
+        if !is_profile && (x.uneven.is_some() || y.uneven.is_some()) {
+            return Err(malformed("its map has coordinates that are not evenly spaced"));
+        }
+        let [ny, nx] = if is_turned { [columns, rows] } else { [rows, columns] };
+        let (number, is_back) = (self.numbers(variable)?, [y.is_back(), x.is_back()]);
+        let place = move |i: usize| {
+            let [iy, ix] = [i / nx, i % nx];
+            let [iy, ix] = [if is_back[0] { ny - 1 - iy } else { iy }, if is_back[1] { nx - 1 - ix } else { ix }];
+            if is_turned { ix * ny + iy } else { iy * nx + ix }
         };
+        let values = move || Ok((0..ny * nx).map(|i| number(place(i))).collect());
+        let across = if is_profile { x.step } else { y.step.map(|it| it * ratio(y.unit, x.unit)) };
+        let along = if is_profile { x.unit } else { lateral(y.unit, x.unit) };
+        let unit = variable.unit();
         Ok(Channel {
             is_height: unit.is_empty() || metres(unit).is_some(),
             is_profile,
-            spacing: across.zip(x.step).map(|(y, x)| [y, x]),
+            spacing: across.zip(x.step).map(|(y, x)| [y.abs(), x.abs()]),
             positions: x.uneven.filter(|_| is_profile),
-            lateral_unit: x.unit,
-            unit: metres(unit).or(x.unit.filter(|_| unit.is_empty() && variable.name == HEIGHTS)),
+            lateral_unit: along,
+            unit: metres(unit).or(along.filter(|_| unit.is_empty() && variable.name == HEIGHTS)),
             header: self.header(variable),
-            ..Channel::map(&variable.name, shape, values)
+            ..Channel::map(&variable.name, [ny, nx], values)
         })
     }
 
@@ -108,6 +111,9 @@ impl<'a> File<'a> {
         let ([_, count], data) = self.data(coordinates)?;
         let axis = AxisCoordinates { unit: metres(coordinates.unit()), ..AxisCoordinates::default() };
         if let Some(length) = coordinates.number("length") {
+            if !(length > 0.0) {
+                return Err(malformed(format!("its {:?} has the length {length:?}", coordinates.name)));
+            }
             return Ok(AxisCoordinates { step: Some(length / count as f64), ..axis });
         }
         let value = coordinates.values();
@@ -137,10 +143,17 @@ fn step(positions: &[f64]) -> Option<f64> {
 /// An axis of a map or a profile.
 #[derive(Default)]
 struct AxisCoordinates {
-    /// The distance of points that are evenly spaced.
+    /// The distance of points that are evenly spaced, negative where coordinates fall.
     step: Option<f64>,
     /// Metres in its unit.
     unit: Option<f64>,
     /// Coordinates that are not evenly spaced.
     uneven: Option<Vec<f64>>,
+}
+
+impl AxisCoordinates {
+    /// Whether its coordinates fall from point to point.
+    fn is_back(&self) -> bool {
+        self.step.is_some_and(|step| step < 0.0)
+    }
 }

@@ -1,6 +1,6 @@
 //! NumPy's `.npy`.
 
-use super::format::{ArrayRequest, Format, ReadSeek, malformed};
+use super::format::{ArrayRequest, EMPTY, Format, ReadSeek, malformed};
 use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement, WriteNpyError, WriteNpyExt};
@@ -8,6 +8,8 @@ use std::io::{self, BufReader, Read, SeekFrom, Write};
 use std::ops::Range;
 use strum::EnumString;
 
+/// What every file begins with.
+const MAGIC: &[u8; 6] = b"\x93NUMPY";
 /// Bytes at the start of a file that must hold the whole header; NumPy writes 128.
 const HEADER_BYTES: u64 = 4096;
 
@@ -25,7 +27,7 @@ fn whole(file: &mut dyn ReadSeek) -> io::Result<Range<u64>> {
 /// Whether a file begins like an array.
 pub(super) fn is_array(file: &mut dyn ReadSeek) -> bool {
     let mut magic = [0; 6];
-    file.rewind().and_then(|()| file.read_exact(&mut magic)).is_ok() && magic == *b"\x93NUMPY"
+    file.rewind().and_then(|()| file.read_exact(&mut magic)).is_ok() && magic == *MAGIC
 }
 
 /// The shape of the array at a place in a file.
@@ -112,12 +114,32 @@ fn layout(file: &mut dyn ReadSeek, place: Range<u64>, wanted: &ArrayRequest) -> 
     }
 }
 
+/// Bytes up to the end of the header as its start states them, which the reader of headers would allocate at once: two bytes for their
+/// number in version 1, and four in later ones.
+fn stated_header(start: &[u8]) -> Option<u64> {
+    let [version, _, rest @ ..] = start.strip_prefix(MAGIC)? else { return None };
+    let counts = rest.get(..if *version == 1 { 2 } else { 4 })?;
+    let number = counts.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte));
+    Some(8 + counts.len() as u64 + number)
+}
+
 /// The header of an array, and where the data after it start.
 pub(super) fn header(file: &mut dyn ReadSeek, place: &Range<u64>) -> io::Result<(Header, u64)> {
     let mut start = Vec::new();
     let most = HEADER_BYTES.min(place.end - place.start);
+    if most == 0 {
+        return Err(malformed(EMPTY));
+    }
     file.seek(SeekFrom::Start(place.start))?;
     file.take(most).read_to_end(&mut start)?;
+    let stated = stated_header(&start).filter(|stated| *stated > start.len() as u64);
+    if let Some(stated) = stated {
+        let found = place.end - place.start;
+        return Err(malformed(format!(
+            "it is not a valid .npy file: it states a header of {stated} bytes, but it has {found} in all and headers of at most \
+             {HEADER_BYTES} are read"
+        )));
+    }
     let mut rest = start.as_slice();
     let header = Header::from_reader(&mut rest).map_err(|error| {
         let why = error.to_string(); // a syntax error draws where it is, from an arrow on

@@ -31,16 +31,16 @@ fn is_it(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x01\x00Directory")
 }
 
-fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
+fn channels<'a>(bytes: &'a [u8]) -> io::Result<Vec<Channel<'a>>> {
     let (blocks, rest) = blocks(bytes)?;
     let arrays: Vec<&Block> = blocks.iter().filter(|it| it.kind == ARRAY).collect();
     let heights = arrays.iter().filter(|it| it.is_height()).count();
     if heights > MOST {
         return Err(malformed(format!("it contains {heights} arrays of heights, but at most {MOST} are read")));
     }
-    let channels =
-        arrays.into_iter().map(|array| if array.is_height() { map(array, &blocks) } else { array.channel() });
-    let mut channels = channels.collect::<io::Result<Vec<_>>>()?;
+    let channel = |array: &Block<'a>| if array.is_height() { map(array, &blocks) } else { array.channel() };
+    let channels = arrays.into_iter().map(|array| Channel::or_unreadable(&*array.name, channel(array)));
+    let mut channels: Vec<Channel> = channels.collect();
     let rest = left_over(rest, "the last block");
     channels.iter_mut().for_each(|it| it.doubts.extend(rest.clone()));
     Ok(channels)
@@ -152,7 +152,7 @@ fn number(size: u16) -> io::Result<Number> {
 }
 
 /// Values row by row of those that are stored column by column, each from its last row on.
-fn rows_of(stored: Vec<f64>, [ny, nx]: [usize; 2]) -> io::Result<Vec<f64>> {
+pub(super) fn rows_of(stored: Vec<f64>, [ny, nx]: [usize; 2]) -> io::Result<Vec<f64>> {
     let columns =
         Array2::from_shape_vec((nx, ny), stored).map_err(|error| malformed(format!("it is damaged: {error}")))?;
     let mut rows = columns.reversed_axes();

@@ -52,28 +52,40 @@ struct Fields {
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut at = ByteReader::new(bytes);
     let fields = fields(&mut at)?;
-    let mut channels = Vec::new();
+    let (mut channels, mut last) = (Vec::new(), None);
     for layer in 1..=fields.layers {
-        let (shape, heights) = layer_of(&mut at)?;
-        if fields.is_profile && shape[0] != 1 {
-            return Err(malformed(format!("it is a profile, but states {} rows", shape[0])));
-        }
-        let values = move || heights.chunks_exact(4).map(height).collect();
         let name = if fields.layers == 1 { "height".to_owned() } else { format!("layer {layer}") };
-        channels.push(Channel {
-            is_profile: fields.is_profile,
-            spacing: Some(fields.spacing),
-            lateral_unit: Some(MICROMETRE),
-            unit: Some(MICROMETRE),
-            header: fields.header.clone(),
-            doubts: doubt(&fields, &name, shape).into_iter().collect(),
-            ..Channel::map(name, shape, values)
-        });
-        if layer < fields.layers {
-            skip_rest(&mut at, shape, fields.pictures)?;
+        let found = channel(&mut at, &name, &fields, last);
+        last = found.as_ref().ok().map(|it| it.shape);
+        channels.push(Channel::or_unreadable(name, found));
+        if last.is_none() {
+            break; // where the layers behind it are is not known
         }
     }
     Ok(channels)
+}
+
+/// The layer behind the last one, which has a shape unless there is none.
+fn channel<'a>(
+    at: &mut ByteReader<'a>,
+    name: &str,
+    fields: &Fields,
+    last: Option<[usize; 2]>,
+) -> io::Result<Channel<'a>> {
+    last.map_or(Ok(()), |shape| skip_rest(at, shape, fields.pictures))?;
+    let (shape, heights) = layer_of(at)?;
+    if fields.is_profile && shape[0] != 1 {
+        return Err(malformed(format!("it is a profile, but states {} rows", shape[0])));
+    }
+    Ok(Channel {
+        is_profile: fields.is_profile,
+        spacing: Some(fields.spacing),
+        lateral_unit: Some(MICROMETRE),
+        unit: Some(MICROMETRE),
+        header: fields.header.clone(),
+        doubts: doubt(fields, name, shape).into_iter().collect(),
+        ..Channel::map(name, shape, move || heights.chunks_exact(4).map(height).collect())
+    })
 }
 
 /// The doubt that a layer of a topography has other counts than the fields.

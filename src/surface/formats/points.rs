@@ -18,15 +18,17 @@ pub(super) struct Map {
     pub values: Vec<f64>,
 }
 
-/// The map of points in three columns x, y and height, in any order; none if they are not evenly spaced, or two have one place.
-pub(super) fn map(table: &TextTable) -> Option<Map> {
-    let [x, y] = [EvenPositions::new(table.column(0).collect())?, EvenPositions::new(table.column(1).collect())?];
+/// The map of points in three columns x, y and height from the column `first` on, in any order; none if they are not evenly spaced, or two have
+/// one place.
+pub(super) fn map(table: &TextTable, first: usize) -> Option<Map> {
+    let axis = |column: usize| EvenPositions::new(table.column(column).collect());
+    let [x, y] = [axis(first)?, axis(first + 1)?];
     let shape = [y.points, x.points];
     let places =
         shape[0].checked_mul(shape[1]).filter(|places| *places <= SPARSEST.saturating_mul(table.shape()[0]))?;
     let mut values = vec![f64::NAN; places];
     let mut is_given = vec![false; places];
-    for point in table.values.chunks_exact(3) {
+    for point in table.values.chunks_exact(table.columns).map(|row| &row[first..]) {
         let place = y.place(point[1])? * shape[1] + x.place(point[0])?;
         if std::mem::replace(&mut is_given[place], true) {
             return None;

@@ -20,12 +20,15 @@ pub(super) struct Remarks {
     pub value_unit: Option<f64>,
     /// Metres in a unit of each column.
     pub column_units: Vec<Option<f64>>,
+    /// The names of the columns in small letters, if a line has one for each.
+    pub column_names: Vec<String>,
     /// All that is said by name.
     pub said: Vec<(String, String)>,
 }
 
 impl Remarks {
-    pub fn new(head: &[String]) -> Self {
+    /// What a head says of a table with so many columns.
+    pub fn new(head: &[String], columns: usize) -> Self {
         let lines = head.iter().map(|line| line.trim_start_matches(['#', '%']).trim());
         let pairs = lines.filter_map(|line| line.split_once(':').or_else(|| line.split_once('=')));
         let said: Vec<_> = pairs.map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned())).collect();
@@ -51,9 +54,10 @@ impl Remarks {
             column_units: head
                 .iter()
                 .rev()
-                .map(|line| column_units(line))
+                .map(|line| column_units(line, columns))
                 .find(|it| !it.is_empty())
                 .unwrap_or_default(),
+            column_names: head.iter().rev().find_map(|line| column_names(line, columns)).unwrap_or_default(),
             said,
         }
     }
@@ -65,19 +69,57 @@ fn length(text: &str) -> Option<f64> {
     Some(number.replacen(',', ".", 1).parse::<f64>().ok()? * metres(unit)?)
 }
 
-/// Metres in the units in round or square brackets after the names of columns, or in the units that a line holds alone, such as
-/// `µm nm`; none where there are no units.
-fn column_units(line: &str) -> Vec<Option<f64>> {
+/// Metres in the units of columns: in round or square brackets after their names, as the last words of their names, as in `x in µm`, or alone on
+/// a line, such as `µm nm`; none where there are no units.
+fn column_units(line: &str, columns: usize) -> Vec<Option<f64>> {
     let line = line.trim_start_matches(['#', '%']).trim();
-    let in_brackets = |name: &str| {
-        let start = name.rfind(['(', '['])?;
-        let end = start + name[start..].find([')', ']'])?;
-        metres(&name[start + 1..end])
-    };
-    let units: Vec<_> = line.split([',', ';', '\t']).map(in_brackets).collect();
-    if units.iter().any(Option::is_some) {
+    let names: Vec<&str> = line.split([',', ';', '\t']).collect();
+    let each: Vec<_> = names.iter().map(|name| in_brackets(name).pop().flatten()).collect();
+    if names.len() > 1 && each.iter().any(Option::is_some) {
+        return each;
+    }
+    let all = [in_brackets(line), last_words(&names), behind_names(line)];
+    if let Some(units) = all.into_iter().find(|it| it.len() == columns) {
         return units;
     }
     let alone: Vec<_> = line.split([' ', ',', ';', '\t']).filter(|word| !word.is_empty()).map(metres).collect();
-    if alone.iter().all(Option::is_some) { alone } else { Vec::new() }
+    if alone.iter().all(Option::is_some) { alone } else { each.into_iter().filter(Option::is_some).collect() }
+}
+
+/// Metres in a word that is a unit, and hardly another word.
+fn unit_word(word: &str) -> Option<f64> {
+    metres(word).filter(|_| !["A", "in"].contains(&word))
+}
+
+/// Metres in the units in all brackets of a text; nothing if none of them is a unit of length.
+fn in_brackets(text: &str) -> Vec<Option<f64>> {
+    let parts = text.split(['(', '[']).skip(1).filter_map(|part| part.split_once([')', ']']));
+    let units: Vec<_> = parts.map(|it| metres(it.0)).collect();
+    if units.iter().any(Option::is_some) { units } else { Vec::new() }
+}
+
+/// Metres in the units that all names of several words end in, such as `Lateral um`; nothing if one ends otherwise, or none has several words.
+fn last_words(names: &[&str]) -> Vec<Option<f64>> {
+    let unit = |name: &&str| name.trim().trim_matches('"').rsplit_once(char::is_whitespace).map(|it| unit_word(it.1));
+    let units: Vec<_> = names.iter().map(unit).collect();
+    let is_known = units.iter().flatten().all(Option::is_some) && units.iter().any(Option::is_some);
+    if is_known { units.into_iter().map(Option::flatten).collect() } else { Vec::new() }
+}
+
+/// Metres in the units among the words of a line, each behind a name, as in `x in µm z in nm`.
+fn behind_names(line: &str) -> Vec<Option<f64>> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let is_behind = |pair: &&[&str]| unit_word(pair[0]).is_none() && unit_word(pair[1]).is_some();
+    words.windows(2).filter(is_behind).map(|pair| metres(pair[1])).collect()
+}
+
+/// The names of so many columns in small letters, if a line has them: parted by commas, semicolons and tabs, or by white space.
+fn column_names(line: &str, columns: usize) -> Option<Vec<String>> {
+    let line = line.trim_start_matches(['#', '%']).trim();
+    let plain = |name: &str| name.trim().trim_matches('"').to_lowercase();
+    let parted: Vec<String> = line.split([',', ';', '\t']).map(plain).collect();
+    let words = || line.split_whitespace().map(plain).collect::<Vec<_>>();
+    let names = if parted.len() == columns { parted } else { words() };
+    let is_name = |name: &String| name.starts_with(char::is_alphabetic);
+    (names.len() == columns && names.iter().all(is_name)).then_some(names)
 }

@@ -4,7 +4,7 @@ use super::bytes::{ByteReader, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
-use super::unit::metres;
+use super::unit::{lateral, metres, ratio};
 use super::zlib::{LARGEST_RATIO, unpack};
 use std::borrow::Cow;
 use std::io;
@@ -35,13 +35,25 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut at = ByteReader::new(bytes);
     let first = ObjectHeader::new(&mut at)?;
     let (kind, count) = (first.kind, first.count);
-    let mut channels = vec![first.channel(kind, 0)?];
-    for i in 1..count {
-        channels.push(ObjectHeader::new(&mut at)?.channel(kind, i)?);
+    let mut channels = vec![Channel::or_unreadable(object_name(0), first.channel(kind, 0))];
+    for place in 1..count {
+        match ObjectHeader::new(&mut at) {
+            Ok(object) => channels.push(Channel::or_unreadable(object_name(place), object.channel(kind, place))),
+            // where the objects behind it are is not known
+            Err(error) => {
+                channels.push(Channel::or_unreadable(object_name(place), Err(error)));
+                return Ok(channels);
+            }
+        }
     }
     let rest = left_over(at.rest().len(), "the last object");
     channels.iter_mut().for_each(|it| it.doubts.extend(rest.clone()));
     Ok(channels)
+}
+
+/// The name of an object that cannot be read.
+fn object_name(place: usize) -> String {
+    format!("object {}", place + 1)
 }
 
 /// Points as they are in the file.
@@ -216,7 +228,7 @@ impl<'a> ObjectHeader<'a> {
             is_profile,
             doubts: doubt.into_iter().collect(),
             spacing: Some([across, x]),
-            lateral_unit: along_x,
+            lateral_unit: if is_profile { along_x } else { lateral(along_y, along_x) },
             unit,
             header: self.header,
             ..Channel::map(name, shape, values)
@@ -253,11 +265,6 @@ fn number(bytes: &[u8]) -> io::Result<i64> {
     let is_short = bytes.len() == 2;
     let mut bytes = ByteReader::new(bytes);
     Ok(if is_short { bytes.i16()?.into() } else { bytes.i32()?.into() })
-}
-
-/// How many of a unit one of another is, if both are known.
-fn ratio(unit: Option<f64>, other: Option<f64>) -> f64 {
-    unit.zip(other).map_or(1.0, |(unit, other)| unit / other)
 }
 
 /// The text of a number, none for zero.

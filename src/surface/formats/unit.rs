@@ -20,3 +20,13 @@ pub(super) fn metres(unit: &str) -> Option<f64> {
 pub(super) fn metres_of_si(unit: &str) -> Option<f64> {
     metres(unit).filter(|_| unit.trim() != "A")
 }
+
+/// The unit of distances along x of a map with units along y and x, of which none is taken for the other; none if one is not known.
+pub(super) fn lateral(along_y: Option<f64>, along_x: Option<f64>) -> Option<f64> {
+    along_x.filter(|_| along_y.is_some())
+}
+
+/// How many of a unit one of another is, if both are known.
+pub(super) fn ratio(unit: Option<f64>, other: Option<f64>) -> f64 {
+    unit.zip(other).map_or(1.0, |(unit, other)| unit / other)
+}

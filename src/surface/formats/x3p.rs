@@ -268,7 +268,7 @@ impl DescribedSurface {
         let before: usize = self.axes.iter().take(axis).filter_map(|it| it.kind).map(CoordinateType::size).sum();
         let kind = self.axes[axis].kind.ok_or_else(|| malformed("its heights are not stored"))?;
         let size = self.size();
-        let mut coordinates = Vec::new();
+        let mut coordinates = Vec::with_capacity(self.count());
         link.unpack(archive, self.count(), size, |piece| {
             for point in piece.chunks_exact(size) {
                 coordinates.push(self.axes[axis].metres(kind.number(&point[before..])?));

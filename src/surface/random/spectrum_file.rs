@@ -65,7 +65,7 @@ impl SpectrumConvention {
 /// # Ok::<(), asperity::error::FileError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(from = "PathBuf", into = "PathBuf")]
+#[serde(from = "PathBuf", into = "String")]
 pub struct SpectrumFile {
     file: InputFile,
 }
@@ -147,7 +147,7 @@ impl From<PathBuf> for SpectrumFile {
     }
 }
 
-impl From<SpectrumFile> for PathBuf {
+impl From<SpectrumFile> for String {
     fn from(file: SpectrumFile) -> Self {
         file.file.into()
     }

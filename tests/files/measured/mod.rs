@@ -1,6 +1,7 @@
 //! Files of instruments: what is read of them, and that none does harm.
 
 pub mod binaries;
+mod channels;
 mod contained;
 pub mod containers;
 mod doubts;

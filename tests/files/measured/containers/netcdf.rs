@@ -137,3 +137,21 @@ pub fn profile() -> Vec<u8> {
     ];
     Format(2).file(&[("n", 3)], &variables)
 }
+
+/// A map whose rows are at falling positions along y in some unit.
+pub fn falling(unit: &str) -> Vec<u8> {
+    let axis = |numbers: Vec<f64>, unit: &str| (vec![("unit", text(unit))], doubles(numbers));
+    let (of_y, y) = axis((0..SHAPE[0]).rev().map(|i| 3.0 * i as f64).collect(), unit);
+    let (of_x, x) = axis((0..SHAPE[1]).map(|i| 2.0 * i as f64).collect(), "um");
+    let rows = (0..SHAPE[0]).rev().flat_map(|iy| (0..SHAPE[1]).map(move |ix| height(ix, iy)));
+    let variables: [Variable; 3] =
+        [("y", &[0], of_y, y), ("x", &[1], of_x, x), ("heights", &[0, 1], vec![("unit", text("nm"))], doubles(rows))];
+    Format(1).file(&[("y", SHAPE[0]), ("x", SHAPE[1])], &variables)
+}
+
+/// Heights, and before them a variable along a dimension without limit.
+pub fn unlimited() -> Vec<u8> {
+    let variables: [Variable; 2] =
+        [("series", &[0, 1], vec![], doubles(heights(0.0))), ("z", &[2, 1], vec![], doubles(heights(0.0)))];
+    Format(1).file(&[("t", 0), ("x", SHAPE[1]), ("y", SHAPE[0])], &variables)
+}

@@ -1,0 +1,35 @@
+//! The memory that is free.
+
+/// Bytes of free memory, if the system reports it.
+pub fn available_bytes() -> Option<f64> {
+    #[cfg(all(target_os = "linux", feature = "figures"))]
+    {
+        use procfs::{Current, Meminfo};
+        Meminfo::current().ok().and_then(|memory| memory.mem_available).map(|bytes| bytes as f64)
+    }
+    #[cfg(not(all(target_os = "linux", feature = "figures")))]
+    None
+}
+
+/// Memory that is not granted.
+pub(crate) struct MissingMemory {
+    /// Bytes that are free, if the system reports them and they are too few.
+    pub free: Option<f64>,
+}
+
+/// Refuses work that needs more bytes than are free, or than the system allows.
+pub(crate) fn check_bytes(needed: f64) -> Result<(), MissingMemory> {
+    if let Some(free) = available_bytes().filter(|free| needed > *free) {
+        return Err(MissingMemory { free: Some(free) });
+    }
+    let mut reserved = Vec::<u8>::new();
+    let granted = reserved.try_reserve_exact(needed as usize);
+    std::hint::black_box(reserved);
+    granted.map_err(|_| MissingMemory { free: None })
+}
+
+/// How much memory is free, after the words on how much is needed.
+pub(crate) fn free_in_words(free: Option<f64>) -> String {
+    let free = free.map(crate::quantity::bytes_in_words);
+    free.map_or("more than the system allows".into(), |free| format!("and {free} are free"))
+}
