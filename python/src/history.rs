@@ -43,11 +43,11 @@ impl History {
             Contact { is_of_history: true, preparation: preparation.clone(), ..contact }
         };
         let states = States::new(py, outcome.states.iter().map(contact), setup.clone())?;
-        Self::of(py, outcome, states, rank)
+        Self::from_states(py, outcome, states, rank)
     }
 
     /// The history with an outcome and the contacts of its states.
-    pub fn of(py: Python<'_>, outcome: HistoryOutcome, states: States, rank: usize) -> PyResult<Py<Self>> {
+    pub fn from_states(py: Python<'_>, outcome: HistoryOutcome, states: States, rank: usize) -> PyResult<Py<Self>> {
         let history = Self { outcome: Arc::new(outcome), rank };
         Py::new(py, PyClassInitializer::from(states).add_subclass(history))
     }

@@ -71,7 +71,12 @@ impl History {
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;
         let outcome = HistoryOutcome::from_states(&setup.setup, problem, states).map_err(py_error)?;
-        Self::of(contacts.py(), outcome, States { contacts: contacts.clone().unbind(), setup: setup.clone() }, *rank)
+        Self::from_states(
+            contacts.py(),
+            outcome,
+            States { contacts: contacts.clone().unbind(), setup: setup.clone() },
+            *rank,
+        )
     }
 }
 

@@ -30,10 +30,10 @@ type LoadCurveParts = (Py<PyTuple>, Setup);
 impl LoadCurve {
     /// The curve of some contacts, with the setup that repeats it.
     pub fn new(py: Python<'_>, contacts: Vec<Contact>, setup: Setup) -> PyResult<Py<Self>> {
-        Self::of(py, States::new(py, contacts, setup)?)
+        Self::from_states(py, States::new(py, contacts, setup)?)
     }
 
-    fn of(py: Python<'_>, states: States) -> PyResult<Py<Self>> {
+    fn from_states(py: Python<'_>, states: States) -> PyResult<Py<Self>> {
         Py::new(py, PyClassInitializer::from(states).add_subclass(Self))
     }
 }
@@ -99,7 +99,7 @@ impl LoadCurve {
     #[staticmethod]
     fn _from_parts(contacts: Bound<'_, PyTuple>, setup: Setup) -> PyResult<Py<Self>> {
         contacts.iter().try_for_each(|it| it.cast::<Contact>().map(drop).map_err(PyErr::from))?;
-        Self::of(contacts.py(), States { contacts: contacts.clone().unbind(), setup })
+        Self::from_states(contacts.py(), States { contacts: contacts.clone().unbind(), setup })
     }
 
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {

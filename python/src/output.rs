@@ -14,6 +14,6 @@ pub fn check_output(path: &Path, endings: &[&str], setup: &Setup) -> PyResult<()
 
 /// Refuses a file that the setup reads.
 pub fn check_not_read(path: &Path, setup: &Setup) -> PyResult<()> {
-    let read = setup.files().map(PathBuf::from);
+    let read = setup.files().map(|file| file.path().to_owned());
     check_apart([path], read).map_err(py_error)
 }

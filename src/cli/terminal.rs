@@ -34,7 +34,8 @@ mod tests {
     #[test]
     fn no_escape_sequence_is_written() {
         let mut out = Terminal(Vec::new());
-        write!(out, "µ {} {}\n", "\u{1b}]0;title\u{7}", "\u{9b}2J\r").unwrap();
+        let (title, clear) = ("\u{1b}]0;title\u{7}", "\u{9b}2J\r");
+        writeln!(out, "µ {title} {clear}").unwrap();
         assert_eq!(String::from_utf8(out.0).unwrap(), "µ \u{fffd}]0;title\u{fffd} \u{fffd}2J\u{fffd}\n");
     }
 }

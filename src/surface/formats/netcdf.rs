@@ -111,7 +111,7 @@ impl<'a> File<'a> {
         let ([_, count], data) = self.data(coordinates)?;
         let axis = AxisCoordinates { unit: metres(coordinates.unit()), ..AxisCoordinates::default() };
         if let Some(length) = coordinates.number("length") {
-            if !(length > 0.0) {
+            if length.is_nan() || length <= 0.0 {
                 return Err(malformed(format!("its {:?} has the length {length:?}", coordinates.name)));
             }
             return Ok(AxisCoordinates { step: Some(length / count as f64), ..axis });

@@ -194,7 +194,8 @@ fn is_row(line: &str) -> bool {
 
 /// The place where the table begins: with the first rows that are enough for one, or else with most rows in sequence.
 fn first_row<'a>(lines: impl Iterator<Item = TextLine<'a>>) -> Option<usize> {
-    let (mut best, mut run): (Option<(usize, usize)>, Option<(usize, usize)>) = (None, None);
+    // numbers of rows, and places of the first
+    let [mut best, mut run] = [None::<(usize, usize)>; 2];
     for (at, line) in lines {
         run = is_row(line).then(|| run.map_or((1, at), |(rows, first)| (rows + 1, first)));
         best = match (best, run) {

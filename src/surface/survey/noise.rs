@@ -59,7 +59,7 @@ impl Noise {
         match level(bands, scan).filter(|_| least.share >= LEAST) {
             Some(rms) => {
                 let rms = rms.max(least.rms);
-                Self::of(axes, rms, SURE * rms)
+                Self::from_rms(axes, rms, SURE * rms)
             }
             None => least,
         }
@@ -69,10 +69,10 @@ impl Noise {
     fn least(axes: &[Scales]) -> Self {
         let most = axes.iter().map(Scales::most_noise).reduce(f64::min).unwrap_or(0.0);
         let least = axes.iter().map(|it| it.noise).reduce(f64::max).unwrap_or(0.0);
-        Self::of(axes, least.min(most), most)
+        Self::from_rms(axes, least.min(most), most)
     }
 
-    fn of(axes: &[Scales], rms: f64, most: f64) -> Self {
+    fn from_rms(axes: &[Scales], rms: f64, most: f64) -> Self {
         let sum = |of: &dyn Fn(&Scales) -> f64| axes.iter().map(of).sum::<f64>();
         let gradient = sum(&|it| it.scales[0].rms_gradient.powi(2));
         let share = |rms: f64| {
