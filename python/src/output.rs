@@ -4,7 +4,7 @@ use crate::error::py_error;
 use asperity::files::{check_apart, check_named};
 use asperity::setup::Setup;
 use pyo3::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Refuses a place where nothing can be written, a name that promises another content than one of the `endings`, and a file that the setup reads.
 pub fn check_output(path: &Path, endings: &[&str], setup: &Setup) -> PyResult<()> {
