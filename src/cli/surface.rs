@@ -332,7 +332,8 @@ impl Statistics {
         }
         writeln!(out, "\nSize")?;
         write_rows(self.file.iter().flat_map(Origin::rows), out)?;
-        let size: Vec<String> = self.size.iter().map(|it| units.length(*it)).collect();
+        let as_given = |it: &f64| if units.metres { units.length(*it) } else { it.to_string() };
+        let size: Vec<String> = self.size.iter().map(as_given).collect();
         let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
         let rows = [
             ("points", points.join(" x ")),

@@ -13,6 +13,8 @@ const TILES: usize = 128;
 const SHADES: usize = 32;
 /// The colours of valleys, of mean heights and of peaks.
 const RAMP: [[f64; 3]; 3] = [[20.0, 50.0, 110.0], [150.0, 170.0, 185.0], [255.0, 240.0, 200.0]];
+/// Densities below this part of the largest one are rounding.
+const ROUNDING: f64 = 1e-12;
 /// The share of the heights beyond the colours at either end, so that a few of them do not hide the rest.
 const BEYOND: f64 = 0.005;
 
@@ -99,7 +101,9 @@ fn profile(scan: &Scan, rest: &Scan, units: Units) -> Panel {
 fn spectrum(survey: &Survey, scan: &Scan, units: Units) -> Panel {
     let dots: Vec<Dot> = survey.spectrum.iter().map(|band| Dot::at(band.wavenumber, band.density)).collect();
     let q = range(dots.iter().map(|it| it.x));
-    let density = range(dots.iter().map(|it| it.y).filter(|it| *it > 0.0));
+    let [low, high] = range(dots.iter().map(|it| it.y).filter(|it| *it > 0.0));
+    // waves that are not there have densities of rounding
+    let density = [low.max(ROUNDING * high), high];
     let name = |name: &str, unit: &str| label(name, if units.metres { unit } else { "" });
     let of_density = if scan.is_line() { "m³" } else { "m⁴" };
     let y = Axis::log(name("C", of_density), [0.5 * density[0], 2.0 * density[1]]);

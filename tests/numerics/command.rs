@@ -60,5 +60,5 @@ fn every_name_that_can_be_chosen_can_be_read() {
         );
         chosen += 1;
     }
-    assert_eq!(chosen, 19);
+    assert_eq!(chosen, 23);
 }

@@ -231,7 +231,7 @@ fn what_cannot_be_mended_is_named() {
     assert_eq!(named(&rim), [Artefact::Border { lines: [3, 0, 0, 0] }]);
     let steps = Array2::from_shape_fn((N, N), |(y, x)| truth[[y, x]] + if y > 40 { 3.0 * rms(&truth) } else { 0.0 });
     assert!(matches!(named(&steps)[..], [Artefact::Step { axis: "y", line: 40, .. }]), "{:?}", named(&steps));
-    let step = 0.2 * rms(&truth);
+    let step = 0.5 * rms(&truth);
     let rounded = truth.mapv(|h| (h / step).round() * step);
     let found = named(&rounded);
     assert!(found.iter().any(|it| matches!(it, Artefact::Rounded { .. })), "{found:?}");

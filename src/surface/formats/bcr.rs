@@ -6,7 +6,7 @@ use super::entries::Entries;
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::Raster;
+use super::raster::ChannelRaster;
 use super::unit::metres;
 use std::io;
 
@@ -51,7 +51,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         return Err(malformed(format!("its heights are in {:?}, which is no length", entries.need("zunit")?)));
     };
     let is_integer = entries.need("fileformat")?.starts_with("bcrstm");
-    let raster = Raster::new(&mut at, if is_integer { NumberType::I16 } else { NumberType::F32 }, shape)?;
+    let raster = ChannelRaster::new(&mut at, if is_integer { NumberType::I16 } else { NumberType::F32 }, shape)?;
     let is_void = move |it: f64| if is_integer { it == VOID } else { it > HIGHEST };
     let height = move |number| if is_void(number) { f64::NAN } else { number };
     let values = move || Ok(raster.numbers()?.into_iter().map(height).collect());

@@ -69,18 +69,18 @@ impl Entries {
 
 /// A part of a header, below a line with its name in square brackets.
 #[derive(Debug, Default)]
-pub(super) struct Section {
+pub(super) struct EntrySection {
     pub name: String,
     pub entries: Entries,
 }
 
 /// The parts of a header whose lines are names and values with a separator between them, without remarks, which begin with `--`.
-pub(super) fn sections(text: &str, separator: char) -> Vec<Section> {
-    let mut sections: Vec<Section> = Vec::new();
+pub(super) fn sections(text: &str, separator: char) -> Vec<EntrySection> {
+    let mut sections: Vec<EntrySection> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.starts_with("--")) {
         let title = line.strip_prefix('[').and_then(|line| line.strip_suffix(']'));
         match (title, line.split_once(separator), sections.last_mut()) {
-            (Some(name), ..) => sections.push(Section { name: name.to_owned(), entries: Entries::default() }),
+            (Some(name), ..) => sections.push(EntrySection { name: name.to_owned(), entries: Entries::default() }),
             (None, Some((name, value)), Some(section)) => section.entries.push(name, value),
             _ => {}
         }

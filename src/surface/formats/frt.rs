@@ -5,7 +5,7 @@ use super::channel::{Channel, check_count, new_name};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::Raster;
+use super::raster::ChannelRaster;
 use std::io;
 
 /// A version and blocks, each of a number, its length and its bytes; lengths have four bytes in version 1.00 and eight in 1.01. Block 0x66 says
@@ -59,7 +59,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         None => {
             let (mut at, mut points) = (need(0x66)?, need(0x0b)?);
             let [columns, rows, bits] = [at.u32()?, at.u32()?, at.u32()?];
-            let image = Image { kind: TOPOGRAPHY, raster: raster(&mut points, [rows, columns], bits)? };
+            let image = FrtImage { kind: TOPOGRAPHY, raster: raster(&mut points, [rows, columns], bits)? };
             doubts.extend(left_over(points.rest().len(), "the points"));
             vec![image]
         }
@@ -75,7 +75,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let text = |(kind, name): (u16, &str)| Some((name.to_owned(), find(kind).map(|it| text(it.rest()))?));
     let header: Vec<_> = TEXTS.into_iter().filter_map(text).filter(|it| !it.1.is_empty()).collect();
     let mut channels: Vec<Channel> = Vec::new();
-    for Image { kind, raster } in images {
+    for FrtImage { kind, raster } in images {
         let [ny, nx] = raster.shape.map(|it| it as f64);
         let height_of = |point| if point == VOID { f64::NAN } else { point };
         let values = move || Ok(raster.numbers_from_below()?.into_iter().map(height_of).collect());
@@ -92,13 +92,13 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// A part of the file.
-struct Block<'a> {
+struct FrtBlock<'a> {
     number: u16,
     bytes: &'a [u8],
 }
 
 /// All parts, and how many bytes follow them.
-fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
+fn blocks(bytes: &[u8]) -> io::Result<(Vec<FrtBlock<'_>>, usize)> {
     let mut at = ByteReader::new(bytes).seek(MAGIC.len())?;
     let version = at.text(4)?;
     let is_long = match version.as_str() {
@@ -111,37 +111,37 @@ fn blocks(bytes: &[u8]) -> io::Result<(Vec<Block<'_>>, usize)> {
     while at.rest().len() >= if is_long { 10 } else { 6 } {
         let number = at.u16()?;
         let length = if is_long { at.u64()? } else { at.u32()?.into() };
-        blocks.push(Block { number, bytes: at.take(usize::try_from(length).unwrap_or(usize::MAX))? });
+        blocks.push(FrtBlock { number, bytes: at.take(usize::try_from(length).unwrap_or(usize::MAX))? });
     }
     Ok((blocks, at.rest().len()))
 }
 
 /// An image and its kind.
-struct Image<'a> {
+struct FrtImage<'a> {
     kind: u32,
-    raster: Raster<'a>,
+    raster: ChannelRaster<'a>,
 }
 
 /// The images of block 0x7d.
-fn images(mut at: ByteReader<'_>) -> io::Result<Vec<Image<'_>>> {
+fn images(mut at: ByteReader<'_>) -> io::Result<Vec<FrtImage<'_>>> {
     at.take(8)?; // which ones are shown
     let mut images = Vec::new();
     while !at.rest().is_empty() {
         let [kind, columns, rows, bits] = [at.u32()?, at.u32()?, at.u32()?, at.u32()?];
-        images.push(Image { kind, raster: raster(&mut at, [rows, columns], bits)? });
+        images.push(FrtImage { kind, raster: raster(&mut at, [rows, columns], bits)? });
         check_count(images.len())?;
     }
     Ok(images)
 }
 
 /// The next points, each of so many bits.
-fn raster<'a>(at: &mut ByteReader<'a>, shape: [u32; 2], bits: u32) -> io::Result<Raster<'a>> {
+fn raster<'a>(at: &mut ByteReader<'a>, shape: [u32; 2], bits: u32) -> io::Result<ChannelRaster<'a>> {
     let kind = match bits {
         16 => NumberType::U16,
         32 => NumberType::I32,
         _ => return Err(malformed(format!("its points have {bits} bits, neither 16 nor 32"))),
     };
-    Raster::new(at, kind, shape.map(i64::from))
+    ChannelRaster::new(at, kind, shape.map(i64::from))
 }
 
 /// The name of a kind of images.

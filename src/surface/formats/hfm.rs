@@ -29,7 +29,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let [x_unit, unit, _] =
         words(units).ok_or_else(|| malformed(format!("its units are {units:?}, not three words")))?;
     let [lateral_unit, unit] = [known(x_unit)?, known(unit)?];
-    let points = lines.map(|(place, line)| Point::new(place + 1, line)).collect::<io::Result<Vec<_>>>()?;
+    let points = lines.map(|(place, line)| HfmPoint::new(place + 1, line)).collect::<io::Result<Vec<_>>>()?;
     if points.is_empty() {
         return Err(malformed("it contains no points"));
     }
@@ -49,12 +49,12 @@ fn words(line: &str) -> Option<[&str; 3]> {
 }
 
 /// A position and the height there, NaN if it is void.
-struct Point {
+struct HfmPoint {
     x: f64,
     height: f64,
 }
 
-impl Point {
+impl HfmPoint {
     /// The point of the line at some place.
     fn new(place: usize, line: &str) -> io::Result<Self> {
         let wrong = || malformed(format!("line {place} has {line:?} instead of position, height and 0 or 1"));

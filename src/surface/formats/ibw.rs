@@ -6,7 +6,7 @@ use super::entries::Entries;
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::Raster;
+use super::raster::ChannelRaster;
 use super::unit::metres_of_si;
 use std::io;
 
@@ -64,7 +64,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         return Err(malformed("it contains force curves, not a map"));
     }
     let Some((version, at)) = version(bytes) else { return Ok(Vec::new()) };
-    let wave = if version == 5 { Wave::new(at)? } else { Wave::old(version, at)? };
+    let wave = if version == 5 { IbwWave::new(at)? } else { IbwWave::old(version, at)? };
     let is_asylum = bytes.ends_with(MAPS);
     let [columns, rows, layers, more] = wave.counts.map(|it| it as usize);
     if more > 0 {
@@ -78,7 +78,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let (kind, header, mut at) = (number_type(wave.kind)?, wave.header(), wave.numbers);
     let mut channels: Vec<Channel> = Vec::new();
     for layer in 0..layers.max(1) {
-        let raster = Raster::new(&mut at, kind, shape)?;
+        let raster = ChannelRaster::new(&mut at, kind, shape)?;
         let name = new_name(&wave.layer_name(layer), &channels);
         let unit = metres_of_si(&wave.unit);
         let is_length = unit.is_some() || wave.unit.is_empty();
@@ -120,7 +120,7 @@ fn number_type(code: u16) -> io::Result<NumberType> {
 }
 
 /// A wave, and what is said of it.
-struct Wave<'a> {
+struct IbwWave<'a> {
     name: String,
     kind: u16,
     /// Points along x and y, layers, and points along a fourth axis; zero along an axis that the wave does not have.
@@ -135,7 +135,7 @@ struct Wave<'a> {
     numbers: ByteReader<'a>,
 }
 
-impl<'a> Wave<'a> {
+impl<'a> IbwWave<'a> {
     /// The wave of a file of version 5.
     fn new(mut at: ByteReader<'a>) -> io::Result<Self> {
         at.u16()?; // check sum

@@ -4,7 +4,7 @@ use super::channel::{Channel, may_be_height, new_name};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::raster::from_below;
-use super::tiff::{Page, is_tiff, pages};
+use super::tiff::{TiffPage, is_tiff, pages};
 use super::unit::metres_of_si;
 use std::io;
 
@@ -46,7 +46,7 @@ const TEXTS: [(u16, &str); 6] = [
 ];
 
 fn is_it(bytes: &[u8]) -> bool {
-    let has_length = |pages: Vec<Page>| pages.first().is_some_and(|it| it.number(LENGTHS[0]).is_some());
+    let has_length = |pages: Vec<TiffPage>| pages.first().is_some_and(|it| it.number(LENGTHS[0]).is_some());
     is_tiff(bytes) && pages(bytes).is_ok_and(has_length)
 }
 
@@ -57,7 +57,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let [width, height] = [length(LENGTHS[0])?, length(LENGTHS[1])?];
     let text = |(tag, name): (u16, &str)| Some((name.to_owned(), first.text(tag).filter(|it| !it.is_empty())?));
     let header: Vec<_> = TEXTS.into_iter().filter_map(text).collect();
-    let is_black = |page: &&Page| page.number(PHOTOMETRIC) == Some(1.0);
+    let is_black = |page: &&TiffPage| page.number(PHOTOMETRIC) == Some(1.0);
     let mut channels: Vec<Channel> = Vec::new();
     for page in pages.iter().filter(is_black) {
         let Some(name) = NAMES.into_iter().find_map(|tag| page.text(tag)) else { continue };
@@ -70,7 +70,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// The channel of a page.
-fn channel<'a>(page: &Page<'a>, name: String) -> io::Result<Channel<'a>> {
+fn channel<'a>(page: &TiffPage<'a>, name: String) -> io::Result<Channel<'a>> {
     let image = page.image()?;
     let (shape, is_downwards) = (image.shape, page.number(REFLECT).is_some_and(|it| it != 0.0));
     let slot = page.text(DEFAULT_SLOT).and_then(|name| {

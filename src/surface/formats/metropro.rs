@@ -5,7 +5,7 @@ use super::channel::{Channel, check_count, new_name};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::Raster;
+use super::raster::ChannelRaster;
 use std::io;
 
 /// A header of fixed fields of 834 bytes (formats 1 and 2) or 4096 bytes (format 3), images of the intensity as integers of two bytes, and
@@ -63,13 +63,13 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     check_count(images + 1)?;
     let mut channels: Vec<Channel> = Vec::new();
     for _ in 0..images {
-        let raster = Raster::new(&mut data, NumberType::U16, pixels)?;
+        let raster = ChannelRaster::new(&mut data, NumberType::U16, pixels)?;
         let name = new_name("intensity", &channels);
         let map = Channel::map(name, raster.shape, move || raster.numbers());
         channels.push(Channel { is_height: false, ..map });
     }
     if points != [0, 0] {
-        let raster = Raster::new(&mut data, NumberType::I32, points)?;
+        let raster = ChannelRaster::new(&mut data, NumberType::I32, points)?;
         let height = |phase: f64| if phase < VOID { phase } else { f64::NAN };
         let values = move || Ok(raster.numbers()?.into_iter().map(height).collect());
         channels.push(Channel { unit: Some(unit(bytes)?), ..Channel::map("height", raster.shape, values) });

@@ -6,7 +6,7 @@ use super::entries::Entries;
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::{Raster, from_below};
+use super::raster::{ChannelRaster, from_below};
 use super::unit::metres_of_si;
 use std::io;
 
@@ -43,7 +43,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let rest = &bytes[end + DATA.len()..];
     let length = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
     let data = rest.get(length + 1..).unwrap_or_default();
-    let image = Image { shape: [common.number("yPixels")?, common.number("xPixels")?], common, parts, data };
+    let image = MiImage { shape: [common.number("yPixels")?, common.number("xPixels")?], common, parts, data };
     match latin(&rest[..length]).trim() {
         "" | "BINARY" => image.binary(NumberType::I16),
         "BINARY_32" => image.binary(NumberType::I32),
@@ -67,7 +67,7 @@ fn parts(header: &str) -> (Entries, Vec<Entries>) {
 }
 
 /// A file of an image.
-struct Image<'a> {
+struct MiImage<'a> {
     /// Rows and columns as the header states them.
     shape: [i64; 2],
     common: Entries,
@@ -75,13 +75,13 @@ struct Image<'a> {
     data: &'a [u8],
 }
 
-impl<'a> Image<'a> {
+impl<'a> MiImage<'a> {
     /// Channels of integers one after the other.
     fn binary(&self, kind: NumberType) -> io::Result<Vec<Channel<'a>>> {
         let mut at = ByteReader::new(self.data);
         let mut channels: Vec<Channel> = Vec::new();
         for part in &self.parts {
-            let raster = Raster::new(&mut at, kind, self.shape)?;
+            let raster = ChannelRaster::new(&mut at, kind, self.shape)?;
             let scale = 2.0 * scale(part)? / 256_f64.powi(kind.size() as i32);
             let values = move || Ok(raster.numbers_from_below()?.into_iter().map(|it| it * scale).collect());
             let map = Channel::map(new_name(label(part), &channels), raster.shape, values);

@@ -119,12 +119,12 @@ fn header(main: &[u8]) -> Vec<(String, String)> {
 }
 
 /// A scale along an axis: metres of a step and of its origin, none for one that is no length.
-struct Scale {
+struct MntScale {
     step: Option<f64>,
     origin: f64,
 }
 
-impl Scale {
+impl MntScale {
     fn new(data: &[u8], name: &str) -> io::Result<Self> {
         let missing = || malformed(format!("its axis {name} has no step with a unit"));
         let (step, unit) = f64_of(data, &[1]).zip(text(data, &[2])).ok_or_else(missing)?;
@@ -142,12 +142,12 @@ fn surface<'a>(object: &[u8], title: &str) -> io::Result<Channel<'a>> {
     let axis = |tag: u16, name: &str| {
         let axis = find(data, &[PARENT, tag, PARENT]).ok_or_else(|| missing("axes"))?;
         let count = u32_of(axis, &[1]).ok_or_else(|| missing("number of points"))?;
-        Ok::<_, io::Error>((Scale::new(find(axis, &[PARENT]).unwrap_or_default(), name)?.step, count))
+        Ok::<_, io::Error>((MntScale::new(find(axis, &[PARENT]).unwrap_or_default(), name)?.step, count))
     };
     let [(x, columns), (y, rows)] = [axis(1, "x")?, axis(2, "y")?];
-    let scale = Scale::new(find(data, &[2, PARENT]).ok_or_else(|| missing("axis of heights"))?, "z")?;
+    let scale = MntScale::new(find(data, &[2, PARENT]).ok_or_else(|| missing("axis of heights"))?, "z")?;
     let heights = find(data, &[1]).filter(|it| class(it) == Some(HEIGHTS)).ok_or_else(|| missing("heights"))?;
-    let heights = Blocks::new(heights)?;
+    let heights = MntBlocks::new(heights)?;
     let shape = nodes(rows.into(), columns.into(), 2, heights.total)?;
     let mask = find(data, &[PARENT, 3]).filter(|it| class(it) == Some(MASK)).map(|it| mask(it, shape)).transpose()?;
     let name = text(data, &[PARENT, PARENT, PARENT, 1]).unwrap_or_else(|| title.to_owned());
@@ -171,10 +171,12 @@ fn surface<'a>(object: &[u8], title: &str) -> io::Result<Channel<'a>> {
 }
 
 /// The points of a mask, which has a rim of one point around the surface.
-fn mask(mask: &[u8], shape: [usize; 2]) -> io::Result<Blocks> {
+fn mask(mask: &[u8], shape: [usize; 2]) -> io::Result<MntBlocks> {
     let counts = u32_of(mask, &[2, 2]).zip(u32_of(mask, &[2, 1])).map(|(ny, nx)| [ny as usize, nx as usize]);
     let points = find(mask, &[2, 5]).filter(|it| class(it) == Some(POINTS) && counts == Some(shape));
-    Blocks::new(points.ok_or_else(|| malformed(format!("its mask does not have the {shape:?} points of its surface")))?)
+    MntBlocks::new(
+        points.ok_or_else(|| malformed(format!("its mask does not have the {shape:?} points of its surface")))?,
+    )
 }
 
 /// Makes those values void that a mask with a rim does not call measured.
@@ -186,13 +188,13 @@ fn hide(values: &mut [f64], mask: &[u8], [_, nx]: [usize; 2]) {
 }
 
 /// Numbers in blocks of zlib, in any order.
-struct Blocks {
+struct MntBlocks {
     /// Bytes of all numbers.
     total: usize,
     packed: Vec<u8>,
 }
 
-impl Blocks {
+impl MntBlocks {
     /// The blocks of an array.
     fn new(array: &[u8]) -> io::Result<Self> {
         let data = find(array, &[2, 2]).ok_or_else(|| malformed("its array has no numbers"))?;

@@ -2,11 +2,11 @@
 
 use super::bytes::{ByteReader, latin, left_over};
 use super::channel::{Channel, check_count, may_be_height, new_name};
-use super::entries::{Entries, Section, sections};
+use super::entries::{Entries, EntrySection, sections};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::Raster;
+use super::raster::ChannelRaster;
 use super::unit::metres_of_si;
 use std::io;
 
@@ -37,7 +37,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut parts: Vec<_> =
         find("DataSet").into_iter().flat_map(Entries::iter).filter_map(|it| Some((place(it.0)?, it.1))).collect();
     parts.sort_unstable();
-    let parts: Vec<&Section> =
+    let parts: Vec<&EntrySection> =
         parts.iter().filter_map(|it| sections.iter().find(|section| section.name == it.1)).collect();
     check_count(parts.len())?;
     let common = find("DataSet-Info").cloned().unwrap_or_default();
@@ -63,7 +63,7 @@ fn place(name: &str) -> Option<[u32; 2]> {
 fn channel<'a>(at: &mut ByteReader<'a>, name: String, part: &Entries, common: &Entries) -> io::Result<Channel<'a>> {
     *at = at.big_endian(part.need("SaveOrder")? != "Intel");
     let kind = number_type(&name, part)?;
-    let raster = Raster::new(at, kind, [part.number("Lines")?, part.number("Points")?])?;
+    let raster = ChannelRaster::new(at, kind, [part.number("Lines")?, part.number("Points")?])?;
     let [ny, nx] = raster.shape;
     let mut entries = common.clone();
     entries.extend(part.clone());

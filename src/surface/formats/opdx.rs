@@ -71,7 +71,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// A part of the tree.
-struct Item<'a> {
+struct OpdxItem<'a> {
     name: String,
     content: Content<'a>,
 }
@@ -82,10 +82,10 @@ enum Content<'a> {
     Value(u8, &'a [u8]),
 }
 
-struct Container<'a>(Vec<Item<'a>>);
+struct Container<'a>(Vec<OpdxItem<'a>>);
 
 /// The items up to the end of a container or of the bytes.
-fn items<'a>(at: &mut ByteReader<'a>, depth: usize) -> io::Result<Vec<Item<'a>>> {
+fn items<'a>(at: &mut ByteReader<'a>, depth: usize) -> io::Result<Vec<OpdxItem<'a>>> {
     if depth > DEPTH {
         return Err(malformed(format!("its containers are nested more than {DEPTH} times")));
     }
@@ -100,7 +100,7 @@ fn items<'a>(at: &mut ByteReader<'a>, depth: usize) -> io::Result<Vec<Item<'a>>>
             }
             _ => Content::Value(kind, value(at, kind)?),
         };
-        items.push(Item { name, content });
+        items.push(OpdxItem { name, content });
     }
     Ok(items)
 }
@@ -148,12 +148,12 @@ fn sized<'a>(at: &mut ByteReader<'a>) -> io::Result<&'a [u8]> {
 }
 
 /// A number with a unit.
-struct Quantity {
+struct OpdxQuantity {
     value: f64,
     unit: String,
 }
 
-impl Quantity {
+impl OpdxQuantity {
     fn new(bytes: &[u8]) -> io::Result<Self> {
         let mut at = ByteReader::new(bytes);
         Ok(Self { value: at.f64()?, unit: symbol(&mut at)? })
@@ -199,9 +199,9 @@ impl<'a> Container<'a> {
         }
     }
 
-    fn quantity(&self, name: &str) -> io::Result<Quantity> {
+    fn quantity(&self, name: &str) -> io::Result<OpdxQuantity> {
         let bytes = self.value(name, &[QUANTITY]);
-        Quantity::new(bytes.ok_or_else(|| malformed(format!("it has no {name} of its points")))?)
+        OpdxQuantity::new(bytes.ok_or_else(|| malformed(format!("it has no {name} of its points")))?)
     }
 
     fn text(&self, name: &str) -> Option<String> {
@@ -217,7 +217,7 @@ impl<'a> Container<'a> {
     /// Names and values of all items, and of those in them.
     fn header(&self, before: &str, depth: usize) -> Vec<(String, String)> {
         let mut header = Vec::new();
-        for Item { name, content } in &self.0 {
+        for OpdxItem { name, content } in &self.0 {
             match content {
                 Content::Items(inner) if depth > 0 => header.extend(inner.header(&format!("{name}/"), depth - 1)),
                 Content::Value(kind, bytes) => {
@@ -299,7 +299,7 @@ impl<'a> Container<'a> {
 }
 
 /// The distance of as many points in metres, if it is a length.
-fn step(extent: &Quantity, count: usize) -> Option<f64> {
+fn step(extent: &OpdxQuantity, count: usize) -> Option<f64> {
     extent.metres().map(|extent| extent / (count - 1).max(1) as f64)
 }
 
@@ -321,7 +321,7 @@ fn text(kind: u8, bytes: &[u8]) -> Option<String> {
         0x0a | 0x0b => at.i64().ok().map(|it| it.to_string()),
         FLOAT => at.f32().ok().map(|it| it.to_string()),
         DOUBLE => at.f64().ok().map(|it| it.to_string()),
-        QUANTITY => Quantity::new(bytes).ok().map(|it| format!("{} {}", it.value, it.unit).trim().to_owned()),
+        QUANTITY => OpdxQuantity::new(bytes).ok().map(|it| format!("{} {}", it.value, it.unit).trim().to_owned()),
         TEXT => Some(latin(bytes)),
         _ => None,
     }

@@ -6,14 +6,14 @@ use std::io;
 
 /// The points of a map, row by row as numbers of one type.
 #[derive(Clone, Copy)]
-pub(super) struct Raster<'a> {
+pub(super) struct ChannelRaster<'a> {
     /// Rows and columns.
     pub shape: [usize; 2],
     kind: NumberType,
     points: ByteReader<'a>,
 }
 
-impl<'a> Raster<'a> {
+impl<'a> ChannelRaster<'a> {
     /// The next points, rows of columns.
     ///
     /// # Errors

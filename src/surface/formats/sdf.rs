@@ -145,7 +145,7 @@ fn code(header: &[(String, String)], name: &str) -> io::Result<u8> {
 }
 
 /// A height in a text.
-fn height(word: &str, numbers: Option<NumberType>, is_iso: bool) -> io::Result<f64> {
+fn height(word: &str, numbers: Option<SdfNumber>, is_iso: bool) -> io::Result<f64> {
     if word.eq_ignore_ascii_case("BAD") {
         return Ok(f64::NAN);
     }
@@ -193,14 +193,14 @@ fn heights(rest: &[u8], length: usize) -> &[u8] {
 
 /// Numbers of one type: their bytes, how one is read, and the ends of their range, the lower one of an unsigned type apart.
 #[derive(Clone, Copy)]
-struct NumberType {
+struct SdfNumber {
     size: usize,
     read: fn(ByteReader) -> io::Result<f64>,
     least: Option<f64>,
     most: f64,
 }
 
-impl NumberType {
+impl SdfNumber {
     /// A number, NaN if it is void.
     fn known(&self, value: f64, is_iso: bool) -> f64 {
         let is_void = match self.least {
@@ -212,8 +212,8 @@ impl NumberType {
 }
 
 /// The numbers of a type by its code.
-fn numbers(kind: u8) -> io::Result<NumberType> {
-    let of = |size, read: fn(ByteReader) -> io::Result<f64>, least, most| Ok(NumberType { size, read, least, most });
+fn numbers(kind: u8) -> io::Result<SdfNumber> {
+    let of = |size, read: fn(ByteReader) -> io::Result<f64>, least, most| Ok(SdfNumber { size, read, least, most });
     match kind {
         0 => of(1, |mut it| it.u8().map(f64::from), None, u8::MAX.into()),
         1 => of(2, |mut it| it.u16().map(f64::from), None, u16::MAX.into()),

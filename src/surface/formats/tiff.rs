@@ -22,7 +22,7 @@ const LENGTHS: u16 = 279;
 const SAMPLE_FORMAT: u16 = 339;
 
 /// A page of a file, whose tags have numbers, types and values.
-pub(super) struct Page<'a> {
+pub(super) struct TiffPage<'a> {
     tags: Vec<Tag<'a>>,
     file: ByteReader<'a>,
 }
@@ -43,14 +43,14 @@ pub(super) fn is_tiff(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// For places beyond the end, and for more pages than can be read.
-pub(super) fn pages(bytes: &[u8]) -> io::Result<Vec<Page<'_>>> {
+pub(super) fn pages(bytes: &[u8]) -> io::Result<Vec<TiffPage<'_>>> {
     let file = ByteReader::new(bytes).big_endian(bytes.starts_with(MAGICS[1]));
     let mut next = file.seek(4)?.u32()?;
     let mut pages = Vec::new();
     while next != 0 {
         let mut at = file.seek(next as usize)?;
         let tags = (0..at.u16()?).map(|_| tag(file, &mut at)).collect::<io::Result<_>>()?;
-        pages.push(Page { tags, file });
+        pages.push(TiffPage { tags, file });
         check_count(pages.len())?;
         next = at.u32()?;
     }
@@ -76,7 +76,7 @@ fn size(kind: u16) -> usize {
     }
 }
 
-impl<'a> Page<'a> {
+impl<'a> TiffPage<'a> {
     fn tag(&self, number: u16) -> Option<&Tag<'a>> {
         self.tags.iter().find(|it| it.number == number)
     }
@@ -113,7 +113,7 @@ impl<'a> Page<'a> {
     ///
     /// # Errors
     /// For an image that is compressed, has colours or other numbers than those of [`NumberType`], or fewer bytes than points.
-    pub fn image(&self) -> io::Result<Image<'a>> {
+    pub fn image(&self) -> io::Result<TiffImage<'a>> {
         let value = |number: u16, default: f64| self.number(number).unwrap_or(default) as i64;
         if value(COMPRESSION, 1.0) != 1 || value(SAMPLES, 1.0) != 1 {
             return Err(malformed("its images are compressed or have colours: save them without"));
@@ -135,19 +135,19 @@ impl<'a> Page<'a> {
         let strips: Vec<ByteReader> = places.iter().zip(&lengths).map(strip).collect::<io::Result<_>>()?;
         let bytes = strips.iter().map(|it| it.rest().len()).sum::<usize>().min(self.file.seek(0)?.rest().len());
         let shape = nodes(value(ROWS, 0.0), value(COLUMNS, 0.0), kind.size(), bytes)?;
-        Ok(Image { shape, kind, strips })
+        Ok(TiffImage { shape, kind, strips })
     }
 }
 
 /// The points of a page.
-pub(super) struct Image<'a> {
+pub(super) struct TiffImage<'a> {
     /// Rows and columns.
     pub shape: [usize; 2],
     kind: NumberType,
     strips: Vec<ByteReader<'a>>,
 }
 
-impl Image<'_> {
+impl TiffImage<'_> {
     /// All numbers row by row.
     pub fn numbers(self) -> io::Result<Vec<f64>> {
         let Self { shape, kind, strips } = self;

@@ -2,11 +2,11 @@
 
 use super::bytes::{ByteReader, latin, left_over};
 use super::channel::{Channel, may_be_height};
-use super::entries::{Entries, Section, sections};
+use super::entries::{Entries, EntrySection, sections};
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::number_type::NumberType;
-use super::raster::Raster;
+use super::raster::ChannelRaster;
 use super::unit::metres_of_si;
 use std::io;
 
@@ -45,15 +45,15 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let entries = flat(sections(&header, ':'));
     let shape = [entries.number("Number of rows")?, entries.number("Number of columns")?];
     let mut at = ByteReader::new(&rest[line..]);
-    let raster = Raster::new(&mut at, number_type(entries.find("Image Data Type"))?, shape)?;
-    let amplitude = entries.find("Z Amplitude").map(Length::new).transpose()?;
+    let raster = ChannelRaster::new(&mut at, number_type(entries.find("Image Data Type"))?, shape)?;
+    let amplitude = entries.find("Z Amplitude").map(WsxmLength::new).transpose()?;
     let span = amplitude.as_ref().map_or(f64::NAN, |it| it.number);
     let values = move || Ok(scaled(raster.numbers()?, span));
     let name = entries.find("Acquisition channel").filter(|it| !it.is_empty()).unwrap_or("image");
     let map = Channel::map(name, raster.shape, values);
     let unit = amplitude.as_ref().map_or("", |it| it.unit);
     let (unit, is_length) = (metres_of_si(unit), ["", "a.u."].contains(&unit) || metres_of_si(unit).is_some());
-    let [y, x] = [Length::new(entries.need("Y Amplitude")?)?, Length::new(entries.need("X Amplitude")?)?];
+    let [y, x] = [WsxmLength::new(entries.need("Y Amplitude")?)?, WsxmLength::new(entries.need("X Amplitude")?)?];
     let [ny, nx] = raster.shape.map(|it| it as f64);
     Ok(vec![Channel {
         is_height: is_length && may_be_height(name),
@@ -65,7 +65,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// All parts as one.
-fn flat(sections: Vec<Section>) -> Entries {
+fn flat(sections: Vec<EntrySection>) -> Entries {
     sections.into_iter().fold(Entries::default(), |mut all, it| {
         all.extend(it.entries);
         all
@@ -83,12 +83,12 @@ fn number_type(name: Option<&str>) -> io::Result<NumberType> {
 }
 
 /// A number with a unit.
-struct Length<'a> {
+struct WsxmLength<'a> {
     number: f64,
     unit: &'a str,
 }
 
-impl<'a> Length<'a> {
+impl<'a> WsxmLength<'a> {
     fn new(text: &'a str) -> io::Result<Self> {
         let (number, unit) = text.split_once(' ').unwrap_or((text, ""));
         let number = number.parse().map_err(|_| malformed(format!("its header has the invalid length {text:?}")))?;

@@ -74,7 +74,7 @@ fn unit(value: &str) -> io::Result<f64> {
 }
 
 /// Values of cells by row and column.
-type Cells = HashMap<(u32, char), String>;
+type SheetCells = HashMap<(u32, char), String>;
 
 struct Workbook<'a> {
     archive: Archive<'a>,
@@ -101,7 +101,7 @@ impl<'a> Workbook<'a> {
     }
 
     /// The cells of some columns of a sheet that have a value.
-    fn sheet(&mut self, name: &str, columns: &str) -> io::Result<Cells> {
+    fn sheet(&mut self, name: &str, columns: &str) -> io::Result<SheetCells> {
         let missing = || {
             malformed(format!(
                 "it is a workbook without a sheet {name}, not one of Mitutoyo SurfTest: save its numbers as text or CSV"

@@ -46,8 +46,9 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         found.ok_or_else(|| malformed(format!("its description of units has no {path}")))
     };
     let [spacing, unit] = [unit("XYCalibration/MeterPerPixel")?, unit("ZCalibration/MeterPerUnit")?];
-    let heights = Grid::new(&mut archive, HEIGHTS, [4, bytes.len()])?;
-    let marks = archive.index_for_name(MARKS).map(|_| Grid::new(&mut archive, MARKS, [1, bytes.len()])).transpose()?;
+    let heights = ZonGrid::new(&mut archive, HEIGHTS, [4, bytes.len()])?;
+    let marks =
+        archive.index_for_name(MARKS).map(|_| ZonGrid::new(&mut archive, MARKS, [1, bytes.len()])).transpose()?;
     if let Some(marks) = marks.as_ref().filter(|it| it.shape != heights.shape) {
         return Err(malformed(format!("it has marks of {:?} points for {:?} heights", marks.shape, heights.shape)));
     }
@@ -71,7 +72,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// Points in a file of the archive.
-struct Grid {
+struct ZonGrid {
     name: &'static str,
     shape: [usize; 2],
     /// Bytes of a point and of a row.
@@ -81,7 +82,7 @@ struct Grid {
     length: usize,
 }
 
-impl Grid {
+impl ZonGrid {
     /// The points of a file, each of `size` bytes, in an archive of some length.
     fn new(archive: &mut Archive, name: &'static str, [size, all]: [usize; 2]) -> io::Result<Self> {
         let length = archive::size(archive, name, all)?;

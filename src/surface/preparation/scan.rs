@@ -1,5 +1,7 @@
 //! Heights between measurement and surface.
 
+use crate::error::GridError;
+use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 
 /// Heights on an even grid, some of which may be void.
@@ -19,6 +21,18 @@ impl Scan {
         let step = |axis: ndarray::AxisDescription| ndarray::Slice::new(0, None, every[axis.axis.index()] as isize);
         let height = heights.slice_each_axis(step).as_standard_layout().into_owned();
         Self { height, spacing: [0, 1].map(|axis| grid.spacing()[axis] * every[axis] as f64) }
+    }
+
+    /// The periodic grid under the heights.
+    ///
+    /// # Errors
+    /// For less nodes than a grid has, and lengths that are not positive.
+    pub(in crate::surface) fn grid(&self) -> Result<Grid, GridError> {
+        let ([ny, nx], [dy, dx]) = (self.shape(), self.spacing);
+        match ny {
+            1 => Grid::line(nx, nx as f64 * dx),
+            _ => Grid::surface([ny, nx], [ny as f64 * dy, nx as f64 * dx]),
+        }
     }
 
     /// The number of voids.

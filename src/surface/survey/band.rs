@@ -1,8 +1,9 @@
 //! The power spectrum of heights in bands, and its power law.
 
+use crate::error::SurfaceError;
 use crate::grid::Grid;
-use crate::surface::PowerSpectrum;
-use std::f64::consts::{LN_2, TAU};
+use crate::surface::{PowerSpectrum, Scan, Surface};
+use std::f64::consts::{LN_2, PI, TAU};
 
 /// Bands per octave, in which densities are averaged.
 const BANDS: f64 = 4.0;
@@ -46,6 +47,15 @@ pub struct PowerLawFit {
 }
 
 impl Band {
+    /// The bands of heights about their plane under a Hann window, without voids.
+    ///
+    /// # Errors
+    /// For less nodes than a grid has.
+    pub(super) fn of_flat(flat: &Scan) -> Result<Vec<Self>, SurfaceError> {
+        let grid = flat.grid()?;
+        Ok(Self::all(&PowerSpectrum::new(&Surface::new(grid, windowed(flat).height)?), &grid))
+    }
+
     /// The bands of a spectrum of heights on a grid under a Hann window, from the longest waves on; those without a wave are left out.
     pub(super) fn all(spectrum: &PowerSpectrum, grid: &Grid) -> Vec<Self> {
         let number = |q: f64| (BANDS * q.log2()).floor();
@@ -146,4 +156,16 @@ impl Line {
         let scatter = sum(&|it| (it[1] - y - slope * (it[0] - x)).powi(2)) / (points.len() as f64 - 2.0);
         Self { slope, variance: 1.0 / along, scatter }
     }
+}
+
+/// Heights times a Hann window of mean square 1 along each axis.
+fn windowed(scan: &Scan) -> Scan {
+    let window = |n: usize| -> Vec<f64> {
+        let at = |i: usize| (8.0f64 / 3.0).sqrt() * (PI * (i as f64 + 0.5) / n as f64).sin().powi(2);
+        if n == 1 { vec![1.0] } else { (0..n).map(at).collect() }
+    };
+    let [y, x] = scan.shape().map(window);
+    let mut scan = scan.clone();
+    scan.height.indexed_iter_mut().for_each(|((row, column), h)| *h *= y[row] * x[column]);
+    scan
 }

@@ -13,10 +13,8 @@ pub use choice::PreparationChoice;
 pub use noise::Noise;
 pub use scales::{Scale, Scales};
 
-use super::{Detrend, Fill, PowerSpectrum, Scan, Surface};
+use super::{Detrend, Fill, Scan, Surface};
 use crate::error::SurfaceError;
-use crate::grid::Grid;
-use std::f64::consts::PI;
 
 /// A survey of measured heights: tilt, jumps across the period, noise and resolution. They show whether a contact with
 /// these heights is meaningful.
@@ -74,14 +72,14 @@ impl Survey {
         let scan = &artefacts.rest;
         let full =
             if scan.voids() > 0 { Fill::Harmonic.apply(scan.clone()).unwrap_or(scan.clone()) } else { scan.clone() };
-        let grid = grid(&full)?;
+        let grid = full.grid()?;
         let surface = Surface::new(grid, full.height.clone())?;
         let (jumps, ends) = (surface.jumps(), surface.ends());
         let flat = Detrend::Plane.apply(full.clone());
         let [total, rest] = [square(&flat), square(&Detrend::Curvature.apply(full.clone()))];
         let plane = Detrend::Plane.apply(scan.clone());
         let axes: Vec<Scales> = (0..2).filter_map(|axis| Scales::new(&plane, axis)).collect();
-        let spectrum = bands_of(&flat)?;
+        let spectrum = Band::of_flat(&flat)?;
         let rough = |it: &Scales| it.shortest_wavelength.max(it.smooth_wavelength.unwrap_or(0.0));
         let shortest = axes.iter().map(rough).fold(grid.shortest_wavelength(), f64::max);
         Ok(Self {
@@ -108,36 +106,7 @@ impl Survey {
     }
 }
 
-/// The grid under heights.
-fn grid(scan: &Scan) -> Result<Grid, SurfaceError> {
-    let ([ny, nx], [dy, dx]) = (scan.shape(), scan.spacing);
-    let made = if ny == 1 {
-        Grid::line(nx, nx as f64 * dx)
-    } else {
-        Grid::surface([ny, nx], [ny as f64 * dy, nx as f64 * dx])
-    };
-    Ok(made?)
-}
-
-/// The spectrum of heights about their plane under a Hann window, in bands.
-fn bands_of(flat: &Scan) -> Result<Vec<Band>, SurfaceError> {
-    let grid = grid(flat)?;
-    Ok(Band::all(&PowerSpectrum::new(&Surface::new(grid, windowed(flat).height)?), &grid))
-}
-
 /// The mean square of heights without voids.
 fn square(scan: &Scan) -> f64 {
     scan.height.iter().map(|h| h * h).sum::<f64>() / scan.height.len() as f64
-}
-
-/// Heights times a Hann window of mean square 1 along each axis.
-fn windowed(scan: &Scan) -> Scan {
-    let window = |n: usize| -> Vec<f64> {
-        let at = |i: usize| (8.0f64 / 3.0).sqrt() * (PI * (i as f64 + 0.5) / n as f64).sin().powi(2);
-        if n == 1 { vec![1.0] } else { (0..n).map(at).collect() }
-    };
-    let [y, x] = scan.shape().map(window);
-    let mut scan = scan.clone();
-    scan.height.indexed_iter_mut().for_each(|((row, column), h)| *h *= y[row] * x[column]);
-    scan
 }

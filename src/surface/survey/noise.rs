@@ -1,6 +1,6 @@
 //! Noise of the instrument.
 
-use super::{Band, Scales, bands_of};
+use super::{Band, Scales};
 use crate::error::SurfaceError;
 use crate::surface::{Detrend, Fill, Scan};
 use std::f64::consts::{PI, TAU};
@@ -50,7 +50,7 @@ impl Noise {
             return Ok(least);
         }
         let full = if scan.voids() > 0 { Fill::Harmonic.apply(flat.clone()).unwrap_or(flat) } else { flat };
-        Ok(Self::new(&axes, &bands_of(&full)?, &full))
+        Ok(Self::new(&axes, &Band::of_flat(&full)?, &full))
     }
 
     /// The noise of heights with some scales along their axes, and a spectrum.

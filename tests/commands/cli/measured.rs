@@ -109,13 +109,14 @@ fn noise_at_the_spacing_is_told_where_it_makes_the_gradient() {
 fn a_description_says_what_heights_are_like() {
     let folder = Folder::new();
     write_part(&folder, "part.txt");
-    let output = folder.run("surface part.txt");
+    let output = folder.run("surface part.txt --scales");
     let out = text(&output.stdout);
     for words in [
+        "--prepare auto would do: ",
         "Width                     72 µm",
         "tilt                      -1.1",
         "curvature                 ",
-        "noise along y",
+        "noise                     ",
         "smooth along x            below wavelengths of ",
         "distance along y          rms step      rms gradient  rms curvature",
     ] {

@@ -55,7 +55,7 @@ fn paths_in_lists_are_rows() {
     let scene = |times: &str, loads: &str| {
         format!(
             "surface = {{ indenter = {{ shape = \"cylinder\", radius = 1.0 }} }}\ngrid = {{ points = 256, size = 1.0 }}\n\
-             load = {{ reduced-pressure = 1e-3 }}\nviscoelastic = {{ relaxation = [[0.5, 1.0]] }}\n\
+             load = {{ reduced-pressure = 1e-3 }}\nviscoelastic = {{ relaxation = [0.5, 1.0] }}\n\
              path = {{ time = {times}, load = {loads} }}\n"
         )
     };

@@ -160,9 +160,9 @@ fn opdx_of_maps() {
     for (name, value) in [("Settings/InstrumentName", "Dektak"), ("Settings/StylusForce", "3 mg")] {
         assert_says(&measured, name, value);
     }
-    for name in ["Broken", "Image"] {
+    for (name, fault) in [("Broken", "has no Matrix: choose one of"), ("Image", "contains no heights: choose one of")] {
         let error = Measurement::from_bytes(&file, Some(name)).unwrap_err().to_string();
-        assert!(error.contains("contains no heights: choose one of \"Raw\", \"Analyzed\""), "{error}");
+        assert!(error.contains(&format!("{fault} \"Raw\", \"Analyzed\"")), "{error}");
     }
 }
 
