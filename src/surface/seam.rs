@@ -6,6 +6,8 @@ use crate::chunks;
 /// The largest jumps, in rms steps, of a line and of a surface that is periodic.
 const MOST_OF_LINE: f64 = 3.0;
 const MOST_OF_SURFACE: f64 = 2.0;
+/// Jumps are larger than the steps inside by this factor, where they are not the same edges.
+const LARGER: f64 = 1.1;
 /// The number of pairs of lines that may differ more than those across the period do.
 const ABOVE: usize = 3;
 
@@ -54,7 +56,7 @@ impl Surface {
         let (jumps, is_line) = (self.jumps(), self.grid().is_line());
         [0, 1].map(|axis| match is_line {
             true => jumps[axis] > MOST_OF_LINE,
-            false => jumps[axis] > MOST_OF_SURFACE && jumps[axis] > self.large_step(axis),
+            false => jumps[axis] > MOST_OF_SURFACE && jumps[axis] > LARGER * self.large_step(axis),
         })
     }
 

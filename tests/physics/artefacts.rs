@@ -239,6 +239,20 @@ fn what_cannot_be_mended_is_named() {
     assert!(matches!(cut[..], [Artefact::Clipped { is_top: true, share, .. }] if share < 0.05), "{cut:?}");
 }
 
+/// Profiles with cusps and with edges have no outliers, and those with spikes have as many as there are.
+#[test]
+fn cusps_of_profiles_are_no_outliers() {
+    let named = |of: &dyn Fn(usize) -> f64| {
+        let height = Array2::from_shape_fn((1, 8192), |(_, x)| of(x));
+        Artefacts::new(&Scan { height, spacing: [1.0; 2] }).all
+    };
+    let cusps = |x: usize| (x as f64 / 60.0).sin().abs();
+    assert_eq!(named(&cusps), []);
+    assert_eq!(named(&|x| if x % 100 < 50 { 1.0 } else { 0.0 } + 0.01 * (x as f64).sin()), []);
+    let spiky = |x: usize| cusps(x) + if x % 1000 == 500 { 1.0 } else { 0.0 };
+    assert_eq!(named(&spiky), [Artefact::Outliers { nodes: 8 }]);
+}
+
 /// Heights are as before when their mirror images are left out, and images are no artefacts.
 #[test]
 fn mirror_images_are_left_out() {

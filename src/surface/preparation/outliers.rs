@@ -7,6 +7,8 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Standard deviations by which an outlier stands off the nodes on both sides of it, in all directions.
 const DEVIATIONS: f64 = 6.0;
+/// The same of the differences between neighbours, which a cusp has on both sides.
+const SLOPES: f64 = 3.0;
 /// The most nodes of an outlier along an axis.
 const WIDEST: isize = 3;
 /// The nodes to each side among which the scale is also found.
@@ -19,7 +21,7 @@ const PASSES: usize = 3;
 /// What becomes of heights that stand off all their neighbours, such as dead pixels and spikes.
 ///
 /// An outlier is of at most 3 x 3 nodes. It is above the nodes on both sides of it in all directions, or below all of them, by six standard
-/// deviations of such differences on the map and near the node. Where more than 2 % of the nodes are so, none of them is an outlier.
+/// deviations of such differences on the map and near the node, and by three of those of neighbours. Where more than 2 % of the nodes are so, none of them is an outlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -68,7 +70,7 @@ fn standing_off(scan: &Scan) -> Vec<[usize; 2]> {
 fn stands_off(directions: &[StandOff<'_>], node: [usize; 2]) -> bool {
     let known = || directions.iter().filter_map(|direction| Some((direction, direction.at(node)?)));
     let is_far = |sign: f64| {
-        known().all(|(direction, off)| sign * off > DEVIATIONS * direction.scale)
+        known().all(|(direction, off)| sign * off > (DEVIATIONS * direction.scale).max(SLOPES * direction.slope))
             && known().all(|(direction, off)| sign * off > DEVIATIONS * direction.scale_near(node, REACH))
     };
     known().next().is_some_and(|(_, first)| first != 0.0 && is_far(first.signum()))

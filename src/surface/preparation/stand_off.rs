@@ -15,16 +15,21 @@ pub(super) struct StandOff<'a> {
     step: [isize; 2],
     /// The standard deviation of the heights from the means of both sides, by the median of their magnitudes.
     pub scale: f64,
+    /// The same of the differences from one side, which a cusp has on both sides.
+    pub slope: f64,
 }
 
 impl<'a> StandOff<'a> {
     /// The nodes of a scan and those at a step on both sides; none where no node has both.
     pub fn new(scan: &'a Scan, step: [isize; 2]) -> Option<Self> {
-        let mut it = Self { scan, step, scale: 0.0 };
+        let mut it = Self { scan, step, scale: 0.0, slope: 0.0 };
         let [ny, nx] = scan.shape();
         let every = (ny * nx).div_ceil(MOST);
         let nodes = (0..ny * nx).step_by(every).map(|i| [i / nx, i % nx]);
-        let mut deviations: Vec<f64> = nodes.filter_map(|node| it.bend(node)).collect();
+        let mut deviations: Vec<f64> = nodes.clone().filter_map(|node| it.bend(node)).collect();
+        let mut slopes: Vec<f64> =
+            nodes.filter_map(|node| it.heights(node)).map(|[one, other, _]| (other - one).abs()).collect();
+        it.slope = DEVIATION * median(&mut slopes)?;
         it.scale = (DEVIATION * median(&mut deviations)?).max(ROUNDING * range(scan));
         Some(it)
     }
