@@ -231,6 +231,12 @@ fn what_cannot_be_mended_is_named() {
     assert_eq!(named(&rim), [Artefact::Border { lines: [3, 0, 0, 0] }]);
     let steps = Array2::from_shape_fn((N, N), |(y, x)| truth[[y, x]] + if y > 40 { 3.0 * rms(&truth) } else { 0.0 });
     assert!(matches!(named(&steps)[..], [Artefact::Step { axis: "y", line: 40, .. }]), "{:?}", named(&steps));
+    let chosen = PreparationChoice::new(&scan(&steps), true, [true; 2]).unwrap().preparation;
+    assert_eq!(
+        chosen,
+        Preparation { mirror: Some(Mirror::Y), ..Preparation::default() },
+        "both sides of a step stay level"
+    );
     let step = 0.5 * rms(&truth);
     let rounded = truth.mapv(|h| (h / step).round() * step);
     let found = named(&rounded);

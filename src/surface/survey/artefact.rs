@@ -138,7 +138,7 @@ impl Artefacts {
         it
     }
 
-    /// Levels the lines across one axis, the one where their offsets are larger.
+    /// Levels the lines across each axis along which their offsets are independent.
     fn mend_offsets(&mut self) {
         let found: Vec<(usize, Artefact)> =
             [0, 1].into_iter().filter_map(|axis| Some((axis, Artefact::of_lines(&self.rest, axis)?))).collect();

@@ -17,7 +17,7 @@ const BISECTIONS: usize = 6;
 ///
 /// Uneven positions are resampled. Artefacts that can be mended are mended, see [`Artefacts`]: offsets of scan lines are taken off, and single
 /// heights that stand off, and scars, become voids. Voids are filled. From heights that are not periodic, the polynomial of second
-/// order is subtracted (or only the plane, if the boundary is free and the heights may be a body). They are then
+/// order is subtracted (or only the plane, if the boundary is free and the heights may be a body; nothing, if they have a step). They are then
 /// mirrored along the axes on which they still jump. Waves that cannot be distinguished from noise are filtered out
 /// where the noise makes more than an eighth of the mean square gradient; noise is what is independent from node to node, and the same along all axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,8 +48,10 @@ impl PreparationChoice {
             let all = scan.height.len();
             choice.because(format!("{voids} of {all} heights are void: they are filled with the smoothest heights"));
         }
+        // a trend through a step would tilt both sides of it
+        let has_step = artefacts.all.iter().any(|it| matches!(it, Artefact::Step { .. }));
         let mut full = Fill::Harmonic.apply(artefacts.rest.clone()).unwrap_or(artefacts.rest);
-        if ends(&survey, periodic) != [false; 2] || periodic == [false; 2] {
+        if !has_step && (ends(&survey, periodic) != [false; 2] || periodic == [false; 2]) {
             full = choice.detrended(full, &survey, periodic);
             survey = Survey::new(&full)?;
         }
