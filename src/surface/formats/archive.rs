@@ -1,8 +1,11 @@
 //! Files in archives of instruments, unpacked within limits.
 
+#[cfg(feature = "microscopes")]
 use super::bytes::latin;
 use super::format::malformed;
+#[cfg(feature = "microscopes")]
 use super::zlib::LARGEST_RATIO;
+#[cfg(feature = "microscopes")]
 use roxmltree::{Document, ParsingOptions};
 use std::io::{self, Cursor, Read};
 use zip::ZipArchive;
@@ -18,8 +21,10 @@ pub(super) const TEXT: u64 = 1 << 16;
 /// Largest number of bytes of a description per byte of an archive: beyond it, a document is too large to be useful.
 const TEXT_RATIO: u64 = 64;
 /// Parts of a description at most.
+#[cfg(feature = "microscopes")]
 const NODES: u32 = 1 << 22;
 /// Attributes of an element and spaces of names of a description at most: the time that they take grows with their square.
+#[cfg(feature = "microscopes")]
 const MOST: usize = 1024;
 
 /// Whether bytes are an archive that has this name in it.
@@ -70,6 +75,7 @@ pub(super) fn bytes_of(file: impl Read, limit: u64) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// For a file that is missing, damaged or too long.
+#[cfg(feature = "microscopes")]
 pub(super) fn text(archive: &mut Archive, name: &str, length: usize) -> io::Result<String> {
     let limit = text_limit(length as u64);
     let file = archive.by_name(name).map_err(missing(name))?;
@@ -83,6 +89,7 @@ pub(super) fn text(archive: &mut Archive, name: &str, length: usize) -> io::Resu
 ///
 /// # Errors
 /// For a text that is no XML, or takes too long to read.
+#[cfg(feature = "microscopes")]
 pub(super) fn document<'a>(text: &'a str, name: &str) -> io::Result<Document<'a>> {
     let attributes = text.split('<').map(|element| element.bytes().filter(|byte| *byte == b'=').count());
     let most = attributes.max().unwrap_or(0).max(text.matches("xmlns").count());
@@ -98,6 +105,7 @@ pub(super) fn document<'a>(text: &'a str, name: &str) -> io::Result<Document<'a>
 ///
 /// # Errors
 /// For a file that is missing or damaged, or states more.
+#[cfg(feature = "microscopes")]
 pub(super) fn size(archive: &mut Archive, name: &str, length: usize) -> io::Result<usize> {
     let file = archive.by_name(name).map_err(missing(name))?;
     let size = usize::try_from(file.size()).unwrap_or(usize::MAX);
@@ -111,6 +119,7 @@ pub(super) fn size(archive: &mut Archive, name: &str, length: usize) -> io::Resu
 ///
 /// # Errors
 /// For a file that is missing, damaged or shorter.
+#[cfg(feature = "microscopes")]
 pub(super) fn first(archive: &mut Archive, name: &str, count: usize) -> io::Result<Vec<u8>> {
     let mut file = archive.by_name(name).map_err(missing(name))?;
     let mut bytes = Vec::new();

@@ -19,6 +19,7 @@ impl<'a> ByteReader<'a> {
     }
 
     /// The same bytes, the first byte of a number the most significant one or not.
+    #[cfg(feature = "microscopes")]
     pub fn big_endian(self, is_big: bool) -> Self {
         Self { is_big, ..self }
     }
@@ -63,6 +64,7 @@ impl<'a> ByteReader<'a> {
     ///
     /// # Errors
     /// For fewer bytes than that.
+    #[cfg(feature = "microscopes")]
     pub fn part(&mut self, count: usize) -> io::Result<Self> {
         Ok(Self { all: self.take(count)?, at: 0, ..*self })
     }
@@ -104,7 +106,9 @@ macro_rules! numbers {
     };
 }
 
-numbers!(u8 u16 u32 u64 i8 i16 i32 i64 f32 f64);
+numbers!(u8 u16 u32 i16 i32 i64 f32 f64);
+#[cfg(feature = "microscopes")]
+numbers!(u64 i8);
 
 /// A text in UTF-8 or, if it is none, in Latin-1.
 pub(super) fn latin(bytes: &[u8]) -> String {

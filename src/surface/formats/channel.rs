@@ -4,8 +4,10 @@ use super::format::malformed;
 use std::io;
 
 /// The most channels that a file may have if it can state any number of them, each with a header of its own.
+#[cfg(feature = "microscopes")]
 const MOST: usize = 64;
 /// Words in the names of channels that are lengths, but no heights.
+#[cfg(feature = "microscopes")]
 const NO_HEIGHTS: [&str; 3] = ["amplitude", "deflection", "error"];
 
 /// One of the fields in a file of an instrument. Its values are read on request.
@@ -71,6 +73,7 @@ impl<'a> Channel<'a> {
     }
 
     /// The channel with the spacing of its rows and of its columns, each in a unit of so many metres, or without any.
+    #[cfg(feature = "microscopes")]
     pub fn spaced(self, spacing: [f64; 2], units: [Option<f64>; 2]) -> Self {
         let (spacing, lateral_unit) = match (units, spacing) {
             ([Some(along), Some(across)], [y, x]) => ([y * along, x * across], Some(1.0)),
@@ -84,6 +87,7 @@ impl<'a> Channel<'a> {
 ///
 /// # Errors
 /// For more than [`MOST`] channels.
+#[cfg(feature = "microscopes")]
 pub(super) fn check_count(count: usize) -> io::Result<()> {
     match count {
         ..=MOST => Ok(()),
@@ -98,6 +102,7 @@ pub(super) fn new_name(name: &str, before: &[Channel]) -> String {
 }
 
 /// Whether a channel of lengths holds heights, judged by its name.
+#[cfg(feature = "microscopes")]
 pub(super) fn may_be_height(name: &str) -> bool {
     let name = name.to_lowercase();
     !NO_HEIGHTS.iter().any(|word| name.contains(word))
@@ -107,6 +112,7 @@ pub(super) fn may_be_height(name: &str) -> bool {
 ///
 /// # Errors
 /// The first error, if no channel of heights can be read.
+#[cfg(feature = "microscopes")]
 pub(super) fn listed<'a>(found: Vec<(impl Into<String>, io::Result<Channel<'a>>)>) -> io::Result<Vec<Channel<'a>>> {
     let channels: Vec<_> = found.into_iter().map(|(name, channel)| Channel::or_unreadable(name, channel)).collect();
     match channels.iter().find_map(|it| it.fault.as_ref()).filter(|_| channels.iter().all(|it| !it.is_height)) {

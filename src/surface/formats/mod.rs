@@ -5,43 +5,55 @@ mod al3d;
 mod archive;
 #[cfg(feature = "instruments")]
 mod axis;
+#[cfg(feature = "microscopes")]
 mod bcr;
 mod bytes;
 mod cdf;
 mod channel;
 mod columns;
-#[cfg(feature = "instruments")]
+#[cfg(feature = "microscopes")]
 mod compound;
+#[cfg(feature = "microscopes")]
 mod entries;
 mod export;
 mod format;
+#[cfg(feature = "microscopes")]
 mod frt;
 mod gwy;
 mod height_file;
+#[cfg(feature = "microscopes")]
 mod hfm;
+#[cfg(feature = "microscopes")]
 mod ibw;
 mod instrument;
+#[cfg(feature = "microscopes")]
 mod jpk;
 mod layout;
 mod measurement;
+#[cfg(feature = "microscopes")]
 mod metropro;
+#[cfg(feature = "microscopes")]
 mod mi;
-#[cfg(feature = "instruments")]
+#[cfg(feature = "microscopes")]
 mod mnt;
 mod nanoscope;
 mod netcdf;
+#[cfg(feature = "microscopes")]
 mod nid;
 mod npy;
 mod npz;
+#[cfg(feature = "microscopes")]
 mod number_type;
 mod numbers;
 mod opd;
+#[cfg(feature = "microscopes")]
 mod opdx;
 mod plu;
-#[cfg(feature = "instruments")]
+#[cfg(feature = "microscopes")]
 mod plux;
 mod points;
 mod profile;
+#[cfg(feature = "microscopes")]
 mod raster;
 mod remarks;
 mod room;
@@ -50,19 +62,23 @@ mod sdf;
 mod sur;
 mod table;
 mod text;
+#[cfg(feature = "microscopes")]
 mod tiff;
+#[cfg(feature = "microscopes")]
 mod tmd;
 mod unit;
+#[cfg(feature = "microscopes")]
 mod vk4;
+#[cfg(feature = "microscopes")]
 mod wsxm;
 mod wyko_text;
 #[cfg(feature = "instruments")]
 mod x3p;
-#[cfg(feature = "instruments")]
+#[cfg(feature = "microscopes")]
 mod xlsx;
 #[cfg(feature = "instruments")]
 mod zlib;
-#[cfg(feature = "instruments")]
+#[cfg(feature = "microscopes")]
 mod zon;
 
 pub use height_file::HeightFile;
@@ -83,35 +99,47 @@ static FORMATS: [Format; 3] = [npz::FORMAT, text::FORMAT, npy::FORMAT];
 /// All formats of instruments, of which the first that fits is taken: texts of numbers come last.
 const INSTRUMENTS: &[Instrument] = &[
     al3d::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     bcr::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     frt::INSTRUMENT,
     gwy::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     ibw::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     jpk::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     metropro::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     mi::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     hfm::INSTRUMENT,
-    #[cfg(feature = "instruments")]
+    #[cfg(feature = "microscopes")]
     mnt::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     nid::INSTRUMENT,
     opd::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     opdx::INSTRUMENT,
     plu::INSTRUMENT,
-    #[cfg(feature = "instruments")]
+    #[cfg(feature = "microscopes")]
     plux::INSTRUMENT,
     sdf::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     tmd::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     vk4::INSTRUMENT,
     #[cfg(feature = "instruments")]
     sur::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
     wsxm::INSTRUMENT,
     #[cfg(feature = "instruments")]
     x3p::INSTRUMENT,
-    #[cfg(feature = "instruments")]
+    #[cfg(feature = "microscopes")]
     xlsx::INSTRUMENT,
-    #[cfg(feature = "instruments")]
+    #[cfg(feature = "microscopes")]
     zon::INSTRUMENT,
     wyko_text::INSTRUMENT,
     numbers::INSTRUMENT,
