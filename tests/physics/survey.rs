@@ -88,14 +88,14 @@ fn the_hurst_exponent_is_right_within_its_stated_error() {
         let Some(law) = Survey::new(&heights).unwrap().power_law else { continue };
         let share = (law.hurst - hurst).abs() / law.hurst_error;
         let what = format!("case {case}: H = {hurst:.2}, {rolloff:.1} to {cutoff:.0} waves: {law:?}");
-        assert!((0.0..=1.0).contains(&law.hurst) && law.hurst_error <= 0.17, "{what}");
+        assert!(share < 4.5 && (0.0..=1.0).contains(&law.hurst) && law.hurst_error <= 0.17, "{what}");
         assert!(law.wavelengths[0] > 0.8 / cutoff, "waves beyond the cut-off are fitted: {what}");
         shares.push(share);
     }
     let part = |most: f64| shares.iter().filter(|share| **share <= most).count() as f64 / shares.len() as f64;
     let parts = [part(1.0), part(2.0), part(3.0)];
     println!("Hurst exponents within one, two and three stated errors: {parts:.3?} of {}", shares.len());
-    assert!(shares.len() > 120 && (0.55..0.9).contains(&parts[0]) && parts[1] > 0.92 && parts[2] > 0.97, "{parts:?}");
+    assert!(shares.len() > 120 && (0.55..0.9).contains(&parts[0]) && parts[1] > 0.92 && parts[2] >= 0.98, "{parts:?}");
 }
 
 /// What is not self-affine has no Hurst exponent: a wave, an arc, steps.
