@@ -26,3 +26,13 @@ pub fn plain(text: &str) -> Cow<'_, str> {
         false => text.chars().map(|it| if stays(it) { it } else { char::REPLACEMENT_CHARACTER }).collect(),
     }
 }
+
+/// A sentence that begins with a capital letter.
+///
+/// ```
+/// assert_eq!(asperity::seen::capital("no artefacts were found"), "No artefacts were found");
+/// ```
+pub fn capital(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

@@ -18,6 +18,7 @@ use asperity::Grid;
 use asperity::error::FileError;
 use asperity::files::{check_apart, check_named};
 use asperity::record::record_survey;
+use asperity::seen::capital;
 use asperity::setup::{Cost, Recipe};
 use asperity::surface::{
     Field, HeightFile, Measurement, PreparationChoice, RankMap, Resample, Roughness, Scan, SpectrumConvention,
@@ -363,9 +364,8 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -
     }
     let found = survey.artefacts.iter().map(|it| capital(&it.sentence()));
     let error = survey.area_error;
-    let error = (error > 0.0).then(|| {
-        format!("As they are, areas and kappa may be off by up to {:.0} % by what can be mended", 100.0 * error)
-    });
+    let error = (error > 0.0)
+        .then(|| format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error));
     let mut lines: Vec<String> = found.chain(error).collect();
     if lines.is_empty() {
         lines.push("No artefacts were found".into());
@@ -385,12 +385,6 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -
         }
     }
     Ok(lines)
-}
-
-/// A sentence that begins with a capital letter.
-fn capital(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 impl HeightStatistics {

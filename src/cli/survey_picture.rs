@@ -25,7 +25,7 @@ pub fn of_survey(title: &str, scan: &Scan, survey: &Survey, units: Units) -> Fig
     Figure { title: title.into(), panels: vec![first, spectrum(survey, scan, units)] }
 }
 
-/// Nodes that an artefact has, on a picture of some units.
+/// Nodes, rows and columns, that the mending of artefacts takes for voids.
 fn artefacts<'a>(scan: &'a Scan, rest: &'a Scan) -> impl Iterator<Item = [usize; 2]> + 'a {
     let both = scan.height.indexed_iter().zip(&rest.height);
     both.filter(|((_, before), after)| !before.is_nan() && after.is_nan()).map(|((node, _), _)| node.into())

@@ -10,6 +10,7 @@ use crate::quantity::number_in_words;
 use crate::record::{
     CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Target, Timeline,
 };
+use crate::seen::capital;
 use crate::setup::{ProcessKind, Setup};
 use std::path::{Path, PathBuf};
 
@@ -223,7 +224,7 @@ fn curves(quantities: &[Quantity]) -> Vec<StateCurve> {
     let of = |it: Quantity| {
         let colour = if it.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
         let title = it.row().title;
-        (curve(&capital(title), title, colour), Box::new(move |state: &State| state.value(it)) as Box<_>)
+        (curve(&view(title), title, colour), Box::new(move |state: &State| state.value(it)) as Box<_>)
     };
     quantities.into_iter().map(of).collect()
 }
@@ -285,11 +286,7 @@ fn further(posed: &Posed<'_>, states: &[&State], room: f64) -> Vec<FurtherField>
     drawn.map(field).collect()
 }
 
-/// A title that begins with a capital letter, unless it is a symbol.
-fn capital(title: &str) -> String {
-    if title.contains('_') {
-        return title.into();
-    }
-    let mut letters = title.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+/// The title of a view: with a capital letter, unless it is a symbol.
+fn view(title: &str) -> String {
+    if title.contains('_') { title.into() } else { capital(title) }
 }

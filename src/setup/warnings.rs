@@ -2,6 +2,7 @@
 
 use super::{Recipe, Setup, Solid};
 use crate::elastic::stress::USUAL_POISSON;
+use crate::seen::capital;
 use crate::surface::{
     Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Noise, Roughness, Scan, Surface, Survey,
 };
@@ -198,14 +199,12 @@ impl Survey {
 
 /// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended.
 fn warning_of(artefact: &Artefact, error: f64) -> Option<Warning> {
-    let what = artefact.sentence();
-    let mut letters = what.chars();
-    let what = letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect());
+    let what = capital(&artefact.sentence());
     Some(match artefact {
         Artefact::Clipped { is_top: false, .. } => return None,
         it if it.can_be_mended() && error < SMALLEST_ERROR => return None,
         it if it.can_be_mended() => {
-            Warning::new(format!("{what}. Area and kappa may be off by up to {:.0} %", 100.0 * error), "Mend it")
+            Warning::new(format!("{what}. The area may be off by up to {:.0} %", 100.0 * error), "Mend it")
                 .with_remedy("surface.prepare.steps", Some("auto"))
         }
         Artefact::Border { .. } => Warning::new(what, "Crop the heights").with_remedy("surface.prepare.crop", None),
@@ -219,7 +218,7 @@ fn warning_of_noise(noise: &Noise) -> Option<Warning> {
         Warning::new(
             format!(
                 "Noise at the spacing makes {:.0} % of the mean square gradient, so area and kappa depend on the \
-                 noise of the instrument and may be off by {:.0} %",
+                 noise of the instrument, and the area may be off by {:.0} %",
                 100.0 * noise.share,
                 100.0 * noise.area_error()
             ),

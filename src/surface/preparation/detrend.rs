@@ -32,9 +32,9 @@ pub enum Detrend {
 impl Detrend {
     /// The heights without their trend.
     pub fn apply(self, scan: Scan) -> Scan {
-        let (trend, before) = (self.coefficients(&scan), reach(&scan));
+        let (trend, before) = (self.coefficients(&scan), scan.reach());
         let mut rest = scan.less(|place| legendre(place).iter().zip(trend).map(|(f, c)| f * c).sum());
-        if self != Self::Mean && reach(&rest) <= ROUNDING * before {
+        if self != Self::Mean && rest.reach() <= ROUNDING * before {
             rest.height.mapv_inplace(|h| if h.is_nan() { h } else { 0.0 });
         }
         rest
@@ -59,12 +59,6 @@ impl Detrend {
         };
         linear(scan.points().into_iter().map(|(place, h)| (functions(place), h)))
     }
-}
-
-/// The height of the highest peak above the deepest valley.
-fn reach(scan: &Scan) -> f64 {
-    let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
-    there().fold(f64::NEG_INFINITY, f64::max) - there().fold(f64::INFINITY, f64::min)
 }
 
 /// Legendre's polynomials up to second order, which are nearly independent on a map: `1, y, x, xy, P_2(y), P_2(x)`.

@@ -89,7 +89,7 @@ pub struct Prepared {
 impl Preparation {
     /// The automatic choices of the steps, and their names in scenes, with a short description.
     pub const WAYS: [(&str, &str); 1] =
-        [("auto", "Automatic choice: resample, fill voids, make the heights periodic, and filter noise")];
+        [("auto", "Automatic choice: resample, mend artefacts, fill voids, make the heights periodic, filter noise")];
 
     /// Whether there are no steps.
     pub fn is_none(&self) -> bool {

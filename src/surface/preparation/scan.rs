@@ -3,6 +3,7 @@
 use crate::error::GridError;
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
+use ndarray::Axis;
 
 /// Heights on an even grid, some of which may be void.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,19 +46,23 @@ impl Scan {
         self.height.dim().into()
     }
 
+    /// The height of the highest peak above the deepest valley.
+    pub(in crate::surface) fn reach(&self) -> f64 {
+        let there = || self.height.iter().copied().filter(|h| !h.is_nan());
+        there().fold(f64::NEG_INFINITY, f64::max) - there().fold(f64::INFINITY, f64::min)
+    }
+
+    /// The root mean square of the differences between neighbours along an axis, 0 for y and 1 for x, that are not void; 0 without any.
+    pub(in crate::surface) fn rms_step(&self, axis: usize) -> f64 {
+        let pairs = self.height.axis_windows(Axis(axis), 2).into_iter();
+        let steps = pairs.flat_map(|pair| &pair.index_axis(Axis(axis), 1) - &pair.index_axis(Axis(axis), 0));
+        let (count, sum) = steps.filter(|s| !s.is_nan()).fold((0usize, 0.0), |(n, sum), s| (n + 1, sum + s * s));
+        if count == 0 { 0.0 } else { (sum / count as f64).sqrt() }
+    }
+
     /// The root mean square of the slope between neighbours that are not void.
     pub fn rms_gradient(&self) -> f64 {
-        let [ny, nx] = self.shape();
-        let [dy, dx] = self.spacing;
-        let h = &self.height;
-        let mean = |steps: &mut dyn Iterator<Item = f64>| {
-            let (count, sum) = steps.filter(|s| !s.is_nan()).fold((0usize, 0.0), |(n, sum), s| (n + 1, sum + s * s));
-            if count == 0 { 0.0 } else { sum / count as f64 }
-        };
-        let nodes = |ny: usize, nx: usize| (0..ny).flat_map(move |y| (0..nx).map(move |x| (y, x)));
-        let along_x = mean(&mut nodes(ny, nx - 1).map(|(y, x)| (h[[y, x + 1]] - h[[y, x]]) / dx));
-        let along_y = mean(&mut nodes(ny - 1, nx).map(|(y, x)| (h[[y + 1, x]] - h[[y, x]]) / dy));
-        (along_x + along_y).sqrt()
+        self.axes().map(|axis| (self.rms_step(axis) / self.spacing[axis]).powi(2)).sum::<f64>().sqrt()
     }
 
     /// Places of the nodes that are there from the middle of the map, `(y, x)`, over half of its longer side, and their heights.

@@ -30,7 +30,7 @@ impl<'a> StandOff<'a> {
         let mut slopes: Vec<f64> =
             nodes.filter_map(|node| it.heights(node)).map(|[one, other, _]| (other - one).abs()).collect();
         it.slope = DEVIATION * median(&mut slopes)?;
-        it.scale = (DEVIATION * median(&mut deviations)?).max(ROUNDING * range(scan));
+        it.scale = (DEVIATION * median(&mut deviations)?).max(ROUNDING * scan.reach());
         Some(it)
     }
 
@@ -67,10 +67,4 @@ impl<'a> StandOff<'a> {
         let mut near: Vec<f64> = nodes.filter_map(|node| self.bend(node)).collect();
         median(&mut near).map_or(self.scale, |it| self.scale.max(DEVIATION * it))
     }
-}
-
-/// The height of the highest node above the lowest one.
-fn range(scan: &Scan) -> f64 {
-    let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
-    there().fold(f64::NEG_INFINITY, f64::max) - there().fold(f64::INFINITY, f64::min)
 }

@@ -104,7 +104,7 @@ impl Artefact {
     /// The name of the axis across whose lines it lies, if it lies so.
     fn of_lines(scan: &Scan, axis: usize) -> Option<Self> {
         let found = LineOffsets::new(scan, axis)?;
-        let slopes = [0, 1].map(|axis| rms_step(scan, axis) / scan.spacing[axis]);
+        let slopes = [0, 1].map(|axis| scan.rms_step(axis) / scan.spacing[axis]);
         let (rms, along) = (found.white().sqrt(), rms_along(scan, axis));
         let share = 2.0 * (rms / scan.spacing[axis]).powi(2) / (slopes[0].powi(2) + slopes[1].powi(2));
         let axis = ["y", "x"][axis];
@@ -177,17 +177,6 @@ impl Artefacts {
     }
 }
 
-/// The root mean square of the differences between neighbours along an axis that are there.
-fn rms_step(scan: &Scan, axis: usize) -> f64 {
-    let lines = scan.height.axis_windows(ndarray::Axis(axis), 2);
-    let steps = lines.into_iter().flat_map(|pair| {
-        let [one, next] = [0, 1].map(|i| pair.index_axis(ndarray::Axis(axis), i).to_owned());
-        next - one
-    });
-    let (count, sum) = steps.filter(|it| !it.is_nan()).fold((0usize, 0.0), |(n, sum), it| (n + 1, sum + it * it));
-    (sum / count.max(1) as f64).sqrt()
-}
-
 /// The root mean square of the heights about the mean of their line, of the lines across an axis.
 fn rms_along(scan: &Scan, axis: usize) -> f64 {
     let (mut sum, mut count) = (0.0, 0usize);
@@ -206,7 +195,7 @@ fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
     let steps: Vec<f64> = offsets.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut magnitudes: Vec<f64> = steps.iter().map(|it| it.abs()).collect();
     let usual = DEVIATION * median(&mut magnitudes).unwrap_or(0.0);
-    let least = STEP * usual.max(0.1 * rms_step(scan, axis));
+    let least = STEP * usual.max(0.1 * scan.rms_step(axis));
     let far: Vec<usize> = (0..steps.len()).filter(|i| steps[*i].abs() > least).collect();
     let found = far.iter().filter(|_| far.len() <= MOST_STEPS);
     found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
@@ -270,7 +259,7 @@ fn rounded(scan: &Scan) -> Option<Artefact> {
     let gaps: Vec<f64> = heights.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let step = gaps.iter().copied().fold(f64::INFINITY, f64::min);
     let is_multiple = |gap: &f64| ((gap / step).round() * step - gap).abs() < 1e-3 * step;
-    let usual = scan.axes().map(|axis| rms_step(scan, axis).powi(2)).sum::<f64>().sqrt();
+    let usual = scan.axes().map(|axis| scan.rms_step(axis).powi(2)).sum::<f64>().sqrt();
     let is_rounded = heights.len() > 2 && 4 * heights.len() < count && gaps.iter().all(is_multiple);
     let share = step / usual;
     (is_rounded && share * share / 6.0 > ROUNDED).then_some(Artefact::Rounded { step, share })
