@@ -33,6 +33,9 @@ use std::path::{Path, PathBuf};
 /// off, and their spectrum; at most, their autocorrelation on half as many nodes again along both axes.
 const FIELDS: f64 = 12.0;
 
+/// Artefacts that change areas by less than this part are not said to.
+const SMALLEST_ERROR: f64 = 0.01;
+
 const EXAMPLES: &str = "\
 Examples:
   asperity surface patch.x3p --fill harmonic --detrend curvature --out flat.npy
@@ -146,8 +149,8 @@ impl Describe {
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::from_fields(&grid, FIELDS).check("a surface")?;
-        let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?)?;
-        statistics.units = self.scene.units(&recipe);
+        let units = self.scene.units(&recipe);
+        let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?, units)?;
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
         let mut heights = self.out.iter().filter(|path| !is_picture(path));
@@ -196,7 +199,7 @@ fn even(recipe: &mut Recipe) -> Result<Option<String>> {
 }
 
 /// The statistics of a surface from an axis on, and its heights, NaN where they are void.
-fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, Field)> {
+fn describe(recipe: &Recipe, grid: &Grid, outer: usize, units: Units) -> Result<(Statistics, Field)> {
     let read = |file: &HeightFile| -> Result<_> { Ok((Origin::read(file, recipe)?, recipe.prepared(file, grid)?)) };
     let (file, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
     let voids = prepared.as_ref().map_or(0, |it| it.scan.voids());
@@ -213,19 +216,19 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize) -> Result<(Statistics, F
         seed: recipe.spectrum.as_ref().map(|_| recipe.seed()),
         whole: None,
         verdict: Vec::new(),
-        units: Units::default(),
+        units,
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
         let survey = Survey::new(&prepared.scan)?;
         statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, grid.len())));
-        statistics.verdict = verdict(recipe, &survey, &prepared.scan, grid.periodic())?;
+        statistics.verdict = verdict(recipe, &survey, &prepared.scan, grid, units)?;
         statistics.survey = Some(survey);
         return Ok((statistics, prepared.scan.height));
     }
     let surface = recipe.surface(*grid)?;
     let scan = Scan::from_surface(&surface, 1);
     let survey = Survey::new(&scan)?;
-    statistics.verdict = verdict(recipe, &survey, &scan, grid.periodic())?;
+    statistics.verdict = verdict(recipe, &survey, &scan, grid, units)?;
     let is_sample = recipe.indenter.is_none() && (recipe.is_measured() || recipe.spectrum.is_some());
     statistics.whole = Some(HeightStatistics::new(&surface, outer, is_sample));
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
@@ -358,32 +361,29 @@ impl Statistics {
 }
 
 /// What is wrong with measured heights, and what an automatic preparation would do.
-fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Result<Vec<String>> {
+fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Units) -> Result<Vec<String>> {
     if !recipe.is_measured() {
         return Ok(Vec::new());
     }
-    let found = survey.artefacts.iter().map(|it| capital(&it.sentence()));
-    let error = survey.area_error;
-    let error = (error > 0.0)
-        .then(|| format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error));
+    let words = |length: f64| units.length(length);
+    let found = survey.artefacts.iter().map(|it| capital(&it.sentence_in(&words)));
+    let error = Some(survey.area_error)
+        .filter(|it| *it >= SMALLEST_ERROR)
+        .map(|error| format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error));
     let mut lines: Vec<String> = found.chain(error).collect();
-    if lines.is_empty() {
+    let choice = PreparationChoice::new(scan, true, grid.periodic())?;
+    if lines.is_empty() && choice.reasons.is_empty() {
         lines.push("No artefacts were found".into());
     }
-    if recipe.prepare.is_none() {
-        let choice = PreparationChoice::new(scan, true, periodic)?;
-        match choice.reasons.as_slice() {
-            [] => lines.push("--prepare auto would leave the heights as they are".into()),
-            _ => {
-                let steps =
-                    if choice.preparation.is_none() { "nothing".to_owned() } else { choice.preparation.description() };
-                lines.push(format!("--prepare auto would do: {steps}"));
-                let is_new =
-                    |it: &&String| !survey.artefacts.iter().any(|artefact| it.starts_with(&artefact.sentence()));
-                lines.extend(choice.reasons.iter().filter(is_new).map(|reason| format!("  {reason}")));
-            }
-        }
+    if !recipe.prepare.is_none() {
+        return Ok(lines);
     }
+    match choice.preparation.is_none() {
+        true => lines.push("--prepare auto would leave the heights as they are".into()),
+        false => lines.push(format!("--prepare auto would do: {}", choice.preparation.description())),
+    }
+    let is_new = |it: &&String| !survey.artefacts.iter().any(|artefact| it.starts_with(&artefact.sentence()));
+    lines.extend(choice.reasons.iter().filter(is_new).map(|reason| format!("  {reason}")));
     Ok(lines)
 }
 

@@ -24,7 +24,7 @@ pub fn rows(survey: &Survey, units: Units) -> Vec<(String, String)> {
             100.0 * share,
             units.length(shortest_wavelength)
         ),
-        false => "none that differs from roughness".to_owned(),
+        false => "none that can be told from roughness".to_owned(),
     };
     let smooth = survey.axes.iter().map(|axis| (format!("smooth along {}", axis.axis), smooth(axis, units)));
     let named = |(name, value): (&str, String)| (name.to_owned(), value);

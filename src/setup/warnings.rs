@@ -4,7 +4,8 @@ use super::{Recipe, Setup, Solid};
 use crate::elastic::stress::USUAL_POISSON;
 use crate::seen::capital;
 use crate::surface::{
-    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Noise, Roughness, Scan, Surface, Survey,
+    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Measurement, Noise, Roughness, Scan, Surface,
+    Survey,
 };
 use crate::warning::Warning;
 
@@ -82,24 +83,27 @@ impl Recipe {
     pub fn warnings(&self, surface: &Surface) -> Vec<Warning> {
         let measured = self.height.as_ref().map(|file| {
             let refined = refinement(self, file, surface);
-            let of_file = file.measurement(self.channel.as_deref()).map(|it| it.warnings).unwrap_or_default();
+            let raw = file.measurement(self.channel.as_deref()).ok();
             let found = [spacing(surface), gradient(surface), spacing_of_file(self, file, surface, refined)];
-            of_file
-                .into_iter()
-                .chain(found.into_iter().flatten())
-                .chain(self.warnings_of_artefacts(&Scan::from_surface(surface, refined)))
+            let artefacts = self.warnings_of_artefacts(&Scan::from_surface(surface, refined), raw.as_ref());
+            let of_file = raw.map(|it| it.warnings).unwrap_or_default();
+            of_file.into_iter().chain(found.into_iter().flatten()).chain(artefacts)
         });
         let jumps = self.warnings_of_jumps(surface.jumps(), surface.ends()).into_iter();
         jumps.chain(self.warnings_of_distribution(surface)).chain(measured.into_iter().flatten()).collect()
     }
 
-    /// Warnings about artefacts in measured heights, without their mirror images, and about noise in the rest of them.
-    fn warnings_of_artefacts(&self, scan: &Scan) -> Vec<Warning> {
+    /// Warnings about artefacts in heights without their mirror images and in those of their file, and about noise in the rest of them.
+    fn warnings_of_artefacts(&self, scan: &Scan, raw: Option<&Measurement>) -> Vec<Warning> {
         let scan = self.prepare.mirror.map_or_else(|| scan.clone(), |mirror| mirror.original(scan));
         let artefacts = Artefacts::new(&scan);
         let error = artefacts.area_error(&scan);
         let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| warning_of_noise(&it));
-        artefacts.all.iter().filter_map(|it| warning_of(it, error)).chain(noise).collect()
+        let as_read = raw.filter(|_| !self.prepare.is_none() && self.prepare.crop.is_none());
+        let hidden = as_read.map(|it| Artefacts::of_equal_heights(&Scan { height: it.height.clone(), ..scan }));
+        let hidden = hidden.unwrap_or_default().into_iter().filter(|it| !artefacts.all.contains(it));
+        let all: Vec<Artefact> = artefacts.all.iter().copied().chain(hidden).collect();
+        all.iter().filter_map(|it| warning_of(it, error)).chain(noise).collect()
     }
 
     /// Warnings about random heights whose distribution and spectrum are far from what was asked for.
@@ -224,7 +228,7 @@ fn warning_of_noise(noise: &Noise) -> Option<Warning> {
             ),
             "Filter the noise out",
         )
-        .with_remedy("surface.prepare.low-pass", Some(&format!("{:.3e}", noise.shortest_wavelength)))
+        .with_remedy("surface.prepare.low-pass", None)
         .with_remedy("surface.prepare.steps", Some("auto"))
     })
 }

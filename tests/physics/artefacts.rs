@@ -233,6 +233,19 @@ fn clean_maps_are_left_as_they_are() {
     assert!(maps.len() >= 60);
 }
 
+/// Particles of three nodes and more on a flat surface are no artefacts and no noise.
+#[test]
+fn particles_are_kept() {
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let mut flat = Array2::zeros((N, N));
+    for _ in 0..25 {
+        let [y, x] = [0, 1].map(|_| random.random_range(0..N - 4));
+        (0..3).for_each(|i| (0..3).for_each(|j| flat[[y + i, x + j]] = 8e-8));
+    }
+    let choice = PreparationChoice::new(&scan(&flat), true, [true; 2]).unwrap();
+    assert_eq!(choice.preparation, Preparation::default(), "{:?}", choice.reasons);
+}
+
 /// What cannot be mended is named: plateaus, a rim that was not measured, a step between lines, and rounded heights.
 #[test]
 fn what_cannot_be_mended_is_named() {

@@ -9,8 +9,8 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 const DEVIATIONS: f64 = 6.0;
 /// The same of the differences between neighbours, which a cusp has on both sides.
 const SLOPES: f64 = 3.0;
-/// The most nodes of an outlier along an axis.
-const WIDEST: isize = 3;
+/// The steps to the nodes before and behind: those beside one node, and beside one or the other of two.
+const SIDES: [[isize; 2]; 3] = [[1, 1], [1, 2], [2, 1]];
 /// The nodes to each side among which the scale is also found.
 const REACH: usize = 5;
 /// The largest share of the nodes that may be outliers: more of them are no exception.
@@ -20,8 +20,9 @@ const PASSES: usize = 3;
 
 /// What becomes of heights that stand off all their neighbours, such as dead pixels and spikes.
 ///
-/// An outlier is of at most 3 x 3 nodes. It is above the nodes on both sides of it in all directions, or below all of them, by six standard
-/// deviations of such differences on the map and near the node, and by three of those of neighbours. Where more than 2 % of the nodes are so, none of them is an outlier.
+/// An outlier is of at most 2 x 2 nodes, so that larger particles are kept. It is above the nodes on both sides of it in all directions, or
+/// below all of them, by six standard deviations of such differences on the map and near the node, and by three of those of neighbours.
+/// Where more than 2 % of the nodes are so, none of them is an outlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -54,24 +55,23 @@ impl Outliers {
     }
 }
 
-/// The nodes that stand off at some distance in all directions.
+/// The nodes that stand off in all directions.
 fn standing_off(scan: &Scan) -> Vec<[usize; 2]> {
     let directions: &[[isize; 2]] = if scan.is_line() { &[[0, 1]] } else { &[[0, 1], [1, 0], [1, 1], [1, -1]] };
-    let at = |distance: isize| -> Vec<StandOff<'_>> {
-        directions.iter().filter_map(|step| StandOff::new(scan, step.map(|it| distance * it))).collect()
-    };
-    let distances: Vec<Vec<StandOff<'_>>> = (1..=WIDEST).map(at).collect();
+    let both = |step: &[isize; 2]| SIDES.iter().filter_map(|sides| StandOff::new(scan, *step, *sides)).collect();
+    let directions: Vec<Vec<StandOff<'_>>> = directions.iter().map(both).collect();
     let [ny, nx] = scan.shape();
     let nodes = (0..ny).flat_map(|y| (0..nx).map(move |x| [y, x]));
-    nodes.filter(|node| distances.iter().any(|directions| stands_off(directions, *node))).collect()
+    nodes.filter(|node| [1.0, -1.0].iter().any(|sign| stands_off(&directions, *node, *sign))).collect()
 }
 
-/// Whether a node stands off in all directions in which there are nodes on both sides.
-fn stands_off(directions: &[StandOff<'_>], node: [usize; 2]) -> bool {
-    let known = || directions.iter().filter_map(|direction| Some((direction, direction.at(node)?)));
-    let is_far = |sign: f64| {
-        known().all(|(direction, off)| sign * off > (DEVIATIONS * direction.scale).max(SLOPES * direction.slope))
-            && known().all(|(direction, off)| sign * off > DEVIATIONS * direction.scale_near(node, REACH))
+/// Whether a node stands off to one side in all directions in which there are nodes before and behind it, and there are such.
+fn stands_off(directions: &[Vec<StandOff<'_>>], node: [usize; 2], sign: f64) -> bool {
+    let is_far = |it: &StandOff<'_>| {
+        let least = |off: &f64| sign * off > (DEVIATIONS * it.scale).max(SLOPES * it.slope);
+        it.at(node).filter(least).is_some_and(|off| sign * off > DEVIATIONS * it.scale_near(node, REACH))
     };
-    known().next().is_some_and(|(_, first)| first != 0.0 && is_far(first.signum()))
+    let is_known = |sides: &&Vec<StandOff<'_>>| sides.iter().any(|it| it.at(node).is_some());
+    let mut known = directions.iter().filter(is_known).peekable();
+    known.peek().is_some() && known.all(|sides| sides.iter().any(is_far))
 }

@@ -38,7 +38,7 @@ impl Scars {
     /// The nodes that are in scars, rows and columns.
     pub fn find(self, scan: &Scan) -> Vec<[usize; 2]> {
         let step = if self == Self::Rows { [1, 0] } else { [0, 1] };
-        let Some(off) = StandOff::new(scan, step).filter(|_| !scan.is_line()) else { return Vec::new() };
+        let Some(off) = StandOff::new(scan, step, [1, 1]).filter(|_| !scan.is_line()) else { return Vec::new() };
         let [ny, nx] = scan.shape();
         let (lines, nodes) = if self == Self::Rows { (ny, nx) } else { (nx, ny) };
         let place = |line: usize, node: usize| if self == Self::Rows { [line, node] } else { [node, line] };

@@ -8,11 +8,13 @@ const MOST: usize = 1 << 16;
 /// Heights that differ by less than this part of the range of all are equal.
 const ROUNDING: f64 = 1e-9;
 
-/// How far nodes stand off those at a distance on both sides along a direction, and how far chance lets them.
+/// How far nodes stand off those at some distances on both sides along a direction, and how far chance lets them.
 pub(super) struct StandOff<'a> {
     scan: &'a Scan,
-    /// The step to one side, in rows and columns.
+    /// The step to the next node along the direction, in rows and columns.
     step: [isize; 2],
+    /// The steps to the node before, and to the one behind.
+    sides: [isize; 2],
     /// The standard deviation of the heights from the means of both sides, by the median of their magnitudes.
     pub scale: f64,
     /// The same of the differences from one side, which a cusp has on both sides.
@@ -20,9 +22,9 @@ pub(super) struct StandOff<'a> {
 }
 
 impl<'a> StandOff<'a> {
-    /// The nodes of a scan and those at a step on both sides; none where no node has both.
-    pub fn new(scan: &'a Scan, step: [isize; 2]) -> Option<Self> {
-        let mut it = Self { scan, step, scale: 0.0, slope: 0.0 };
+    /// The nodes of a scan and those at some numbers of steps on both sides; none where no node has both.
+    pub fn new(scan: &'a Scan, step: [isize; 2], sides: [isize; 2]) -> Option<Self> {
+        let mut it = Self { scan, step, sides, scale: 0.0, slope: 0.0 };
         let [ny, nx] = scan.shape();
         let every = (ny * nx).div_ceil(MOST);
         let nodes = (0..ny * nx).step_by(every).map(|i| [i / nx, i % nx]);
@@ -36,17 +38,18 @@ impl<'a> StandOff<'a> {
 
     /// The heights at a node and on both sides of it, if all of them are there.
     fn heights(&self, [y, x]: [usize; 2]) -> Option<[f64; 3]> {
-        let at = |sign: isize| {
+        let at = |steps: isize| {
             let [row, column] =
-                [y.checked_add_signed(sign * self.step[0])?, x.checked_add_signed(sign * self.step[1])?];
+                [y.checked_add_signed(steps * self.step[0])?, x.checked_add_signed(steps * self.step[1])?];
             self.scan.height.get([row, column]).copied().filter(|h| !h.is_nan())
         };
-        Some([at(-1)?, at(0)?, at(1)?])
+        Some([at(-self.sides[0])?, at(0)?, at(self.sides[1])?])
     }
 
-    /// The magnitude of the difference between a node and the mean of both sides.
+    /// The magnitude of the difference between a node and the straight line through both sides.
     fn bend(&self, node: [usize; 2]) -> Option<f64> {
-        self.heights(node).map(|[before, here, after]| (here - 0.5 * (before + after)).abs())
+        let [near, far] = self.sides.map(|it| it as f64);
+        self.heights(node).map(|[before, here, after]| (here - (far * before + near * after) / (near + far)).abs())
     }
 
     /// How far a node is above both sides, or below both of them (then negative): the lesser difference; 0 where it is between them. None

@@ -56,8 +56,13 @@ pub struct Artefacts {
 }
 
 impl Artefact {
-    /// What it is, in a sentence without its end.
+    /// What it is, in a sentence without its end, with lengths as plain numbers.
     pub fn sentence(&self) -> String {
+        self.sentence_in(&|length| format!("{length:.3e}"))
+    }
+
+    /// The same with words for lengths.
+    pub fn sentence_in(&self, words: &dyn Fn(f64) -> String) -> String {
         let line = |axis: &str| if axis == "y" { "row" } else { "column" };
         match *self {
             Self::Offsets { axis, rms, share } => {
@@ -65,11 +70,12 @@ impl Artefact {
                     "y" => "the levels of rows differ from row to row by",
                     _ => "the levels of columns differ from column to column by",
                 };
-                format!("{what} {rms:.3e} rms, {:.0} % of the mean square gradient", 100.0 * share.min(1.0))
+                format!("{what} {} rms, {:.0} % of the mean square gradient", words(rms), 100.0 * share.min(1.0))
             }
             Self::Grooves { axis, rms } => format!(
-                "the levels of {0}s differ from {0} to {0} by {rms:.3e} rms, and little else does: they may be grooves, and are kept",
-                line(axis)
+                "the levels of {0}s differ from {0} to {0} by {1} rms, and little else does: they may be grooves, and are kept",
+                line(axis),
+                words(rms)
             ),
             Self::Outliers { nodes } => {
                 format!("{nodes} single heights stand off all their neighbours, as dead pixels and spikes do")
@@ -77,7 +83,8 @@ impl Artefact {
             Self::Scars { axis: "y", nodes } => format!("{nodes} heights are in scars along rows"),
             Self::Scars { nodes, .. } => format!("{nodes} heights are in scars along columns"),
             Self::Step { axis, line: number, height } => format!(
-                "a step of {height:.3e} over the whole width is between {} {number} and the next one: of the surface, or a jump of the instrument",
+                "a step of {} over the whole width is between {} {number} and the next one: of the surface, or a jump of the instrument",
+                words(height),
                 line(axis)
             ),
             Self::Clipped { nodes, share, is_top: true } => format!(
@@ -91,7 +98,8 @@ impl Artefact {
                 "heights at the rim are equal in {top} and {bottom} rows and in {left} and {right} columns: they were not measured, and can be cropped"
             ),
             Self::Rounded { step, share } => format!(
-                "the heights are rounded to multiples of {step:.3e}, {share:.1} times the rms step between neighbours"
+                "the heights are rounded to multiples of {}, {share:.1} times the rms step between neighbours",
+                words(step)
             ),
         }
     }
@@ -101,7 +109,7 @@ impl Artefact {
         matches!(self, Self::Offsets { .. } | Self::Outliers { .. } | Self::Scars { .. })
     }
 
-    /// The name of the axis across whose lines it lies, if it lies so.
+    /// The offsets of the lines across an axis, if they are independent from line to line.
     fn of_lines(scan: &Scan, axis: usize) -> Option<Self> {
         let found = LineOffsets::new(scan, axis)?;
         let slopes = [0, 1].map(|axis| scan.rms_step(axis) / scan.spacing[axis]);
@@ -131,11 +139,15 @@ impl Artefacts {
             it.rest = Outliers::Void.apply(it.rest);
         }
         it.mend_scars();
-        let lasting = [0, 1].into_iter().flat_map(|axis| step(&it.rest, axis));
-        let lasting = lasting.chain(clipped(scan, true)).chain(clipped(scan, false)).chain(border(scan));
-        let lasting: Vec<Artefact> = lasting.chain(rounded(scan)).collect();
-        it.all.extend(lasting);
+        let steps: Vec<Artefact> = [0, 1].into_iter().flat_map(|axis| step(&it.rest, axis)).collect();
+        it.all.extend(steps.into_iter().chain(Self::of_equal_heights(scan)));
         it
+    }
+
+    /// Artefacts by which heights are equal. A preparation hides them, so that they are looked for in the heights of the file.
+    pub fn of_equal_heights(scan: &Scan) -> Vec<Artefact> {
+        let found = [clipped(scan, true), clipped(scan, false), border(scan), rounded(scan)];
+        found.into_iter().flatten().collect()
     }
 
     /// Levels the lines across each axis along which their offsets are independent.

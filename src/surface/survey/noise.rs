@@ -20,8 +20,9 @@ const FEWEST: f64 = 16.0;
 /// lay, or an artefact, but no noise.
 ///
 /// The bends along each axis tell how much noise there is at least, see [`Scales`], and how much there is at most: bends of a smooth surface
-/// grow 16 times from one spacing to two, and those of another one less. Where the spectrum is flat at the shortest waves, its level tells
-/// how much it is: a density of `sigma^2 dx / 2 pi` on a line, and `sigma^2 dx dy / 4 pi^2` on a surface.
+/// grow 16 times from one spacing to two, and those of another one less; and noise is everywhere, so that the median of the bends has it.
+/// Where the spectrum is flat at the shortest waves, its level tells how much it is: a density of `sigma^2 dx / 2 pi` on a line, and
+/// `sigma^2 dx dy / 4 pi^2` on a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct Noise {
     /// Its rms height `sigma`, a length.
@@ -30,6 +31,9 @@ pub struct Noise {
     pub share: f64,
     /// The largest share that it may have.
     pub most_share: f64,
+    /// The largest rms height that it may have.
+    #[serde(skip)]
+    most_rms: f64,
     /// The shortest wavelength above it along all axes, see [`Scales::shortest_wavelength`].
     pub shortest_wavelength: f64,
 }
@@ -58,7 +62,7 @@ impl Noise {
         let least = Self::least(axes);
         match level(bands, scan).filter(|_| least.share >= LEAST) {
             Some(rms) => {
-                let rms = rms.max(least.rms);
+                let rms = rms.clamp(least.rms, least.most_rms.max(least.rms));
                 Self::from_rms(axes, rms, SURE * rms)
             }
             None => least,
@@ -83,6 +87,7 @@ impl Noise {
             rms,
             share: share(rms),
             most_share: share(most),
+            most_rms: most,
             shortest_wavelength: axes.iter().map(|it| it.shortest_wavelength_above(rms)).fold(0.0, f64::max),
         }
     }

@@ -1,14 +1,19 @@
 //! Heights along an axis at several scales.
 
 use crate::chunks;
-use crate::surface::bends::white;
+use crate::surface::bends::{DEVIATION, median, white};
 use crate::surface::{Scan, Surface};
+use ndarray::Axis;
 
 /// Exponent of the growth of bends from which on heights are smooth at a scale: 4 where they have a curvature, at most 2 where they are
 /// self-affine.
 const SMOOTH: f64 = 3.0;
 /// Differences below this part of the largest height are rounding errors.
 const ROUNDING: f64 = 1e-13;
+/// The part by which noise may be larger than the median of the bends says.
+const SURE: f64 = 1.15;
+/// The most nodes of which the median of the bends is found.
+const SAMPLE: usize = 1 << 16;
 /// Growth of the bends of smooth heights from one spacing to two.
 const SMOOTHEST: f64 = 16.0;
 /// Second differences of noise divided by those of the heights, at the shortest scale that counts as above the noise.
@@ -47,6 +52,10 @@ pub struct Scales {
     /// The shortest wavelength above the noise: twice the distance at which the second differences are twice those of
     /// the noise.
     pub shortest_wavelength: f64,
+    /// The rms height that independent noise would have by the median of the bends at the spacing. Noise is everywhere, and edges of steps and
+    /// particles are not.
+    #[serde(skip)]
+    usual_noise: f64,
     /// The wavelength below which the heights are smooth, so that gradient and contact do not depend on the spacing;
     /// none for heights that are rough down to the spacing.
     pub smooth_wavelength: Option<f64>,
@@ -87,6 +96,7 @@ impl Scales {
             noise: noise.sqrt(),
             noise_share: if step > 0.0 { (2.0 * noise / step).min(1.0) } else { 0.0 },
             shortest_wavelength: 0.0,
+            usual_noise: usual_bend(scan, axis) / 6f64.sqrt(),
             smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
         };
         Some(Self { shortest_wavelength: found.shortest_wavelength_above(noise.sqrt()), ..found })
@@ -95,7 +105,8 @@ impl Scales {
     /// The largest rms height that independent noise may have: heights whose bends grow 16 times, the most that they can, make the rest of the bends.
     pub(super) fn most_noise(&self) -> f64 {
         let [one, two] = [0, 1].map(|i| (self.scales[i].rms_curvature * self.scales[i].distance.powi(2)).powi(2));
-        ((SMOOTHEST * one - two) / (SMOOTHEST - 1.0) / 6.0).max(0.0).sqrt()
+        let by_growth = ((SMOOTHEST * one - two) / (SMOOTHEST - 1.0) / 6.0).max(0.0).sqrt();
+        by_growth.min(SURE * self.usual_noise)
     }
 
     /// The shortest wavelength above noise of some rms height: twice the distance at which the second differences are twice those of the noise.
@@ -105,6 +116,18 @@ impl Scales {
         let above = self.scales.iter().find(is_above).or(self.scales.last());
         above.map_or(0.0, |it| 2.0 * it.distance)
     }
+}
+
+/// The root mean square of normally distributed bends with the median of those at the spacing along an axis.
+fn usual_bend(scan: &Scan, axis: usize) -> f64 {
+    let every = scan.height.len().div_ceil(SAMPLE);
+    let triples = scan.height.axis_windows(Axis(axis), 3).into_iter();
+    let bends = triples.flat_map(|it| {
+        let [before, here, after] = [0, 1, 2].map(|i| it.index_axis(Axis(axis), i));
+        &before + &after - &here * 2.0
+    });
+    let mut bends: Vec<f64> = bends.filter(|it| !it.is_nan()).step_by(every).map(f64::abs).collect();
+    DEVIATION * median(&mut bends).unwrap_or(0.0)
 }
 
 /// The mean squares of first and second differences over a number of spacings; none if there are no such nodes.
