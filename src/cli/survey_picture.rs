@@ -4,7 +4,7 @@ use super::picture::{label, range, unit, wider};
 use super::units::Units;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
 use asperity::quantity::LENGTHS;
-use asperity::surface::{Artefacts, Scan, Survey};
+use asperity::surface::{Artefacts, Detrend, Scan, Survey};
 use std::f64::consts::{PI, TAU};
 
 /// The most tiles of a map along an axis.
@@ -31,20 +31,21 @@ fn artefacts<'a>(scan: &'a Scan, rest: &'a Scan) -> impl Iterator<Item = [usize;
     both.filter(|((_, before), after)| !before.is_nan() && after.is_nan()).map(|((node, _), _)| node.into())
 }
 
-/// Heights of a map in colours, with its artefacts.
+/// Heights of a map above their plane in colours, with its artefacts.
 fn map(scan: &Scan, rest: &Scan, units: Units) -> Panel {
     let (shape, tiles) = (scan.shape(), scan.shape().map(|n| n.min(TILES)));
     let lengths = [0, 1].map(|axis| shape[axis] as f64 * scan.spacing[axis]);
     let (name, size) = unit(units.metres, &LENGTHS, lengths[1]);
     let [y, x] = lengths.map(|length| length / size);
-    let mut heights: Vec<f64> = scan.height.iter().copied().filter(|h| !h.is_nan()).collect();
+    let flat = Detrend::Plane.apply(scan.clone());
+    let mut heights: Vec<f64> = flat.height.iter().copied().filter(|h| !h.is_nan()).collect();
     heights.sort_unstable_by(f64::total_cmp);
     let at = |share: f64| heights.get((share * (heights.len() as f64 - 1.0)) as usize).copied().unwrap_or(0.0);
     let [low, high] = [at(BEYOND), at(1.0 - BEYOND)];
     let mut dots = vec![Vec::new(); SHADES];
     for (row, column) in (0..tiles[0]).flat_map(|row| (0..tiles[1]).map(move |column| (row, column))) {
         let node = [row * shape[0] / tiles[0], column * shape[1] / tiles[1]];
-        let share = (scan.height[node] - low) / (high - low).max(f64::MIN_POSITIVE);
+        let share = (flat.height[node] - low) / (high - low).max(f64::MIN_POSITIVE);
         if !share.is_nan() {
             let shade = ((share * SHADES as f64) as usize).min(SHADES - 1);
             let place = |i: usize, axis: usize| (i as f64 + 0.5) / tiles[axis] as f64 * lengths[axis] / size;
@@ -54,7 +55,7 @@ fn map(scan: &Scan, rest: &Scan, units: Units) -> Panel {
     let ends = [low, high].map(|h| units.length(h)).join(" to ");
     let axes = [Axis::linear(label("x", name), [0.0, x]), Axis::linear(label("y", name), [0.0, y])];
     let [x_axis, y_axis] = axes;
-    let mut panel = Panel::new(format!("heights, dark to light: {ends}"), x_axis, y_axis);
+    let mut panel = Panel::new(format!("heights above their plane, dark to light: {ends}"), x_axis, y_axis);
     let mark = Mark::Tile { columns: tiles[1] as u32, rows: tiles[0] as u32 };
     dots.into_iter().enumerate().for_each(|(shade, dots)| panel.add("", colour(shade), mark, dots));
     let place = |node: [usize; 2]| {

@@ -221,9 +221,9 @@ fn warning_of_noise(noise: &Noise) -> Option<Warning> {
     (noise.area_error() > Noise::TOLD).then(|| {
         Warning::new(
             format!(
-                "Noise at the spacing makes {:.0} % of the mean square gradient, so area and kappa depend on the \
-                 noise of the instrument, and the area may be off by {:.0} %",
-                100.0 * noise.share,
+                "Noise at the spacing makes {}, so area and kappa depend on the noise of the instrument, and the area \
+                 may be off by {:.0} %",
+                noise.part_of_gradient(),
                 100.0 * noise.area_error()
             ),
             "Filter the noise out",

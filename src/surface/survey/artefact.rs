@@ -1,5 +1,7 @@
 //! Artefacts of measured heights, by their names.
 
+use super::clip::Clip;
+use super::waves::{Alone, Waves};
 use crate::surface::bends::{DEVIATION, median};
 use crate::surface::{LineLevel, LineOffsets, Outliers, Preparation, Scan, Scars};
 
@@ -10,12 +12,8 @@ const GROOVES: f64 = 5.0;
 /// A step between lines is larger than the usual one by this many standard deviations, and stands alone or nearly so.
 const STEP: f64 = 12.0;
 const MOST_STEPS: usize = 2;
-/// The share of equal highest heights from which on the peaks are cut off, and the fewest of these heights.
-const CLIPPED: f64 = 5e-4;
-const FEWEST_CLIPPED: usize = 8;
-const MOST_CLIPPED: f64 = 0.2;
-/// Shapes of fewer heights have no peaks.
-const FEWEST_LEVELS: usize = 64;
+/// The share of the mean square gradient from which on waves that stand alone, and levels that wander, are told.
+const TOLD: f64 = 0.02;
 /// Rounded heights are told of where the mean square of rounding makes this share of that of the steps.
 const ROUNDED: f64 = 0.05;
 /// The most heights of which it is looked whether they are rounded.
@@ -36,7 +34,13 @@ pub enum Artefact {
     Scars { axis: &'static str, nodes: usize },
     /// A step of a height over the whole width, between line number `line`, from 0, and the next one.
     Step { axis: &'static str, line: usize, height: f64 },
-    /// Equal heights, `nodes` of them and a share `share` of all, that are the highest (`is_top`) or the lowest.
+    /// Lines whose levels wander, by an rms step from line to line of `rms`, a length, and with a share `share` of the mean square gradient:
+    /// drift of the instrument, or a lay of the surface.
+    Wander { axis: &'static str, rms: f64, share: f64 },
+    /// Waves that stand alone, `count` of them, the strongest with a wavelength of `wavelength`, with an rms height `rms` and a share `share` of
+    /// the mean square gradient: hum of the instrument, or a pattern of the surface.
+    Waves { count: usize, wavelength: f64, rms: f64, share: f64 },
+    /// Flat heights, `nodes` of them and a share `share` of all, that are the highest (`is_top`) or the lowest.
     Clipped { nodes: usize, share: f64, is_top: bool },
     /// Lines of equal heights at the rim: how many first and last rows, and first and last columns.
     Border { lines: [usize; 4] },
@@ -87,12 +91,25 @@ impl Artefact {
                 words(height),
                 line(axis)
             ),
+            Self::Wander { axis, rms, share } => format!(
+                "the levels of {}s wander by {} rms from one to the next: a lay of the surface, or drift of the instrument, and then areas may be off by up to {:.0} %",
+                line(axis),
+                words(rms),
+                100.0 * area_error_of(share)
+            ),
+            Self::Waves { count, wavelength, rms, share } => format!(
+                "{} with a wavelength of {} stands out of the spectrum, {} rms: a pattern of the surface, or hum of the instrument, and then areas may be off by up to {:.0} %",
+                if count == 1 { "a wave".to_owned() } else { format!("the strongest of {count} waves") },
+                words(wavelength),
+                words(rms),
+                100.0 * area_error_of(share)
+            ),
             Self::Clipped { nodes, share, is_top: true } => format!(
-                "{nodes} of the highest heights ({:.1} % of all) are equal: peaks were cut off, and relative areas are too large by up to {share:.2}",
+                "{nodes} of the highest heights ({:.1} % of all) are flat: peaks were cut off, and relative areas are too large by up to {share:.2}",
                 100.0 * share
             ),
             Self::Clipped { nodes, share, .. } => {
-                format!("{nodes} of the lowest heights ({:.1} % of all) are equal: valleys were cut off", 100.0 * share)
+                format!("{nodes} of the lowest heights ({:.1} % of all) are flat: valleys were cut off", 100.0 * share)
             }
             Self::Border { lines: [top, bottom, left, right] } => format!(
                 "heights at the rim are equal in {top} and {bottom} rows and in {left} and {right} columns: they were not measured, and can be cropped"
@@ -140,13 +157,18 @@ impl Artefacts {
         }
         it.mend_scars();
         let steps: Vec<Artefact> = [0, 1].into_iter().flat_map(|axis| step(&it.rest, axis)).collect();
-        it.all.extend(steps.into_iter().chain(Self::of_equal_heights(scan)));
+        it.all.extend(steps);
+        it.all.extend(it.waves());
+        it.all.extend(Self::of_equal_heights(scan));
         it
     }
 
     /// Artefacts by which heights are equal. A preparation hides them, so that they are looked for in the heights of the file.
     pub fn of_equal_heights(scan: &Scan) -> Vec<Artefact> {
-        let found = [clipped(scan, true), clipped(scan, false), border(scan), rounded(scan)];
+        let clipped = |is_top: bool| {
+            Clip::new(scan, is_top).map(|Clip { nodes, share }| Artefact::Clipped { nodes, share, is_top })
+        };
+        let found = [clipped(true), clipped(false), border(scan), rounded(scan)];
         found.into_iter().flatten().collect()
     }
 
@@ -176,6 +198,22 @@ impl Artefacts {
         self.rest = scars.apply(self.rest.clone());
     }
 
+    /// Levels of lines that wander, where they are not told already, and waves that stand alone.
+    fn waves(&self) -> Vec<Artefact> {
+        let Some(waves) = Waves::new(&self.rest) else { return Vec::new() };
+        let wander = [(0, "y"), (1, "x")].into_iter().filter_map(|(number, name)| {
+            let is_told = |it: &Artefact| {
+                matches!(it, Artefact::Offsets { axis, .. } | Artefact::Grooves { axis, .. } | Artefact::Step { axis, .. } if *axis == name)
+            };
+            let found = waves.wander(number).filter(|_| !self.all.iter().any(is_told));
+            found.map(|[rms, share]| (share, Artefact::Wander { axis: name, rms, share }))
+        });
+        let alone = waves
+            .alone()
+            .map(|Alone { count, wavelength, rms, share }| (share, Artefact::Waves { count, wavelength, rms, share }));
+        wander.chain(alone).filter(|it| it.0 > TOLD).map(|it| it.1).collect()
+    }
+
     /// The largest relative error of areas that the artefacts which can be mended may cause, by the rms gradient with and without them; 1 where
     /// they are above all the rest, so that the contact begins at them.
     pub fn area_error(&self, scan: &Scan) -> f64 {
@@ -187,6 +225,11 @@ impl Artefacts {
             true => (1.0 - after / before).abs(),
         }
     }
+}
+
+/// The relative error of areas by what makes a share of the mean square gradient.
+fn area_error_of(share: f64) -> f64 {
+    1.0 - (1.0 - share.min(1.0)).sqrt()
 }
 
 /// The root mean square of the heights about the mean of their line, of the lines across an axis.
@@ -213,32 +256,15 @@ fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
     found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
 }
 
-/// Plateaus at the highest heights, or at the lowest. Shapes of a few heights only, such as steps, have no peaks that could be cut off.
-fn clipped(scan: &Scan, is_top: bool) -> Option<Artefact> {
-    let there = || scan.height.iter().copied().filter(|h| !h.is_nan());
-    let end = there().fold(f64::NAN, if is_top { f64::max } else { f64::min });
-    let at = |node: [usize; 2]| scan.height.get(node).is_some_and(|h| *h == end);
-    let has_equal = |[y, x]: [usize; 2], axis: usize| {
-        let step =
-            |sign: isize| if axis == 0 { [y.wrapping_add_signed(sign), x] } else { [y, x.wrapping_add_signed(sign)] };
-        at(step(-1)) || at(step(1))
-    };
-    let nodes = scan.height.indexed_iter().map(|(node, _)| <[usize; 2]>::from(node));
-    let nodes = nodes.filter(|node| at(*node) && scan.axes().all(|axis| has_equal(*node, axis))).count();
-    let share = nodes as f64 / there().count().max(1) as f64;
-    let is_cut = nodes >= FEWEST_CLIPPED && (CLIPPED..MOST_CLIPPED).contains(&share);
-    (is_cut && levels(scan) > FEWEST_LEVELS).then_some(Artefact::Clipped { nodes, share, is_top })
-}
-
 /// The number of different heights, of some of the nodes.
-fn levels(scan: &Scan) -> usize {
+pub(super) fn levels(scan: &Scan) -> usize {
     let mut heights = sample(scan);
     heights.dedup();
     heights.len()
 }
 
 /// Some of the heights, ascending.
-fn sample(scan: &Scan) -> Vec<f64> {
+pub(super) fn sample(scan: &Scan) -> Vec<f64> {
     let every = scan.height.len().div_ceil(SAMPLE);
     let mut heights: Vec<f64> = scan.height.iter().copied().step_by(every).filter(|h| !h.is_nan()).collect();
     heights.sort_unstable_by(f64::total_cmp);

@@ -159,7 +159,7 @@ impl Line {
 }
 
 /// Heights times a Hann window of mean square 1 along each axis.
-fn windowed(scan: &Scan) -> Scan {
+pub(super) fn windowed(scan: &Scan) -> Scan {
     let window = |n: usize| -> Vec<f64> {
         let at = |i: usize| (8.0f64 / 3.0).sqrt() * (PI * (i as f64 + 0.5) / n as f64).sin().powi(2);
         if n == 1 { vec![1.0] } else { (0..n).map(at).collect() }

@@ -114,13 +114,11 @@ impl PreparationChoice {
     /// Filters noise out of full heights, and tells how much of the gradient goes with it. Less noise is told.
     fn filter(&mut self, survey: &Survey, full: &Scan) {
         let Noise { share, shortest_wavelength: wavelength, .. } = survey.noise;
-        let (noise, error) = (100.0 * share, survey.noise.area_error());
+        let (part, error) = (survey.noise.part_of_gradient(), survey.noise.area_error());
         if share <= NOISE {
             if error > Noise::TOLD {
                 let error = 100.0 * error;
-                self.because(format!(
-                    "noise makes {noise:.0} % of the mean square gradient, and is kept: areas may be up to {error:.0} % off"
-                ));
+                self.because(format!("noise makes {part}, and is kept: areas may be up to {error:.0} % off"));
             }
             return;
         }
@@ -130,9 +128,7 @@ impl PreparationChoice {
         self.preparation.low_pass = Some(wavelength);
         let after = full.low_pass(wavelength).rms_gradient();
         let error = (after / without - 1.0).abs().max(1.0 - least / after).max(share.min(LEAST_ERROR));
-        self.because(format!(
-            "noise makes {noise:.0} % of the mean square gradient: waves below {wavelength:.3e} are filtered out"
-        ));
+        self.because(format!("noise makes {part}: waves below {wavelength:.3e} are filtered out"));
         self.because(format!(
             "without noise the rms gradient is estimated as {}, after the filter it is {}: areas may be up to {:.0} % off",
             number_in_words(without),

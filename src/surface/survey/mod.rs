@@ -3,9 +3,11 @@
 mod artefact;
 mod band;
 mod choice;
+mod clip;
 mod noise;
 mod scales;
 mod table;
+mod waves;
 
 pub use artefact::{Artefact, Artefacts};
 pub use band::{Band, PowerLawFit};

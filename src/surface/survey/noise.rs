@@ -13,6 +13,8 @@ const SHORT: [f64; 2] = [0.6, 1.4];
 const FLAT: f64 = 1.25;
 /// The rms of the level may be larger by this factor.
 const SURE: f64 = 1.03;
+/// There are steep edges where the share of the noise between them is so many times that of all the heights.
+const EDGES: f64 = 3.0;
 /// The fewest independent waves of a band that tells the level.
 const FEWEST: f64 = 16.0;
 
@@ -34,6 +36,9 @@ pub struct Noise {
     /// The largest rms height that it may have.
     #[serde(skip)]
     most_rms: f64,
+    /// Its share of the mean square gradient between steep edges.
+    #[serde(skip)]
+    share_of_flat: f64,
     /// The shortest wavelength above it along all axes, see [`Scales::shortest_wavelength`].
     pub shortest_wavelength: f64,
 }
@@ -83,8 +88,11 @@ impl Noise {
             let noise = sum(&|it| 2.0 * (rms / it.scales[0].distance).powi(2));
             if gradient > 0.0 { (noise / gradient).min(1.0) } else { 0.0 }
         };
+        let usual = sum(&|it| (it.usual_step / it.scales[0].distance).powi(2));
+        let noise = sum(&|it| 2.0 * (rms / it.scales[0].distance).powi(2));
         Self {
             rms,
+            share_of_flat: if usual > 0.0 { (noise / usual).min(1.0) } else { 0.0 },
             share: share(rms),
             most_share: share(most),
             most_rms: most,
@@ -97,12 +105,24 @@ impl Noise {
         [self.share, self.most_share].map(|share| (1.0 - share).sqrt())
     }
 
-    /// The largest relative error of areas that it causes, with twice the share that there is at least if there may be so much. The gradient of
-    /// the heights as waves has `pi^2/6` as much noise in it as that of differences between nodes.
+    /// The largest relative error of areas that it causes, with twice the share that there is at least if there may be so much, or with its share
+    /// between steep edges, where the heights touch. The gradient of the heights as waves has `pi^2/6` as much noise in it as that of
+    /// differences between nodes.
     pub fn area_error(&self) -> f64 {
-        let share = self.most_share.min(2.0 * self.share);
-        let noise = PI * PI / 6.0 * share;
-        noise / (1.0 - self.share + noise)
+        let error = |share: f64, most: f64| {
+            let noise = PI * PI / 6.0 * most;
+            noise / (1.0 - share + noise)
+        };
+        let between_edges = error(self.share_of_flat, self.share_of_flat);
+        error(self.share, self.most_share.min(2.0 * self.share)).max(between_edges)
+    }
+
+    /// What it makes of the mean square gradient, in words.
+    pub fn part_of_gradient(&self) -> String {
+        match self.share_of_flat > EDGES * self.share {
+            true => format!("{:.0} % of the mean square gradient between steep edges", 100.0 * self.share_of_flat),
+            false => format!("{:.0} % of the mean square gradient", 100.0 * self.share),
+        }
     }
 }
 

@@ -3,7 +3,6 @@
 use crate::chunks;
 use crate::surface::bends::{DEVIATION, median, white};
 use crate::surface::{Scan, Surface};
-use ndarray::Axis;
 
 /// Exponent of the growth of bends from which on heights are smooth at a scale: 4 where they have a curvature, at most 2 where they are
 /// self-affine.
@@ -56,6 +55,9 @@ pub struct Scales {
     /// particles are not.
     #[serde(skip)]
     usual_noise: f64,
+    /// The root mean square of normally distributed differences between neighbours with the median of those of the heights.
+    #[serde(skip)]
+    pub(super) usual_step: f64,
     /// The wavelength below which the heights are smooth, so that gradient and contact do not depend on the spacing;
     /// none for heights that are rough down to the spacing.
     pub smooth_wavelength: Option<f64>,
@@ -96,7 +98,8 @@ impl Scales {
             noise: noise.sqrt(),
             noise_share: if step > 0.0 { (2.0 * noise / step).min(1.0) } else { 0.0 },
             shortest_wavelength: 0.0,
-            usual_noise: usual_bend(scan, axis) / 6f64.sqrt(),
+            usual_noise: usual(scan, axis, &[1.0, -2.0, 1.0]) / 6f64.sqrt(),
+            usual_step: usual(scan, axis, &[-1.0, 1.0]),
             smooth_wavelength: rough.filter(|i| *i > 0).map(wavelength),
         };
         Some(Self { shortest_wavelength: found.shortest_wavelength_above(noise.sqrt()), ..found })
@@ -118,16 +121,18 @@ impl Scales {
     }
 }
 
-/// The root mean square of normally distributed bends with the median of those at the spacing along an axis.
-fn usual_bend(scan: &Scan, axis: usize) -> f64 {
+/// The root mean square of normally distributed differences, by some factors of successive nodes along an axis, with the median of those of
+/// the heights.
+fn usual(scan: &Scan, axis: usize, factors: &[f64]) -> f64 {
     let every = scan.height.len().div_ceil(SAMPLE);
-    let triples = scan.height.axis_windows(Axis(axis), 3).into_iter();
-    let bends = triples.flat_map(|it| {
-        let [before, here, after] = [0, 1, 2].map(|i| it.index_axis(Axis(axis), i));
-        &before + &after - &here * 2.0
-    });
-    let mut bends: Vec<f64> = bends.filter(|it| !it.is_nan()).step_by(every).map(f64::abs).collect();
-    DEVIATION * median(&mut bends).unwrap_or(0.0)
+    let [ny, nx] = scan.shape();
+    let places = (0..ny * nx).step_by(every).map(|i| [i / nx, i % nx]);
+    let difference = |[y, x]: [usize; 2]| -> Option<f64> {
+        let at = |i: usize| scan.height.get(if axis == 0 { [y + i, x] } else { [y, x + i] });
+        factors.iter().enumerate().map(|(i, factor)| Some(factor * at(i)?)).sum()
+    };
+    let mut known: Vec<f64> = places.filter_map(difference).filter(|it| !it.is_nan()).map(f64::abs).collect();
+    DEVIATION * median(&mut known).unwrap_or(0.0)
 }
 
 /// The mean squares of first and second differences over a number of spacings; none if there are no such nodes.
