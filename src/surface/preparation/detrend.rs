@@ -2,6 +2,7 @@
 
 use super::Scan;
 use super::least_squares::linear;
+use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
@@ -44,6 +45,15 @@ impl Detrend {
     pub(in crate::surface) fn tilt(scan: &Scan) -> [f64; 2] {
         let [_, y, x, ..] = Self::Plane.coefficients(scan);
         [y, x].map(|slope| slope / scan.half())
+    }
+
+    /// The heights minus the least-squares plane through some of the nodes.
+    pub(in crate::surface) fn plane_through(scan: &Scan, nodes: &Array2<bool>) -> Scan {
+        let mut some = scan.clone();
+        some.height.zip_mut_with(nodes, |h, is_of_plane| *h = if *is_of_plane { *h } else { f64::NAN });
+        let coefficients = Self::Plane.coefficients(&some);
+        scan.clone()
+            .less(|place| coefficients.iter().zip(legendre(place)).map(|(factor, function)| factor * function).sum())
     }
 
     /// The coefficients of Legendre's polynomials, 0 for those that are not in the trend.

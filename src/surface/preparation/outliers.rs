@@ -1,7 +1,7 @@
 //! Single heights that stand off all their neighbours.
 
 use super::Scan;
-use super::stand_off::StandOff;
+use super::stand_off::{StandOff, rounding};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
@@ -58,7 +58,8 @@ impl Outliers {
 /// The nodes that stand off in all directions.
 fn standing_off(scan: &Scan) -> Vec<[usize; 2]> {
     let directions: &[[isize; 2]] = if scan.is_line() { &[[0, 1]] } else { &[[0, 1], [1, 0], [1, 1], [1, -1]] };
-    let both = |step: &[isize; 2]| SIDES.iter().filter_map(|sides| StandOff::new(scan, *step, *sides)).collect();
+    let equal = rounding(scan);
+    let both = |step: &[isize; 2]| SIDES.iter().filter_map(|sides| StandOff::new(scan, *step, *sides, equal)).collect();
     let directions: Vec<Vec<StandOff<'_>>> = directions.iter().map(both).collect();
     let [ny, nx] = scan.shape();
     let nodes = (0..ny).flat_map(|y| (0..nx).map(move |x| [y, x]));

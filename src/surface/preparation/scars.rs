@@ -1,7 +1,7 @@
 //! Stretches of scan lines that stand off the lines beside them.
 
 use super::Scan;
-use super::stand_off::StandOff;
+use super::stand_off::{StandOff, rounding};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
@@ -38,7 +38,9 @@ impl Scars {
     /// The nodes that are in scars, rows and columns.
     pub fn find(self, scan: &Scan) -> Vec<[usize; 2]> {
         let step = if self == Self::Rows { [1, 0] } else { [0, 1] };
-        let Some(off) = StandOff::new(scan, step, [1, 1]).filter(|_| !scan.is_line()) else { return Vec::new() };
+        let Some(off) = StandOff::new(scan, step, [1, 1], rounding(scan)).filter(|_| !scan.is_line()) else {
+            return Vec::new();
+        };
         let [ny, nx] = scan.shape();
         let (lines, nodes) = if self == Self::Rows { (ny, nx) } else { (nx, ny) };
         let place = |line: usize, node: usize| if self == Self::Rows { [line, node] } else { [node, line] };

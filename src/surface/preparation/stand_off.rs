@@ -21,9 +21,15 @@ pub(super) struct StandOff<'a> {
     pub slope: f64,
 }
 
+/// The difference below which heights of a scan are equal.
+pub(super) fn rounding(scan: &Scan) -> f64 {
+    ROUNDING * scan.reach()
+}
+
 impl<'a> StandOff<'a> {
-    /// The nodes of a scan and those at some numbers of steps on both sides; none where no node has both.
-    pub fn new(scan: &'a Scan, step: [isize; 2], sides: [isize; 2]) -> Option<Self> {
+    /// The nodes of a scan and those at some numbers of steps on both sides, with the difference of heights below which they are equal; none
+    /// where no node has both.
+    pub fn new(scan: &'a Scan, step: [isize; 2], sides: [isize; 2], equal: f64) -> Option<Self> {
         let mut it = Self { scan, step, sides, scale: 0.0, slope: 0.0 };
         let [ny, nx] = scan.shape();
         let every = (ny * nx).div_ceil(MOST);
@@ -32,7 +38,7 @@ impl<'a> StandOff<'a> {
         let mut slopes: Vec<f64> =
             nodes.filter_map(|node| it.heights(node)).map(|[one, other, _]| (other - one).abs()).collect();
         it.slope = DEVIATION * median(&mut slopes)?;
-        it.scale = (DEVIATION * median(&mut deviations)?).max(ROUNDING * scan.reach());
+        it.scale = (DEVIATION * median(&mut deviations)?).max(equal);
         Some(it)
     }
 

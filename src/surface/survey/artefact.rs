@@ -165,11 +165,11 @@ impl Artefacts {
 
     /// Artefacts by which heights are equal. A preparation hides them, so that they are looked for in the heights of the file.
     pub fn of_equal_heights(scan: &Scan) -> Vec<Artefact> {
-        let clipped = |is_top: bool| {
-            Clip::new(scan, is_top).map(|Clip { nodes, share }| Artefact::Clipped { nodes, share, is_top })
+        let clipped = |(clip, is_top): (Option<Clip>, bool)| {
+            clip.map(|Clip { nodes, share }| Artefact::Clipped { nodes, share, is_top })
         };
-        let found = [clipped(true), clipped(false), border(scan), rounded(scan)];
-        found.into_iter().flatten().collect()
+        let cut = Clip::both(scan).into_iter().zip([true, false]).map(clipped);
+        cut.chain([border(scan), rounded(scan)]).flatten().collect()
     }
 
     /// Levels the lines across each axis along which their offsets are independent.
@@ -254,13 +254,6 @@ fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
     let far: Vec<usize> = (0..steps.len()).filter(|i| steps[*i].abs() > least).collect();
     let found = far.iter().filter(|_| far.len() <= MOST_STEPS);
     found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
-}
-
-/// The number of different heights, of some of the nodes.
-pub(super) fn levels(scan: &Scan) -> usize {
-    let mut heights = sample(scan);
-    heights.dedup();
-    heights.len()
 }
 
 /// Some of the heights, ascending.

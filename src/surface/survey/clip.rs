@@ -1,7 +1,8 @@
 //! Peaks or valleys that were cut off.
 
-use crate::surface::Scan;
-use crate::surface::bends::{DEVIATION, median};
+use super::artefact::sample;
+use super::scales::usual;
+use crate::surface::{Detrend, Scan};
 use ndarray::{Array2, Axis, Slice};
 
 /// The shares of the heights at which peaks are cut off, and the fewest of these heights: with less they are no plateaus, and with more they
@@ -32,14 +33,27 @@ pub(super) struct Clip {
 }
 
 impl Clip {
-    /// The plateaus at the top or at the bottom.
-    pub fn new(scan: &Scan, is_top: bool) -> Option<Self> {
-        let all = scan.height.len() - scan.voids();
-        let nodes = equal(scan, is_top).max(flat(scan, is_top));
-        let share = nodes as f64 / all.max(1) as f64;
-        let is_cut = nodes >= FEWEST && SHARES.contains(&share);
-        (is_cut && super::artefact::levels(scan) > FEWEST_LEVELS).then_some(Self { nodes, share })
+    /// The plateaus at the top and at the bottom.
+    pub fn both(scan: &Scan) -> [Option<Self>; 2] {
+        if levels(scan) <= FEWEST_LEVELS {
+            return [None; 2];
+        }
+        let all = (scan.height.len() - scan.voids()).max(1) as f64;
+        let level = Detrend::Plane.apply(scan.clone());
+        let flat_nodes = flat_nodes(&level);
+        [true, false].map(|is_top| {
+            let nodes = equal(scan, is_top).max(flat(&level, &flat_nodes, is_top));
+            let share = nodes as f64 / all;
+            (nodes >= FEWEST && SHARES.contains(&share)).then_some(Self { nodes, share })
+        })
     }
+}
+
+/// The number of different heights, of some of the nodes.
+fn levels(scan: &Scan) -> usize {
+    let mut heights = sample(scan);
+    heights.dedup();
+    heights.len()
 }
 
 /// The nodes of the highest or lowest height with neighbours of the same height along all axes.
@@ -57,73 +71,73 @@ fn equal(scan: &Scan, is_top: bool) -> usize {
 }
 
 /// The nodes that are as high or as low as those among the highest or lowest heights that are flat, if heights in the middle are not.
-fn flat(scan: &Scan, is_top: bool) -> usize {
+fn flat(scan: &Scan, nodes: &Array2<bool>, is_top: bool) -> usize {
     let [low, high] = quarters(scan);
-    let sign = if is_top { 1.0 } else { -1.0 };
     let is_end = |h: f64| if is_top { h > high } else { h < low };
-    let nodes = flat_nodes(scan);
-    let flat = || scan.height.iter().zip(&nodes).filter(|(_, is_flat)| **is_flat).map(|(h, _)| *h);
-    let mut end: Vec<f64> = flat().filter(|h| is_end(*h)).map(|h| sign * h).collect();
-    let middle = flat().filter(|h| (low..=high).contains(h)).count();
+    let (mut end, mut middle) = (nodes.clone(), 0);
+    end.zip_mut_with(&scan.height, |it, h| {
+        middle += usize::from(*it && (low..=high).contains(h));
+        *it &= is_end(*h);
+    });
+    let count = end.iter().filter(|it| **it).count() as f64;
     // half of the heights are in the middle
-    let is_more_often = end.len() as f64 / END > OFTEN * middle as f64 / (1.0 - 2.0 * END);
-    if !is_more_often || (end.len() as f64) < CHANCE * scan.height.len() as f64 {
-        return 0;
-    }
-    end.sort_unstable_by(f64::total_cmp);
-    let least = end[(BELOW * end.len() as f64) as usize];
-    scan.height.iter().filter(|h| sign * **h >= least).count()
+    let is_more_often = count / END > OFTEN * middle as f64 / (1.0 - 2.0 * END);
+    if is_more_often && count >= CHANCE * scan.height.len() as f64 { beyond(scan, &end, is_top) } else { 0 }
+}
+
+/// The nodes that are as high or as low as the plane through marked ones.
+fn beyond(scan: &Scan, marked: &Array2<bool>, is_top: bool) -> usize {
+    let sign = if is_top { 1.0 } else { -1.0 };
+    let above = Detrend::plane_through(scan, marked).height.mapv(|h| sign * h);
+    let mut plateau: Vec<f64> = above.iter().zip(marked).filter(|it| *it.1).map(|it| *it.0).collect();
+    plateau.sort_unstable_by(f64::total_cmp);
+    let least = plateau[(BELOW * plateau.len() as f64) as usize];
+    above.iter().filter(|h| **h >= least).count()
 }
 
 /// The heights below and above which a quarter of them is.
 fn quarters(scan: &Scan) -> [f64; 2] {
-    let heights = super::artefact::sample(scan);
+    let heights = sample(scan);
     [END, 1.0 - END].map(|share| heights.get((share * heights.len() as f64) as usize).copied().unwrap_or(0.0))
 }
 
 /// Which nodes are flat: those of the stencils of a node and its neighbours, where these have hardly a bend or a slope on average.
 fn flat_nodes(scan: &Scan) -> Array2<bool> {
-    let mut square = Array2::<f64>::zeros(scan.height.dim());
-    for axis in scan.axes() {
-        for (stencil, part) in STENCILS.into_iter().zip(FLAT) {
-            let found = differences(scan, axis, stencil);
-            let mut known: Vec<f64> = found.iter().copied().filter(|it| !it.is_nan()).collect();
-            let most = part * DEVIATION * median(&mut known).unwrap_or(0.0);
-            square.zip_mut_with(&found, |sum, it| *sum += if *it == 0.0 { 0.0 } else { (it / most).powi(2) });
-        }
-    }
-    let (mut around, axes) = (square.clone(), scan.axes().count() as f64);
-    each_neighbour(scan, &square, &mut around, |sum, beside| *sum += beside);
-    let flat = around.mapv(|sum| sum < axes * (1.0 + 2.0 * axes));
-    spread(&spread(&flat, scan), scan)
+    let most = |axis: usize| STENCILS.map(|stencil| usual(scan, axis, &stencil));
+    let most: Vec<(usize, [f64; 2])> = scan.axes().map(|axis| (axis, most(axis))).collect();
+    let square = Array2::from_shape_fn(scan.height.dim(), |(y, x)| {
+        most.iter().map(|(axis, most)| departure(scan, *axis, [y, x], *most)).sum::<f64>()
+    });
+    let around = |(y, x): (usize, usize)| -> f64 {
+        let beside = |[row, column]: [usize; 2]| square.get([row, column]).copied().unwrap_or(0.0);
+        let neighbours = [[y.wrapping_sub(1), x], [y + 1, x], [y, x.wrapping_sub(1)], [y, x + 1]];
+        square[(y, x)] + neighbours.into_iter().map(beside).sum::<f64>()
+    };
+    let axes = most.len() as f64;
+    let flat = Array2::from_shape_fn(scan.height.dim(), |node| around(node) < axes * (1.0 + 2.0 * axes));
+    if flat.iter().any(|it| *it) { spread(&spread(&flat, scan), scan) } else { flat }
+}
+
+/// How far a node departs from a level plane along an axis: the squares of bend and slope over those that flat heights may have.
+fn departure(scan: &Scan, axis: usize, [y, x]: [usize; 2], usual: [f64; 2]) -> f64 {
+    let at = |i: usize| match axis {
+        0 => scan.height.get([(y + i).wrapping_sub(1), x]),
+        _ => scan.height.get([y, (x + i).wrapping_sub(1)]),
+    };
+    let [Some(before), Some(here), Some(after)] = [at(0), at(1), at(2)] else { return f64::NAN };
+    let of = |[a, b, c]: [f64; 3], most: f64| match a * before + b * here + c * after {
+        0.0 => 0.0,
+        it => (it / most).powi(2),
+    };
+    (0..2).map(|i| of(STENCILS[i], FLAT[i] * usual[i])).sum()
 }
 
 /// The marked nodes and their neighbours along the axes.
 fn spread(marked: &Array2<bool>, scan: &Scan) -> Array2<bool> {
     let mut all = marked.clone();
-    each_neighbour(scan, marked, &mut all, |it, beside| *it |= beside);
-    all
-}
-
-/// Does something for each node with each of its neighbours along the axes.
-fn each_neighbour<T>(scan: &Scan, of: &Array2<T>, all: &mut Array2<T>, mut with: impl FnMut(&mut T, &T)) {
     let (first, last) = (Slice::from(..-1), Slice::from(1..));
     for (axis, [from, to]) in scan.axes().flat_map(|axis| [[first, last], [last, first]].map(|it| (Axis(axis), it))) {
-        all.slice_axis_mut(axis, to).zip_mut_with(&of.slice_axis(axis, from), &mut with);
-    }
-}
-
-/// The magnitudes of the sums of three successive heights along an axis times the factors of a stencil; NaN where one of them is not there.
-fn differences(scan: &Scan, axis: usize, stencil: [f64; 3]) -> Array2<f64> {
-    let mut all = Array2::from_elem(scan.height.dim(), f64::NAN);
-    let count = scan.shape()[axis];
-    if count > 2 {
-        let part = |i: usize| {
-            let part = scan.height.slice_axis(Axis(axis), Slice::from(i..i + count - 2));
-            &part * stencil[i]
-        };
-        let found = (part(0) + part(1) + part(2)).mapv(f64::abs);
-        all.slice_axis_mut(Axis(axis), Slice::from(1..count - 1)).assign(&found);
+        all.slice_axis_mut(axis, to).zip_mut_with(&marked.slice_axis(axis, from), |it, beside| *it |= beside);
     }
     all
 }

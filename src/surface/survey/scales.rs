@@ -123,7 +123,7 @@ impl Scales {
 
 /// The root mean square of normally distributed differences, by some factors of successive nodes along an axis, with the median of those of
 /// the heights.
-fn usual(scan: &Scan, axis: usize, factors: &[f64]) -> f64 {
+pub(super) fn usual(scan: &Scan, axis: usize, factors: &[f64]) -> f64 {
     let every = scan.height.len().div_ceil(SAMPLE);
     let [ny, nx] = scan.shape();
     let places = (0..ny * nx).step_by(every).map(|i| [i / nx, i % nx]);

@@ -26,6 +26,8 @@ const GRATING: f64 = 0.25;
 pub(super) struct Waves {
     shape: [usize; 2],
     spacing: [f64; 2],
+    /// The factors from the power of a wave to its mean square step from one node to the next one along y and x, by its number.
+    steps: [Vec<f64>; 2],
     /// `|h_q|^2` of `kx` from 0 to half of the nodes, each with all `ky`.
     power: Vec<f64>,
 }
@@ -58,7 +60,8 @@ impl Waves {
         let flat = super::band::windowed(&flat);
         let mut spectrum = vec![Complex::default(); ny * (nx / 2 + 1)];
         Fourier::new(&flat.grid().ok()?).forward(flat.height.as_slice()?, &mut spectrum);
-        Some(Self { shape, spacing: scan.spacing, power: spectrum.iter().map(|it| it.norm_sqr()).collect() })
+        let steps = shape.map(|n| (0..n).map(|k| 2.0 - 2.0 * (TAU * k as f64 / n as f64).cos()).collect());
+        Some(Self { shape, spacing: scan.spacing, steps, power: spectrum.iter().map(|it| it.norm_sqr()).collect() })
     }
 
     /// The power of a wave.
@@ -77,7 +80,7 @@ impl Waves {
 
     /// The factor from a power to the mean square step from one node to the next one along an axis.
     fn step(&self, axis: usize, k: isize) -> f64 {
-        2.0 - 2.0 * (TAU * k as f64 / self.shape[axis] as f64).cos()
+        self.steps[axis][k.rem_euclid(self.shape[axis] as isize) as usize]
     }
 
     /// The factor from a power to the mean square gradient.
