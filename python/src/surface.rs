@@ -7,12 +7,15 @@ use crate::conversion::{
 use crate::error::{argument, bail, error_of_keywords, py_error, wrong_type};
 use crate::fork;
 use crate::prepared_array::{ARRAY, FIELDS, PreparedArray, sections_of_array};
-use asperity::error::SetupError;
+use crate::warnings::warn_sentence;
+use asperity::error::{FileError, SetupError};
 use asperity::setup::Cost;
+use asperity::surface::HeightFile;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::{Value, json};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// Keys of the section `grid`; all others belong to the section `surface`.
@@ -82,6 +85,33 @@ impl Surface {
         Self::made(py, made, |error| error_of_keywords(py, function, &["grid", &place.join(".")], error))
     }
 
+    /// The surface in a file of a format that only the package SurfaceTopography reads, where that is installed. Keys that scale a file are not for
+    /// such a file.
+    fn read_elsewhere(py: Python<'_>, name: &str, mut cell: Sections) -> PyResult<Option<Self>> {
+        let channel = cell.remove("channel").as_ref().and_then(Value::as_str).map(str::to_owned);
+        let is_unread =
+            matches!(HeightFile::from(PathBuf::from(name)).layout(channel.as_deref()), Err(FileError::Format { .. }));
+        let is_known = |key: &String| key == "prepare" || GRID_KEYS.contains(&key.as_str());
+        if !is_unread || !cell.keys().all(is_known) {
+            return Ok(None);
+        }
+        let found = py.import("asperity.topography")?.call_method1("read", (name, channel))?;
+        let Some((heights, lengths, sentence)) = found.extract::<Option<(Bound<'_, PyAny>, Vec<f64>, String)>>()?
+        else {
+            return Ok(None);
+        };
+        warn_sentence(py, &sentence)?;
+        cell.entry("size").or_insert(json!(lengths));
+        Self::of_array(&ArrayLike::new(&heights, "height")?, cell).map(Some)
+    }
+
+    /// The surface of an array of heights on a cell.
+    fn of_array(height: &ArrayLike<'_>, cell: Sections) -> PyResult<Self> {
+        let PreparedArray { surface, sections, rank, preparation } = PreparedArray::new(height, cell)?;
+        let preparation = preparation.into();
+        Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
+    }
+
     /// Whether the heights were given as an array, so that no file or recipe makes them.
     pub fn is_array(sections: &Sections) -> bool {
         sections.get("surface").and_then(|it| it.get("height")).is_some_and(|height| height == ARRAY)
@@ -96,12 +126,12 @@ impl Surface {
         let height = ArrayLike::new(&height, "height")?;
         let mut grid = sections_from_keywords(grid)?;
         grid.insert("size".into(), value_from_py(&size, "size")?);
-        let PreparedArray { surface, sections, rank, preparation } = PreparedArray::new(&height, grid)?;
-        let preparation = preparation.into();
-        Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
+        Self::of_array(&height, grid)
     }
 
     /// The surface in a file of heights: a file of an instrument, .npy, .npz or text.
+    ///
+    /// A file that this package does not read is tried with the package SurfaceTopography where that is installed, and a warning says so.
     ///
     /// The keywords are keys of the sections `surface` and `grid` of a scene: size, boundary, datum, refine, channel, file_unit, height_unit, prepare,
     /// against. With prepare="auto" the program chooses the steps that the heights need; `preparation` states them. Steps of one's own are a
@@ -109,11 +139,13 @@ impl Surface {
     #[staticmethod]
     #[pyo3(signature = (path, **keys), text_signature = "(path, *, size=None, channel=None, file_unit=None, height_unit=None, prepare=None, **grid)")]
     fn read(path: Bound<'_, PyAny>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let mut fixed = Sections::new();
-        match value_from_py(&path, "path")? {
-            name @ Value::String(_) => fixed.insert("height".into(), name),
-            _ => return Err(wrong_type("path", "the name of a file", &path)),
+        let Value::String(name) = value_from_py(&path, "path")? else {
+            return Err(wrong_type("path", "the name of a file", &path));
         };
+        if let Some(it) = Self::read_elsewhere(path.py(), &name, sections_from_keywords(keys)?)? {
+            return Ok(it);
+        }
+        let fixed = Sections::from_iter([("height".into(), name.into())]);
         Self::from_keywords(path.py(), "read", keys, &["surface"], fixed)
     }
 

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import types
 from pathlib import Path
 
 import numpy as np
@@ -99,3 +100,61 @@ def test_spectra_have_conventions(tmp_path: Path) -> None:
     assert np.array_equal(profile[:, 0], wave) and np.allclose(profile[:, 1], surface.spectrum("profile")[1])
     with pytest.raises(asp.AsperityError, match="the convention is \"volume\""):
         surface.spectrum("volume")  # type: ignore[arg-type]
+
+
+def test_other_formats_are_tried_with_another_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "heights.h5"
+    file.write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
+    with pytest.raises(asp.AsperityError, match="HDF5"):
+        asp.Surface.read(file)
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", of_peer(TILTED.T * 1e9, (1e6, 0.5e6), "nm"))
+    monkeypatch.setitem(sys.modules, "SurfaceTopography.Support.UnitConversion", factors({("nm", "m"): 1e-9}))
+    with pytest.warns(asp.AsperityWarning, match="heights.h5 was read by SurfaceTopography 1.2 as a file of the format 'h5'"):
+        read = asp.Surface.read(file, prepare={"detrend": "plane"})
+    assert read.size == pytest.approx((0.5e-3, 1e-3)) and read.shape == TILTED.shape
+    wanted = asp.Surface(TILTED, (0.5e-3, 1e-3), prepare={"detrend": "plane"}).height
+    assert np.allclose(read.height, wanted, atol=1e-12)
+    # what this package reads is read by it, and what scales a file is not for another package
+    np.save(tmp_path / "h.npy", TILTED)
+    assert asp.Surface.read(tmp_path / "h.npy", size=(0.5, 1.0)).shape == TILTED.shape
+    with pytest.raises(asp.AsperityError, match="HDF5"):
+        asp.Surface.read(file, file_unit="1 um")
+
+
+def of_peer(heights: np.ndarray, lengths: tuple[float, float], unit: str) -> types.ModuleType:
+    """A package that reads every file as some heights, whose first axis is x."""
+
+    class Topography:
+        physical_sizes = lengths
+
+        def heights(self) -> np.ndarray:
+            return heights
+
+    class File:
+        channels = (types.SimpleNamespace(name="height"),)
+
+        def __enter__(self) -> "File":
+            return self
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+        def topography(self, channel_index: int = 0) -> Topography:
+            found = Topography()
+            found.unit = unit
+            return found
+
+        def format(self) -> str:
+            return "h5"
+
+    package = types.ModuleType("SurfaceTopography")
+    package.__version__ = "1.2"
+    package.open_topography = lambda path: File()
+    return package
+
+
+def factors(known: dict[tuple[str, str], float]) -> types.ModuleType:
+    """The module of such a package that converts units."""
+    module = types.ModuleType("SurfaceTopography.Support.UnitConversion")
+    module.get_unit_conversion_factor = lambda one, other: known[one, other]
+    return module
