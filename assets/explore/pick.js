@@ -48,15 +48,18 @@ async function momentOfLoad(point) {
   }
 }
 
+/** The name of a step, or of a state in time, in retardation times. */
+const momentName = ({ step, time }) => Number.isFinite(time) ? say("moment.time", { state: step, time: figure(time, 3) }) : say("moment.step", { step });
+
 /** The numbers of a step of a run; at its end those of the run. */
 async function momentOfStep(run, step) {
   const columns = await facet(run, "steps").catch((error) => fault(error.message));
   if (!columns || runOf(shownRun) !== run) return;
-  const steps = columns.iterations;
+  const steps = columns.step;
   const at = steps.findLastIndex((it) => it <= step);
   const isEnd = at < 0 || step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity);
   const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
-  setMoment(numbers && { name: say("moment.step", { step: steps[at] }), numbers, step });
+  setMoment(numbers && { name: momentName(numbers), numbers, step });
   if (numbers) await showMotion(run, step);
 }
 
@@ -82,7 +85,7 @@ async function showSectionOf(run) {
   if (!its || grip || sectionRun !== run.id) return;
   const [shown, shownBeside, shear = null, shearBeside = null] = its;
   showSection(...deepened({ section: shown, beside: shownBeside, shear, shear_beside: shearBeside }));
-  run.steps = (await facet(run, "steps").catch(() => null))?.iterations;
+  run.steps = (await facet(run, "steps").catch(() => null))?.step;
   document.body.dataset.section = run.id;
 }
 

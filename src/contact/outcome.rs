@@ -6,6 +6,7 @@ use crate::contact::{
 };
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
+use std::ops::{Add, AddAssign};
 use std::sync::{Arc, OnceLock};
 
 /// A solved (or best found) contact.
@@ -51,6 +52,24 @@ pub struct Work {
     pub transforms: u64,
     /// Seconds, without those spent in observers.
     pub seconds: f64,
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            iterations: self.iterations + other.iterations,
+            transforms: self.transforms + other.transforms,
+            seconds: self.seconds + other.seconds,
+        }
+    }
+}
+
+impl AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
 }
 
 impl Contact {

@@ -1,5 +1,6 @@
 //! Reading of a contact, of a state or of a step: its quantities, each computed when it is asked for.
 
+use super::state_values::NO_VALUES;
 use crate::contact::{
     Certificate, Contact, Counted, Load, Observables, Patches, Problem, Quantity, QuantityRow, Readings, Resolution,
     Resolved, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
@@ -164,6 +165,13 @@ impl Readings for Reading<'_> {
     }
 }
 
+impl Reading<'_> {
+    /// The same with other work, such as that of all states so far.
+    pub(crate) fn with_work(self, work: Work) -> Self {
+        Self { work, ..self }
+    }
+}
+
 impl<'a> From<&'a Contact> for Reading<'a> {
     fn from(contact: &'a Contact) -> Self {
         Self {
@@ -194,7 +202,7 @@ impl<'a> From<&'a Step<'_>> for Reading<'a> {
         Self {
             problem: step.problem(),
             work: step.work(),
-            values: step.values(),
+            values: &NO_VALUES,
             stiffness: f64::NAN,
             certificate: step.certificate().copied().unwrap_or(Certificate::UNKNOWN),
             counted: lazy(|| *step.counted()),

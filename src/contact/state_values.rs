@@ -10,6 +10,9 @@ pub struct StateValues {
     numbers: Vec<(Quantity, f64)>,
 }
 
+/// Those of a step of a solver, which has no process.
+pub(super) static NO_VALUES: StateValues = StateValues { kind: StateKind::Elastic, numbers: Vec::new() };
+
 impl StateValues {
     /// No numbers of a state.
     pub fn new(kind: StateKind) -> Self {

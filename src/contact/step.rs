@@ -1,8 +1,6 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{
-    Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, StateValues, Work, certificate, chunks,
-};
+use crate::contact::{Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, Work, certificate, chunks};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
@@ -22,7 +20,6 @@ pub struct Step<'a> {
     displacement: Values<'a>,
     datum: Option<f64>,
     certificate: Option<Certificate>,
-    values: StateValues,
     phase: Phase,
     decision: Option<Decision>,
     /// Ones at the candidates, zeros elsewhere.
@@ -124,7 +121,6 @@ impl<'a> Step<'a> {
             displacement: displacement.into(),
             datum: None,
             certificate: None,
-            values: StateValues::default(),
             phase: Phase { level: 0, outer: work.iterations, inner: 0 },
             decision: None,
             candidates: None,
@@ -146,16 +142,6 @@ impl<'a> Step<'a> {
     /// The step with the certificate of its pressure, where it is known.
     pub fn with_certificate(self, certificate: impl Into<Option<Certificate>>) -> Self {
         Self { certificate: certificate.into(), ..self }
-    }
-
-    /// The step that is a state of a history, with what that knows better.
-    pub fn with_values(self, values: StateValues) -> Self {
-        Self { values, ..self }
-    }
-
-    /// What the state of a history knows better than its contact; nothing for the step of a solver.
-    pub fn values(&self) -> &StateValues {
-        &self.values
     }
 
     /// The step in a phase of the solver's scheme.

@@ -16,7 +16,6 @@ mod facet;
 mod hand;
 mod height_knobs;
 mod height_name;
-mod history_solver;
 mod knobs;
 mod lesson;
 mod listener;

@@ -1,7 +1,7 @@
 //! The sections of a run step by step, and of a sweep load by load, which move in the page's own picture.
 
 use super::section::Section;
-use crate::contact::{Observer, Step, Wish};
+use crate::contact::{Contact, Observer, Step, Wish};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -17,6 +17,9 @@ pub struct Motion {
     /// The first step that is kept next.
     #[serde(skip)]
     next: usize,
+    /// How many states there were.
+    #[serde(skip)]
+    seen: usize,
 }
 
 impl Motion {
@@ -25,15 +28,26 @@ impl Motion {
         self.steps.push(number);
         self.sections.push(section);
     }
+
+    /// Adds the section of the next state of a history, whose states are numbered from 1 on.
+    pub fn add_state(&mut self, contact: &Contact) {
+        self.seen += 1;
+        self.add(self.seen, || Section::from_state(contact));
+    }
+
+    /// Adds the section of a step, unless it comes too soon after the last one.
+    fn add(&mut self, step: usize, section: impl FnOnce() -> Section) {
+        if step >= self.next {
+            self.steps.push(step);
+            self.sections.push(section());
+            self.next = (step + 1).max((step as f64 * LATER) as usize);
+        }
+    }
 }
 
 impl Observer for Motion {
     fn step(&mut self, step: &Step<'_>) -> Wish {
-        if step.index() >= self.next {
-            self.steps.push(step.index());
-            self.sections.push(Section::from_step(step));
-            self.next = (step.index() + 1).max((step.index() as f64 * LATER) as usize);
-        }
+        self.add(step.index(), || Section::from_step(step));
         Ok(ControlFlow::Continue(()))
     }
 }

@@ -3,7 +3,7 @@
 use super::knobs::{Knobs, MODULUS};
 use super::refusal::KnownFault;
 use super::section::Section;
-use crate::contact::{Contact, Failure, Observables, Step};
+use crate::contact::{Contact, Failure, Observables, Reading, State, Step, Work};
 use crate::error::{ProblemError, SetupError};
 use crate::theory::Exact;
 use crate::warning::Warning;
@@ -179,6 +179,12 @@ impl Numbers {
     pub fn from_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
         Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
+    }
+
+    /// The numbers of a state of a history that goes on, with its work so far.
+    pub fn from_state(state: &State, work: Work) -> Self {
+        let observables = Observables::new(Reading::from(&state.contact).with_work(work));
+        Self { status: "running".into(), level: 0, seconds: work.seconds, observables }
     }
 
     /// The numbers of a contact.

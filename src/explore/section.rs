@@ -83,6 +83,11 @@ impl Section {
         Self { exact: Some(exact), ..Self::from_contact(contact) }
     }
 
+    /// The section of a state of a history.
+    pub fn from_state(contact: &Contact) -> Self {
+        Self::from_load(contact, contact.highest_row())
+    }
+
     /// The section of a load of a sweep along a row, which is the same one at all loads.
     pub fn from_load(contact: &Contact, row: usize) -> Self {
         let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));

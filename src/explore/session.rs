@@ -8,6 +8,7 @@ use super::listener::Listener;
 use super::motion::Motion;
 use super::refusal::{KnownFault, Refusal, RefusalRule};
 use super::report::{Numbers, Report, SweepReport};
+use super::section::Section;
 use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
@@ -315,6 +316,15 @@ impl Turn<'_> {
 
     pub fn update_report(self, news: impl FnOnce(&mut Report)) {
         self.session.change(|state| news(&mut state.report));
+    }
+
+    /// Reports the numbers of the latest state of a run, and its section.
+    pub fn update_run(self, numbers: Numbers, section: Section) {
+        self.update_report(|news| {
+            if let Some(run) = &mut news.run {
+                (run.numbers, run.section) = (Some(numbers), Some(section));
+            }
+        });
     }
 
     /// Keeps the result of a solve, the exact one, that of the surface beside, the curves of the recording, and numbers and sections of

@@ -1,6 +1,5 @@
 //! One solve, recorded and reported while it runs.
 
-use super::history_solver::HistorySolver;
 use super::knobs::Knobs;
 use super::motion::Motion;
 use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
@@ -10,9 +9,9 @@ use super::session_recording::SessionRecording;
 use super::step_numbers::StepNumbers;
 use super::tape::{self, TapeCurves};
 use crate::clock::Instant;
-use crate::contact::{Failure, Load, Observer, Problem, Step, Wish};
-use crate::error::{SetupError, SolveError};
-use crate::job::{self, Job, JobRun, Pass, Solved};
+use crate::contact::{Contact, Failure, Load, Observer, Problem, State, Step, Wish, Work};
+use crate::error::{AdhesionError, HistoryError, SetupError, SolveError};
+use crate::job::{self, HistoryOutcome, Job, JobRun, Pass, Solved};
 use crate::setup::{LoadPath, ProcessKind, Setup, command};
 use crate::surface::Surface;
 use std::ops::ControlFlow;
@@ -55,12 +54,10 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let record = setup.record.clone();
-    let goes_on = || turn.goes_on();
-    let [history, history_beside] = [Some(&setup), beside.as_ref().map(|(setup, _)| setup)]
-        .map(|setup| setup.filter(|_| is_history).map(|setup| HistorySolver::new(setup, &goes_on)));
-    let job = Job::from_run(JobRun { title: Some(title), ..job_run(&setup, problem, history.as_ref()) });
+    let posed = |setup: &Setup, problem| JobRun { problem: Some(problem), ..JobRun::new(setup.clone()) };
+    let job = Job::from_run(JobRun { title: Some(title), ..posed(&setup, problem) });
     let job = beside.iter().fold(job, |job, (setup, problem)| {
-        job.beside(JobRun { name: "beside".into(), ..job_run(setup, problem.clone(), history_beside.as_ref()) })
+        job.beside(JobRun { name: "beside".into(), ..posed(setup, problem.clone()) })
     });
     let job = tape::recorded(job, &id, &record, turn.view(), |live| {
         turn.keep(SessionRecording::new(&id, &file_stem, live));
@@ -72,11 +69,13 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         curves: tape::curves(&id),
         steps: StepNumbers::default(),
         motion: Motion::default(),
+        work: [Work::default(); 2],
     };
     let solved = job.run(&mut watch)?.solved;
     let doubts = doubts(&solved);
     turn.update_report(|news| news.run.iter_mut().for_each(|run| run.warnings.clone_from(&doubts)));
-    let mut contacts = solved.into_iter().map(|solved| solved.contact);
+    let contacts = solved.into_iter().zip(watch.work).map(|(solved, work)| last_contact(solved, work));
+    let mut contacts = contacts.collect::<Result<Vec<_>, _>>()?.into_iter();
     let (contact, other) = (contacts.next().expect("a job solves its first run"), contacts.next());
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
@@ -86,13 +85,17 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     Ok(())
 }
 
-/// The run of a setup, or of its history.
-fn job_run<'a>(setup: &Setup, problem: Problem, history: Option<&'a HistorySolver<'_>>) -> JobRun<'a> {
-    let run = match history {
-        Some(history) => JobRun { other: Some(history), ..JobRun::new(history.setup_of_contact()) },
-        None => JobRun::new(setup.clone()),
-    };
-    JobRun { problem: Some(problem), ..run }
+/// The contact of a run, or of the last state of a history with the work of all of them.
+fn last_contact(solved: Solved, work: Work) -> Result<Contact, Failure> {
+    let Solved { contact, history, .. } = solved;
+    let Some(HistoryOutcome { ended, failure, .. }) = history else { return Ok(contact) };
+    match (failure, ended) {
+        (Some(failure), _) => Err(failure.into()),
+        (None, None | Some(HistoryError::Stopped | HistoryError::Adhesion(AdhesionError::Stopped))) => {
+            Ok(contact.with_work(work))
+        }
+        (None, Some(error)) => Err(error.into()),
+    }
 }
 
 /// A setup under the mean pressure of a problem, along the same path of them, and its problem.
@@ -126,6 +129,8 @@ struct RunCollector<'a> {
     curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
+    /// The work of each run so far, of a history with all its states.
+    work: [Work; 2],
 }
 
 /// Reports where a solve stands, if its numbers are those of the run, and ends it when its turn is over.
@@ -145,6 +150,21 @@ impl job::Watcher for RunCollector<'_> {
             _ => Box::new(ProgressReport { turn, reported: None }),
         }
     }
+
+    fn state(&mut self, run: usize, state: &State) {
+        self.work[run] += state.contact.work;
+        if run > 0 {
+            return;
+        }
+        let work = self.work[run];
+        self.steps.add_state(work, state);
+        self.motion.add_state(&state.contact);
+        if self.reported.elapsed() >= INTERVAL {
+            self.reported = Instant::now();
+            let (numbers, section) = (Numbers::from_state(state, work), Section::from_state(&state.contact));
+            self.turn.update_run(numbers, section);
+        }
+    }
 }
 
 impl Observer for ProgressReport<'_, '_> {
@@ -155,11 +175,7 @@ impl Observer for ProgressReport<'_, '_> {
         if let Some(reported) = self.reported.as_mut().filter(|reported| reported.elapsed() >= INTERVAL) {
             **reported = Instant::now();
             let (numbers, section) = (Numbers::from_step(step), Section::from_step(step));
-            self.turn.update_report(|news| {
-                if let Some(run) = &mut news.run {
-                    (run.numbers, run.section) = (Some(numbers), Some(section));
-                }
-            });
+            self.turn.update_run(numbers, section);
         }
         Ok(ControlFlow::Continue(()))
     }

@@ -1,6 +1,6 @@
 //! The numbers of the steps of a run.
 
-use crate::contact::{Contact, Failure, Observer, Quantity, Reading, Step, Wish, Work};
+use crate::contact::{Contact, Failure, Observer, Quantity, Reading, State, Step, Wish, Work};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -11,10 +11,12 @@ const MOST: usize = 2000;
 /// Observables that are kept beside those that are traced.
 const COUNTED: [Quantity; 2] = [Quantity::Iterations, Quantity::Transforms];
 
-/// The numbers of the steps of a run by their names, a column each, and the final contact as the last row. The step of a row in the
-/// recording is its number of `iterations`; what is not known at a step is null in JSON.
+/// The numbers of the steps of a run by their names, a column each, and the final contact as the last row; or those of the states of a history.
+/// `step` is the step of a row in the recording: its number of iterations, or the number of the state from 1 on. What is not known at a
+/// step is null in JSON.
 #[derive(Default, Serialize)]
 pub struct StepNumbers {
+    step: Vec<f64>,
     seconds: Vec<f64>,
     #[serde(flatten)]
     columns: BTreeMap<&'static str, Vec<f64>>,
@@ -26,8 +28,19 @@ pub struct StepNumbers {
 }
 
 impl StepNumbers {
-    fn add<'a>(&mut self, work: Work, state: impl Into<Reading<'a>>) {
+    /// Adds the next state of a history, with the work so far.
+    pub fn add_state(&mut self, work: Work, state: &State) {
+        self.seen += 1;
+        let reading = Reading::from(&state.contact).with_work(work);
+        self.add(self.seen, work, reading);
+        if let Some(time) = state.get(Quantity::Time) {
+            self.columns.entry(Quantity::Time.name()).or_default().push(time);
+        }
+    }
+
+    fn add<'a>(&mut self, step: usize, work: Work, state: impl Into<Reading<'a>>) {
         let reading = state.into();
+        self.step.push(step as f64);
         self.seconds.push(work.seconds);
         for quantity in Quantity::iter().filter(|it| it.row().is_traced || COUNTED.contains(it)) {
             self.columns.entry(quantity.name()).or_default().push(reading.value(quantity));
@@ -41,6 +54,7 @@ impl StepNumbers {
     /// Drops every second row, from the second one on.
     fn thin(&mut self) {
         self.thinned += 1;
+        self.step = self.step.iter().copied().step_by(2).collect();
         for column in self.columns.values_mut().chain([&mut self.seconds]) {
             let kept = column.iter().copied().step_by(2).collect();
             *column = kept;
@@ -51,7 +65,7 @@ impl StepNumbers {
 impl Observer for StepNumbers {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if self.seen.is_multiple_of(1 << self.thinned) {
-            self.add(step.work(), step);
+            self.add(step.index(), step.work(), step);
         }
         self.seen += 1;
         if self.seconds.len() == MOST {
@@ -61,7 +75,7 @@ impl Observer for StepNumbers {
     }
 
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        self.add(contact.work, contact);
+        self.add(contact.work.iterations, contact.work, contact);
         Ok(())
     }
 }

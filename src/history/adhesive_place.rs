@@ -240,15 +240,6 @@ fn held(state: &AdhesiveState, attraction: &Attraction) -> f64 {
     -gap.iter().map(|gap| attraction.energy(*gap)).sum::<f64>() / gap.len() as f64
 }
 
-/// The sum of two works.
-pub(super) fn sum(a: Work, b: Work) -> Work {
-    Work {
-        iterations: a.iterations + b.iterations,
-        transforms: a.transforms + b.transforms,
-        seconds: a.seconds + b.seconds,
-    }
-}
-
 /// The work of `all` without that of a part of it.
 pub(super) fn less(all: Work, part: Work) -> Work {
     Work {

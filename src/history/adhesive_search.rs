@@ -1,6 +1,6 @@
 //! The search for the places of a history with adhesion, each from the last one.
 
-use super::adhesive_place::{AdhesivePlace, AdhesiveStep, Branch, sum};
+use super::adhesive_place::{AdhesivePlace, AdhesiveStep, Branch};
 use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem, AdhesiveState, Attraction};
 use crate::contact::{Observer, ResultClaim, Stop};
 use crate::error::AdhesionError;
@@ -76,7 +76,7 @@ impl PlaceSearch {
             return Ok(());
         };
         let tested = self.step(state.control, Some(state), observer)?;
-        *step = AdhesiveStep { work: sum(step.work, tested.work), ..tested };
+        *step = AdhesiveStep { work: step.work + tested.work, ..tested };
         Ok(())
     }
 

@@ -1,8 +1,6 @@
 //! The way of a contact with adhesion from one control to another: along branches of states, and over the jumps between them.
 
-use super::adhesive_place::{
-    AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less, sum,
-};
+use super::adhesive_place::{AdhesionLedger, AdhesivePlace, AdhesiveStep, AdhesiveVisit, Branch, EnergyBalance, less};
 use super::adhesive_search::PlaceSearch;
 use crate::adhesion::AdhesiveControl;
 use crate::contact::{Observer, Work};
@@ -141,7 +139,7 @@ impl<'a> BranchWalk<'a> {
     /// Forgets what was found beyond, whose work counts.
     fn forget_beyond(&mut self) {
         if let Some((_, step)) = self.beyond.take().and_then(|beyond| beyond.found) {
-            self.work = sum(self.work, step.work);
+            self.work += step.work;
         }
     }
 
@@ -154,7 +152,7 @@ impl<'a> BranchWalk<'a> {
         observer: &mut dyn Observer,
         visits: &mut Vec<AdhesiveVisit>,
     ) -> Result<bool, AdhesionError> {
-        self.work = sum(self.work, failed.work);
+        self.work += failed.work;
         let found = self.beyond.take().and_then(|beyond| beyond.found);
         if (to - self.at).abs() > self.finest {
             self.beyond = Some(Beyond { to, missed: f64::INFINITY, width: LEAST * self.finest, found });
@@ -168,7 +166,7 @@ impl<'a> BranchWalk<'a> {
 
     /// Ends the way at a place that is no equilibrium, which is shown as such.
     fn give_up(&mut self, to: f64, failed: AdhesiveStep) -> Result<bool, AdhesionError> {
-        self.work = sum(self.work, failed.work);
+        self.work += failed.work;
         (self.from, self.at) = (failed.place, to);
         self.from.fault().map_or(Ok(false), Err)
     }
@@ -254,7 +252,7 @@ impl<'a> BranchWalk<'a> {
             self.ledger.add_smooth(balance);
         }
         self.branch = Branch { past: self.from.state().cloned(), bend: balance.bend, length };
-        self.work = sum(self.work, step.work);
+        self.work += step.work;
         (self.from, self.at) = (step.place, to);
         self.ends(visits, None)
     }
@@ -307,11 +305,11 @@ impl<'a> BranchWalk<'a> {
         let mut shown = Work::default();
         for frame in frames.into_iter().filter(|_| is_shown) {
             let since = less(frame.work, std::mem::replace(&mut shown, frame.work));
-            self.work = sum(self.work, since);
+            self.work += since;
             let visit = self.visit(AdhesivePlace::State(Arc::new(frame)), to, None);
             visits.push(visit);
         }
-        self.work = sum(self.work, less(work, shown));
+        self.work += less(work, shown);
         self.ledger.add_jump(&balance);
         self.branch = Branch { length: self.branch.length, ..Branch::default() };
         (self.from, self.at) = (place, to);

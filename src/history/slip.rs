@@ -227,7 +227,7 @@ impl<'s> SlipHistory<'s> {
         let mut work = Work::default();
         loop {
             let mut round = self.round(load, share, (&rounds, last.as_ref()), observer)?;
-            work = sum(work, round.work);
+            work += round.work;
             let Some(coupling) = &mut self.coupling else { return Ok(self.take(round, (rounds.number(), work))) };
             let raised = coupling.by_traction(&round.found.values);
             let problem = self.problem.clone().with_load(load)?;
@@ -273,7 +273,7 @@ impl<'s> SlipHistory<'s> {
             _ if self.shear.is_some() => self.pull_towards(&task),
             _ => self.pull(&task, observer)?,
         };
-        let work = sum(pressing, found.work);
+        let work = pressing + found.work;
         if found.status != Status::Converged && contact.is_converged() {
             contact.status = found.status;
         }
@@ -330,7 +330,7 @@ impl<'s> SlipHistory<'s> {
         let contact = self.solver.solve_from(start, &problem, &self.round_stop(), observer)?;
         let mut pressed = vec![0.0; self.problem.nodes()];
         Response::from_compliance(self.compliance.clone()).displacement(values(&contact.pressure), &mut pressed);
-        let work = sum(contact.work, Work { transforms: 2, ..Work::default() });
+        let work = contact.work + Work { transforms: 2, ..Work::default() };
         Ok((contact, pressed, work))
     }
 
@@ -426,12 +426,4 @@ fn posed(problem: &Problem, raised: &[f64]) -> Result<Problem, SlipError> {
 /// The datum of the gap of a contact, by one node: `g - (u - h)`.
 fn datum(contact: &Contact) -> f64 {
     contact.gap[[0, 0]] - (contact.displacement[[0, 0]] - contact.problem.height()[0])
-}
-
-fn sum(a: Work, b: Work) -> Work {
-    Work {
-        iterations: a.iterations + b.iterations,
-        transforms: a.transforms + b.transforms,
-        seconds: a.seconds + b.seconds,
-    }
 }

@@ -31,6 +31,12 @@ impl JobRun<'_> {
         setup.history(problem.clone())?.ok_or(ConflictRule::NoHistory.into())
     }
 
+    /// Itself, with its problem and its number in the job.
+    pub(super) fn posed<'p>(&'p self, run: usize, problem: &'p Problem) -> Result<Posed<'p>, SetupError> {
+        let kind = self.kind()?.ok_or(ConflictRule::NoHistory)?;
+        Ok(Posed { run, setup: &self.setup, problem, kind, loads: &self.loads })
+    }
+
     /// Follows the run to its end, or until an observer stops it, and gives each state to the sinks. States have the fields of what flows through them
     /// where these are asked for. A failure of a sink is kept, and the run goes on.
     ///
@@ -44,8 +50,7 @@ impl JobRun<'_> {
         keeping: StateKeeping,
         watch: &mut dyn Watcher,
     ) -> Result<HistoryOutcome, SetupError> {
-        let kind = self.kind()?.ok_or(ConflictRule::NoHistory)?;
-        let posed = Posed { setup: &self.setup, problem, kind, loads: &self.loads };
+        let posed = self.posed(number, problem)?;
         let mut process = self.process(problem)?;
         let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
         let ended = loop {
@@ -53,7 +58,7 @@ impl JobRun<'_> {
                 None => break None,
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved
-                    states.extend((kind == ProcessKind::Loads).then(|| Arc::new(state)));
+                    states.extend((posed.kind == ProcessKind::Loads).then(|| Arc::new(state)));
                     break Some(HistoryError::Stopped);
                 }
                 Some(solved) => solved,
@@ -76,7 +81,6 @@ impl JobRun<'_> {
         }
         let mut outcome = HistoryOutcome::from_posed(&posed, states)?;
         outcome.ended = ended;
-        give(sinks, &mut failure, |sink| sink.end(&posed, &outcome));
         outcome.failure = failure;
         Ok(outcome)
     }
@@ -95,7 +99,7 @@ impl HistoryOutcome {
 }
 
 /// Gives something to each sink. A sink that fails gets nothing more.
-fn give(
+pub(super) fn give(
     sinks: &mut Vec<Box<dyn StateSink + '_>>,
     failure: &mut Option<FileError>,
     mut to: impl FnMut(&mut dyn StateSink) -> Result<(), FileError>,

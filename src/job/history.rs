@@ -68,7 +68,7 @@ impl HistoryOutcome {
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
         let kind = setup.process()?.ok_or(ConflictRule::NoHistory)?;
-        Self::from_posed(&Posed { setup, problem, kind, loads: &[] }, states)
+        Self::from_posed(&Posed { run: 0, setup, problem, kind, loads: &[] }, states)
     }
 
     pub(super) fn from_posed(posed: &Posed<'_>, states: Vec<Arc<State>>) -> Result<Self, SetupError> {

@@ -147,7 +147,7 @@ impl<'a> Job<'a> {
         Self { keeps_last, ..self }
     }
 
-    /// The job with something else that receives the states of its first run, one after the other, if it has several.
+    /// The job with something else that receives the states of its runs, one after the other, if they have several.
     pub fn with_sink(mut self, sink: impl StateSink + 'a) -> Self {
         self.sinks.push(Box::new(sink));
         self

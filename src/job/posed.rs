@@ -7,6 +7,8 @@ use crate::study::LoadCurve;
 /// A run whose setup was checked and whose surface was made.
 #[derive(Clone, Copy)]
 pub struct Posed<'a> {
+    /// Its number in its job, from 0 on: the first one, or one beside it.
+    pub run: usize,
     /// What is solved.
     pub setup: &'a Setup,
     /// Its problem; that of a list of loads is under the largest of them.

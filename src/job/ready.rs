@@ -1,7 +1,7 @@
 //! A job whose surfaces are made.
 
 use super::Job;
-use super::follow::StateKeeping;
+use super::follow::{StateKeeping, give};
 use super::history::HistoryOutcome;
 use super::outcome::{Outcome, Solved};
 use super::run::JobRun;
@@ -125,14 +125,21 @@ impl Ready<'_> {
                 let recording = Recording::to(target, &scenes, options)?;
                 return self.solve_recorded(recording, diagnosis, watch);
             }
-            self.job.sinks.push(Box::new(StateRecording::open(target, options)?));
+            self.job.sinks.push(Box::new(StateRecording::open(target, options)?.of_runs(&self.job.runs)));
         }
         let mut sinks = std::mem::take(&mut self.job.sinks);
         let mut solve = |i: usize| match self.job.runs[i].kind()? {
             None => self.solve_run(i, &mut (), diagnosis, watch),
             Some(_) => self.follow_run(i, &mut sinks, watch),
         };
-        (0..self.job.runs.len()).map(&mut solve).collect()
+        let mut found = (0..self.job.runs.len()).map(&mut solve).collect::<Result<Vec<_>, _>>()?;
+        for (i, (run, found)) in self.job.runs.iter().zip(&mut found).enumerate() {
+            let Found::States(outcome) = found else { continue };
+            let (posed, mut failure) = (run.posed(i, problem(run))?, outcome.failure.take());
+            give(&mut sinks, &mut failure, |sink| sink.end(&posed, outcome));
+            outcome.failure = failure;
+        }
+        Ok(found)
     }
 
     #[cfg(feature = "record")]
@@ -150,16 +157,15 @@ impl Ready<'_> {
         Ok(found)
     }
 
-    /// Follows run number `i`, which has several states. Those of the first run go to the sinks.
+    /// Follows run number `i`, which has several states.
     fn follow_run(
         &self,
         i: usize,
         sinks: &mut Vec<Box<dyn StateSink + '_>>,
         watch: &mut dyn Watcher,
     ) -> Result<Found, SetupError> {
-        let (run, mut none) = (&self.job.runs[i], Vec::new());
+        let run = &self.job.runs[i];
         let keeps = StateKeeping { has_fields: self.job.extras.archived > 0, is_last_only: self.job.keeps_last };
-        let sinks = if i == 0 { sinks } else { &mut none };
         Ok(Found::States(Box::new(run.follow(i, problem(run), sinks, keeps, watch)?)))
     }
 

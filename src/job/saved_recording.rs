@@ -42,7 +42,7 @@ impl SavedResult {
         let Some(heaviest) = contacts.iter().max_by(heaviest) else { return Ok(()) };
         let loads: Vec<_> = contacts.iter().map(|contact| contact.problem.load()).collect();
         let problem = self.setup.problem_of(self.surface.clone())?.with_load(heaviest.problem.load())?;
-        let posed = Posed { setup: &self.setup, problem: &problem, kind: ProcessKind::Loads, loads: &loads };
+        let posed = Posed { run: 0, setup: &self.setup, problem: &problem, kind: ProcessKind::Loads, loads: &loads };
         let mut recording = StateRecording::open(Target::File(path.into()), Options::from(&self.setup))?;
         for (number, contact) in contacts.iter().enumerate() {
             recording.state(&posed, number, &State::from_contact(contact.clone(), Some(number)))?;

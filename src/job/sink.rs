@@ -5,15 +5,15 @@ use super::posed::Posed;
 use crate::contact::State;
 use crate::error::FileError;
 
-/// What receives the states of a run, each as soon as it is solved: a recording, a table, an archive.
+/// What receives the states of the runs of a job, each as soon as it is solved: a recording, a table, an archive.
 pub trait StateSink {
-    /// Takes a state by its number, from 0 on.
+    /// Takes a state of a run by its number, from 0 on. The states of a run beside the first one come after those of the first one.
     ///
     /// # Errors
     /// For what cannot be written. The sink gets nothing more then, and the run goes on.
     fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError>;
 
-    /// Takes all states at the end of the run.
+    /// Takes all states of a run when all runs have ended.
     ///
     /// # Errors
     /// For what cannot be written.

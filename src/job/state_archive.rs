@@ -40,6 +40,9 @@ impl StateArchive {
 
 impl StateSink for StateArchive {
     fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError> {
+        if posed.run > 0 {
+            return Ok(());
+        }
         if number == 0 {
             let made = std::fs::create_dir(&self.folder);
             made.map_err(|source| FileError::Write { path: self.folder.clone(), source })?;

@@ -2,6 +2,7 @@
 
 use super::history::HistoryOutcome;
 use super::posed::Posed;
+use super::run::JobRun;
 use super::sink::StateSink;
 use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Unit};
 use crate::error::FileError;
@@ -34,6 +35,10 @@ pub struct StateRecording<'a> {
     /// The file, if it has a name.
     path: Option<PathBuf>,
     options: Options,
+    /// The title of the first run, if it has one of its own.
+    title: Option<String>,
+    /// Runs beside the first one, which are recorded beside it.
+    beside: Vec<JobRun<'a>>,
     begun: Option<Begun>,
 }
 
@@ -55,7 +60,13 @@ impl<'a> StateRecording<'a> {
     /// The errors of [`Target::opened`].
     pub fn open(target: Target<'a>, options: Options) -> Result<Self, FileError> {
         let path = target.file().map(Path::to_owned);
-        Ok(Self { target: Some(target.opened()?), path, options, begun: None })
+        Ok(Self { target: Some(target.opened()?), path, options, title: None, beside: Vec::new(), begun: None })
+    }
+
+    /// The recording of some runs beside each other, whose problems are posed.
+    pub(super) fn of_runs(mut self, runs: &[JobRun<'a>]) -> Self {
+        (self.title, self.beside) = (runs[0].title.clone(), runs[1..].to_vec());
+        self
     }
 
     /// Ends the recording of a list of loads.
@@ -69,7 +80,7 @@ impl<'a> StateRecording<'a> {
     fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
         let Some(target) = self.target.take() else { return Ok(()) };
         let is_list = posed.kind == ProcessKind::Loads;
-        let draft = self.path.take().filter(|_| !is_list);
+        let draft = self.path.take().filter(|_| !is_list && self.beside.is_empty());
         let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first)) };
         let expected = posed.setup.expected_states().unwrap_or(0).max(2);
         let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
@@ -79,8 +90,12 @@ impl<'a> StateRecording<'a> {
             further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
             ..Scene::from_setup(&setup, posed.problem)
         };
-        let (title, description) = (&scene.title, posed.setup.surface.description());
+        let title = self.title.clone().unwrap_or_else(|| scene.title.clone());
+        let description = posed.setup.surface.description();
         let count = posed.loads.len();
+        let beside =
+            self.beside.iter().filter_map(|run| Some(Scene { exact: None, ..run.scene(run.problem.as_ref()?) }));
+        let scenes: Vec<Scene<'_>> = std::iter::once(Scene { title: title.clone(), ..scene }).chain(beside).collect();
         let loads = Loads {
             title: if is_list { format!("{title}, {count} loads") } else { title.clone() },
             description: match is_list {
@@ -92,7 +107,7 @@ impl<'a> StateRecording<'a> {
             axis: if is_list { axis_of_loads(posed.loads) } else { numbered(expected) },
             figure: None,
             timeline: if is_list { Timeline::Loads } else { Timeline::States(Vec::new()) },
-            scenes: &[scene],
+            scenes: &scenes,
         };
         let recording = LoadRecording::to(target, &loads, self.options.clone())?;
         self.begun = Some(Begun { recording, curves, draft });
@@ -109,7 +124,10 @@ impl StateSink for StateRecording<'_> {
         if posed.kind != ProcessKind::Loads {
             recording.caption(number, caption(posed.kind, number, state));
         }
-        add(recording, number, curves, state)
+        if posed.run == 0 {
+            recording.values(number, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
+        }
+        add(recording, posed.run, number, state)
     }
 
     fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
@@ -144,7 +162,7 @@ impl HistoryOutcome {
         let states: Vec<&State> = self.states.iter().map(|it| &**it).collect();
         let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
         let Some(highest) = highest else { return Ok(()) };
-        let posed = Posed { setup, problem, kind: self.kind, loads: &[] };
+        let posed = Posed { run: 0, setup, problem, kind: self.kind, loads: &[] };
         let scene = Scene {
             exact: None,
             apart: self.apart(problem),
@@ -162,8 +180,11 @@ impl HistoryOutcome {
             timeline: Timeline::States(states.iter().filter_map(|state| state.get(Quantity::Time)).collect()),
             scenes: &[scene],
         };
-        let mut recording = LoadRecording::create(path, &loads, options)?;
-        states.iter().enumerate().try_for_each(|(i, state)| add(&mut recording, i, &curves, state))?;
+        let recording = LoadRecording::create(path, &loads, options)?;
+        for (i, state) in states.iter().enumerate() {
+            recording.values(i, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
+            add(&recording, 0, i, state)?;
+        }
         recording.finish()
     }
 
@@ -202,12 +223,11 @@ fn numbered(states: usize) -> LoadAxis {
     LoadAxis::linear("state", (1..=states).map(|i| i as f64).collect())
 }
 
-/// Adds a state to a recording.
-fn add(recording: &mut LoadRecording, number: usize, curves: &[StateCurve], state: &State) -> Result<(), FileError> {
-    recording.values(number, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
+/// Adds the fields of a state of a scene to a recording.
+fn add(recording: &LoadRecording, scene: usize, number: usize, state: &State) -> Result<(), FileError> {
     let further: Vec<(&'static str, &[f64])> =
         state.fields.iter().map(|it| (it.name, it.values.as_slice().unwrap_or_default())).collect();
-    recording.state(0, number, &state.contact, &further)
+    recording.state(scene, number, &state.contact, &further)
 }
 
 /// The quantities with curves that the first state of a history has.

@@ -53,6 +53,9 @@ impl StateTable {
 
 impl StateSink for StateTable {
     fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError> {
+        if posed.run > 0 {
+            return Ok(());
+        }
         let written = self.write(posed, number, state);
         written.map_err(|source| FileError::Write { path: self.path.clone(), source })
     }

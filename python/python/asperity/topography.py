@@ -22,7 +22,7 @@ def read(path: str, channel: str | None) -> tuple[Any, tuple[float, ...], str] |
         with SurfaceTopography.open_topography(path) as file:
             names = [it.name for it in file.channels]
             found = file.topography() if channel is None else file.topography(channel_index=names.index(channel))
-            heights = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan).T
+            heights: Any = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan).T
             metre = 1.0 if found.unit is None else get_unit_conversion_factor(found.unit, "m")
             lengths = tuple(float(length) * metre for length in found.physical_sizes[::-1])
             kind = file.format()

@@ -6,7 +6,7 @@ use crate::surface::{Detrend, Scan};
 use std::f64::consts::TAU;
 
 /// The fewest nodes along each axis.
-const FEWEST: usize = 32;
+const FEWEST: usize = 64;
 /// The shortest wave vector of a wave that may stand alone, in waves over the map: longer waves are too few to be compared.
 const LONGEST: isize = 8;
 /// A wave stands alone where its power is so many times the median of the waves around it.
@@ -49,7 +49,7 @@ pub(super) struct Alone {
 type Peak = ([isize; 2], f64);
 
 impl Waves {
-    /// The waves of a map, in which voids are at the level of the plane; none of a profile, and of less than 32 nodes along an axis.
+    /// The waves of a map, in which voids are at the level of the plane; none of a profile, and of less than 64 nodes along an axis.
     pub fn new(scan: &Scan) -> Option<Self> {
         let shape @ [ny, nx] = scan.shape();
         if ny.min(nx) < FEWEST {

@@ -171,6 +171,9 @@ fn a_contact_in_time_is_that_of_a_softer_solid() {
     let steps = facet("steps");
     let areas = values(&steps["relative_area"]);
     assert!(areas.len() > 4 && areas.is_sorted_by(|a, b| a <= b), "the contact grows state by state: {areas:?}");
+    let times = values(&steps["time"]);
+    assert!(times[0] == 0.0 && times.is_sorted() && times.last() == Some(&1.0), "{times:?}");
+    assert_eq!(values(&steps["step"]), (1..=areas.len()).map(|i| i as f64).collect::<Vec<_>>());
     assert_eq!(*areas.last().unwrap(), number(&run, "relative_area"));
     let shown = facet("motion")["sections"].as_array().unwrap().len();
     assert!((4..=outcome.states.len()).contains(&shown), "{shown} of {} states move", outcome.states.len());
