@@ -96,12 +96,15 @@ impl Surface {
             return Ok(None);
         }
         let found = py.import("asperity.topography")?.call_method1("read", (name, channel))?;
-        let Some((heights, lengths, sentence)) = found.extract::<Option<(Bound<'_, PyAny>, Vec<f64>, String)>>()?
+        let Some((heights, lengths, sentence)) =
+            found.extract::<Option<(Bound<'_, PyAny>, Option<Vec<f64>>, String)>>()?
         else {
             return Ok(None);
         };
         warn_sentence(py, &sentence)?;
-        cell.entry("size").or_insert(json!(lengths));
+        if let Some(lengths) = lengths {
+            cell.entry("size").or_insert(json!(lengths));
+        }
         Self::of_array(&ArrayLike::new(&heights, "height")?, cell).map(Some)
     }
 

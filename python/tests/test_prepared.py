@@ -131,7 +131,7 @@ def of_peer(heights: np.ndarray, lengths: tuple[float, float], unit: str) -> typ
             return heights
 
     class File:
-        channels = (types.SimpleNamespace(name="height"),)
+        channels = (types.SimpleNamespace(name="height", physical_sizes=lengths, dim=2),)
 
         def __enter__(self) -> "File":
             return self

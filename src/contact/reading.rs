@@ -43,6 +43,11 @@ fn lazy<'a, T>(make: impl FnOnce() -> T + 'a) -> Lazy<'a, T> {
 }
 
 impl Reading<'_> {
+    /// The same with other work, such as that of all states so far.
+    pub fn with_work(self, work: Work) -> Self {
+        Self { work, ..self }
+    }
+
     /// A number of the state, if it has it: that of its process, or the one that is computed of the contact where that has a meaning.
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         let QuantityRow { read, validity, .. } = quantity.row();
@@ -162,13 +167,6 @@ impl Readings for Reading<'_> {
 
     fn certificate(&self) -> &Certificate {
         &self.certificate
-    }
-}
-
-impl Reading<'_> {
-    /// The same with other work, such as that of all states so far.
-    pub(crate) fn with_work(self, work: Work) -> Self {
-        Self { work, ..self }
     }
 }
 

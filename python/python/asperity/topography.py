@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 
-def read(path: str, channel: str | None) -> tuple[Any, tuple[float, ...], str] | None:
+def read(path: str, channel: str | None) -> tuple[Any, list[float] | None, str] | None:
     """Heights and lengths in metres, and a sentence that says how they were read; None where the package is not installed or does not read them.
 
-    Heights have the shape (n) or (ny, nx), and are nan where they are missing.
+    Heights have the shape (n) or (ny, nx), and are nan where they are missing. Lengths are along the same axes, and None if the file has none. Where
+    the file has no units, both are as they are in it.
     """
     try:
         import SurfaceTopography
@@ -21,14 +22,17 @@ def read(path: str, channel: str | None) -> tuple[Any, tuple[float, ...], str] |
     try:
         with SurfaceTopography.open_topography(path) as file:
             names = [it.name for it in file.channels]
-            found = file.topography() if channel is None else file.topography(channel_index=names.index(channel))
+            number = 0 if channel is None else names.index(channel)
+            has_lengths = file.channels[number].physical_sizes is not None
+            # the package takes no file without lengths
+            lengths = {} if has_lengths else {"physical_sizes": (1.0,) * file.channels[number].dim}
+            found = file.topography(channel_index=number, **lengths)
             heights: Any = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan).T
             metre = 1.0 if found.unit is None else get_unit_conversion_factor(found.unit, "m")
-            lengths = tuple(float(length) * metre for length in found.physical_sizes[::-1])
+            sizes = [float(length) * metre for length in found.physical_sizes[::-1]] if has_lengths else None
             kind = file.format()
     except Exception:  # whatever goes wrong there, the error of this package is the one to be told
         return None
+    units = "without units" if found.unit is None else "with its units"
     version = SurfaceTopography.__version__
-    units = "whose heights have no unit" if found.unit is None else "with its units"
-    sentence = f"{Path(path).name} was read by SurfaceTopography {version} as a file of the format {kind!r}, {units}"
-    return heights * metre, lengths, sentence
+    return heights * metre, sizes, f"{Path(path).name} was read by SurfaceTopography {version} as a file of the format {kind!r}, {units}"

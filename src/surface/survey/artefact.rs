@@ -1,7 +1,8 @@
 //! Artefacts of measured heights, by their names.
 
 use super::clip::Clip;
-use super::waves::{Alone, Waves};
+use super::scales::sample;
+use super::waves::{Alone, WavePower};
 use crate::surface::bends::{DEVIATION, median};
 use crate::surface::{LineLevel, LineOffsets, Outliers, Preparation, Scan, Scars};
 
@@ -16,8 +17,6 @@ const MOST_STEPS: usize = 2;
 const TOLD: f64 = 0.02;
 /// Rounded heights are told of where the mean square of rounding makes this share of that of the steps.
 const ROUNDED: f64 = 0.05;
-/// The most heights of which it is looked whether they are rounded.
-const SAMPLE: usize = 1 << 16;
 
 /// An artefact of measured heights. An axis, "y" or "x", is the one across the lines: rows lie across y, columns across x.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -200,7 +199,7 @@ impl Artefacts {
 
     /// Levels of lines that wander, where they are not told already, and waves that stand alone.
     fn waves(&self) -> Vec<Artefact> {
-        let Some(waves) = Waves::new(&self.rest) else { return Vec::new() };
+        let Some(waves) = WavePower::new(&self.rest) else { return Vec::new() };
         let wander = [(0, "y"), (1, "x")].into_iter().filter_map(|(number, name)| {
             let is_told = |it: &Artefact| {
                 matches!(it, Artefact::Offsets { axis, .. } | Artefact::Grooves { axis, .. } | Artefact::Step { axis, .. } if *axis == name)
@@ -254,14 +253,6 @@ fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
     let far: Vec<usize> = (0..steps.len()).filter(|i| steps[*i].abs() > least).collect();
     let found = far.iter().filter(|_| far.len() <= MOST_STEPS);
     found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
-}
-
-/// Some of the heights, ascending.
-pub(super) fn sample(scan: &Scan) -> Vec<f64> {
-    let every = scan.height.len().div_ceil(SAMPLE);
-    let mut heights: Vec<f64> = scan.height.iter().copied().step_by(every).filter(|h| !h.is_nan()).collect();
-    heights.sort_unstable_by(f64::total_cmp);
-    heights
 }
 
 /// Lines of equal heights at the rim, unless lines inside are level as well.

@@ -1,7 +1,6 @@
 //! Peaks or valleys that were cut off.
 
-use super::artefact::sample;
-use super::scales::usual;
+use super::scales::{sample, usual};
 use crate::surface::{Detrend, Scan};
 use ndarray::{Array2, Axis, Slice};
 

@@ -11,7 +11,7 @@ const SMOOTH: f64 = 3.0;
 const ROUNDING: f64 = 1e-13;
 /// The part by which noise may be larger than the median of the bends says.
 const SURE: f64 = 1.15;
-/// The most nodes of which the median of the bends is found.
+/// The most nodes of which a median is found, or other things that a part of the nodes tells.
 const SAMPLE: usize = 1 << 16;
 /// Growth of the bends of smooth heights from one spacing to two.
 const SMOOTHEST: f64 = 16.0;
@@ -133,6 +133,14 @@ pub(super) fn usual(scan: &Scan, axis: usize, factors: &[f64]) -> f64 {
     };
     let mut known: Vec<f64> = places.filter_map(difference).filter(|it| !it.is_nan()).map(f64::abs).collect();
     DEVIATION * median(&mut known).unwrap_or(0.0)
+}
+
+/// Some of the heights, ascending.
+pub(super) fn sample(scan: &Scan) -> Vec<f64> {
+    let every = scan.height.len().div_ceil(SAMPLE);
+    let mut heights: Vec<f64> = scan.height.iter().copied().step_by(every).filter(|h| !h.is_nan()).collect();
+    heights.sort_unstable_by(f64::total_cmp);
+    heights
 }
 
 /// The mean squares of first and second differences over a number of spacings; none if there are no such nodes.

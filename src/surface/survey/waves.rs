@@ -23,7 +23,7 @@ const WANDER: f64 = 4.0;
 const GRATING: f64 = 0.25;
 
 /// The power of the waves of a map without its plane, under a Hann window of mean square 1.
-pub(super) struct Waves {
+pub(super) struct WavePower {
     shape: [usize; 2],
     spacing: [f64; 2],
     /// The factors from the power of a wave to its mean square step from one node to the next one along y and x, by its number.
@@ -48,7 +48,7 @@ pub(super) struct Alone {
 /// A wave vector in waves over the map along y and x, and its power with that of its opposite.
 type Peak = ([isize; 2], f64);
 
-impl Waves {
+impl WavePower {
     /// The waves of a map, in which voids are at the level of the plane; none of a profile, and of less than 64 nodes along an axis.
     pub fn new(scan: &Scan) -> Option<Self> {
         let shape @ [ny, nx] = scan.shape();
