@@ -1,10 +1,12 @@
 // The one name of the page that is global: what a console and tests may read and call.
 
 window.asperity = {
-  answered, ask, byId, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
+  answered, ask, byId, colours, frameOfTop, rgb, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
   moveHandle, openLesson, press, read, replace, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, words,
   awake, wholeRuns,
+  get above() { return above; },
   get beside() { return beside; },
+  get graphics() { return graphics; },
   get chosen() { return chosen; },
   get description() { return description; },
   get grip() { return grip; },

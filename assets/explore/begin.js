@@ -101,6 +101,8 @@ async function begin() {
   await beginLessons();
   beginWelcome();
   beginHand();
+  beginTop();
+  beginSolid();
   beginWhy();
   beginPresets();
   keepState();

@@ -14,13 +14,32 @@ const ROOM = { left: 30, right: 14, above: 36, below: 34 };
 /** Room between two names of a legend. */
 const APART = 8;
 
-/** A chart against log10 p*: curves are { name, points: [[p*, y]], style }. What is higher than `top` leaves the axes, and is said. */
-function chart(target, title, top, curves, note) {
+/** The numbers of contacts that a person has seen, by what is pressed, each load once, and how many of them are kept. */
+const visitedContacts = new Map();
+const MOST_SEEN = 200;
+
+/** Keeps the numbers of a contact for the charts. */
+function keepSeen(its, numbers) {
+  const { reduced_pressure: load, relative_area: area, kappa, kappa_r } = numbers ?? {};
+  if (!(load > 0)) return;
+  const key = pressedOf(its);
+  if (!visitedContacts.has(key)) visitedContacts.set(key, new Map());
+  const contacts = visitedContacts.get(key);
+  contacts.set(load.toPrecision(4), { load, area, kappa, kappa_r });
+  for (const old of [...contacts.keys()].slice(0, -MOST_SEEN)) contacts.delete(old);
+}
+
+/** The dots of a chart: contacts that a person has seen. */
+const dotsOf = (style, of) => [...(visitedContacts.get(pressedOf(knobs))?.values() ?? [])].map((it) => ({ style, at: [it.load, it[of]] })).filter(({ at }) => Number.isFinite(at[1]));
+
+/** A chart against log10 p*: curves are { name, points: [[p*, y]], style }, dots { style, at: [p*, y] }. What is higher than `top` leaves the
+ * axes, and is said. */
+function chart(target, title, top, curves, dots, note) {
   const box = target.getBoundingClientRect();
   const [w, h] = [Math.max(160, box.width), Math.max(120, box.height)];
   const [wide, high] = [w - ROOM.left - ROOM.right, h - ROOM.above - ROOM.below];
-  const xs = curves.flatMap((curve) => curve.points.map(([x]) => Math.log10(x)));
-  const [first, last] = xs.length ? [Math.floor(Math.min(...xs)), Math.ceil(Math.max(...xs))] : [-4, 1];
+  const xs = [...curves.flatMap((curve) => curve.points), ...dots.map(({ at }) => at)].map(([x]) => Math.log10(x));
+  const [first, last] = xs.length > 1 ? [Math.floor(Math.min(...xs)), Math.ceil(Math.max(...xs, Math.min(...xs) + 1))] : [-4, 1];
   const x = (v) => ROOM.left + (Math.log10(v) - first) / (last - first || 1) * wide;
   const y = (v) => h - ROOM.below - v / top * high;
   const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": `${title}${note ? `: ${note}` : ""}`, class: note ? "stale" : "" });
@@ -41,13 +60,14 @@ function chart(target, title, top, curves, note) {
   target.onclick = isDrawn ? null : (event) => pickLoad(placeOf(event)[0]);
   target.onpointerdown = isDrawn ? (event) => { target.setPointerCapture(event.pointerId); drawGuess(...placeOf(event)); } : null;
   target.onpointermove = isDrawn ? (event) => { if (event.buttons) drawGuess(...placeOf(event)); } : null;
-  const shown = curves.filter((curve) => curve.points.length);
+  const shown = curves.filter((curve) => curve.points.length || dots.some(({ style }) => style === curve.style));
   for (const curve of shown) {
     svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
     const now = curve.points.find(([a]) => a === moment?.numbers.reduced_pressure);
     if (now && now[1] <= top) svg.append(drawn("circle", { class: `of-${curve.style}`, cx: x(now[0]), cy: y(now[1]), r: 5 }));
   }
-  const said = note || (shown.length ? "" : say("chart.sweep"));
+  for (const { style, at: [a, b] } of dots) if (b <= top) svg.append(drawn("circle", { class: `of-${style}`, cx: x(a), cy: y(b), r: 3.5 }));
+  const said = note || (shown.length || dots.length ? "" : say("chart.sweep"));
   said.split(", ").filter(Boolean).forEach((line, i) => {
     svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
   });
@@ -94,11 +114,11 @@ function charts() {
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
   chart(byId("chart-area"), say("chart.area"), 1, [
     curve("Persson", "persson", (p) => p.persson ?? NaN), curve("a_rel", "computed", (p) => p.relative_area),
-    curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], note);
+    curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], dotsOf("computed", "area"), note);
   const kappas = [
     curve("Persson", "persson", (p) => (p.persson ?? NaN) / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa),
     curve("κ_r", "second", (p) => p.kappa_r), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
-  chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas), kappas, note);
+  chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas), kappas, [...dotsOf("computed", "kappa"), ...dotsOf("second", "kappa_r")], note);
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {
     target.tabIndex = points.length ? 0 : -1;
     target.ariaValueMin = 0;

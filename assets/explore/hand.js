@@ -40,11 +40,22 @@ const holdGrip = () => hold({ knobs, "mean-gap": grip.gap, "is-deep": isDeep(), 
 /** The section that a hand got, and the one beside, with the stress below each. */
 const deepened = ({ section, shear, beside, shear_beside: shearBeside }) => [{ ...section, shear }, beside && { ...beside, shear: shearBeside }];
 
+/** Shows a contact with the stress below and its map, on axes that hold it, or on some that hold it and what was before. */
+function showContact(contact, before = null) {
+  const { top = null } = contact;
+  const [own, shownBeside] = deepened(contact);
+  const shown = sectionOfCut(own, top);
+  const its = axesOf([shown, shownBeside].filter(Boolean));
+  const most = Math.max(its.pressure, top?.highest_pressure ?? 0);
+  showSection(shown, shownBeside, before ? { ...before, pressure: Math.max(before.pressure, most), shear: Math.max(before.shear, its.shear) } : { ...its, pressure: most }, top);
+}
+
 /** A name of numbers, with how their solve ended where it did not converge. */
 const named = (name, { status }) => ["converged", undefined].includes(status) ? name : `${name}: ${statusOf({ numbers: { status } })}`;
 
 function showHeld(contact) {
   document.body.dataset.held = String(++heldCount);
+  keepSeen(knobs, contact.numbers);
   fault("");
   if (!grip || isClear(grip.gap)) return;
   const { numbers: told } = contact;
@@ -56,9 +67,7 @@ function showHeld(contact) {
   show();
   setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null, isStuck });
   if (grip.kind === "bend") followRigid(contact.section);
-  const [shown, shownBeside] = deepened(contact);
-  const own = axesOf([shown, shownBeside].filter(Boolean));
-  showSection(shown, shownBeside, { ...axes, pressure: Math.max(axes.pressure, own.pressure), shear: Math.max(axes.shear, own.shear) });
+  showContact(contact, axes);
 }
 
 /** Moves the axes with the rigid surface, of which only the held point is to move on the screen: under a given load a new bump lifts all the
@@ -225,7 +234,7 @@ function handleKey(event, kind) {
   event.stopPropagation();
   if (!grip) { if (kind === "bend") takePoint(handle); else takeGrip("press"); grip.steps = 0; }
   grip.steps += by;
-  moveGrip(grip.steps * byId("section").getBoundingClientRect().height * BANDS.relief);
+  moveGrip(grip.steps * byId("section").getBoundingClientRect().height * bands().relief);
 }
 
 /** Where the handle of the profile stands, as a share of the length. */

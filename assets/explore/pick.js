@@ -32,23 +32,25 @@ async function momentOfLoad(point) {
   setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point, exact: point.exact });
   charts();
   const its = runOf(report.sweep.id) ?? report.sweep;
-  const show = (...sections) => {
-    if (moment?.numbers !== point || grip) return;
-    sectionRun = null;
-    showSection(...sections);
-  };
-  if (its.ended && !isDeep() && isKept(its)) {
+  const isShown = () => moment?.numbers === point && !grip;
+  if (its.ended && !isDeep() && isKept(its) && byId("top-box").hidden) {
     const { steps, sections } = await facet(its, "motion");
+    if (!isShown()) return;
     const at = steps.indexOf(point.number);
-    const all = axesOf(sections);
-    show(sections[at], null, { ...all, pressure: sections[at].highest_pressure });
+    sectionRun = null;
+    showSection(sections[at], null, { ...axesOf(sections), pressure: sections[at].highest_pressure });
   } else {
     const load = Number(point.reduced_pressure.toPrecision(12));
-    hold({ knobs: { ...its.knobs, load }, "mean-gap": null, "is-deep": isDeep() }, (contact) => show(...deepened(contact)));
+    hold({ knobs: { ...its.knobs, load }, "mean-gap": null, "is-deep": isDeep() }, (contact) => {
+      if (!isShown()) return;
+      sectionRun = null;
+      showContact(contact);
+    });
   }
 }
 
-/** The name of a step, or of a state in time, in retardation times. */
+/** The name of a step, or of a state in time, in retardation times.
+ * @param {any} numbers */
 const momentName = ({ step, time }) => Number.isFinite(time) ? say("moment.time", { state: step, time: figure(time, 3) }) : say("moment.step", { step });
 
 /** The numbers of a step of a run; at its end those of the run. */
@@ -80,11 +82,11 @@ async function showSectionOf(run) {
   if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
-  const names = ["section", "beside", ...(isDeep() ? ["shear", "shear-beside"] : [])];
+  const names = ["section", "beside", "top", ...(isDeep() ? ["shear", "shear-beside"] : [])];
   const its = await Promise.all(names.map((name) => facet(run, name))).catch((error) => fault(error.message));
   if (!its || grip || sectionRun !== run.id) return;
-  const [shown, shownBeside, shear = null, shearBeside = null] = its;
-  showSection(...deepened({ section: shown, beside: shownBeside, shear, shear_beside: shearBeside }));
+  const [shown, shownBeside, top, shear = null, shearBeside = null] = its;
+  showContact({ section: shown, beside: shownBeside, top, shear, shear_beside: shearBeside });
   run.steps = (await facet(run, "steps").catch(() => null))?.step;
   document.body.dataset.section = run.id;
 }

@@ -1,11 +1,16 @@
 // The page's own picture of a contact: pressure, the rigid surface on the solid, and the shear stress below.
 
-/** Shares of the picture's height: the pressure above, the surfaces in the middle, the stress below. */
-const BANDS = { pressure: 0.24, relief: 0.42 };
+/** Shares of the picture's height: the pressure above, the surfaces in the middle, and where it is shown the stress below; the axis is at the
+ * foot. */
+const BANDS = { pressure: 0.24, relief: 0.64 };
+const DEEP_BANDS = { pressure: 0.24, relief: 0.42 };
+const bands = () => isDeep() ? DEEP_BANDS : BANDS;
 /** Room above the highest pressure and below the surfaces, over the height of their bands, and above the surfaces, in pixels, for the
  * name of the rigid one. */
 const SPARE = 0.08;
 const NAME = 20;
+/** Room at the foot of a section for what stands there: names of places are left out there, and the scale of heights is above them. */
+const AXIS = { left: 150, right: 40, above: 24 };
 const FONT = "12px system-ui, sans-serif";
 /** Width of the lines on a screen, and on a wall. */
 const lineWidth = () => "projector" in document.body.dataset ? 4 : 1.5;
@@ -24,12 +29,14 @@ function axesOf(sections) {
     shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
-/** Shows a section, and the one beside if there is one, on axes that hold both, or on those that are given. */
-function showSection(shown, shownBeside, given = null) {
+/** Shows a section, and the one beside if there is one, on axes that hold both, or on those that are given, and the map of the contact if
+ * there is one. */
+function showSection(shown, shownBeside, given = null, its = null) {
   section = shown;
   beside = shownBeside;
   axes = given ?? axesOf([section, beside].filter(Boolean));
   byId("section-beside-box").hidden = !beside;
+  showTop(its);
   drawSections();
   placeHandles();
   offerSaves();
@@ -57,8 +64,8 @@ function placeLabels() {
 /** Places of the picture in pixels: x of a share of the length, y of a height and of a pressure, and back. */
 function frame(canvas) {
   const { width: w, height: h } = canvas.getBoundingClientRect();
-  const top = h * BANDS.pressure;
-  const high = h * BANDS.relief;
+  const top = h * bands().pressure;
+  const high = h * bands().relief;
   const perHeight = (high * (1 - SPARE) - NAME) / (axes.high - axes.low || 1);
   return {
     w, h, top, perHeight,
@@ -130,9 +137,34 @@ function paintSection(to, at, shown) {
     to.stroke(line(exact, at.pressure));
     to.setLineDash([]);
   }
-  to.fillStyle = colour.soft;
-  to.font = FONT;
+  paintAxes(to, at, shown, colour);
   if (isDeep() && !shear && Math.max(...pressure) > 0) to.fillText(moment?.step === undefined ? say("fringes.unknown") : say("fringes.step"), 6, at.h - 30);
+}
+
+/** A unit in which a length has one to three digits before its mark, its size, and a round distance of marks, of which four or five fit. */
+function scaleOf(length) {
+  const [unit, size] = LENGTHS.find(([, size]) => length >= 0.9995 * size) ?? LENGTHS.at(-1);
+  const fifth = length / 5;
+  const power = 10 ** Math.floor(Math.log10(fifth));
+  return { unit, size, every: power * [1, 2, 5, 10].find((step) => step * power >= fifth * (1 - 1e-9)) };
+}
+
+/** The number of a mark of an axis. */
+const marked = (value) => inLocale(String(Number(value.toPrecision(3))));
+
+/** Places along the section, and how many times heights are drawn as large as lengths. */
+function paintAxes(to, at, { length }, colour) {
+  Object.assign(to, { font: FONT, fillStyle: colour.soft, strokeStyle: colour.soft, lineWidth: 1, textAlign: "center", textBaseline: "bottom" });
+  const { unit, size, every } = scaleOf(length);
+  for (let x = every; x < length * (1 - 1e-9); x += every) {
+    const place = at.x(x / length);
+    to.fillRect(place - 0.5, at.h - 5, 1, 5);
+    if (place > AXIS.left && place < at.w - AXIS.right) to.fillText(`${marked(x / size)} ${unit}`, place, at.h - 6);
+  }
+  to.textAlign = "right";
+  const times = at.perHeight * length / at.w;
+  to.fillText(say("section.heights", { times: figure(Number(times.toPrecision(2)), 2) }), at.w - 6, at.h - AXIS.above);
+  Object.assign(to, { textAlign: "left", textBaseline: "alphabetic" });
 }
 
 /** Where a measured profile was mirrored along the section: its own half, outlined, and the image of it. */

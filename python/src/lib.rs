@@ -53,6 +53,7 @@ mod surface_numbers;
 mod surface_parts;
 mod table;
 mod theory;
+mod warn;
 mod warnings;
 mod words;
 

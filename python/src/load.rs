@@ -9,7 +9,7 @@ use crate::prepared_array::sections_of_array;
 use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::surface::Surface;
-use crate::warnings::warn_sentence;
+use crate::warn::warn_sentence;
 use asperity::job::{SavedFound, SavedResult};
 use asperity::setup;
 use pyo3::prelude::*;

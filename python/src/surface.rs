@@ -7,7 +7,7 @@ use crate::conversion::{
 use crate::error::{argument, bail, error_of_keywords, py_error, wrong_type};
 use crate::fork;
 use crate::prepared_array::{ARRAY, FIELDS, PreparedArray, sections_of_array};
-use crate::warnings::warn_sentence;
+use crate::warn::warn_sentence;
 use asperity::error::{FileError, SetupError};
 use asperity::setup::Cost;
 use asperity::surface::HeightFile;

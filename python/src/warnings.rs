@@ -1,13 +1,11 @@
 //! Warnings of the library as warnings of Python, with keywords as remedies.
 
 use crate::contact::Contact;
-use crate::error::AsperityWarning;
+use crate::warn::warn_sentence;
 use crate::words::given_as;
 use asperity::contact::{Observables, Status, warning_of_rim, warnings_of};
-use asperity::seen::plain;
 use asperity::warning::{Remedy, Warning};
 use pyo3::prelude::*;
-use std::ffi::CString;
 
 /// Warnings about contacts under one load or several, and about their surface.
 pub fn warnings_about(contacts: &[&Contact]) -> Vec<Warning> {
@@ -29,18 +27,6 @@ pub fn warning_of_failure(contact: &asperity::Contact) -> Option<String> {
 /// Raises warnings.
 pub fn warn(py: Python<'_>, warnings: &[Warning]) -> PyResult<()> {
     warnings.iter().try_for_each(|warning| warn_sentence(py, &warning.in_words(keyword)))
-}
-
-/// Raises a warning with one sentence, at the line of code outside of the package that has called it.
-pub fn warn_sentence(py: Python<'_>, sentence: &str) -> PyResult<()> {
-    PyErr::warn(py, &py.get_type::<AsperityWarning>(), &CString::new(&*plain(sentence))?, stack_level(py)?)
-}
-
-/// The level of the stack at which the calling code stands: above the functions of the package.
-fn stack_level(py: Python<'_>) -> PyResult<i32> {
-    let frame = py.import("sys")?.call_method1("_getframe", (0,))?;
-    let module = frame.getattr("f_globals")?.get_item("__name__")?;
-    Ok(if module.extract::<String>()? == "asperity" { 2 } else { 1 })
 }
 
 /// The keyword of a remedy, such as `refine='auto'` or `law={'hardness': ...}`.

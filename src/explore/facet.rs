@@ -2,6 +2,7 @@
 
 use super::section::Section;
 use super::session_recording::SolvedRun;
+use super::top::Top;
 use super::why::Why;
 use serde_json::{Value, json};
 
@@ -17,8 +18,9 @@ pub struct Facet {
 pub const MOTION: &str = "motion";
 
 /// The facets of a run.
-pub const FACETS: [Facet; 8] = [
+pub const FACETS: [Facet; 9] = [
     Facet { name: "section", of: |solved| json!(solved.section()) },
+    Facet { name: "top", of: |solved| json!(Top::from_contact(&solved.contact)) },
     Facet { name: "shear", of: |solved| json!(solved.shear(Some(&solved.contact))) },
     Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::from_contact)) },
     Facet { name: "shear-beside", of: |solved| json!(solved.shear(solved.beside.as_ref())) },

@@ -6,6 +6,7 @@ use super::report::Numbers;
 use super::section::{Section, Shear};
 use super::source::SurfaceSource;
 use super::sticking_hand::StickingHand;
+use super::top::Top;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
 use crate::history::{Loading, PathPoint, Process};
 use crate::setup::{ProcessKind, Setup};
@@ -42,6 +43,8 @@ pub struct HandMemory {
 #[derive(Serialize)]
 pub struct Held {
     section: Section,
+    /// The contact from above, of a surface.
+    top: Option<Top>,
     /// The stress below it, if it is requested and can be computed.
     shear: Option<Shear>,
     /// The surface beside, under the same mean pressure.
@@ -84,6 +87,7 @@ impl Hold {
         let shear = |contact: &Contact| self.is_deep.then(|| Shear::below(contact)).flatten();
         Ok(Held {
             section: Section::from_contact(&contact),
+            top: Top::of_hand(&contact),
             shear: shear(&contact),
             shear_beside: beside.as_ref().and_then(shear),
             beside: beside.as_ref().map(Section::from_contact),
@@ -105,6 +109,7 @@ impl Hold {
         let beside = beside.transpose()?;
         let held = Held {
             section: Section::from_contact(hand.contact()),
+            top: Top::of_hand(hand.contact()),
             shear: None,
             shear_beside: None,
             beside: beside.as_ref().map(|it| Section::from_contact(it.contact())),

@@ -38,6 +38,7 @@ mod tape;
 #[cfg(not(feature = "record"))]
 #[path = "no_tape.rs"]
 mod tape;
+mod top;
 mod why;
 mod words;
 mod work;

@@ -36,6 +36,30 @@ fn the_picture_moves_step_by_step() {
     }
 }
 
+/// The map of a surface holds the contact: pressures where the gap is closed, their mean the load, and the section as one of its rows.
+#[test]
+fn a_surface_is_seen_from_above() {
+    let page = Page::open();
+    let values = |of: &Value| of.as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect::<Vec<f64>>();
+    let run = page.solve(&with(json!({"domain": "surface", "points": 64, "cutoff": 16, "record": ["traces"]})));
+    let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
+    let (top, section) = (facet("top"), facet("section"));
+    assert_eq!(top["shape"], json!([64, 64]));
+    let [pressure, gap, rigid] = ["pressure", "gap", "rigid"].map(|name| values(&top[name]));
+    let touching = pressure.iter().zip(&gap).filter(|(p, g)| **p > 0.0 && **g == 0.0).count() as f64;
+    assert!((touching / 4096.0 - run["numbers"]["relative_area_counted"].as_f64().unwrap()).abs() < 1e-12);
+    let highest = pressure.iter().copied().fold(0.0, f64::max);
+    assert!((highest / top["highest_pressure"].as_f64().unwrap() - 1.0).abs() < 1e-6);
+    let row = (section["y"].as_f64().unwrap() / top["size"][0].as_f64().unwrap() * 64.0).round() as usize;
+    assert_eq!(rigid[64 * row..64 * (row + 1)], values(&section["rigid"]));
+    assert_eq!(pressure[64 * row..64 * (row + 1)], values(&section["pressure"]));
+    let fine = page.solve(&with(json!({"domain": "surface", "points": 512, "cutoff": 16, "record": ["traces"]})));
+    let fine = page.get(&format!("/api/run/{}/top", fine["id"].as_str().unwrap())).json();
+    assert_eq!(fine["shape"], json!([256, 256]));
+    let line = page.solve(&with(json!({"points": 256, "cutoff": 64})));
+    assert!(page.get(&format!("/api/run/{}/top", line["id"].as_str().unwrap())).json().is_null());
+}
+
 #[test]
 fn the_numbers_of_every_step_are_told() {
     let page = Page::open();

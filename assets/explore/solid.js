@@ -1,0 +1,198 @@
+// A contact of a surface in space, drawn by WebGL: the solid, cut where the section is, and the rigid surface above it, translucent. It is one
+// shader and one matrix, so that a library of several hundred kilobytes would be more to load and to read than it saves.
+
+/** Height of the picture over the longer side of the surface, and how far away the eye is from its middle. */
+const SPACE = { height: 0.3, eye: 2.1, opening: 0.5, depth: 0.12 };
+/** What is drawn by the shader. */
+const PIECES = { solid: 0, wall: 1, rigid: 2, profile: 3, edge: 4 };
+
+const VERTEX = `#version 300 es
+precision highp float;
+precision highp int;
+uniform sampler2D fields;      // solid, rigid surface, pressure over the largest
+uniform mat4 view;
+uniform ivec2 shape;           // columns, rows
+uniform vec2 sides;
+uniform vec3 heights;          // lowest, factor, height of the base
+uniform int piece, cut;
+out vec3 place;
+out vec3 normal;
+out float pressure;
+out float gap;
+vec3 at(ivec2 node) {
+  ivec2 inside = clamp(node, ivec2(0), shape - 1);
+  vec4 field = texelFetch(fields, inside, 0);
+  float z = piece == ${PIECES.rigid} || piece == ${PIECES.edge} ? field.y : field.x;
+  return vec3((vec2(inside) + 0.5) / vec2(shape) * sides - 0.5 * sides, (z - heights.x) * heights.y);
+}
+void main() {
+  bool isLine = piece == ${PIECES.profile} || piece == ${PIECES.edge};
+  int id = gl_VertexID;
+  ivec2 node = piece == ${PIECES.wall} ? ivec2(id / 2, cut) : isLine ? ivec2(id, cut) : ivec2(id % shape.x, id / shape.x);
+  vec4 field = texelFetch(fields, node, 0);
+  place = at(node);
+  vec3 along = at(node + ivec2(1, 0)) - at(node - ivec2(1, 0));
+  vec3 across = at(node + ivec2(0, 1)) - at(node - ivec2(0, 1));
+  normal = piece == ${PIECES.wall} ? vec3(0.0, 1.0, 0.0) : normalize(cross(along, across));
+  if (piece == ${PIECES.wall} && id % 2 == 1) place.z = heights.z;
+  pressure = field.z;
+  gap = field.y - field.x;
+  gl_Position = view * vec4(place, 1.0);
+}`;
+
+const FRAGMENT = `#version 300 es
+precision highp float;
+precision highp int;
+uniform int piece;
+uniform vec3 body, rigid, line, ramp[5];
+in vec3 place;
+in vec3 normal;
+in float pressure;
+in float gap;
+out vec4 colour;
+vec3 heat(float share) {
+  float at = clamp(share, 0.0, 1.0) * 4.0;
+  int part = min(3, int(at));
+  return mix(ramp[part], ramp[part + 1], at - float(part));
+}
+void main() {
+  float light = 0.45 + 0.55 * abs(dot(normalize(normal), normalize(vec3(-0.6, -0.3, 0.75))));
+  if (piece == ${PIECES.profile} || piece == ${PIECES.edge}) colour = vec4(line, 1.0);
+  else if (piece == ${PIECES.wall}) colour = vec4(body * 0.62, 1.0);
+  else if (piece == ${PIECES.rigid}) {
+    if (gap <= 0.0) discard;
+    colour = vec4(rigid * light, 0.34);
+  } else colour = vec4((pressure > 0.0 ? heat(0.25 + 0.75 * pressure) : body) * light, 1.0);
+}`;
+
+/** What the graphics of the page hold, once they were asked for; null where there are none. */
+let graphics;
+/** From where the solid is seen: turned about the vertical, and from above. */
+const eye = { turn: 0.4, rise: 0.62 };
+
+/** The shader of a canvas, or null where the browser has no WebGL 2. */
+function beginGraphics(canvas) {
+  const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
+  if (!gl) return null;
+  const program = gl.createProgram();
+  for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return null;
+  gl.useProgram(program);
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.enable(gl.DEPTH_TEST);
+  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+  return { gl, place: (name) => gl.getUniformLocation(program, name), its: null, shape: "" };
+}
+
+/** Puts the fields of a map where the shader reads them, and the triangles of its shape, row by row. */
+function loadFields(its) {
+  const { gl } = graphics;
+  const [rows, columns] = its.shape;
+  const highest = its.highest_pressure || 1;
+  const fields = new Float32Array(4 * rows * columns);
+  its.rigid.forEach((z, i) => fields.set([z - its.gap[i], z, its.pressure[i] / highest, 0], 4 * i));
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, columns, rows, 0, gl.RGBA, gl.FLOAT, fields);
+  graphics.its = its;
+  graphics.ends = its.rigid.reduce(([low, high], z, i) => [Math.min(low, z - its.gap[i]), Math.max(high, z)], [Infinity, -Infinity]);
+  if (graphics.shape === String(its.shape)) return;
+  graphics.shape = String(its.shape);
+  const triangles = new Uint32Array(6 * (rows - 1) * (columns - 1));
+  let at = 0;
+  for (let i = 0; i + 1 < rows; i++) for (let j = 0; j + 1 < columns; j++) {
+    const node = i * columns + j;
+    triangles.set([node, node + 1, node + columns, node + 1, node + columns + 1, node + columns], at);
+    at += 6;
+  }
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+}
+
+/** The matrix, column by column, that puts places onto the screen: turned, seen from a distance, in perspective. */
+function viewMatrix(aspect, middle) {
+  const [ct, st, cr, sr] = [Math.cos(eye.turn), Math.sin(eye.turn), Math.cos(eye.rise), Math.sin(eye.rise)];
+  // right, up and towards the eye; rows grow towards the eye
+  const [right, up, back] = [[ct, st, 0], [st * sr, -ct * sr, cr], [-st * cr, ct * cr, sr]];
+  const f = 1 / Math.tan(SPACE.opening / 2) / Math.max(1, 1 / aspect * 1.15);
+  const [near, far] = [0.1, 10];
+  const rows = [
+    [...right.map((it) => it * f / aspect), 0],
+    [...up.map((it) => it * f), -f * up[2] * middle],
+    [...back.map((it) => -it * (far + near) / (far - near)), 0],
+    [...back.map((it) => -it), SPACE.eye + back[2] * middle],
+  ];
+  rows[2] = back.map((it) => -it * (far + near) / (far - near)).concat((SPACE.eye + back[2] * middle) * (far + near) / (far - near) - 2 * far * near / (far - near));
+  return new Float32Array([0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column])));
+}
+
+/** Draws the contact in space, cut where its section is. */
+function drawSolid() {
+  const canvas = byId("solid");
+  const box = canvas.getBoundingClientRect();
+  if (!box.width || !above) return;
+  graphics ??= beginGraphics(canvas);
+  byId("map-solid").disabled = !graphics;
+  if (!graphics) { byId("map-solid").title = say("top.no-graphics"); shownMap = "pressure"; showTop(above); return; }
+  if (graphics.its !== above) loadFields(above);
+  const { gl, place, ends: [low, high] } = graphics;
+  const [rows, columns] = above.shape;
+  const scale = window.devicePixelRatio || 1;
+  Object.assign(canvas, { width: Math.round(box.width * scale), height: Math.round(box.height * scale) });
+  gl.viewport(0, 0, canvas.width, canvas.height);
+  const colour = colours();
+  const paint = (words) => rgb(words).map((part) => part / 255);
+  gl.clearColor(...paint(colour.ground), 1);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  const longest = Math.max(...above.size);
+  const row = Math.min(rows - 1, Math.max(1, Math.floor(section.y / above.size[0] * rows + 0.5)));
+  gl.uniformMatrix4fv(place("view"), false, viewMatrix(box.width / box.height, 0.4 * SPACE.height));
+  gl.uniform2i(place("shape"), columns, rows);
+  gl.uniform2f(place("sides"), above.size[1] / longest, above.size[0] / longest);
+  gl.uniform3f(place("heights"), low, SPACE.height / (high - low || 1), -SPACE.depth);
+  gl.uniform1i(place("cut"), row);
+  gl.uniform3fv(place("body"), paint(colour.soft));
+  gl.uniform3fv(place("rigid"), paint(colour.accent));
+  gl.uniform3fv(place("line"), paint(colour.ink));
+  gl.uniform3fv(place("ramp"), RAMPS.pressure.flat().map((part) => part / 255));
+  const draw = (piece, mode, count) => {
+    gl.uniform1i(place("piece"), PIECES[piece]);
+    if (mode === gl.TRIANGLES) gl.drawElements(mode, count, gl.UNSIGNED_INT, 0); else gl.drawArrays(mode, 0, count);
+  };
+  const behind = 6 * row * (columns - 1);
+  draw("solid", gl.TRIANGLES, behind);
+  draw("wall", gl.TRIANGLE_STRIP, 2 * columns);
+  draw("profile", gl.LINE_STRIP, columns);
+  draw("edge", gl.LINE_STRIP, columns);
+  gl.enable(gl.BLEND);
+  gl.depthMask(false);
+  draw("rigid", gl.TRIANGLES, behind);
+  gl.depthMask(true);
+  gl.disable(gl.BLEND);
+  canvas.ariaLabel = say("solid.words", { times: figure(Number((SPACE.height * longest / (high - low || 1)).toPrecision(2)), 2) });
+  byId("solid-scale").textContent = say("section.heights", { times: figure(Number((SPACE.height * longest / (high - low || 1)).toPrecision(2)), 2) });
+}
+
+/** Turns the solid. */
+function turnSolid(by, rise) {
+  eye.turn = Math.min(1.3, Math.max(-1.3, eye.turn + by));
+  eye.rise = Math.min(1.5, Math.max(0.12, eye.rise + rise));
+  drawSolid();
+}
+
+function beginSolid() {
+  const canvas = byId("solid");
+  canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+  canvas.addEventListener("pointermove", (event) => { if (event.buttons) turnSolid(event.movementX / 150, event.movementY / 150); });
+  canvas.addEventListener("keydown", (event) => {
+    const by = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    turnSolid(...by);
+  });
+}

@@ -1,0 +1,225 @@
+// A contact of a surface from above: its pressure, its gap or its patches, and where the section cuts it.
+
+/** What a map shows. */
+const MAPS = ["pressure", "gap", "patches", "solid"];
+/** Room around a map for its axes, in pixels, and the width of its colour bar. */
+const MARGIN = { left: 44, right: 92, above: 10, below: 34 };
+const BAR = 14;
+/** Colours from the lowest to the highest value: of pressures, from where nothing touches on, and of gaps. */
+const RAMPS = {
+  pressure: [[0x23, 0x1a, 0x4b], [0x7a, 0x22, 0x6c], [0xcb, 0x46, 0x4b], [0xf6, 0x92, 0x1f], [0xfd, 0xf3, 0xa0]],
+  gap: [[0x0b, 0x3c, 0x5d], [0x1f, 0x7a, 0x8c], [0x62, 0xb6, 0xa0], [0xb9, 0xdf, 0xb2], [0xf2, 0xf7, 0xe4]],
+};
+/** Colours of patches, which neighbours seldom share. */
+const PATCHES = [[0xe6, 0x9f, 0x00], [0x56, 0xb4, 0xe9], [0x00, 0x9e, 0x73], [0xf0, 0xe4, 0x42], [0xd5, 0x5e, 0x00], [0xcc, 0x79, 0xa7]];
+
+/** The map that is shown, and where the section that a person has chosen cuts it, as a share of its rows; none for the row of the largest
+ * pressure. */
+let above = null;
+let cut = null;
+let shownMap = "pressure";
+
+/** Shows a map of the contact of which the section is shown; without one the map of before is pale, as it is of another state. */
+function showTop(its) {
+  const isLine = !section || section.y === null;
+  if (isLine) cut = null;
+  above = isLine ? null : its ?? above;
+  byId("top-box").hidden = !above;
+  byId("top-box").toggleAttribute("data-stale", Boolean(above) && !its);
+  drawTop();
+}
+
+/** The section along a row of a map, on the axes of a section of the same contact. */
+function sectionAlong(its, share, like) {
+  const [rows, columns] = its.shape;
+  const row = Math.min(rows - 1, Math.floor(share * rows));
+  const [rigid, gap, pressure] = [its.rigid, its.gap, its.pressure].map((all) => all.slice(row * columns, (row + 1) * columns));
+  const solid = rigid.map((z, i) => z - gap[i]);
+  return { ...like, y: row / rows * its.size[0], rigid, solid, pressure, highest_pressure: Math.max(...pressure), exact: null, shear: null };
+}
+
+/** The section that is to be shown of a contact: its own, or where a person has cut its map. */
+const sectionOfCut = (own, its) => cut === null || !its || own.y === null ? own : sectionAlong(its, cut, own);
+
+/** Places of a map in pixels. */
+function frameOfTop() {
+  const { width: w, height: h } = byId("top").getBoundingClientRect();
+  const [wide, high] = [Math.max(1, w - MARGIN.left - MARGIN.right), Math.max(1, h - MARGIN.above - MARGIN.below)];
+  const [ly, lx] = above.size;
+  const scale = Math.min(wide / lx, high / ly);
+  return { w, h, x: MARGIN.left, y: MARGIN.above, wide: lx * scale, high: ly * scale };
+}
+
+/** The colour of a share of a ramp. */
+function colourOf(ramp, share) {
+  const place = Math.min(1, Math.max(0, share)) * (ramp.length - 1);
+  const part = Math.min(ramp.length - 2, Math.floor(place));
+  return ramp[part].map((from, i) => Math.round(from + (place - part) * (ramp[part + 1][i] - from)));
+}
+
+/** The colours of a map: values are shares of the largest one, and what touches has a colour of its own in a map of gaps. */
+function paintedMap(ground, patches) {
+  const { shape: [rows, columns], pressure, gap, highest_pressure: highest } = above;
+  const widest = gap.reduce((most, it) => Math.max(most, it), 0) || 1;
+  const image = new ImageData(columns, rows);
+  const patchAt = (i) => patches.map[Math.floor((Math.floor(i / columns) + 0.5) / rows * patches.shape[0]) * patches.shape[1] + Math.floor((i % columns + 0.5) / columns * patches.shape[1])];
+  const colourAt = {
+    pressure: (i) => pressure[i] > 0 ? colourOf(RAMPS.pressure, 0.15 + 0.85 * pressure[i] / highest) : ground,
+    gap: (i) => pressure[i] > 0 ? [0xd5, 0x5e, 0x00] : colourOf(RAMPS.gap, gap[i] / widest),
+    patches: (i) => { const number = patches ? patchAt(i) : Number(pressure[i] > 0); return number ? PATCHES[(number - 1) % PATCHES.length] : ground; },
+  }[shownMap];
+  for (let i = 0; i < rows * columns; i++) image.data.set([...colourAt(i), 255], 4 * i);
+  const source = element("canvas", { width: columns, height: rows });
+  source.getContext("2d").putImageData(image, 0, 0);
+  return { source, top: { pressure: highest, gap: widest, patches: null }[shownMap] };
+}
+
+/** The numbers of patches of the run whose section is shown, once they are known. */
+let patchesOfTop = null;
+
+async function drawTop() {
+  if (!above) return;
+  const isSolid = shownMap === "solid";
+  byId("top").hidden = isSolid;
+  for (const id of ["solid", "solid-scale"]) byId(id).hidden = !isSolid;
+  for (const name of MAPS) byId(`map-${name}`).setAttribute("aria-pressed", String(name === shownMap));
+  if (isSolid) { drawSolid(); return; }
+  const run = shownMap === "patches" && !grip && sectionRun ? runOf(sectionRun) : null;
+  patchesOfTop = run?.ended ? await facet(run, "patches").catch(() => null) : null;
+  if (above && shownMap !== "solid") paintTop();
+}
+
+function paintTop() {
+  const canvas = byId("top");
+  const box = canvas.getBoundingClientRect();
+  if (!box.width) return;
+  const scale = window.devicePixelRatio || 1;
+  canvas.width = Math.round(box.width * scale);
+  canvas.height = Math.round(box.height * scale);
+  const to = canvas.getContext("2d");
+  to.scale(scale, scale);
+  const [at, colour] = [frameOfTop(), colours()];
+  const { source, top } = paintedMap(rgb(colour.ground), patchesOfTop);
+  to.imageSmoothingEnabled = false;
+  to.drawImage(source, at.x, at.y, at.wide, at.high);
+  to.strokeStyle = colour.soft;
+  to.strokeRect(at.x - 0.5, at.y - 0.5, at.wide + 1, at.high + 1);
+  paintCut(to, at, colour);
+  paintAxesOfTop(to, at, colour);
+  if (top) paintBar(to, at, colour, top);
+  const y = section.y ?? 0;
+  Object.assign(canvas, { ariaLabel: say("top.words", { map: say(`top.${shownMap}`) }), ariaValueNow: String(Number((y / above.size[0]).toPrecision(3))), ariaValueText: say("top.cut", { y: lengthOf(y) }) });
+}
+
+/** A colour of the style sheet in numbers. */
+function rgb(words) {
+  const to = element("canvas", { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
+  to.fillStyle = words;
+  to.fillRect(0, 0, 1, 1);
+  return [...to.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+}
+
+/** Where the section cuts the map. */
+function paintCut(to, at, colour) {
+  const y = at.y + (section.y + 0.5 * above.size[0] / above.shape[0]) / above.size[0] * at.high;
+  for (const [style, width] of [[colour.ground, 3], [colour.accent, 1.5]]) {
+    Object.assign(to, { strokeStyle: style, lineWidth: width });
+    to.beginPath();
+    to.moveTo(at.x - 6, y);
+    to.lineTo(at.x + at.wide + 6, y);
+    to.stroke();
+  }
+  if (!chosen || chosen.run !== sectionRun) return;
+  const [py, px] = chosen.place.map((place, axis) => place / above.size[axis]);
+  to.strokeStyle = colour.green;
+  to.lineWidth = 2;
+  to.beginPath();
+  to.arc(at.x + px * at.wide, at.y + py * at.high, Math.max(5, Math.sqrt(chosen.area / Math.PI) / above.size[1] * at.wide + 3), 0, 2 * Math.PI);
+  to.stroke();
+}
+
+/** Lengths along both axes. */
+function paintAxesOfTop(to, at, colour) {
+  Object.assign(to, { font: FONT, fillStyle: colour.soft, textBaseline: "top", textAlign: "center" });
+  const [ly, lx] = above.size;
+  const { unit, size, every } = scaleOf(Math.max(lx, ly));
+  for (let x = 0; x <= lx * (1 + 1e-9); x += every) to.fillText(marked(x / size), at.x + x / lx * at.wide, at.y + at.high + 5);
+  to.fillText(`x / ${unit}`, at.x + at.wide / 2, at.y + at.high + 19);
+  Object.assign(to, { textBaseline: "middle", textAlign: "right" });
+  for (let y = 0; y <= ly * (1 + 1e-9); y += every) to.fillText(marked(y / size), at.x - 9, at.y + y / ly * at.high);
+  to.save();
+  to.translate(10, at.y + at.high / 2);
+  to.rotate(-Math.PI / 2);
+  to.textAlign = "center";
+  to.fillText(`y / ${unit}`, 0, 0);
+  to.restore();
+}
+
+/** The colour bar of a map, from 0 to the largest value. */
+function paintBar(to, at, colour, top) {
+  const x = at.x + at.wide + 14;
+  for (let i = 0; i < at.high; i++) {
+    const share = 1 - i / at.high;
+    to.fillStyle = `rgb(${colourOf(RAMPS[shownMap], shownMap === "pressure" ? 0.15 + 0.85 * share : share).join(" ")})`;
+    to.fillRect(x, at.y + i, BAR, 1.5);
+  }
+  Object.assign(to, { font: FONT, fillStyle: colour.soft, textAlign: "left" });
+  const words = shownMap === "gap" ? lengthOf : (p) => figure(p, 2);
+  /** @type {[number, CanvasTextBaseline][]} */
+  const marks = [[1, "top"], [0.5, "middle"], [0, "bottom"]];
+  for (const [share, baseline] of marks) {
+    to.textBaseline = baseline;
+    to.fillText(share ? words(share * top) : "0", x + BAR + 4, at.y + (1 - share) * at.high);
+  }
+  if (shownMap === "pressure") { to.textBaseline = "top"; to.fillText("p / E*", x, at.y + at.high + 5); }
+}
+
+/** The node of the map below a pointer, and its place; none beside the map. */
+function placeOnTop({ clientX, clientY }) {
+  const box = byId("top").getBoundingClientRect();
+  const at = frameOfTop();
+  const shares = [(clientY - box.y - at.y) / at.high, (clientX - box.x - at.x) / at.wide];
+  if (shares.some((share) => !(share >= 0 && share < 1))) return null;
+  const node = shares.map((share, axis) => Math.floor(share * above.shape[axis]));
+  return { shares, node };
+}
+
+/** Tells pressure and gap below the pointer. */
+function pointAtTop(event) {
+  const place = above && placeOnTop(event);
+  const label = byId("top-value");
+  label.hidden = !place;
+  if (!place) return;
+  const i = place.node[0] * above.shape[1] + place.node[1];
+  const [y, x] = place.shares.map((share, axis) => lengthOf(share * above.size[axis]));
+  label.textContent = above.pressure[i] > 0 ? say("top.touches", { x, y, pressure: figure(above.pressure[i], 3) }) : say("top.apart", { x, y, gap: lengthOf(above.gap[i]) });
+}
+
+/** Cuts the map along another row, and chooses the patch at a place of it. */
+function cutAt(share, column = null) {
+  if (!above || grip) return;
+  cut = Math.min(1 - 1e-9, Math.max(0, share));
+  const run = shownOrLatest();
+  const row = sectionAlong(above, cut, section);
+  const stale = byId("top-box").hasAttribute("data-stale");
+  showSection(row, beside, { ...axes, low: Math.min(axes.low, ...row.solid), high: Math.max(axes.high, ...row.rigid), pressure: Math.max(axes.pressure, above.highest_pressure) }, stale ? null : above);
+  if (column !== null && run?.id === sectionRun) pickAt(column);
+}
+
+/** Moves the cut by keys. */
+function keyOnTop(event) {
+  const by = { ArrowUp: -1, ArrowDown: 1, PageUp: -16, PageDown: 16 }[event.key];
+  if (!by || !above) return;
+  event.preventDefault();
+  cutAt(section.y / above.size[0] + (by + 0.5) / above.shape[0]);
+}
+
+function beginTop() {
+  const canvas = byId("top");
+  canvas.addEventListener("pointermove", (event) => { pointAtTop(event); const place = event.buttons && above && placeOnTop(event); if (place) cutAt(place.shares[0]); });
+  canvas.addEventListener("pointerleave", () => { byId("top-value").hidden = true; });
+  canvas.addEventListener("click", (event) => { const place = above && placeOnTop(event); if (place) cutAt(place.shares[0], place.shares[1]); });
+  canvas.addEventListener("keydown", keyOnTop);
+  for (const name of MAPS) byId(`map-${name}`).addEventListener("click", () => { shownMap = name; drawTop(); });
+  for (const id of ["top", "solid"]) new ResizeObserver(drawTop).observe(byId(id));
+}
