@@ -66,9 +66,23 @@ const OFFLINE: &str = include_str!("../../assets/explore/offline.js");
 fn script() -> String {
     let worker = serde_json::Value::from(WORKER);
     format!(
-        "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{TEXTS}{SCRIPTS}}})();\n",
-        explore::schema_script()
+        "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{TEXTS}{}}})();\n",
+        explore::schema_script(),
+        without_comments(SCRIPTS)
     )
+}
+
+/// Scripts without the comments that have lines of their own: they are a tenth of all, and are to be read where the scripts are written.
+fn without_comments(scripts: &str) -> String {
+    let mut is_inside = false;
+    let is_code = |line: &&str| {
+        let line = line.trim_start();
+        let is_comment = line.starts_with("/**") && line.find("*/").is_none_or(|end| end + 2 == line.len());
+        let is_left_out = is_inside || is_comment || line.starts_with("//");
+        is_inside = (is_inside || is_comment) && !line.ends_with("*/");
+        !is_left_out
+    };
+    scripts.lines().filter(is_code).fold(String::new(), |all, line| all + line + "\n")
 }
 
 /// Answers to the paths of the page.
