@@ -82,10 +82,12 @@ async function showSectionOf(run) {
   if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
   sectionRun = run.id;
-  const names = ["section", "beside", "top", ...(isDeep() ? ["shear", "shear-beside"] : [])];
+  const names = ["section", "beside", ...(isDeep() ? ["shear", "shear-beside"] : [])];
   const its = await Promise.all(names.map((name) => facet(run, name))).catch((error) => fault(error.message));
   if (!its || grip || sectionRun !== run.id) return;
-  const [shown, shownBeside, top, shear = null, shearBeside = null] = its;
+  const [shown, shownBeside, shear = null, shearBeside = null] = its;
+  const top = shown.y === null ? null : await facet(run, "top").catch(() => null);
+  if (grip || sectionRun !== run.id) return;
   showContact({ section: shown, beside: shownBeside, top, shear, shear_beside: shearBeside });
   run.steps = (await facet(run, "steps").catch(() => null))?.step;
   document.body.dataset.section = run.id;

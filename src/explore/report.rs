@@ -45,9 +45,10 @@ impl KnownFault {
     }
 }
 
-/// A number in three significant digits.
+/// A number in three significant digits, as a script writes it.
 fn rounded(value: f64) -> String {
-    format!("{value:.2e}").parse::<f64>().unwrap_or(value).to_string()
+    let rounded = format!("{value:.2e}").parse::<f64>().unwrap_or(value);
+    if rounded.abs() < 1e-6 { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
 /// The latest solve, running or ended.

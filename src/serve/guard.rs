@@ -17,7 +17,9 @@ pub fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Op
     if text(&ORIGIN).is_some_and(|origin| !origin.strip_prefix("http://").is_some_and(is_own)) {
         return Some((403, "other pages may not use this server".into()));
     }
-    if text(&HeaderName::from_static("sec-fetch-site")).is_some_and(|site| site == "cross-site") {
+    // a page on another port is of the same site, but not of this server
+    let is_own_page = |site: &str| matches!(site, "same-origin" | "none");
+    if text(&HeaderName::from_static("sec-fetch-site")).is_some_and(|site| !is_own_page(site)) {
         return Some((403, "other pages may not use this server".into()));
     }
     if method == Method::POST && text(&CONTENT_TYPE) != Some(kind) {

@@ -212,6 +212,7 @@ fn response(reply: Reply) -> Response<Body> {
     headers.insert(CACHE_CONTROL, HeaderValue::from_static(cache));
     headers.insert(CONTENT_SECURITY_POLICY, HeaderValue::from_static(IN_HEADER));
     headers.insert(X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    headers.insert("cross-origin-resource-policy", HeaderValue::from_static("same-origin"));
     headers.insert(REFERRER_POLICY, HeaderValue::from_static("no-referrer"));
     let save = name.and_then(|name| format!("attachment; filename=\"{name}\"").parse().ok());
     save.map(|value| headers.insert(CONTENT_DISPOSITION, value));

@@ -198,7 +198,11 @@ fn pages_of_others_are_refused() {
         ["http://example.com", "null", "https://127.0.0.1", "http://127.0.0.1.example.com", "http://localhost"];
     let foreign = foreign.map(|origin| format!("Origin: {origin}"));
     let like_ours = [format!("Origin: https://127.0.0.1:{port}"), "Origin: http://127.0.0.1:9".into()];
-    for header in foreign.into_iter().chain(like_ours).chain(["Sec-Fetch-Site: cross-site".into()]) {
+    for header in foreign
+        .into_iter()
+        .chain(like_ours)
+        .chain(["cross-site", "same-site"].map(|site| format!("Sec-Fetch-Site: {site}")))
+    {
         let headers = format!("{header}\r\nContent-Type: application/json\r\n");
         assert_eq!(page.ask("POST", "/api/cancel", &headers, "{}").status, 403, "{header}");
         assert_eq!(page.ask("GET", "/", &headers, "").status, 403, "{header}");
@@ -229,6 +233,7 @@ fn every_answer_confines_the_page() {
         assert_eq!(answer.status, if path == "/no" { 404 } else { 200 }, "{path}");
         assert!(answer.headers.contains("x-content-type-options: nosniff"), "{path}: {}", answer.headers);
         assert!(answer.headers.contains("content-security-policy: default-src 'none'"), "{path}: {}", answer.headers);
+        assert!(answer.headers.contains("cross-origin-resource-policy: same-origin"), "{path}: {}", answer.headers);
         assert!(!answer.headers.contains("access-control"), "{path}: {}", answer.headers);
         assert!(!answer.body.is_empty(), "{path}");
     }
