@@ -7,6 +7,9 @@ from typing import Any
 
 import numpy as np
 
+LEFT_OUT = ("asc", "xyz", "npy", "npz", "hgt")
+"""Texts and arrays, of which this package says what is wrong, and a format that any bytes may be."""
+
 
 def read(path: str, channel: str | None) -> tuple[Any, list[float] | None, str] | None:
     """Heights and lengths in metres, and a sentence that says how they were read; None where the package is not installed or does not read them.
@@ -21,6 +24,9 @@ def read(path: str, channel: str | None) -> tuple[Any, list[float] | None, str] 
         return None
     try:
         with SurfaceTopography.open_topography(path) as file:
+            kind = file.format()
+            if kind in LEFT_OUT:
+                return None
             names = [it.name for it in file.channels]
             number = 0 if channel is None else names.index(channel)
             has_lengths = file.channels[number].physical_sizes is not None
@@ -30,7 +36,6 @@ def read(path: str, channel: str | None) -> tuple[Any, list[float] | None, str] 
             heights: Any = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan).T
             metre = 1.0 if found.unit is None else get_unit_conversion_factor(found.unit, "m")
             sizes = [float(length) * metre for length in found.physical_sizes[::-1]] if has_lengths else None
-            kind = file.format()
     except Exception:  # whatever goes wrong there, the error of this package is the one to be told
         return None
     units = "without units" if found.unit is None else "with its units"
