@@ -156,7 +156,7 @@ function drawSolid() {
   gl.uniform2f(place("sides"), above.size[1] / longest, above.size[0] / longest);
   gl.uniform3f(place("heights"), low, SPACE.height / (high - low || 1), -SPACE.depth);
   gl.uniform1i(place("cut"), row);
-  gl.uniform3fv(place("body"), paint(colour.soft));
+  gl.uniform3fv(place("body"), paint(document.documentElement.dataset.theme === "light" ? colour.edge : colour.soft));
   gl.uniform3fv(place("rigid"), paint(colour.accent));
   gl.uniform3fv(place("line"), paint(colour.ink));
   gl.uniform3fv(place("ramp"), RAMPS.pressure.flat().map((part) => part / 255));
