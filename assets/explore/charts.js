@@ -18,10 +18,10 @@ const APART = 8;
 const visitedContacts = new Map();
 const MOST_SEEN = 200;
 
-/** Keeps the numbers of a contact for the charts. */
+/** Keeps the numbers of a contact that has converged for the charts. */
 function keepSeen(its, numbers) {
-  const { reduced_pressure: load, relative_area: area, kappa, kappa_r } = numbers ?? {};
-  if (!(load > 0)) return;
+  const { status, reduced_pressure: load, relative_area: area, kappa, kappa_r } = numbers ?? {};
+  if (status !== "converged" || !(load > 0)) return;
   const key = pressedOf(its);
   if (!visitedContacts.has(key)) visitedContacts.set(key, new Map());
   const contacts = visitedContacts.get(key);

@@ -109,6 +109,7 @@ function choosePatch(patch) {
   chosen = patch;
   byId("patch").hidden = !patch;
   drawSections();
+  drawTop();
   drawPatch();
   document.body.dataset.patch = patch ? patch.number : "none";
 }

@@ -136,7 +136,7 @@ function heardSweep(sweep) {
 const numberOf = (run) => Number(run.id.split("-")[1]);
 
 function heardRun(run) {
-  if (run.ended && !isSweep(run) && run.numbers?.status === "converged") keepSeen(run.knobs, run.numbers);
+  if (run.ended && !isSweep(run)) keepSeen(run.knobs, run.numbers);
   const known = runOf(run.id);
   if (known) Object.assign(known, run);
   else {

@@ -15,10 +15,8 @@ uniform ivec2 shape;           // columns, rows
 uniform vec2 sides;
 uniform vec3 heights;          // lowest, factor, height of the base
 uniform int piece, cut;
-out vec3 place;
 out vec3 normal;
 out float pressure;
-out float gap;
 vec3 at(ivec2 node) {
   ivec2 inside = clamp(node, ivec2(0), shape - 1);
   vec4 field = texelFetch(fields, inside, 0);
@@ -30,13 +28,12 @@ void main() {
   int id = gl_VertexID;
   ivec2 node = piece == ${PIECES.wall} ? ivec2(id / 2, cut) : isLine ? ivec2(id, cut) : ivec2(id % shape.x, id / shape.x);
   vec4 field = texelFetch(fields, node, 0);
-  place = at(node);
+  vec3 place = at(node);
   vec3 along = at(node + ivec2(1, 0)) - at(node - ivec2(1, 0));
   vec3 across = at(node + ivec2(0, 1)) - at(node - ivec2(0, 1));
   normal = piece == ${PIECES.wall} ? vec3(0.0, 1.0, 0.0) : normalize(cross(along, across));
   if (piece == ${PIECES.wall} && id % 2 == 1) place.z = heights.z;
   pressure = field.z;
-  gap = field.y - field.x;
   gl_Position = view * vec4(place, 1.0);
 }`;
 
@@ -45,10 +42,8 @@ precision highp float;
 precision highp int;
 uniform int piece;
 uniform vec3 body, rigid, line, ramp[5];
-in vec3 place;
 in vec3 normal;
 in float pressure;
-in float gap;
 out vec4 colour;
 vec3 heat(float share) {
   float at = clamp(share, 0.0, 1.0) * 4.0;
@@ -60,7 +55,7 @@ void main() {
   if (piece == ${PIECES.profile} || piece == ${PIECES.edge}) colour = vec4(line, 1.0);
   else if (piece == ${PIECES.wall}) colour = vec4(body * 0.62, 1.0);
   else if (piece == ${PIECES.rigid}) {
-    if (gap <= 0.0) discard;
+    if (pressure > 0.0) discard;
     colour = vec4(rigid * light, 0.34);
   } else colour = vec4((pressure > 0.0 ? heat(0.25 + 0.75 * pressure) : body) * light, 1.0);
 }`;
@@ -121,13 +116,14 @@ function viewMatrix(aspect, middle) {
   const [right, up, back] = [[ct, st, 0], [st * sr, -ct * sr, cr], [-st * cr, ct * cr, sr]];
   const f = 1 / Math.tan(SPACE.opening / 2) / Math.max(1, 1 / aspect * 1.15);
   const [near, far] = [0.1, 10];
+  const depth = (far + near) / (far - near);
+  const away = SPACE.eye + back[2] * middle;
   const rows = [
     [...right.map((it) => it * f / aspect), 0],
     [...up.map((it) => it * f), -f * up[2] * middle],
-    [...back.map((it) => -it * (far + near) / (far - near)), 0],
-    [...back.map((it) => -it), SPACE.eye + back[2] * middle],
+    [...back.map((it) => -it * depth), away * depth - 2 * far * near / (far - near)],
+    [...back.map((it) => -it), away],
   ];
-  rows[2] = back.map((it) => -it * (far + near) / (far - near)).concat((SPACE.eye + back[2] * middle) * (far + near) / (far - near) - 2 * far * near / (far - near));
   return new Float32Array([0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column])));
 }
 
@@ -174,8 +170,9 @@ function drawSolid() {
   draw("rigid", gl.TRIANGLES, behind);
   gl.depthMask(true);
   gl.disable(gl.BLEND);
-  canvas.ariaLabel = say("solid.words", { times: figure(Number((SPACE.height * longest / (high - low || 1)).toPrecision(2)), 2) });
-  byId("solid-scale").textContent = say("section.heights", { times: figure(Number((SPACE.height * longest / (high - low || 1)).toPrecision(2)), 2) });
+  const times = figure(Number((SPACE.height * longest / (high - low || 1)).toPrecision(2)), 2);
+  canvas.ariaLabel = say("solid.words", { times });
+  byId("solid-scale").textContent = say("section.heights", { times });
 }
 
 /** Turns the solid. */

@@ -10,8 +10,12 @@ const RAMPS = {
   pressure: [[0x23, 0x1a, 0x4b], [0x7a, 0x22, 0x6c], [0xcb, 0x46, 0x4b], [0xf6, 0x92, 0x1f], [0xfd, 0xf3, 0xa0]],
   gap: [[0x0b, 0x3c, 0x5d], [0x1f, 0x7a, 0x8c], [0x62, 0xb6, 0xa0], [0xb9, 0xdf, 0xb2], [0xf2, 0xf7, 0xe4]],
 };
-/** Colours of patches, which neighbours seldom share. */
-const PATCHES = [[0xe6, 0x9f, 0x00], [0x56, 0xb4, 0xe9], [0x00, 0x9e, 0x73], [0xf0, 0xe4, 0x42], [0xd5, 0x5e, 0x00], [0xcc, 0x79, 0xa7]];
+/** Colours of patches, taken in turn. */
+const PATCHES = [[0xe6, 0x9f, 0x00, 255], [0x56, 0xb4, 0xe9, 255], [0x00, 0x9e, 0x73, 255], [0xf0, 0xe4, 0x42, 255], [0xd5, 0x5e, 0x00, 255], [0xcc, 0x79, 0xa7, 255]];
+/** The colour of what touches in a map of gaps. */
+const TOUCHING = [0xd5, 0x5e, 0x00, 255];
+/** Colours of a ramp that a map is painted with. */
+const SHADES = 256;
 
 /** The map that is shown, and where the section that a person has chosen cuts it, as a share of its rows; none for the row of the largest
  * pressure. */
@@ -62,13 +66,15 @@ function paintedMap(ground, patches) {
   const { shape: [rows, columns], pressure, gap, highest_pressure: highest } = above;
   const widest = gap.reduce((most, it) => Math.max(most, it), 0) || 1;
   const image = new ImageData(columns, rows);
+  const shades = RAMPS[shownMap] && Array.from({ length: SHADES }, (_, i) => [...colourOf(RAMPS[shownMap], i / (SHADES - 1)), 255]);
+  const shade = (share) => shades[Math.min(SHADES - 1, Math.max(0, Math.round(share * (SHADES - 1))))];
   const patchAt = (i) => patches.map[Math.floor((Math.floor(i / columns) + 0.5) / rows * patches.shape[0]) * patches.shape[1] + Math.floor((i % columns + 0.5) / columns * patches.shape[1])];
   const colourAt = {
-    pressure: (i) => pressure[i] > 0 ? colourOf(RAMPS.pressure, 0.15 + 0.85 * pressure[i] / highest) : ground,
-    gap: (i) => pressure[i] > 0 ? [0xd5, 0x5e, 0x00] : colourOf(RAMPS.gap, gap[i] / widest),
+    pressure: (i) => pressure[i] > 0 ? shade(0.15 + 0.85 * pressure[i] / highest) : ground,
+    gap: (i) => pressure[i] > 0 ? TOUCHING : shade(gap[i] / widest),
     patches: (i) => { const number = patches ? patchAt(i) : Number(pressure[i] > 0); return number ? PATCHES[(number - 1) % PATCHES.length] : ground; },
   }[shownMap];
-  for (let i = 0; i < rows * columns; i++) image.data.set([...colourAt(i), 255], 4 * i);
+  for (let i = 0; i < rows * columns; i++) image.data.set(colourAt(i), 4 * i);
   const source = element("canvas", { width: columns, height: rows });
   source.getContext("2d").putImageData(image, 0, 0);
   return { source, top: { pressure: highest, gap: widest, patches: null }[shownMap] };
@@ -99,7 +105,7 @@ function paintTop() {
   const to = canvas.getContext("2d");
   to.scale(scale, scale);
   const [at, colour] = [frameOfTop(), colours()];
-  const { source, top } = paintedMap(rgb(colour.ground), patchesOfTop);
+  const { source, top } = paintedMap([...rgb(colour.ground), 255], patchesOfTop);
   to.imageSmoothingEnabled = false;
   to.drawImage(source, at.x, at.y, at.wide, at.high);
   to.strokeStyle = colour.soft;
@@ -195,14 +201,13 @@ function pointAtTop(event) {
   label.textContent = above.pressure[i] > 0 ? say("top.touches", { x, y, pressure: figure(above.pressure[i], 3) }) : say("top.apart", { x, y, gap: lengthOf(above.gap[i]) });
 }
 
-/** Cuts the map along another row, and chooses the patch at a place of it. */
+/** Cuts the map along another row, and chooses the patch at a place of it. A map of another state than the one that is shown is not cut. */
 function cutAt(share, column = null) {
-  if (!above || grip) return;
+  if (!above || grip || byId("top-box").hasAttribute("data-stale")) return;
   cut = Math.min(1 - 1e-9, Math.max(0, share));
   const run = shownOrLatest();
   const row = sectionAlong(above, cut, section);
-  const stale = byId("top-box").hasAttribute("data-stale");
-  showSection(row, beside, { ...axes, low: Math.min(axes.low, ...row.solid), high: Math.max(axes.high, ...row.rigid), pressure: Math.max(axes.pressure, above.highest_pressure) }, stale ? null : above);
+  showSection(row, beside, { ...axes, low: Math.min(axes.low, ...row.solid), high: Math.max(axes.high, ...row.rigid), pressure: Math.max(axes.pressure, above.highest_pressure) }, above);
   if (column !== null && run?.id === sectionRun) pickAt(column);
 }
 

@@ -21,8 +21,8 @@ use asperity::record::record_survey;
 use asperity::seen::capital;
 use asperity::setup::{Cost, Recipe};
 use asperity::surface::{
-    Field, HeightFile, Measurement, PreparationChoice, RankMap, Resample, Roughness, Scan, SpectrumConvention,
-    SpectrumTable, Surface, Survey,
+    Artefacts, Field, HeightFile, Measurement, PreparationChoice, RankMap, Resample, Roughness, Scan,
+    SpectrumConvention, SpectrumTable, Surface, Survey,
 };
 use clap::Args;
 use serde::Serialize;
@@ -32,9 +32,6 @@ use std::path::{Path, PathBuf};
 /// Fields that a surface takes while it is made, described and written: heights as they are and as given, with trends and windows on and
 /// off, and their spectrum; at most, their autocorrelation on half as many nodes again along both axes.
 const FIELDS: f64 = 12.0;
-
-/// Artefacts that change areas by less than this part are not said to.
-const SMALLEST_ERROR: f64 = 0.01;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -368,7 +365,7 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Un
     let words = |length: f64| units.length(length);
     let found = survey.artefacts.iter().map(|it| capital(&it.sentence_in(&words)));
     let error = Some(survey.area_error)
-        .filter(|it| *it >= SMALLEST_ERROR)
+        .filter(|it| *it >= Artefacts::TOLD)
         .map(|error| format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error));
     let mut lines: Vec<String> = found.chain(error).collect();
     let choice = PreparationChoice::new(scan, true, grid.periodic())?;

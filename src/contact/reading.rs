@@ -43,7 +43,7 @@ fn lazy<'a, T>(make: impl FnOnce() -> T + 'a) -> Lazy<'a, T> {
 }
 
 impl Reading<'_> {
-    /// The same with other work, such as that of all states so far.
+    /// The reading with other work, such as that of all states of a history so far.
     pub fn with_work(self, work: Work) -> Self {
         Self { work, ..self }
     }

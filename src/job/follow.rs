@@ -31,7 +31,10 @@ impl JobRun<'_> {
         setup.history(problem.clone())?.ok_or(ConflictRule::NoHistory.into())
     }
 
-    /// Itself, with its problem and its number in the job.
+    /// The run with its problem, under its number in the job.
+    ///
+    /// # Errors
+    /// For a setup without a history.
     pub(super) fn posed<'p>(&'p self, run: usize, problem: &'p Problem) -> Result<Posed<'p>, SetupError> {
         let kind = self.kind()?.ok_or(ConflictRule::NoHistory)?;
         Ok(Posed { run, setup: &self.setup, problem, kind, loads: &self.loads })

@@ -15,8 +15,6 @@ const STEEPEST: f64 = 10.0;
 const SAME_LENGTH: f64 = 0.01;
 /// Rms gradients at the spacing over those at twice the spacing above this give a warning: those of resolved heights are about equal.
 const LARGEST_GROWTH: f64 = 1.1;
-/// Artefacts that change areas by less than this part get no warning.
-const SMALLEST_ERROR: f64 = 0.01;
 /// Spacings that differ by less than this share count as equal.
 const UNEQUAL: f64 = 0.01;
 /// Spectra and distributions of heights that are farther than this from what was asked for give a warning.
@@ -206,7 +204,7 @@ fn warning_of(artefact: &Artefact, error: f64) -> Option<Warning> {
     let what = capital(&artefact.sentence());
     Some(match artefact {
         Artefact::Clipped { is_top: false, .. } => return None,
-        it if it.can_be_mended() && error < SMALLEST_ERROR => return None,
+        it if it.can_be_mended() && error < Artefacts::TOLD => return None,
         it if it.can_be_mended() => {
             Warning::new(format!("{what}. The area may be off by up to {:.0} %", 100.0 * error), "Mend it")
                 .with_remedy("surface.prepare.steps", Some("auto"))

@@ -285,6 +285,29 @@ fn noise_between_steep_edges_is_told() {
     }
 }
 
+/// Drift and hum are told as large as they are.
+#[test]
+fn drift_and_hum_are_told_as_large_as_they_are() {
+    let mut it = Spoiler { random: ChaCha8Rng::seed_from_u64(11) };
+    let (mut drifts, mut hums) = (0.0, 0.0);
+    for seed in 0..8 {
+        let truth = rough(0.8, 4.0, 300 + seed);
+        let named = |height: &Array2<f64>| Artefacts::new(&scan(height)).all;
+        let of_drift = named(&it.drift(&truth, 0.1)).into_iter().find_map(|it| match it {
+            Artefact::Wander { axis: "y", rms, .. } => Some(rms),
+            _ => None,
+        });
+        let of_hum = named(&it.hum(&truth, 0.3)).into_iter().find_map(|it| match it {
+            Artefact::Waves { rms, .. } => Some(rms),
+            _ => None,
+        });
+        drifts += of_drift.expect("drift is named") / (0.1 * rms(&truth)) / 8.0;
+        hums += of_hum.expect("hum is named") / (0.3 * rms(&truth)) / 8.0;
+    }
+    assert!((drifts - 1.0).abs() < 0.1, "drift is told {drifts:.3} times as large");
+    assert!((hums - 1.0).abs() < 0.05, "hum is told {hums:.3} times as large");
+}
+
 /// What cannot be mended is named: plateaus, a rim that was not measured, a step between lines, and rounded heights.
 #[test]
 fn what_cannot_be_mended_is_named() {

@@ -64,7 +64,7 @@ impl Artefact {
         self.sentence_in(&|length| format!("{length:.3e}"))
     }
 
-    /// The same with words for lengths.
+    /// The sentence of the artefact without its end, in which each length stands in the words that are given for it.
     pub fn sentence_in(&self, words: &dyn Fn(f64) -> String) -> String {
         let line = |axis: &str| if axis == "y" { "row" } else { "column" };
         match *self {
@@ -144,6 +144,9 @@ impl Artefact {
 }
 
 impl Artefacts {
+    /// Relative errors of areas below this one are not told.
+    pub const TOLD: f64 = 0.01;
+
     /// The artefacts of some heights, some of which may be void.
     pub fn new(scan: &Scan) -> Self {
         let mut it = Self { all: Vec::new(), steps: Preparation::default(), rest: scan.clone() };

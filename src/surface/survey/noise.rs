@@ -117,7 +117,7 @@ impl Noise {
         error(self.share, self.most_share.min(2.0 * self.share)).max(between_edges)
     }
 
-    /// What it makes of the mean square gradient, in words.
+    /// The share of the mean square gradient that the noise makes, in words: that between steep edges, where these make most of the gradient.
     pub fn part_of_gradient(&self) -> String {
         match self.share_of_flat > EDGES * self.share {
             true => format!("{:.0} % of the mean square gradient between steep edges", 100.0 * self.share_of_flat),

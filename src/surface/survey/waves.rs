@@ -19,6 +19,8 @@ const REACH: [isize; 2] = [2, 6];
 const BESIDE: std::ops::RangeInclusive<isize> = 2..=5;
 /// Levels wander where their bends are so many times those of the waves beside them.
 const WANDER: f64 = 4.0;
+/// The part of the power of levels that a Hann window of mean square 1 leaves in the wave that is constant along the lines: the square of its mean.
+const OF_LEVELS: f64 = 2.0 / 3.0;
 /// Levels of which one wave makes more than this part of the bends are a grating.
 const GRATING: f64 = 0.25;
 
@@ -104,7 +106,7 @@ impl WavePower {
         let is_grating = (0..lines).any(|across| bend(0, across) > GRATING * bends(0));
         let usual = BESIDE.map(bends).sum::<f64>() / BESIDE.count() as f64;
         // the square of a bend of independent steps is that of two steps
-        let step = 0.5 * (bends(0) - usual);
+        let step = 0.5 * (bends(0) - usual) / OF_LEVELS;
         let share = step / self.spacing[axis].powi(2) / self.sum(|k| self.gradient(k));
         (!is_grating && bends(0) > WANDER * usual).then_some([step.sqrt(), share])
     }
