@@ -97,11 +97,11 @@ function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, 
   return JSON.stringify([hardness, layer, memory, attraction, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, form, domain === "surface" && [peklenik, angle], skewness, kurtosis, seed]]);
 }
 
-/** Upper ends of the axis of kappa: the lowest that holds all curves, and the guess while one is asked for, or the last one. */
+/** Upper ends of the axis of kappa: the lowest that holds all curves and dots, and the guess while one is asked for, or the last one. */
 const TOPS = [4, 10];
 
-function topOf(curves) {
-  const highest = Math.max(0, guess?.top ?? 0, ...curves.flatMap(({ points }) => points.map(([, value]) => value)));
+function topOf(curves, dots = []) {
+  const highest = Math.max(0, guess?.top ?? 0, ...curves.flatMap(({ points }) => points.map(([, value]) => value)), ...dots.map(({ at }) => at[1]));
   return TOPS.find((top) => top >= highest) ?? TOPS.at(-1);
 }
 
@@ -118,7 +118,8 @@ function charts() {
   const kappas = [
     curve("Persson", "persson", (p) => (p.persson ?? NaN) / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa),
     curve("κ_r", "second", (p) => p.kappa_r), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
-  chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas), kappas, [...dotsOf("computed", "kappa"), ...dotsOf("second", "kappa_r")], note);
+  const dots = [...dotsOf("computed", "kappa"), ...dotsOf("second", "kappa_r")];
+  chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas, dots), kappas, dots, note);
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {
     target.tabIndex = points.length ? 0 : -1;
     target.ariaValueMin = 0;
