@@ -9,7 +9,7 @@ const isOwn = (k) => k.body !== "scene";
 
 /** Whether a state has a knob, by the scenes that have it. */
 const HAS = {
-  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, adhering: (k) => isOwn(k) && k.adhesion > 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "rough-surface": (k) => isMade(k) && k.roughness > 0 && k.domain === "surface", "power-law": (k) => k.body === "power-law",
+  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, adhering: (k) => isOwn(k) && k.adhesion > 0, rubbing: (k) => isOwn(k) && k.friction > 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "rough-surface": (k) => isMade(k) && k.roughness > 0 && k.domain === "surface", "power-law": (k) => k.body === "power-law",
   gfmd: isGfmd, damped: (k) => isGfmd(k) && k.solver.dynamics === "damped",
 };
 

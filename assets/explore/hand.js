@@ -86,11 +86,12 @@ const canBend = () => !isAsked() && !isAging() && knobs.domain === "line" && isM
 /** Whether the rigid surface can be pressed: not where the boundary is free, and not in the course of time. */
 const canPress = () => section.is_pressed_by_gap && !isAging() && !isAsked();
 
-/** Whether the contact is one of many in time, on a solid that creeps: then a hand moves nothing, as each of them takes the ones before. */
-const isAging = () => HAS.resting(knobs) && knobs.time > 0;
+/** Whether the contact is one of many, on a solid that creeps or under a tangential load: then a hand moves nothing, as each of them takes the
+ * ones before. */
+const isAging = () => HAS.resting(knobs) && knobs.time > 0 || HAS.rubbing(knobs) && knobs.sideways > 0;
 
 /** Whether the surfaces attract each other. Then a contact under the hand goes on from the one before, and no load has it alone. */
-const adheres = () => HAS.adhering(knobs) || (knobs.body === "scene" && Boolean(latest()?.adheres));
+const adheres = () => HAS.adhering(knobs) || (knobs.body === "scene" && processOf(latest()) === "adhesion");
 
 /** Whether a question is open whose answer the hand would show. */
 const isAsked = () => document.body.dataset.asked === "true" && lesson?.steps[lesson.at].ask.kind !== "act";

@@ -310,6 +310,10 @@ const SECONDS = { name: "seconds" };
 /** The text of a status, which the server reports in English. */
 const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "begun").replaceAll(" ", "-")}`);
 
+/** The process of which the steps of a run are states; none of a single contact.
+ * @param {any} run */
+const processOf = (run) => run?.process?.kind ?? null;
+
 /** Whether the server has gone before a run or a sweep has ended. */
 const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
 

@@ -19,8 +19,7 @@ async function openWhy() {
   document.body.dataset.why = "asked";
   byId("why-dialog").showModal();
   const its = await Promise.all(["why", "motion"].map((name) => facet(run, name))).catch((error) => { byId("why-causes").textContent = error.message; });
-  if (its && run.creeps) byId("why-causes").replaceChildren(element("li", {}, say("why.creep")));
-  if (its && run.adheres) byId("why-causes").replaceChildren(element("li", {}, say("why.adhesion")));
+  if (its && run.process) byId("why-causes").replaceChildren(element("li", {}, say(`why.${run.process.kind}`)));
   if (!its?.[0]) return;
   const [why, motion] = its;
   const standing = why.standing && say("why.standing", { area: why.standing.relative_area, kappa: why.standing.kappa_r, steps: why.standing.steps });

@@ -1,5 +1,6 @@
 //! Facets: data about a run that has ended, in addition to its report.
 
+use super::leak::Leak;
 use super::section::Section;
 use super::session_recording::SolvedRun;
 use super::top::Top;
@@ -18,11 +19,12 @@ pub struct Facet {
 pub const MOTION: &str = "motion";
 
 /// The facets of a run.
-pub const FACETS: [Facet; 9] = [
+pub const FACETS: [Facet; 10] = [
     Facet { name: "section", of: |solved| json!(solved.section()) },
-    Facet { name: "top", of: |solved| json!(Top::from_contact(&solved.contact)) },
+    Facet { name: "top", of: |solved| json!(Top::from_contact(&solved.contact, &solved.fields)) },
+    Facet { name: "leak", of: |solved| json!(Leak::through(&solved.contact)) },
     Facet { name: "shear", of: |solved| json!(solved.shear(Some(&solved.contact))) },
-    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(Section::from_contact)) },
+    Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(|it| Section::from_contact(it, &[]))) },
     Facet { name: "shear-beside", of: |solved| json!(solved.shear(solved.beside.as_ref())) },
     Facet { name: "patches", of: |solved| json!(solved.patches()) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },

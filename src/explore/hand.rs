@@ -70,8 +70,10 @@ impl Hold {
         if setup.adhesion.is_some() {
             return self.stick(&setup, source, memory);
         }
-        if setup.process()? == Some(ProcessKind::Creep) {
-            return Err(RefusalRule::DragOfCreep.into());
+        match setup.process()? {
+            Some(ProcessKind::Creep) => return Err(RefusalRule::DragOfCreep.into()),
+            Some(ProcessKind::Slip | ProcessKind::Rolling) => return Err(RefusalRule::DragOfSlip.into()),
+            _ => (),
         }
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {
@@ -86,11 +88,11 @@ impl Hold {
         let beside = beside.transpose()?;
         let shear = |contact: &Contact| self.is_deep.then(|| Shear::below(contact)).flatten();
         Ok(Held {
-            section: Section::from_contact(&contact),
-            top: Top::of_hand(&contact),
+            section: Section::from_contact(&contact, &[]),
+            top: Top::of_hand(&contact, &[]),
             shear: shear(&contact),
             shear_beside: beside.as_ref().and_then(shear),
-            beside: beside.as_ref().map(Section::from_contact),
+            beside: beside.as_ref().map(|it| Section::from_contact(it, &[])),
             numbers: Numbers::from_contact(&contact),
         })
     }
@@ -107,12 +109,13 @@ impl Hold {
             StickingHand::moved(&beside, before_beside, Some(load))
         });
         let beside = beside.transpose()?;
+        let section = |it: &StickingHand| Section::from_contact(&it.state().contact, &it.state().fields);
         let held = Held {
-            section: Section::from_contact(hand.contact()),
-            top: Top::of_hand(hand.contact()),
+            section: section(&hand),
+            top: Top::of_hand(&hand.state().contact, &hand.state().fields),
             shear: None,
             shear_beside: None,
-            beside: beside.as_ref().map(|it| Section::from_contact(it.contact())),
+            beside: beside.as_ref().map(section),
             numbers: hand.numbers(),
         };
         (*first, *second) = (Some(hand), beside);

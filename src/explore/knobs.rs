@@ -7,7 +7,7 @@ use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, RefusalRule};
 use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
-use crate::contact::{Law, Load, Stop};
+use crate::contact::{Friction, Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
 use crate::setup::{LayerModulus, Method, Part, ProcessKind, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic};
@@ -89,6 +89,15 @@ pub struct Knobs {
     /// Reduced pressure that pulls surfaces with adhesion apart after the load; 0 for none.
     #[serde(default)]
     pub(super) pull: f64,
+    /// Coulomb's coefficient of friction between surface and solid; 0 for none.
+    #[serde(default)]
+    friction: f64,
+    /// The tangential load over that at which the surface slides: pulled, pushed back and pulled again, or raised while it rolls; 0 for none.
+    #[serde(default)]
+    sideways: f64,
+    /// Whether the surface rolls under the tangential load, instead of being pulled.
+    #[serde(default)]
+    rolling: bool,
     solver: Method,
     stop: Stop,
     /// Parts of the recording; of profile and mesh the one that the domain has.
@@ -282,7 +291,8 @@ impl Knobs {
         setup.check()?;
         let is_shown = match setup.process()? {
             Some(ProcessKind::Adhesion) => !self.takes_scene() || setup.path.is_none(),
-            process => process == Some(ProcessKind::Creep) || !setup.is_history()?,
+            Some(ProcessKind::Creep | ProcessKind::Slip | ProcessKind::Rolling) => true,
+            _ => !setup.is_history()?,
         };
         if !is_shown {
             return Err(RefusalRule::SceneNotShown.into());
@@ -312,6 +322,8 @@ impl Knobs {
                 .slides()
                 .then(|| SlidingMotion { speed: vec![self.speed * grid.size()[1] / RETARDATION_TIME] }),
             adhesion: self.adheres().then(|| self.attraction(grid.size()[1])),
+            friction: self.rubs().then_some(Friction { coefficient: self.friction, tangential: 0.0 }),
+            rolling: self.rolling_motion(),
             path: self.path(),
             solid: Some(self.solid(grid.longest_wavelength())),
             law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },

@@ -17,6 +17,7 @@ mod hand;
 mod height_knobs;
 mod height_name;
 mod knobs;
+mod leak;
 mod lesson;
 mod listener;
 mod motion;

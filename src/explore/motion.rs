@@ -1,7 +1,7 @@
 //! The sections of a run step by step, and of a sweep load by load, which move in the page's own picture.
 
 use super::section::Section;
-use crate::contact::{Contact, Observer, Step, Wish};
+use crate::contact::{Observer, State, Step, Wish};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
@@ -30,9 +30,9 @@ impl Motion {
     }
 
     /// Adds the section of the next state of a history, whose states are numbered from 1 on.
-    pub fn add_state(&mut self, contact: &Contact) {
+    pub fn add_state(&mut self, state: &State) {
         self.seen += 1;
-        self.add(self.seen, || Section::from_state(contact));
+        self.add(self.seen, || Section::from_state(state));
     }
 
     /// Adds the section of a step, unless it comes too soon after the last one.

@@ -28,7 +28,7 @@ pub enum RefusalRule {
     SmoothFlat,
     #[strum(message = "the scene of this state is not loaded: start asperity explore with its setup file")]
     NoScene,
-    #[strum(message = "the page shows one contact, or creep in time: give a scene with one speed, or without slip and rolling")]
+    #[strum(message = "the page shows one contact, or one history: give a scene with one speed of sliding, and without a path with adhesion")]
     SceneNotShown,
     #[strum(message = "a surface that is shown beside another one cannot have one beside it: leave out the inner \"beside\"")]
     BesideTwice,
@@ -44,12 +44,22 @@ pub enum RefusalRule {
     SlidingOfFreeBoundary,
     #[strum(message = "GFMD solves elastic contacts only: choose another method, or set the creep to 0")]
     CreepByGfmd,
+    #[strum(message = "friction is solved for elastic contacts without adhesion: set the hardness, the creep and the work of adhesion to 0, or the tangential load")]
+    FrictionNotElastic,
+    #[strum(message = "GFMD solves contacts without friction only: choose another method, or set the tangential load to 0")]
+    FrictionByGfmd,
+    #[strum(message = "rolling is solved for lines here: choose a line, or a surface that is pulled")]
+    RollingOnSurface,
     #[strum(message = "the load of a contact with adhesion cannot be swept: set the work of adhesion to 0")]
     SweepOfAdhesion,
     #[strum(message = "the load of a contact that creeps cannot be swept: set the time to 0")]
     SweepOfCreep,
+    #[strum(message = "the load of a contact under a tangential load cannot be swept: set the tangential load to 0")]
+    SweepOfSlip,
     #[strum(message = "a contact that creeps cannot be dragged: set the time to 0")]
     DragOfCreep,
+    #[strum(message = "a contact under a tangential load cannot be dragged: set the tangential load to 0")]
+    DragOfSlip,
     #[strum(message = "there is no file of heights: drop one on the page, or open it")]
     NoHeights,
     #[strum(message = "there is no file of heights to describe: drop one on the page, or open it")]

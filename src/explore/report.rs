@@ -3,11 +3,13 @@
 use super::knobs::{Knobs, MODULUS};
 use super::refusal::KnownFault;
 use super::section::Section;
-use crate::contact::{Contact, Failure, Observables, Reading, State, Step, Work};
+use crate::contact::{Contact, Failure, Observables, Quantity, Reading, State, Step, Work};
 use crate::error::{ProblemError, SetupError};
+use crate::setup::{ProcessChart, ProcessKind, ProcessRow};
 use crate::theory::Exact;
 use crate::warning::Warning;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
 
 /// The state of a session.
 #[derive(Clone, Default, Serialize)]
@@ -70,10 +72,8 @@ pub struct RunReport {
     pub warnings: Vec<RunWarning>,
     /// The state of the knobs.
     pub knobs: Knobs,
-    /// Whether its steps are states in time, of a solid that creeps.
-    pub creeps: bool,
-    /// Whether its surfaces attract each other.
-    pub adheres: bool,
+    /// The process of which its steps are states; none of a single contact.
+    pub process: Option<ProcessReport>,
     /// Whether solver and recording have ended.
     pub ended: bool,
     /// Numbers of its latest state.
@@ -85,6 +85,32 @@ pub struct RunReport {
     /// The section of its latest step, while it runs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub section: Option<Section>,
+}
+
+/// The process of a run with several states, and what the page shows of them.
+#[derive(Clone, Serialize)]
+pub struct ProcessReport {
+    /// The process.
+    #[serde(serialize_with = "name_of")]
+    pub kind: ProcessKind,
+    /// Two charts: the quantities on both axes, or none for the number of the state.
+    pub charts: [[Option<&'static str>; 2]; 2],
+    /// The numbers of a state that its process knows.
+    pub numbers: Vec<&'static str>,
+}
+
+impl From<ProcessKind> for ProcessReport {
+    fn from(kind: ProcessKind) -> Self {
+        let ProcessRow { charts, columns, .. } = kind.row();
+        let chart = |it: &ProcessChart| [it.x.map(Quantity::name), Some(it.y.name())];
+        let known = columns.iter().filter(|it| it.row().is_known_by_process());
+        Self { kind, charts: [chart(&charts[0]), chart(&charts[1])], numbers: known.map(|it| it.name()).collect() }
+    }
+}
+
+/// The name of a process.
+fn name_of<S: Serializer>(kind: &ProcessKind, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(kind.into())
 }
 
 /// A warning about one of the surfaces of a run.
@@ -136,6 +162,9 @@ pub struct Numbers {
     /// All other numbers.
     #[serde(flatten)]
     pub observables: Observables,
+    /// Those that only its process knows.
+    #[serde(flatten)]
+    pub process: BTreeMap<&'static str, f64>,
 }
 
 /// The latest sweep over the load.
@@ -179,18 +208,27 @@ impl Numbers {
     /// The numbers of a step.
     pub fn from_step(step: &Step<'_>) -> Self {
         let (level, seconds) = (step.phase().level, step.work().seconds);
-        Self { status: "running".into(), level, seconds, observables: Observables::new(step) }
+        let process = BTreeMap::new();
+        Self { status: "running".into(), level, seconds, observables: Observables::new(step), process }
     }
 
     /// The numbers of a state of a history that goes on, with its work so far.
     pub fn from_state(state: &State, work: Work) -> Self {
         let observables = Observables::new(Reading::from(&state.contact).with_work(work));
-        Self { status: "running".into(), level: 0, seconds: work.seconds, observables }
+        let process = known_by_process(&state.contact);
+        Self { status: "running".into(), level: 0, seconds: work.seconds, observables, process }
     }
 
     /// The numbers of a contact.
     pub fn from_contact(contact: &Contact) -> Self {
         let (status, seconds) = (contact.status.to_string(), contact.work.seconds);
-        Self { status, level: 0, seconds, observables: Observables::new(contact) }
+        let process = known_by_process(contact);
+        Self { status, level: 0, seconds, observables: Observables::new(contact), process }
     }
+}
+
+/// The numbers of a contact that only the process knows of which it is a state.
+fn known_by_process(contact: &Contact) -> BTreeMap<&'static str, f64> {
+    let known = contact.values().numbers().iter().filter(|(quantity, _)| quantity.row().is_known_by_process());
+    known.map(|(quantity, value)| (quantity.name(), *value)).collect()
 }

@@ -60,6 +60,8 @@ pub enum KnobScenes {
     Resting,
     /// All but that of a setup file, with adhesion.
     Adhering,
+    /// All but that of a setup file, with friction.
+    Rubbing,
     /// Surfaces that the knobs make: no file is the body.
     Made,
     /// Made surfaces with roughness.
@@ -94,6 +96,7 @@ impl KnobScenes {
                 | Self::Creeping
                 | Self::Resting
                 | Self::Adhering
+                | Self::Rubbing
                 | Self::Made
                 | Self::Rough
                 | Self::RoughSurface
@@ -278,6 +281,9 @@ pub const KNOBS: &[Knob] = &[
     knob(Solid, "adhesion", Number(NumericKnob::new([0.0, 1.0], 0.0).zero_or_log10([-9.1, -4.0, 0.1]))).only_in(KnobScenes::Own),
     knob(Solid, "range", Number(NumericKnob::new([1e-7, 1.0], USUAL_RANGE).log10([-6.0, -2.0, 0.1]))).only_in(KnobScenes::Adhering),
     knob(Solid, "pull", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 1.5, 0.02]))).only_in(KnobScenes::Adhering),
+    knob(Solid, "friction", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 1.0, 0.05]))).only_in(KnobScenes::Own),
+    knob(Solid, "sideways", Number(NumericKnob::new([0.0, 0.99], 0.0).linear([0.0, 0.95, 0.05]))).only_in(KnobScenes::Rubbing),
+    knob(Solid, "rolling", Switch { default: false }).only_in(KnobScenes::Rubbing),
     knob(Surface, "domain", Choice { options: &["line", "surface"], default: "line" }).only_in(KnobScenes::Made),
     knob(Surface, "body", Choice { options: &["flat", "round", "sine", "power-law", "file", "scene"], default: "flat" }),
     knob(Surface, "exponent", Number(NumericKnob::new([1.0, 12.0], 4.0).linear([1.0, 12.0, 0.5]))).only_in(KnobScenes::PowerLaw),

@@ -1,10 +1,11 @@
 //! The section through a contact, which the page draws without the viewer.
 
-use crate::contact::{Contact, Problem, Step};
+use crate::contact::{Contact, Problem, State, StateField, Step};
 use crate::elastic::stress::highest_row;
 use crate::theory::Exact;
 use ndarray::ArrayView1;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The most columns of a section, of one of a step, and of the picture of the stress below.
@@ -14,6 +15,8 @@ const STRESS_COLUMNS: usize = 512;
 /// Rows of the picture of the stress, and its depth over the length of the section.
 const STRESS_ROWS: usize = 48;
 const DEPTH: f64 = 0.1;
+/// Further fields of a state that are drawn beside the pressure.
+const FIELDS: [&str; 2] = ["traction", "attraction"];
 /// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
 const POISSON: f64 = 0.3;
 
@@ -37,6 +40,9 @@ pub struct Section {
     pub pressure: Vec<f32>,
     /// The largest pressure of all nodes of the row.
     pub highest_pressure: f64,
+    /// Further fields over the contact modulus, by their names: the traction under a tangential load, the attraction with adhesion.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub fields: BTreeMap<&'static str, Vec<f32>>,
     /// The exact pressure, where it is known; 0 where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<Vec<f32>>,
@@ -64,11 +70,9 @@ pub struct Shear {
 }
 
 impl Section {
-    /// The section of a contact.
-    pub fn from_contact(contact: &Contact) -> Self {
-        let row = contact.highest_row();
-        let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
-        Self::along(&contact.problem, row, fields, contact.separation(), COLUMNS)
+    /// The section of a contact, with the further fields of its state.
+    pub fn from_contact(contact: &Contact, fields: &[StateField]) -> Self {
+        Self::in_columns(contact, contact.highest_row(), fields, COLUMNS)
     }
 
     /// The section of a contact with the exact pressure beside its own.
@@ -80,18 +84,31 @@ impl Section {
             if p.is_finite() { p as f32 } else { 0.0 }
         };
         let exact = peaks(problem, row, COLUMNS).into_iter().map(over_modulus).collect();
-        Self { exact: Some(exact), ..Self::from_contact(contact) }
+        Self { exact: Some(exact), ..Self::from_contact(contact, &[]) }
     }
 
     /// The section of a state of a history.
-    pub fn from_state(contact: &Contact) -> Self {
-        Self::from_load(contact, contact.highest_row())
+    pub fn from_state(state: &State) -> Self {
+        Self::in_columns(&state.contact, state.contact.highest_row(), &state.fields, STEP_COLUMNS)
     }
 
     /// The section of a load of a sweep along a row, which is the same one at all loads.
     pub fn from_load(contact: &Contact, row: usize) -> Self {
-        let fields = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
-        Self::along(&contact.problem, row, fields, contact.separation(), STEP_COLUMNS)
+        Self::in_columns(contact, row, &[], STEP_COLUMNS)
+    }
+
+    /// The section of a contact along a row in at most `most` columns, with those of its further fields that are drawn.
+    fn in_columns(contact: &Contact, row: usize, fields: &[StateField], most: usize) -> Self {
+        let problem = &contact.problem;
+        let own = [&contact.pressure, &contact.gap, &contact.displacement].map(|field| field.row(row));
+        let nodes = peaks(problem, row, most);
+        let over_modulus = |field: &StateField| {
+            let values = field.values.row(row);
+            nodes.iter().map(|&node| (values[node] / problem.contact_modulus()) as f32).collect()
+        };
+        let drawn = fields.iter().filter(|field| FIELDS.contains(&field.name));
+        let fields = drawn.map(|field| (field.name, over_modulus(field))).collect();
+        Self { fields, ..Self::along(problem, row, own, contact.separation(), most) }
     }
 
     /// The section of a step, whose displacement is taken less its mean where the cell is periodic, as that of a contact.
@@ -122,6 +139,7 @@ impl Section {
             solid: of(&|node| -displacement[node]),
             pressure: of(&|node| pressure[node] / modulus),
             highest_pressure: pressure.fold(0.0, |most: f64, &p| most.max(p)) / modulus,
+            fields: BTreeMap::new(),
             exact: None,
             is_pressed_by_gap: grid.is_periodic(),
             slides: problem.is_moving(),

@@ -13,7 +13,7 @@ use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedR
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeCurves, TapeView};
-use crate::contact::{Contact, Failure};
+use crate::contact::{Contact, Failure, StateField};
 use crate::setup::{Method, Setup};
 use crate::surface::HeightFile;
 use crate::theory::Exact;
@@ -143,7 +143,8 @@ impl Session {
             return Err(RefusalRule::SweepOfAdhesion.into());
         }
         if kind == RunKind::Sweep && setup.is_history()? {
-            return Err(RefusalRule::SweepOfCreep.into());
+            let rule = if setup.friction.is_some() { RefusalRule::SweepOfSlip } else { RefusalRule::SweepOfCreep };
+            return Err(rule.into());
         }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));
@@ -332,7 +333,7 @@ impl Turn<'_> {
     pub fn finish(
         self,
         rank: usize,
-        contact: Contact,
+        (contact, fields): (Contact, Vec<StateField>),
         exact: Option<Exact>,
         beside: Option<Contact>,
         curves: TapeCurves,
@@ -351,7 +352,7 @@ impl Turn<'_> {
             let curves = Arc::new(curves);
             state.end(
                 &id,
-                Ended::Run(Arc::new(SolvedRun { report, rank, contact, exact, beside, curves, steps, motion })),
+                Ended::Run(Arc::new(SolvedRun { report, rank, contact, fields, exact, beside, curves, steps, motion })),
             );
         });
     }

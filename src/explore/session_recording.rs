@@ -6,7 +6,8 @@ use super::report::{RunReport, SweepReport};
 use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
-use crate::contact::{Contact, archive};
+use crate::contact::{Contact, StateField, archive};
+use crate::setup::ProcessKind;
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
@@ -38,6 +39,8 @@ pub struct SolvedRun {
     /// Axes of its arrays.
     pub rank: usize,
     pub contact: Contact,
+    /// Further fields of the last state of a history.
+    pub fields: Vec<StateField>,
     /// The exact solution, where there is one.
     pub exact: Option<Exact>,
     /// The contact of the surface beside, if there is one.
@@ -90,19 +93,29 @@ impl SessionRecording {
 impl SolvedRun {
     /// The section of the contact.
     pub fn section(&self) -> Section {
-        let Self { contact, exact, .. } = self;
-        exact.as_ref().map_or_else(|| Section::from_contact(contact), |exact| Section::with_exact(contact, exact))
+        let Self { contact, fields, exact, .. } = self;
+        exact
+            .as_ref()
+            .map_or_else(|| Section::from_contact(contact, fields), |exact| Section::with_exact(contact, exact))
     }
 
     /// The stress below a contact of the run. With adhesion the pressure between the surfaces is not all that the solid feels.
     pub fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
-        contact.filter(|_| !self.report.adheres).and_then(Shear::below)
+        contact.filter(|_| !self.is_of(ProcessKind::Adhesion)).and_then(Shear::below)
     }
 
     /// The patches of the contact. A patch on a solid that creeps or adheres is compared with no elastic one.
     pub fn patches(&self) -> PatchTable {
         let table = PatchTable::new(&self.contact);
-        PatchTable { is_hertzian: table.is_hertzian && !(self.report.creeps || self.report.adheres), ..table }
+        PatchTable {
+            is_hertzian: table.is_hertzian && !(self.is_of(ProcessKind::Creep) || self.is_of(ProcessKind::Adhesion)),
+            ..table
+        }
+    }
+
+    /// Whether the contact is the last state of a process.
+    fn is_of(&self, kind: ProcessKind) -> bool {
+        self.report.process.as_ref().is_some_and(|it| it.kind == kind)
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

@@ -2,17 +2,17 @@
 
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::report::{Beside, ExactNumbers, Numbers, RunReport, RunWarning, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, ProcessReport, RunReport, RunWarning, file_stem};
 use super::section::Section;
 use super::session::Turn;
 use super::session_recording::SessionRecording;
 use super::step_numbers::StepNumbers;
 use super::tape::{self, TapeCurves};
 use crate::clock::Instant;
-use crate::contact::{Contact, Failure, Load, Observer, Problem, State, Step, Wish, Work};
+use crate::contact::{Contact, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
 use crate::error::{AdhesionError, HistoryError, SetupError, SolveError};
 use crate::job::{self, HistoryOutcome, Job, JobRun, Pass, Solved};
-use crate::setup::{LoadPath, ProcessKind, Setup, command};
+use crate::setup::{LoadPath, RollingMotion, Setup, command};
 use crate::surface::Surface;
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -31,7 +31,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let surface = setup.surface.title(grid);
     let [motion, for_files] = knobs.motion_in_words();
     let title = format!("{surface}, p* = {}{motion}", knobs.load);
-    let (process, is_history) = (setup.process()?, setup.is_history()?);
+    let process = setup.process()?.filter(|_| setup.speed().is_none());
     let report = RunReport {
         id: format!("run-{}", turn.number),
         file_stem: file_stem(&surface, &format!("p{}{for_files}", knobs.load), setup.solver().name()),
@@ -41,8 +41,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         prepared: prepared(&setup, problem.surface())?,
         warnings: Vec::new(),
         knobs,
-        creeps: is_history && process == Some(ProcessKind::Creep),
-        adheres: process == Some(ProcessKind::Adhesion),
+        process: process.map(ProcessReport::from),
         ended: false,
         numbers: None,
         exact: exact.as_ref().map(ExactNumbers::from),
@@ -67,7 +66,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         turn,
         reported: Instant::now(),
         curves: tape::curves(&id),
-        steps: StepNumbers::default(),
+        steps: StepNumbers::new(process),
+        fields: Vec::new(),
         motion: Motion::default(),
         work: [Work::default(); 2],
     };
@@ -80,8 +80,8 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    let RunCollector { curves, steps, motion, .. } = watch;
-    turn.finish(rank, contact, exact, other, curves, (steps, motion));
+    let RunCollector { curves, steps, motion, fields, .. } = watch;
+    turn.finish(rank, (contact, fields), exact, other, curves, (steps, motion));
     Ok(())
 }
 
@@ -101,9 +101,10 @@ fn last_contact(solved: Solved, work: Work) -> Result<Contact, Failure> {
 /// A setup under the mean pressure of a problem, along the same path of them, and its problem.
 fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
     let unit = other.rms_gradient() * other.contact_modulus();
-    let in_pascals = |path: LoadPath| LoadPath { load: path.load.iter().map(|load| load * unit).collect(), ..path };
-    let path = setup.path.clone().map(in_pascals);
-    let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), path, ..setup };
+    let in_pascals = |loads: Vec<f64>| loads.into_iter().map(|load| load * unit).collect();
+    let path = setup.path.map(|it| LoadPath { load: in_pascals(it.load), tangential: in_pascals(it.tangential), ..it });
+    let rolling = setup.rolling.map(|it| RollingMotion { tangential: in_pascals(it.tangential), ..it });
+    let setup = Setup { load: Load::MeanPressure(other.expected_mean_pressure()), path, rolling, ..setup };
     let problem = setup.problem()?;
     Ok((setup, problem))
 }
@@ -129,6 +130,8 @@ struct RunCollector<'a> {
     curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
+    /// Further fields of the last state.
+    fields: Vec<StateField>,
     /// The work of each run so far, of a history with all its states.
     work: [Work; 2],
 }
@@ -158,10 +161,11 @@ impl job::Watcher for RunCollector<'_> {
         }
         let work = self.work[run];
         self.steps.add_state(work, state);
-        self.motion.add_state(&state.contact);
+        self.motion.add_state(state);
+        self.fields.clone_from(&state.fields);
         if self.reported.elapsed() >= INTERVAL {
             self.reported = Instant::now();
-            let (numbers, section) = (Numbers::from_state(state, work), Section::from_state(&state.contact));
+            let (numbers, section) = (Numbers::from_state(state, work), Section::from_state(state));
             self.turn.update_run(numbers, section);
         }
     }

@@ -1,8 +1,9 @@
 //! The numbers of the steps of a run.
 
 use crate::contact::{Contact, Failure, Observer, Quantity, Reading, State, Step, Wish, Work};
+use crate::setup::{ProcessKind, ProcessRow};
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use strum::IntoEnumIterator;
 
@@ -25,16 +26,30 @@ pub struct StepNumbers {
     seen: usize,
     #[serde(skip)]
     thinned: u32,
+    /// What is kept of states besides.
+    #[serde(skip)]
+    of_states: Vec<Quantity>,
 }
 
 impl StepNumbers {
+    /// No numbers yet; those of states of a process hold all that is shown of them.
+    pub fn new(process: Option<ProcessKind>) -> Self {
+        let shown = |kind: ProcessKind| {
+            let ProcessRow { charts, columns, .. } = kind.row();
+            let drawn = charts.iter().flat_map(|chart| [chart.x, Some(chart.y)]).flatten();
+            let shown: BTreeSet<Quantity> = drawn.chain(columns.iter().copied()).collect();
+            shown.into_iter().filter(|it| !is_kept(*it)).collect()
+        };
+        Self { of_states: process.map(shown).unwrap_or_default(), ..Self::default() }
+    }
+
     /// Adds the next state of a history, with the work so far.
     pub fn add_state(&mut self, work: Work, state: &State) {
         self.seen += 1;
         let reading = Reading::from(&state.contact).with_work(work);
         self.add(self.seen, work, reading);
-        if let Some(time) = state.get(Quantity::Time) {
-            self.columns.entry(Quantity::Time.name()).or_default().push(time);
+        for quantity in &self.of_states {
+            self.columns.entry(quantity.name()).or_default().push(state.value(*quantity));
         }
     }
 
@@ -42,11 +57,11 @@ impl StepNumbers {
         let reading = state.into();
         self.step.push(step as f64);
         self.seconds.push(work.seconds);
-        for quantity in Quantity::iter().filter(|it| it.row().is_traced || COUNTED.contains(it)) {
+        for quantity in Quantity::iter().filter(|it| is_kept(*it)) {
             self.columns.entry(quantity.name()).or_default().push(reading.value(quantity));
         }
         // of a contact that slides
-        if let Some(friction) = reading.get(Quantity::Friction) {
+        if let Some(friction) = reading.get(Quantity::Friction).filter(|_| self.of_states.is_empty()) {
             self.columns.entry(Quantity::Friction.name()).or_default().push(friction);
         }
     }
@@ -60,6 +75,11 @@ impl StepNumbers {
             *column = kept;
         }
     }
+}
+
+/// Whether a quantity is kept of each step and of each state.
+fn is_kept(quantity: Quantity) -> bool {
+    quantity.row().is_traced || COUNTED.contains(&quantity)
 }
 
 impl Observer for StepNumbers {

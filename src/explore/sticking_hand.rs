@@ -2,7 +2,7 @@
 
 use super::refusal::Refusal;
 use super::report::Numbers;
-use crate::contact::{Contact, Load, Quantity, State};
+use crate::contact::{Load, Quantity, State};
 use crate::error::HistoryError;
 use crate::history::{AdhesiveProcess, PathPoint, Process};
 use crate::setup::Setup;
@@ -35,9 +35,9 @@ impl StickingHand {
         Ok(Self { setup, process, state })
     }
 
-    /// The contact.
-    pub fn contact(&self) -> &Contact {
-        &self.state.contact
+    /// The state.
+    pub fn state(&self) -> &State {
+        &self.state
     }
 
     /// The mean pressure, negative where the hand pulls.

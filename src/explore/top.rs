@@ -1,8 +1,9 @@
 //! A contact of a surface from above, which the page draws without the viewer.
 
 use super::section::columns;
-use crate::contact::Contact;
+use crate::contact::{Contact, StateField, Unit};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The most rows and columns of a map of a run that has ended, and of one under the hand.
@@ -26,20 +27,31 @@ pub struct Top {
     pressure: Vec<f32>,
     /// The largest pressure of all nodes.
     highest_pressure: f64,
+    /// Further fields of the state by their names, such as the traction.
+    fields: BTreeMap<&'static str, TopField>,
+}
+
+/// A further field of a state from above. Values that are not known are null in JSON.
+#[derive(Clone, Serialize)]
+struct TopField {
+    /// A pressure over the contact modulus, a length in metres, or a pure number.
+    unit: Unit,
+    /// Its values, row by row.
+    values: Vec<f32>,
 }
 
 impl Top {
-    /// A contact that is at rest; none of a line.
-    pub fn from_contact(contact: &Contact) -> Option<Self> {
-        Self::coarser(contact, MOST)
+    /// A contact that is at rest, with the further fields of its state; none of a line.
+    pub fn from_contact(contact: &Contact, fields: &[StateField]) -> Option<Self> {
+        Self::coarser(contact, fields, MOST)
     }
 
     /// A contact that moves under the hand; none of a line.
-    pub fn of_hand(contact: &Contact) -> Option<Self> {
-        Self::coarser(contact, MOST_HELD)
+    pub fn of_hand(contact: &Contact, fields: &[StateField]) -> Option<Self> {
+        Self::coarser(contact, fields, MOST_HELD)
     }
 
-    fn coarser(contact: &Contact, most: usize) -> Option<Self> {
+    fn coarser(contact: &Contact, fields: &[StateField], most: usize) -> Option<Self> {
         let grid = contact.problem.surface().grid();
         if grid.is_line() {
             return None;
@@ -53,6 +65,11 @@ impl Top {
         let nodes: Vec<[usize; 2]> =
             rows.iter().flat_map(|rows| places.iter().map(move |places| peak(rows, places))).collect();
         let modulus = contact.problem.contact_modulus();
+        let field = |it: &StateField| {
+            let unit = if it.unit == Unit::Pressure { modulus } else { 1.0 };
+            let values = nodes.iter().map(|node| (it.values[*node] / unit) as f32).collect();
+            (it.name, TopField { unit: it.unit, values })
+        };
         let of = |value: &dyn Fn([usize; 2]) -> f64| nodes.iter().map(|node| value(*node) as f32).collect();
         Some(Self {
             shape: [rows.len(), places.len()],
@@ -61,6 +78,7 @@ impl Top {
             gap: of(&|node| contact.gap[node]),
             pressure: of(&|node| contact.pressure[node] / modulus),
             highest_pressure: contact.max_pressure() / modulus,
+            fields: fields.iter().map(field).collect(),
         })
     }
 }

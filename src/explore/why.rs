@@ -50,10 +50,10 @@ struct Stretch {
 }
 
 impl Why {
-    /// Solves the setup again, and compares each step with the final state. None if this fails, and for a solid that creeps in time
-    /// or adheres, whose steps are many solves.
+    /// Solves the setup again, and compares each step with the final state. None if this fails, and for the states of a process, which are
+    /// many solves.
     pub fn find(solved: &SolvedRun) -> Option<Self> {
-        if solved.report.creeps || solved.report.adheres {
+        if solved.report.process.is_some() {
             return None;
         }
         let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());

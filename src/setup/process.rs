@@ -73,7 +73,7 @@ impl Setup {
     }
 
     /// The speed of sliding, if there is one speed.
-    pub(super) fn speed(&self) -> Option<f64> {
+    pub(crate) fn speed(&self) -> Option<f64> {
         match self.sliding.as_ref()?.speed.as_slice() {
             [speed] => Some(*speed),
             _ => None,

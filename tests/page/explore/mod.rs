@@ -9,6 +9,7 @@ mod heights;
 mod lessons;
 mod played;
 mod rubber;
+mod rubbing;
 mod scenes;
 mod schema;
 mod scripts;
@@ -170,6 +171,16 @@ fn with(changes: Value) -> Value {
         knobs[name] = value.clone();
     }
     knobs
+}
+
+/// A number of a run.
+fn number(run: &Value, of: &str) -> f64 {
+    run["numbers"][of].as_f64().unwrap_or_else(|| panic!("{of} is {}", run["numbers"][of]))
+}
+
+/// The numbers of a list.
+fn values(of: &Value) -> Vec<f64> {
+    of.as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect()
 }
 
 /// The knobs of a stop.

@@ -1,6 +1,6 @@
 //! Solids that creep: knobs, setups, sliding, and contacts in the course of time.
 
-use super::{Page, with};
+use super::{Page, number, values, with};
 use asperity::contact::Quantity;
 use asperity::explore::{Knobs, Session, Start, Stock};
 use asperity::history::Sliding;
@@ -12,14 +12,6 @@ const CELL: f64 = 160e-6;
 
 fn setup(changes: Value) -> Setup {
     Knobs::read(with(changes).to_string().as_bytes()).unwrap().setup().unwrap()
-}
-
-fn number(run: &Value, of: &str) -> f64 {
-    run["numbers"][of].as_f64().unwrap_or_else(|| panic!("{of} is {}", run["numbers"][of]))
-}
-
-fn values(of: &Value) -> Vec<f64> {
-    of.as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect()
 }
 
 #[test]
@@ -85,7 +77,7 @@ fn a_contact_that_slides_has_the_friction_of_the_library() {
         assert!(run["command"].as_str().unwrap().contains(part), "{}", run["command"]);
     }
     assert_eq!(run["title"], "Rough line, p* = 0.05, f = 9, Vτ/L = 0.02");
-    assert_eq!(run["creeps"], false);
+    assert!(run["process"].is_null());
     let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
     assert_eq!(facet("section")["slides"], true);
     assert_eq!(facet("patches")["is_hertzian"], false);
@@ -152,7 +144,7 @@ fn a_contact_in_time_is_that_of_a_softer_solid() {
         let ratio = number(&run, of) / number(&elastic, of);
         assert!((ratio - 1.0).abs() < 1e-6, "{of} is {ratio} times that of the softer solid");
     }
-    assert!(run["creeps"] == true && run["numbers"]["friction"].is_null(), "{}", run["numbers"]);
+    assert!(run["process"]["kind"] == "creep" && run["numbers"]["friction"].is_null(), "{}", run["numbers"]);
     let setup = Setup::from_toml(run["setup"].as_str().unwrap()).unwrap();
     let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
     let last = outcome.states.last().unwrap();
