@@ -95,6 +95,7 @@ async function begin() {
   takeTheme();
   remember(await ask("runs"));
   build();
+  beginUnits();
   description = await ask("heights");
   show();
   charts();
@@ -106,7 +107,7 @@ async function begin() {
   beginWhy();
   beginPresets();
   keepState();
-  for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepLoad);
+  for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepChart);
   byId("beside").addEventListener("click", putBeside);
   byId("patch-close").addEventListener("click", () => choosePatch(null));
   const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };

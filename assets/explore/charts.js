@@ -1,91 +1,26 @@
-// The charts of the sweep against the load.
+// Which charts are drawn: area and kappa against the load, or what the process of a run is about.
 
-const SVG = "http://www.w3.org/2000/svg";
+/** The contacts that a person has seen, their knobs and numbers, each once, and how many of them are kept.
+ * @type {{ its: any, numbers: any }[]} */
+let visitedContacts = [];
+const MOST_SEEN = 400;
+/** Upper ends of the axis of kappa: the lowest that holds all curves and dots, and the guess while one is asked for, or the last one. */
+const TOPS = [4, 10];
+/** Exponents at the ends of the axis of the load where nothing is drawn. */
+/** @type {[number, number]} */
+const USUAL_LOADS = [-4, 1];
 
-function drawn(tag, attributes, text) {
-  const made = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  if (text) made.textContent = text;
-  return made;
-}
-
-/** Room around the axes of a chart: numbers on the left, title and legend above, numbers and the name of the axis below. */
-const ROOM = { left: 30, right: 14, above: 36, below: 34 };
-/** Room between two names of a legend. */
-const APART = 8;
-
-/** The numbers of contacts that a person has seen, by what is pressed, each load once, and how many of them are kept. */
-const visitedContacts = new Map();
-const MOST_SEEN = 200;
-
-/** Keeps the numbers of a contact that has converged for the charts. */
+/** Keeps the numbers of a contact that has converged for the charts; with adhesion each one under the hand is another one. */
 function keepSeen(its, numbers) {
-  const { status, reduced_pressure: load, relative_area: area, kappa, kappa_r } = numbers ?? {};
-  if (status !== "converged" || !(load > 0)) return;
-  const key = pressedOf(its);
-  if (!visitedContacts.has(key)) visitedContacts.set(key, new Map());
-  const contacts = visitedContacts.get(key);
-  contacts.set(load.toPrecision(4), { load, area, kappa, kappa_r });
-  for (const old of [...contacts.keys()].slice(0, -MOST_SEEN)) contacts.delete(old);
+  if (numbers?.status !== "converged") return;
+  const isSame = (seen) => seen.numbers.reduced_pressure === numbers.reduced_pressure && seen.numbers.mean_gap === numbers.mean_gap && words(seen.its) === words(its);
+  visitedContacts = [...visitedContacts.filter((seen) => !isSame(seen)), { its: structuredClone(its), numbers }].slice(-MOST_SEEN);
 }
 
-/** The dots of a chart: contacts that a person has seen. */
-const dotsOf = (style, of) => [...(visitedContacts.get(pressedOf(knobs))?.values() ?? [])].map((it) => ({ style, at: [it.load, it[of]] })).filter(({ at }) => Number.isFinite(at[1]));
-
-/** A chart against log10 p*: curves are { name, points: [[p*, y]], style }, dots { style, at: [p*, y] }. What is higher than `top` leaves the
- * axes, and is said. */
-function chart(target, title, top, curves, dots, note) {
-  const box = target.getBoundingClientRect();
-  const [w, h] = [Math.max(160, box.width), Math.max(120, box.height)];
-  const [wide, high] = [w - ROOM.left - ROOM.right, h - ROOM.above - ROOM.below];
-  const xs = [...curves.flatMap((curve) => curve.points), ...dots.map(({ at }) => at)].map(([x]) => Math.log10(x));
-  const [first, last] = xs.length > 1 ? [Math.floor(Math.min(...xs)), Math.ceil(Math.max(...xs, Math.min(...xs) + 1))] : [-4, 1];
-  const x = (v) => ROOM.left + (Math.log10(v) - first) / (last - first || 1) * wide;
-  const y = (v) => h - ROOM.below - v / top * high;
-  const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": `${title}${note ? `: ${note}` : ""}`, class: note ? "stale" : "" });
-  const frame = { x: ROOM.left, y: ROOM.above, width: wide, height: high };
-  const inside = `inside-${target.id}`;
-  const clip = drawn("clipPath", { id: inside });
-  clip.append(drawn("rect", frame));
-  svg.append(clip, drawn("rect", { class: "axis", ...frame }), drawn("text", { class: "title", x: ROOM.left, y: 13 }, title));
-  const every = Math.max(1, Math.ceil((last - first) * 34 / wide));
-  for (let e = first; e <= last; e += every) svg.append(drawn("text", { x: x(10 ** e), y: h - 20, "text-anchor": "middle" }, e === 0 ? "1" : `1e${e}`));
-  svg.append(drawn("text", { x: ROOM.left + wide / 2, y: h - 5, "text-anchor": "middle" }, "p*"));
-  for (let i = 0; i <= 2; i++) svg.append(drawn("text", { x: ROOM.left - 4, y: y(i * top / 2) + 4, "text-anchor": "end" }, inLocale(String(i * top / 2))));
-  const load = moment?.numbers.reduced_pressure ?? knobs?.load;
-  if (load >= 10 ** first && load <= 10 ** last) svg.append(drawn("line", { class: "now", x1: x(load), x2: x(load), y1: ROOM.above, y2: h - ROOM.below }));
-  const placeOf = ({ clientX, clientY }) => [10 ** (first + (clientX - box.x - ROOM.left) / wide * (last - first)), (h - ROOM.below - (clientY - box.y)) / high * top];
-  const isDrawn = guess?.target === target.id;
-  target.toggleAttribute("data-drawn", isDrawn);
-  target.onclick = isDrawn ? null : (event) => pickLoad(placeOf(event)[0]);
-  target.onpointerdown = isDrawn ? (event) => { target.setPointerCapture(event.pointerId); drawGuess(...placeOf(event)); } : null;
-  target.onpointermove = isDrawn ? (event) => { if (event.buttons) drawGuess(...placeOf(event)); } : null;
-  const shown = curves.filter((curve) => curve.points.length || dots.some(({ style }) => style === curve.style));
-  for (const curve of shown) {
-    svg.append(drawn("polyline", { class: curve.style, "clip-path": `url(#${inside})`, points: curve.points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ") }));
-    const now = curve.points.find(([a]) => a === moment?.numbers.reduced_pressure);
-    if (now && now[1] <= top) svg.append(drawn("circle", { class: `of-${curve.style}`, cx: x(now[0]), cy: y(now[1]), r: 5 }));
-  }
-  for (const { style, at: [a, b] } of dots) if (b <= top) svg.append(drawn("circle", { class: `of-${style}`, cx: x(a), cy: y(b), r: 3.5 }));
-  const said = note || (shown.length || dots.length ? "" : say("chart.sweep"));
-  said.split(", ").filter(Boolean).forEach((line, i) => {
-    svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
-  });
-  target.replaceChildren(svg);
-  legend(svg, top, shown, w);
-}
-
-/** The names of the curves in one line above the axes, each as wide as it is drawn. */
-function legend(svg, top, curves, width) {
-  const names = curves.map(({ name, style, points }) => {
-    const highest = Math.max(...points.map(([, value]) => value));
-    return drawn("text", { class: `of-${style}`, y: 28 }, highest > top ? `${name} ↑${figure(highest, 2)}` : name);
-  });
-  svg.append(...names);
-  const widths = names.map((name) => name.getComputedTextLength() + APART);
-  const whole = widths.reduce((sum, width) => sum + width, 0);
-  let place = Math.max(0, Math.min(ROOM.left, width - whole));
-  names.forEach((name, i) => { name.setAttribute("x", place); place += widths[i]; });
+/** Keeps how much leaks through a contact that was seen. */
+function keepLeak(run, { axes: [{ hydraulic_gap: gap }] }) {
+  for (const seen of visitedContacts) if (words(seen.its) === words(run.knobs)) seen.numbers = { ...seen.numbers, hydraulic_gap_x: gap };
+  charts();
 }
 
 /** The knobs that make surface and solid of a sweep. */
@@ -97,37 +32,128 @@ function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, 
   return JSON.stringify([hardness, layer, memory, attraction, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, form, domain === "surface" && [peklenik, angle], skewness, kurtosis, seed]]);
 }
 
-/** Upper ends of the axis of kappa: the lowest that holds all curves and dots, and the guess while one is asked for, or the last one. */
-const TOPS = [4, 10];
+/** The dots of contacts that a person has seen of what is pressed now. */
+function dotsOf(style, x, y) {
+  const own = pressedOf(knobs);
+  const its = visitedContacts.filter((seen) => pressedOf(seen.its) === own);
+  return its.map(({ numbers: told }) => ({ style, at: [told[x], told[y]] })).filter(({ at: [a, b] }) => a > 0 && Number.isFinite(b));
+}
 
+/** Upper end of the axis of kappa. */
 function topOf(curves, dots = []) {
   const highest = Math.max(0, guess?.top ?? 0, ...curves.flatMap(({ points }) => points.map(([, value]) => value)), ...dots.map(({ at }) => at[1]));
   return TOPS.find((top) => top >= highest) ?? TOPS.at(-1);
 }
 
-/** Draws the sweep; one of another surface than that of the knobs is grey, and says so. */
+/** The run whose process the charts are about; none for a sweep, and while a question asks for a curve over the load. */
+function runOfProcess() {
+  const run = shownOrLatest();
+  return run?.process && !guess?.target && !isSweep(current()) ? run : null;
+}
+
+/** Draws both charts. */
 function charts() {
+  const run = runOfProcess();
+  document.body.toggleAttribute("data-process", Boolean(run));
+  if (run) chartsOfProcess(run);
+  else if (HAS.creeping(knobs) && knobs.speed > 0) chartsOfSliding();
+  else chartsOfLoads();
+}
+
+/** Where a curve over states is drawn: the columns of both quantities, and the state that is shown. */
+async function chartsOfProcess(run) {
+  const columns = run.ended && isKept(run) ? await facet(run, "steps").catch(() => null) : null;
+  if (runOfProcess() !== run) return;
+  describeCharts(columns?.step.length ?? 0, (moment?.step ?? columns?.step.at(-1) ?? 1) - 1);
+  run.process.charts.forEach(([across, up], i) => chartOfStates(byId(["chart-area", "chart-kappa"][i]), run, columns, [across ?? "step", up]));
+}
+
+/** A chart over the states of a run, with the contacts that a hand has found. */
+function chartOfStates(target, run, columns, [across, up]) {
+  const modulus = modulusOf(run.numbers);
+  const [xs, ys] = [across, up].map((name) => columns?.[name] ?? []);
+  const points = xs.map((x, i) => [x, ys[i]]).filter((at) => at.every(Number.isFinite));
+  const dots = dotsOf("computed", across, up);
+  const shownAt = moment?.numbers ?? run.numbers ?? {};
+  const now = [shownAt[across] ?? xs.at(-1), shownAt[up]];
+  const axis = (i, name) => {
+    const values = [...points, ...dots.map(({ at }) => at)].map((at) => at[i]);
+    const unit = shownUnit(kindOf(name), Math.max(...values.map(Math.abs), 0), modulus);
+    return { unit, name: `${say(`number.${name}`)}${unit.name ? ` / ${unit.name}` : ""}`, axis: roundAxis(values, unit.size) };
+  };
+  const [x, y] = [axis(0, across), axis(1, up)];
+  const pickState = (value, height) => {
+    const away = ([a, b]) => (x.axis.share(a) - x.axis.share(value)) ** 2 + (y.axis.share(b) - y.axis.share(height)) ** 2;
+    const nearest = xs.reduce((best, _, i) => away([xs[i], ys[i]]) < away([xs[best], ys[best]]) ? i : best, 0);
+    if (columns) seekStep(columns.step[nearest]);
+  };
+  chart(target, { title: y.name, name: x.name, x: x.axis, y: y.axis, curves: [{ name: "", style: "computed", points, now: now.every(Number.isFinite) && points.length ? now : null }], dots, note: run.ended ? "" : say("chart.running"), isStale: false, now: NaN, pick: pickState });
+}
+
+/** The kind of the unit of a quantity. */
+const kindOf = (name) => known.find((row) => row.name === name)?.unit ?? "1";
+
+/** Friction and area against the speed of sliding: a dot for each speed that was seen under this load. */
+function chartsOfSliding() {
+  const still = (its) => pressedOf({ ...its, speed: 0, time: 0 });
+  const alike = visitedContacts.filter(({ its }) => its.speed > 0 && its.load === knobs.load && still(its) === still(knobs));
+  for (const [id, up] of [["chart-area", "friction"], ["chart-kappa", "relative_area"]]) {
+    const dots = alike.map(({ its, numbers: told }) => ({ style: "computed", at: [its.speed, told[up]] })).filter(({ at }) => Number.isFinite(at[1]));
+    const x = logAxis(dots.map(({ at }) => at[0]), [-4, 2], roomOf(byId(id)).wide);
+    const y = roundAxis(dots.map(({ at }) => at[1]), 1);
+    chart(byId(id), { title: say(`number.${up}`), name: "Vτ/L", x, y, curves: [], dots, note: dots.length > 1 ? "" : say("chart.speeds"), isStale: false, now: knobs.speed, pick: null });
+  }
+}
+
+/** Draws area and kappa against the load; a sweep of another surface than that of the knobs is grey, and says so. */
+function chartsOfLoads() {
   const { sweep: shown } = report;
   const points = shown ? shown.points : [];
   const isStale = points.length > 0 && pressedOf(shown.knobs) !== pressedOf(knobs);
   const note = isStale ? say("chart.stale") : "";
   const curve = (name, style, of) => ({ name, style, points: points.map((p) => [p.reduced_pressure, of(p)]).filter(([, v]) => Number.isFinite(v)) });
-  chart(byId("chart-area"), say("chart.area"), 1, [
+  const overLoad = (target, title, top, curves, dots) => {
+    const loads = [...curves.flatMap((it) => it.points), ...dots.map(({ at }) => at)].map(([load]) => load);
+    const x = logAxis(loads, USUAL_LOADS, roomOf(target).wide);
+    const y = linearAxis(0, top, [0, top / 2, top].map((value) => [value, inLocale(String(value))]));
+    chart(target, { title, name: "p*", x, y, curves, dots, note, isStale, now: moment?.numbers.reduced_pressure ?? knobs?.load, pick: pickLoad });
+  };
+  overLoad(byId("chart-area"), say("chart.area"), 1, [
     curve("Persson", "persson", (p) => p.persson ?? NaN), curve("a_rel", "computed", (p) => p.relative_area),
-    curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], dotsOf("computed", "area"), note);
+    curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], dotsOf("computed", "reduced_pressure", "relative_area"));
+  if (!byId("top-box").hidden && LEAKS.includes(shownMap)) chartOfLeak(); else chartOfKappas(overLoad, curve);
+  describeCharts(points.length, points.findLastIndex((point) => point.reduced_pressure <= (moment?.numbers.reduced_pressure ?? knobs.load)));
+  Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
+}
+
+/** How much leaks against the load: a dot for each load that was seen. */
+function chartOfLeak() {
+  const target = byId("chart-kappa");
+  const dots = dotsOf("computed", "reduced_pressure", "hydraulic_gap_x").filter(({ at }) => at[1] > 0);
+  const unit = shownUnit("length", Math.max(0, ...dots.map(({ at }) => at[1])));
+  const x = logAxis(dots.map(({ at }) => at[0]), USUAL_LOADS, roomOf(target).wide);
+  const y = logAxis(dots.map(({ at }) => at[1] / unit.size), [-3, 3], roomOf(target).high);
+  const scaled = dots.map(({ style, at: [load, gap] }) => ({ style, at: [load, gap / unit.size] }));
+  chart(target, { title: `${say("chart.leak")} / ${unit.name}`, name: "p*", x, y, curves: [], dots: scaled, note: scaled.length > 1 ? "" : say("chart.loads"), isStale: false, now: knobs.load, pick: null });
+}
+
+function chartOfKappas(overLoad, curve) {
   const kappas = [
     curve("Persson", "persson", (p) => (p.persson ?? NaN) / p.reduced_pressure), curve("κ", "computed", (p) => p.kappa),
     curve("κ_r", "second", (p) => p.kappa_r), curve(say("chart.exact"), "exact", (p) => p.exact?.kappa_r), ...guessOf("chart-kappa")];
-  const dots = [...dotsOf("computed", "kappa"), ...dotsOf("second", "kappa_r")];
-  chart(byId("chart-kappa"), say("chart.kappa"), topOf(kappas, dots), kappas, dots, note);
+  const dots = [...dotsOf("computed", "reduced_pressure", "kappa"), ...dotsOf("second", "reduced_pressure", "kappa_r")];
+  overLoad(byId("chart-kappa"), say("chart.kappa"), topOf(kappas, dots), kappas, dots);
+}
+
+/** Tells both charts as sliders: how many places they have, and which of them is shown. */
+function describeCharts(count, at) {
   for (const target of [byId("chart-area"), byId("chart-kappa")]) {
-    target.tabIndex = points.length ? 0 : -1;
+    target.tabIndex = count ? 0 : -1;
     target.ariaValueMin = 0;
-    target.ariaValueMax = Math.max(1, points.length - 1);
-    target.ariaValueNow = Math.max(0, points.findLastIndex((point) => point.reduced_pressure <= (moment?.numbers.reduced_pressure ?? knobs.load)));
+    target.ariaValueMax = Math.max(1, count - 1);
+    target.ariaValueNow = Math.max(0, at);
     target.setAttribute("aria-valuetext", moment ? moment.name : say("moment.load", { load: figure(knobs.load, 4) }));
   }
-  Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
 }
 
 /** Shows the load of the sweep that is nearest to one, in the viewer, the table and the picture. */
@@ -137,12 +163,17 @@ function pickLoad(load) {
   if (points.length) showLoad(points.reduce((best, point) => away(point) < away(best) ? point : best));
 }
 
-/** Goes from one load of the sweep to its neighbours by keys. */
-function stepLoad(event) {
+/** Goes from one state of a process, or load of the sweep, to its neighbours by keys. */
+function stepChart(event) {
   const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
-  const points = report.sweep?.points ?? [];
-  if (!by || !points.length) return;
+  if (!by || event.currentTarget.tabIndex < 0) return;
   event.preventDefault();
+  const run = runOfProcess();
+  if (run) seekStep((moment?.step ?? run.steps.at(-1)) + by); else stepLoad(by);
+}
+
+function stepLoad(by) {
+  const points = report.sweep.points;
   const load = moment?.numbers.reduced_pressure ?? knobs.load;
   const now = points.findLastIndex((point) => point.reduced_pressure <= load * (1 + 1e-9));
   showLoad(points[Math.min(points.length - 1, Math.max(0, now + by))]);

@@ -47,7 +47,7 @@ function showContact(contact, before = null) {
   const shown = sectionOfCut(own, top);
   const its = axesOf([shown, shownBeside].filter(Boolean));
   const most = Math.max(its.pressure, top?.highest_pressure ?? 0);
-  showSection(shown, shownBeside, before ? { ...before, pressure: Math.max(before.pressure, most), shear: Math.max(before.shear, its.shear) } : { ...its, pressure: most }, top);
+  showSection(shown, shownBeside, before ? { ...before, pressure: Math.max(before.pressure, most), pull: Math.max(before.pull, its.pull), shear: Math.max(before.shear, its.shear) } : { ...its, pressure: most }, top);
 }
 
 /** A name of numbers, with how their solve ended where it did not converge. */

@@ -62,6 +62,7 @@ async function momentOfStep(run, step) {
   const isEnd = at < 0 || step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity);
   const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
   setMoment(numbers && { name: momentName(numbers), numbers, step });
+  charts();
   if (numbers) await showMotion(run, step);
 }
 
@@ -182,9 +183,9 @@ function drawPatch() {
   const { twin, profile } = chosen;
   const isLine = section.y === null;
   const share = (part) => `${figure(100 * part, 3)} %`;
-  const rows = [["width", patchWidth(), twin && 2 * twin.half_width, lengthOf], ["area", !isLine && chosen.area, twin?.area, squareMicrometres],
-    ["load", chosen.share, twin && chosen.share, share], ["pressure", chosen.max_pressure, twin?.max_pressure],
-    ["kappa-r", chosen.kappa_r, twin?.kappa_r], ["radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, lengthOf]];
+  const rows = [["width", patchWidth(), twin && 2 * twin.half_width, inLengths], ["area", !isLine && chosen.area, twin?.area, squareMicrometres],
+    ["load", chosen.share, twin && chosen.share, share], ["pressure", chosen.max_pressure, twin?.max_pressure, pressureOf],
+    ["kappa-r", chosen.kappa_r, twin?.kappa_r], ["radius", 1 / chosen.curvature, twin && 1 / chosen.curvature, inLengths]];
   byId("patch-name").textContent = say("patch.name", { number: chosen.number, count: chosen.count, nodes: chosen.nodes });
   const cells = ([name, its, of, words = (value) => figure(value, 3)]) =>
     element("tr", {}, element("th", { scope: "row" }, say(`patch.${name}`)), element("td", {}, words(its)), element("td", {}, twin ? words(of) : "–"));
@@ -194,7 +195,8 @@ function drawPatch() {
   if (profile) drawTwin(profile, twin); else byId("patch-picture").replaceChildren();
 }
 
-const squareMicrometres = (area) => `${figure(1e12 * area, 3)} µm²`;
+const inLengths = (metres) => withUnit(metres, "length");
+const squareMicrometres = (area) => `${figure(1e12 * area * stretch() ** 2, 3)} µm²`;
 
 function drawTwin({ x, height, pressure }, twin) {
   const box = byId("patch-picture").getBoundingClientRect();

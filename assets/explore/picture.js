@@ -22,10 +22,14 @@ let section = null;
 let beside = null;
 let axes = null;
 
-/** Axes that hold all sections: the lowest and the highest place, the largest pressure, the largest shear stress. */
+/** The pressure along a section, less the attraction where there is one. */
+const netOf = ({ pressure, fields }) => fields?.attraction ? pressure.map((p, i) => p - fields.attraction[i]) : pressure;
+
+/** Axes that hold all sections: the lowest and the highest place, the largest pressure, the largest pull, the largest shear stress. */
 function axesOf(sections) {
   const most = (of) => Math.max(...sections.flatMap(of));
-  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ highest_pressure }) => [highest_pressure]),
+  const lowest = most((it) => [0, ...netOf(it).map((p) => -p), ...(it.fields?.traction ?? []).map((p) => -p)]);
+  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ highest_pressure }) => [highest_pressure]), pull: lowest,
     shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
@@ -53,12 +57,19 @@ function placeLabels() {
   for (const label of allOf(".label")) label.hidden = !section;
   if (!section) return;
   const at = frame(byId("section"));
-  byId("label-pressure").textContent = say("section.scale", { pressure: figure(axes.pressure, 3) });
+  byId("label-pressure").textContent = scaleInWords(section);
   byId("label-pressure").hidden = !(axes.pressure > 0);
   byId("label-rigid").textContent = section.slides ? say("label.rigid.slides") : say("label.rigid");
   byId("label-solid").textContent = HAS.creeping(knobs) ? say("label.solid.creeps") : say("label.solid");
   byId("label-rigid").style.top = `${at.top + 2}px`;
   byId("label-drag").hidden = !canPress() || isTouched;
+}
+
+/** What stands above a section, and how large it is. */
+function scaleInWords({ fields }) {
+  const places = { pressure: pressureOf(axes.pressure), pull: pressureOf(axes.pull) };
+  if (fields?.attraction) return say("section.scale.attraction", places);
+  return fields?.traction ? say("section.scale.traction", places) : say("section.scale", places);
 }
 
 /** Places of the picture in pixels: x of a share of the length, y of a height and of a pressure, and back. */
@@ -71,7 +82,7 @@ function frame(canvas) {
     w, h, top, perHeight,
     x: (share) => share * w,
     y: (height) => top + NAME + (axes.high - height) * perHeight,
-    pressure: (p) => top * (1 - (1 - SPARE) * p / (axes.pressure || 1)),
+    pressure: (p) => top * (1 - (1 - SPARE) * (p + axes.pull) / (axes.pressure + axes.pull || 1)),
   };
 }
 
@@ -94,7 +105,7 @@ function colours() {
 }
 
 function paintSection(to, at, shown) {
-  const { rigid, solid, pressure, exact, shear } = shown;
+  const { rigid, solid, pressure, exact, shear, fields } = shown;
   const colour = colours();
   const place = (i, n) => at.x((i + 0.5) / n);
   const line = (values, y) => {
@@ -130,7 +141,11 @@ function paintSection(to, at, shown) {
   to.stroke(line(solid, at.y));
   to.restore();
   to.fillStyle = colour.warm;
-  to.fill(filled(pressure, at.pressure, at.top));
+  to.fill(filled(netOf(shown), at.pressure, at.pressure(0)));
+  if (fields?.traction) {
+    to.strokeStyle = colour.green;
+    to.stroke(line(fields.traction, at.pressure));
+  }
   if (exact) {
     to.setLineDash([6, 4]);
     to.strokeStyle = colour.green;
@@ -143,10 +158,10 @@ function paintSection(to, at, shown) {
 
 /** A unit in which a length has one to three digits before its mark, its size, and a round distance of marks, of which four or five fit. */
 function scaleOf(length) {
-  const [unit, size] = LENGTHS.find(([, size]) => length >= 0.9995 * size) ?? LENGTHS.at(-1);
-  const fifth = length / 5;
+  const { name: unit, size } = shownUnit("length", length);
+  const fifth = length / size / 5;
   const power = 10 ** Math.floor(Math.log10(fifth));
-  return { unit, size, every: power * [1, 2, 5, 10].find((step) => step * power >= fifth * (1 - 1e-9)) };
+  return { unit, size, every: size * power * [1, 2, 5, 10].find((step) => step * power >= fifth * (1 - 1e-9)) };
 }
 
 /** The number of a mark of an axis. */
@@ -205,6 +220,6 @@ function paintShear(to, at, { solid, length, shear: { depth, columns, highest, v
 /** A section in words, for those who do not see it. */
 function inWords({ pressure, highest_pressure, slides }) {
   const share = pressure.filter((p) => p > 0).length / pressure.length;
-  const told = say("section.words", { share: figure(100 * share, 3), pressure: figure(highest_pressure, 3) });
+  const told = say("section.words", { share: figure(100 * share, 3), pressure: pressureOf(highest_pressure) });
   return slides ? `${told}. ${say("section.slides")}` : told;
 }

@@ -371,6 +371,13 @@ function valueOf(told, name) {
   return [element("span", { class: "coarse", title: say(tip) }, shown)];
 }
 
+/** Rows of the numbers that only the process of a run knows. */
+function rowsOfProcess(run, both, cell) {
+  const names = (run.process?.numbers ?? []).filter((name) => both.some((told) => Number.isFinite(told?.[name])));
+  const told = (its, name) => withUnit(its?.[name], kindOf(name), { digits: 4, modulus: modulusOf(its) });
+  return names.map((name) => element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(told(both[0], name), name), cell(told(both[1], name), ""), cell("", "")));
+}
+
 function numbers() {
   const shown = runOf(shownRun);
   const isOfSweep = shown && isSweep(shown) && !moment?.title;
@@ -386,7 +393,7 @@ function numbers() {
     const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
-  byId("numbers").tBodies[0].replaceChildren(...body);
+  byId("numbers").tBodies[0].replaceChildren(...body, ...rowsOfProcess(run, both, cell));
   const status = run.numbers ? run.numbers.status : "begun";
   if (!isOfSweep) titleRun(run);
   byId("this").textContent = moment ? moment.name : say("numbers.this");

@@ -1,15 +1,20 @@
-// A contact of a surface from above: its pressure, its gap or its patches, and where the section cuts it.
+// A contact of a surface from above: its pressure, its gap, its patches or what flows through it, and where the section cuts it.
 
-/** What a map shows. */
-const MAPS = ["pressure", "gap", "patches", "solid"];
+/** What a map shows: fields of the contact, its patches, further fields of its state, its leakage, and the contact in space. */
+const MAPS = ["pressure", "gap", "patches", "traction", "slip", "attraction", "flux", "fluid", "solid"];
+const LEAKS = ["flux", "fluid"];
 /** Room around a map for its axes, in pixels, and the width of its colour bar. */
 const MARGIN = { left: 44, right: 92, above: 10, below: 34 };
 const BAR = 14;
-/** Colours from the lowest to the highest value: of pressures, from where nothing touches on, and of gaps. */
+/** Colours from the lowest to the highest value: of pressures, from where nothing touches on, of gaps, of the leakage, and of what has two signs. */
 const RAMPS = {
-  pressure: [[0x23, 0x1a, 0x4b], [0x7a, 0x22, 0x6c], [0xcb, 0x46, 0x4b], [0xf6, 0x92, 0x1f], [0xfd, 0xf3, 0xa0]],
+  pressure: [[0x5a, 0x1e, 0x63], [0x93, 0x2b, 0x63], [0xcb, 0x46, 0x4b], [0xf6, 0x92, 0x1f], [0xfd, 0xf3, 0xa0]],
   gap: [[0x0b, 0x3c, 0x5d], [0x1f, 0x7a, 0x8c], [0x62, 0xb6, 0xa0], [0xb9, 0xdf, 0xb2], [0xf2, 0xf7, 0xe4]],
+  leak: [[0x14, 0x2a, 0x5c], [0x1f, 0x66, 0xb0], [0x35, 0xa7, 0xdc], [0x9a, 0xdc, 0xf0], [0xff, 0xff, 0xff]],
+  signed: [[0x1f, 0x4e, 0x9c], [0x7f, 0xb2, 0xe5], [0xd9, 0xd9, 0xd9], [0xf0, 0xa8, 0x5a], [0xa8, 0x4b, 0x00]],
 };
+/** Symbols of what maps show. */
+const SYMBOLS = { pressure: "p", gap: "g", traction: "τ", slip: "s", attraction: "σ", flux: "|J|/<J>", fluid: "p_f/Δp" };
 /** Colours of patches, taken in turn. */
 const PATCHES = [[0xe6, 0x9f, 0x00, 255], [0x56, 0xb4, 0xe9, 255], [0x00, 0x9e, 0x73, 255], [0xf0, 0xe4, 0x42, 255], [0xd5, 0x5e, 0x00, 255], [0xcc, 0x79, 0xa7, 255]];
 /** The colour of what touches in a map of gaps. */
@@ -37,9 +42,11 @@ function showTop(its) {
 function sectionAlong(its, share, like) {
   const [rows, columns] = its.shape;
   const row = Math.min(rows - 1, Math.floor(share * rows));
-  const [rigid, gap, pressure] = [its.rigid, its.gap, its.pressure].map((all) => all.slice(row * columns, (row + 1) * columns));
+  const along = (all) => all.slice(row * columns, (row + 1) * columns);
+  const [rigid, gap, pressure] = [its.rigid, its.gap, its.pressure].map(along);
+  const fields = Object.fromEntries(Object.entries(its.fields).map(([name, field]) => [name, along(field.values)]));
   const solid = rigid.map((z, i) => z - gap[i]);
-  return { ...like, y: row / rows * its.size[0], rigid, solid, pressure, highest_pressure: Math.max(...pressure), exact: null, shear: null };
+  return { ...like, y: row / rows * its.size[0], rigid, solid, pressure, highest_pressure: Math.max(...pressure), fields, exact: null, shear: null };
 }
 
 /** The section that is to be shown of a contact: its own, or where a person has cut its map. */
@@ -61,38 +68,96 @@ function colourOf(ramp, share) {
   return ramp[part].map((from, i) => Math.round(from + (place - part) * (ramp[part + 1][i] - from)));
 }
 
-/** The colours of a map: values are shares of the largest one, and what touches has a colour of its own in a map of gaps. */
-function paintedMap(ground, patches) {
-  const { shape: [rows, columns], pressure, gap, highest_pressure: highest } = above;
-  const widest = gap.reduce((most, it) => Math.max(most, it), 0) || 1;
-  const image = new ImageData(columns, rows);
-  const shades = RAMPS[shownMap] && Array.from({ length: SHADES }, (_, i) => [...colourOf(RAMPS[shownMap], i / (SHADES - 1)), 255]);
-  const shade = (share) => shades[Math.min(SHADES - 1, Math.max(0, Math.round(share * (SHADES - 1))))];
-  const patchAt = (i) => patches.map[Math.floor((Math.floor(i / columns) + 0.5) / rows * patches.shape[0]) * patches.shape[1] + Math.floor((i % columns + 0.5) / columns * patches.shape[1])];
-  const colourAt = {
-    pressure: (i) => pressure[i] > 0 ? shade(0.15 + 0.85 * pressure[i] / highest) : ground,
-    gap: (i) => pressure[i] > 0 ? TOUCHING : shade(gap[i] / widest),
-    patches: (i) => { const number = patches ? patchAt(i) : Number(pressure[i] > 0); return number ? PATCHES[(number - 1) % PATCHES.length] : ground; },
-  }[shownMap];
-  for (let i = 0; i < rows * columns; i++) image.data.set(colourAt(i), 4 * i);
-  const source = element("canvas", { width: columns, height: rows });
-  source.getContext("2d").putImageData(image, 0, 0);
-  return { source, top: { pressure: highest, gap: widest, patches: null }[shownMap] };
+/** The values of a map: row by row, with their kind, their ends, their colours, and how the colours follow them. Places without a value have
+ * none: what does not touch has no pressure.
+ * @type {(name: string) => any} */
+function mapOf(name) {
+  const { shape, pressure, gap, highest_pressure: highest, fields } = above;
+  const most = (values) => values.reduce((best, it) => Math.max(best, Math.abs(it ?? 0)), 0) || 1;
+  if (name === "pressure") return { shape, values: pressure.map((p) => p > 0 ? p * LIMITS.modulus : null), kind: "pressure", low: 0, high: (highest || 1) * LIMITS.modulus, ramp: RAMPS.pressure, power: 1 };
+  if (name === "gap") return { shape, values: gap, kind: "length", low: 0, high: most(gap), ramp: RAMPS.gap, power: 1 };
+  if (LEAKS.includes(name)) {
+    const { shape: its, flux, fluid } = leakOfTop.axes[0];
+    return name === "flux" ? { shape: its, values: flux.map((it) => it || null), kind: "1", low: 0, high: most(flux), ramp: RAMPS.leak, power: 0.5 } : { shape: its, values: fluid, kind: "1", low: 0, high: 1, ramp: RAMPS.leak, power: 1 };
+  }
+  const { unit, values } = fields[name];
+  const own = values.map((it, i) => pressure[i] > 0 || name === "attraction" ? it * (unit === "pressure" ? LIMITS.modulus : 1) : null);
+  const isSigned = name !== "attraction";
+  return { shape, values: own, kind: unit, low: isSigned ? -most(own) : 0, high: most(own), ramp: isSigned ? RAMPS.signed : RAMPS.gap, power: 1 };
 }
 
-/** The numbers of patches of the run whose section is shown, once they are known. */
+/** Where a value is between the ends of a map, and the value at a share. */
+const shareOf = ({ low, high, power }, value) => ((value - low) / (high - low)) ** power;
+const valueAt = ({ low, high, power }, share) => low + (high - low) * share ** (1 / power);
+
+/** The colours of a map; what touches has a colour of its own in a map of gaps. */
+function paintedMap(ground) {
+  const map = shownMap === "patches" ? null : mapOf(shownMap);
+  const [rows, columns] = map?.shape ?? above.shape;
+  const image = new ImageData(columns, rows);
+  const shades = map && Array.from({ length: SHADES }, (_, i) => [...colourOf(map.ramp, i / (SHADES - 1)), 255]);
+  const shade = (value) => shades[Math.min(SHADES - 1, Math.max(0, Math.round(shareOf(map, value) * (SHADES - 1))))];
+  const patch = (i) => { const number = patchesOfTop ? patchAt(patchesOfTop, i) : Number(above.pressure[i] > 0); return number ? PATCHES[(number - 1) % PATCHES.length] : ground; };
+  const isGap = shownMap === "gap";
+  const value = (i) => isGap && above.pressure[i] > 0 ? TOUCHING : map.values[i] === null ? ground : shade(map.values[i]);
+  for (let i = 0; i < rows * columns; i++) image.data.set(map ? value(i) : patch(i), 4 * i);
+  const source = element("canvas", { width: columns, height: rows });
+  source.getContext("2d").putImageData(image, 0, 0);
+  return { source, map };
+}
+
+/** The number of the patch at a node of the map. */
+function patchAt({ shape: [patchRows, patchColumns], map }, i) {
+  const [rows, columns] = above.shape;
+  return map[Math.floor((Math.floor(i / columns) + 0.5) / rows * patchRows) * patchColumns + Math.floor((i % columns + 0.5) / columns * patchColumns)];
+}
+
+/** The numbers of patches, and the leakage, of the run whose section is shown, once they are known. */
 let patchesOfTop = null;
+let leakOfTop = null;
+
+/** Whether a map can be drawn of the state that is shown: the leakage is that of a run that has ended. */
+const hasMap = (name) => LEAKS.includes(name) ? Boolean(leakOfTop) : !["traction", "slip", "attraction"].includes(name) || name in above.fields;
+
+/** Shows a map of a name. */
+function chooseMap(name) {
+  shownMap = name;
+  drawTop();
+  charts();
+}
+
+/** Has what a map needs besides the contact, if that of the run is shown. */
+async function findForTop() {
+  const run = !grip && sectionRun ? runOf(sectionRun) : null;
+  const wanted = (isWanted, name) => isWanted && run?.ended ? facet(run, name).catch((error) => fault(error.message)) : null;
+  const [patches, leak] = await Promise.all([wanted(shownMap === "patches", "patches"), wanted(LEAKS.includes(shownMap), "leak")]);
+  [patchesOfTop, leakOfTop] = [patches ?? null, leak ?? null];
+  if (leakOfTop) keepLeak(run, leakOfTop);
+}
 
 async function drawTop() {
   if (!above) return;
   const isSolid = shownMap === "solid";
   byId("top").hidden = isSolid;
   for (const id of ["solid", "solid-scale"]) byId(id).hidden = !isSolid;
-  for (const name of MAPS) byId(`map-${name}`).setAttribute("aria-pressed", String(name === shownMap));
+  for (const name of MAPS) {
+    byId(`map-${name}`).setAttribute("aria-pressed", String(name === shownMap));
+    byId(`map-${name}`).hidden = !LEAKS.includes(name) && !hasMap(name);
+  }
+  tellLeak();
   if (isSolid) { drawSolid(); return; }
-  const run = shownMap === "patches" && !grip && sectionRun ? runOf(sectionRun) : null;
-  patchesOfTop = run?.ended ? await facet(run, "patches").catch(() => null) : null;
+  await findForTop();
+  tellLeak();
   if (above && shownMap !== "solid") paintTop();
+}
+
+/** Says how much leaks, or that the leakage is not known yet. */
+function tellLeak() {
+  const isLeak = LEAKS.includes(shownMap);
+  byId("top-note").hidden = !isLeak;
+  if (!isLeak) return;
+  const gap = leakOfTop?.axes[0].hydraulic_gap;
+  byId("top-note").textContent = gap === undefined ? say("top.leak.waits") : gap > 0 ? say("top.leak", { gap: withUnit(gap, "length") }) : say("top.leak.sealed");
 }
 
 function paintTop() {
@@ -105,16 +170,17 @@ function paintTop() {
   const to = canvas.getContext("2d");
   to.scale(scale, scale);
   const [at, colour] = [frameOfTop(), colours()];
-  const { source, top } = paintedMap([...rgb(colour.ground), 255], patchesOfTop);
+  if (!hasMap(shownMap)) { to.clearRect(0, 0, box.width, box.height); return; }
+  const { source, map } = paintedMap([...rgb(colour.ground), 255]);
   to.imageSmoothingEnabled = false;
   to.drawImage(source, at.x, at.y, at.wide, at.high);
   to.strokeStyle = colour.soft;
   to.strokeRect(at.x - 0.5, at.y - 0.5, at.wide + 1, at.high + 1);
   paintCut(to, at, colour);
   paintAxesOfTop(to, at, colour);
-  if (top) paintBar(to, at, colour, top);
+  if (map) paintBar(to, at, colour, map);
   const y = section.y ?? 0;
-  Object.assign(canvas, { ariaLabel: say("top.words", { map: say(`top.${shownMap}`) }), ariaValueNow: String(Number((y / above.size[0]).toPrecision(3))), ariaValueText: say("top.cut", { y: lengthOf(y) }) });
+  Object.assign(canvas, { ariaLabel: say("top.words", { map: say(`top.${shownMap}`) }), ariaValueNow: String(Number((y / above.size[0]).toPrecision(3))), ariaValueText: say("top.cut", { y: withUnit(y, "length") }) });
 }
 
 /** A colour of the style sheet in numbers. */
@@ -161,23 +227,23 @@ function paintAxesOfTop(to, at, colour) {
   to.restore();
 }
 
-/** The colour bar of a map, from 0 to the largest value. */
-function paintBar(to, at, colour, top) {
+/** The colour bar of a map, with its ends and its middle in the unit of the largest. */
+function paintBar(to, at, colour, map) {
   const x = at.x + at.wide + 14;
   for (let i = 0; i < at.high; i++) {
-    const share = 1 - i / at.high;
-    to.fillStyle = `rgb(${colourOf(RAMPS[shownMap], shownMap === "pressure" ? 0.15 + 0.85 * share : share).join(" ")})`;
+    to.fillStyle = `rgb(${colourOf(map.ramp, 1 - i / at.high).join(" ")})`;
     to.fillRect(x, at.y + i, BAR, 1.5);
   }
   Object.assign(to, { font: FONT, fillStyle: colour.soft, textAlign: "left" });
-  const words = shownMap === "gap" ? lengthOf : (p) => figure(p, 2);
+  const { name, size } = shownUnit(map.kind, map.high);
   /** @type {[number, CanvasTextBaseline][]} */
   const marks = [[1, "top"], [0.5, "middle"], [0, "bottom"]];
   for (const [share, baseline] of marks) {
     to.textBaseline = baseline;
-    to.fillText(share ? words(share * top) : "0", x + BAR + 4, at.y + (1 - share) * at.high);
+    to.fillText(figure(Number((valueAt(map, share) / size).toPrecision(2)), 2), x + BAR + 4, at.y + (1 - share) * at.high);
   }
-  if (shownMap === "pressure") { to.textBaseline = "top"; to.fillText("p / E*", x, at.y + at.high + 5); }
+  to.textBaseline = "top";
+  to.fillText([SYMBOLS[shownMap], name].filter(Boolean).join(" / "), x, at.y + at.high + 5);
 }
 
 /** The node of the map below a pointer, and its place; none beside the map. */
@@ -197,8 +263,18 @@ function pointAtTop(event) {
   label.hidden = !place;
   if (!place) return;
   const i = place.node[0] * above.shape[1] + place.node[1];
-  const [y, x] = place.shares.map((share, axis) => lengthOf(share * above.size[axis]));
-  label.textContent = above.pressure[i] > 0 ? say("top.touches", { x, y, pressure: figure(above.pressure[i], 3) }) : say("top.apart", { x, y, gap: lengthOf(above.gap[i]) });
+  const [y, x] = place.shares.map((share, axis) => withUnit(share * above.size[axis], "length"));
+  const own = above.pressure[i] > 0 ? say("top.touches", { x, y, pressure: pressureOf(above.pressure[i]) }) : say("top.apart", { x, y, gap: withUnit(above.gap[i], "length") });
+  label.textContent = [own, further(place.shares)].filter(Boolean).join(", ");
+}
+
+/** What a map other than those of pressure and gap has at a place, in words. */
+function further(shares) {
+  if (["pressure", "gap", "patches", "solid"].includes(shownMap) || !hasMap(shownMap)) return "";
+  const map = mapOf(shownMap);
+  const [row, column] = shares.map((share, axis) => Math.floor(share * map.shape[axis]));
+  const value = map.values[row * map.shape[1] + column];
+  return value === null ? "" : `${say(`top.${shownMap}`)} ${withUnit(value, map.kind)}`;
 }
 
 /** Cuts the map along another row, and chooses the patch at a place of it. A map of another state than the one that is shown is not cut. */
@@ -225,6 +301,6 @@ function beginTop() {
   canvas.addEventListener("pointerleave", () => { byId("top-value").hidden = true; });
   canvas.addEventListener("click", (event) => { const place = above && placeOnTop(event); if (place) cutAt(place.shares[0], place.shares[1]); });
   canvas.addEventListener("keydown", keyOnTop);
-  for (const name of MAPS) byId(`map-${name}`).addEventListener("click", () => { shownMap = name; drawTop(); });
+  for (const name of MAPS) byId(`map-${name}`).addEventListener("click", () => chooseMap(name));
   for (const id of ["top", "solid"]) new ResizeObserver(drawTop).observe(byId(id));
 }

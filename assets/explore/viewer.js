@@ -174,12 +174,12 @@ function rangeOf(run) {
   return known?.length ? { min: known[0], max: known.at(-1) } : null;
 }
 
-/** The step at a share of the run: early steps, in which most happens, take most of the time. Loads take as long each. */
+/** The step at a share of the run: early steps, in which most happens, take most of the time. Loads and states take as long each. */
 function stepAt(run, share) {
   const range = run && rangeOf(run);
   if (!range) return null;
   const length = range.max - range.min;
-  return Math.round(range.min + (isSweep(run) ? share * length : Math.expm1(share * Math.log1p(length))));
+  return Math.round(range.min + (isSweep(run) || run.process ? share * length : Math.expm1(share * Math.log1p(length))));
 }
 
 function seek(share) {
@@ -192,6 +192,17 @@ function seek(share) {
   byId("scrub").value = 1000 * share;
   byId("scrub-step").value = say(`timeline.${timeline(run)}`, { value: step });
   return true;
+}
+
+/** Goes to a step of the run that is shown, or to the nearest one that it has. */
+function seekStep(step) {
+  const run = shownOrLatest();
+  const range = run && rangeOf(run);
+  if (!range) return;
+  stopPlaying();
+  shownRun = run.id;
+  const at = Math.min(range.max, Math.max(range.min, step));
+  if (isInViewer(run)) goTo(recordingName(run), "step", at); else momentOfStep(run, at);
 }
 
 /** The recording in which a person went to a step or a load: all others move on by themselves as they are read. */

@@ -92,7 +92,7 @@ impl Session {
             (path, "POST") if GETS.contains(&path) => Answer::wrong_method("GET"),
             (path, "GET") if POSTS.contains(&path) => Answer::wrong_method("POST"),
             (_, "POST") => self.carry_out(request),
-            ("/api/observables", _) => Answer::json(&Quantity::found().map(Quantity::row).collect::<Vec<_>>()),
+            ("/api/observables", _) => Answer::json(&Quantity::all().map(Quantity::row).collect::<Vec<_>>()),
             ("/api/state", _) => Answer::json(&self.report()),
             ("/api/runs", _) => Answer::json(&self.reports()),
             ("/api/heights", _) => Answer::json(&self.description()),

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 /// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
-const CELL: f64 = 160e-6;
+pub(super) const CELL: f64 = 160e-6;
 pub(super) const MODULUS: f64 = 1e9;
 /// Retardation time of a solid that creeps: the unit of time.
 const RETARDATION_TIME: f64 = 1.0;

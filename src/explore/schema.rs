@@ -1,6 +1,7 @@
 //! The schema of the knobs: names, kinds, ranges, units, defaults and the states that have them, written once for page, lessons, links and
 //! documents.
 
+use super::knobs::{CELL, MODULUS};
 use super::refusal::{Refusal, RefusalRule};
 use crate::quantity::number_in_words;
 use KnobGroup::{File, Load, Recording, Solid, Solver, Surface};
@@ -369,6 +370,8 @@ pub fn schema_script() -> String {
         "module": most(MOST_POINTS_OF_MODULE),
         "bumps": MOST_BUMPS,
         "bytes": MOST_HEIGHTS,
+        "modulus": MODULUS,
+        "cell": CELL,
     });
     format!("const KNOBS = {};\nconst LIMITS = {limits};\n", json!(KNOBS))
 }
