@@ -78,8 +78,8 @@ function chartOfStates(target, run, columns, [across, up]) {
   const now = [shownAt[across] ?? xs.at(-1), shownAt[up]];
   const axis = (i, name) => {
     const values = [...points, ...dots.map(({ at }) => at)].map((at) => at[i]);
-    const unit = shownUnit(kindOf(name), Math.max(...values.map(Math.abs), 0), modulus);
-    return { unit, name: `${say(`number.${name}`)}${unit.name ? ` / ${unit.name}` : ""}`, axis: roundAxis(values, unit.size) };
+    const unit = shortUnit(kindOf(name), Math.max(...values.map(Math.abs), 0), modulus);
+    return { name: `${say(`number.${name}`)}${unit.name ? ` / ${unit.name}` : ""}`, axis: roundAxis(values, unit.size) };
   };
   const [x, y] = [axis(0, across), axis(1, up)];
   const pickState = (value, height) => {

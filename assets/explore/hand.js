@@ -46,7 +46,7 @@ function showContact(contact, before = null) {
   const [own, shownBeside] = deepened(contact);
   const shown = sectionOfCut(own, top);
   const its = axesOf([shown, shownBeside].filter(Boolean));
-  const most = Math.max(its.pressure, top?.highest_pressure ?? 0);
+  const most = Math.max(its.pressure, top && !own.fields?.attraction ? top.highest_pressure : 0);
   showSection(shown, shownBeside, before ? { ...before, pressure: Math.max(before.pressure, most), pull: Math.max(before.pull, its.pull), shear: Math.max(before.shear, its.shear) } : { ...its, pressure: most }, top);
 }
 

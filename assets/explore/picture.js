@@ -29,7 +29,7 @@ const netOf = ({ pressure, fields }) => fields?.attraction ? pressure.map((p, i)
 function axesOf(sections) {
   const most = (of) => Math.max(...sections.flatMap(of));
   const lowest = most((it) => [0, ...netOf(it).map((p) => -p), ...(it.fields?.traction ?? []).map((p) => -p)]);
-  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most(({ highest_pressure }) => [highest_pressure]), pull: lowest,
+  return { low: -most(({ solid }) => solid.map((z) => -z)), high: most(({ rigid }) => rigid), pressure: most((it) => it.fields?.attraction ? netOf(it) : [it.highest_pressure]), pull: lowest,
     shear: most(({ shear }) => [shear?.highest ?? 0]) || 1 };
 }
 
@@ -144,7 +144,12 @@ function paintSection(to, at, shown) {
   to.fill(filled(netOf(shown), at.pressure, at.pressure(0)));
   if (fields?.traction) {
     to.strokeStyle = colour.green;
-    to.stroke(line(fields.traction, at.pressure));
+    const path = new Path2D();
+    fields.traction.forEach((value, i) => {
+      const [x, y] = [place(i, fields.traction.length), at.pressure(value)];
+      if (pressure[i] > 0 && pressure[i - 1] > 0) path.lineTo(x, y); else path.moveTo(x, y);
+    });
+    to.stroke(path);
   }
   if (exact) {
     to.setLineDash([6, 4]);

@@ -301,8 +301,6 @@ function lengthOf(metres, digits = 3) {
 let known = [];
 let observables = [];
 const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds"];
-/** One that has a row only where a contact slides. */
-const FRICTION = "friction";
 /** The observables beside which exact values stand. */
 const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
@@ -362,7 +360,8 @@ const ERRORS = { relative_area: "relative_area_error", kappa: "relative_area_err
 /** A number as the table has it: with its error, if that is large or not known, and the error itself with what to do. */
 function valueOf(told, name) {
   const error = told?.[ERRORS[name]];
-  const isUnknown = error === null && told.relative_area > 0;
+  // with adhesion there are no such errors, and no certificate
+  const isUnknown = error === null && told.relative_area > 0 && told.certificate !== null;
   if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name));
   const percent = isUnknown ? "?" : `${figure(100 * error, 2)} %`;
   const remedy = knobs.body === "file" ? "file" : "points";
@@ -388,7 +387,7 @@ function numbers() {
   const cell = (text, name) => element("td", { "data-number": name }, ...[text].flat());
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const both = [moment || run, run.beside || before].map((it) => it?.numbers);
-  const body = observables.filter(({ name }) => name !== FRICTION || both.some((told) => Number.isFinite(told?.[name]))).map(({ name }) => {
+  const body = observables.filter(({ name }) => both.some((told) => told && told[name] !== null) || !both.some(Boolean)).map(({ name }) => {
     const values = both.map((told) => valueOf(told, name));
     const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));

@@ -4,7 +4,7 @@
 const MAPS = ["pressure", "gap", "patches", "traction", "slip", "attraction", "flux", "fluid", "solid"];
 const LEAKS = ["flux", "fluid"];
 /** Room around a map for its axes, in pixels, and the width of its colour bar. */
-const MARGIN = { left: 44, right: 92, above: 10, below: 34 };
+const MARGIN = { left: 44, right: 92, above: 10, note: 24, below: 34 };
 const BAR = 14;
 /** Colours from the lowest to the highest value: of pressures, from where nothing touches on, of gaps, of the leakage, and of what has two signs. */
 const RAMPS = {
@@ -55,10 +55,11 @@ const sectionOfCut = (own, its) => cut === null || !its || own.y === null ? own 
 /** Places of a map in pixels. */
 function frameOfTop() {
   const { width: w, height: h } = byId("top").getBoundingClientRect();
-  const [wide, high] = [Math.max(1, w - MARGIN.left - MARGIN.right), Math.max(1, h - MARGIN.above - MARGIN.below)];
+  const top = LEAKS.includes(shownMap) ? MARGIN.note : MARGIN.above;
+  const [wide, high] = [Math.max(1, w - MARGIN.left - MARGIN.right), Math.max(1, h - top - MARGIN.below)];
   const [ly, lx] = above.size;
   const scale = Math.min(wide / lx, high / ly);
-  return { w, h, x: MARGIN.left, y: MARGIN.above, wide: lx * scale, high: ly * scale };
+  return { w, h, x: MARGIN.left, y: top, wide: lx * scale, high: ly * scale };
 }
 
 /** The colour of a share of a ramp. */
@@ -283,7 +284,7 @@ function cutAt(share, column = null) {
   cut = Math.min(1 - 1e-9, Math.max(0, share));
   const run = shownOrLatest();
   const row = sectionAlong(above, cut, section);
-  showSection(row, beside, { ...axes, low: Math.min(axes.low, ...row.solid), high: Math.max(axes.high, ...row.rigid), pressure: Math.max(axes.pressure, above.highest_pressure) }, above);
+  showSection(row, beside, { ...axes, low: Math.min(axes.low, ...row.solid), high: Math.max(axes.high, ...row.rigid), pressure: Math.max(axes.pressure, axesOf([row]).pressure), pull: Math.max(axes.pull, axesOf([row]).pull) }, above);
   if (column !== null && run?.id === sectionRun) pickAt(column);
 }
 

@@ -43,6 +43,13 @@ function shownUnit(kind, value, modulus = LIMITS.modulus) {
   return { name: "", size: 1 };
 }
 
+/** The same with a power of ten, where numbers up to a value would be too long for an axis. */
+function shortUnit(kind, value, modulus) {
+  const { name, size } = shownUnit(kind, value, modulus);
+  const power = Math.floor(Math.log10(value / size || 1));
+  return power >= -2 && power < 4 ? { name, size } : { name: `1e${power} ${name}`.trim(), size: size * 10 ** power };
+}
+
 /** A value with its unit. */
 function withUnit(value, kind, { digits = 3, modulus = LIMITS.modulus } = {}) {
   if (!Number.isFinite(value)) return "–";
