@@ -387,7 +387,8 @@ function numbers() {
   const cell = (text, name) => element("td", { "data-number": name }, ...[text].flat());
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const both = [moment || run, run.beside || before].map((it) => it?.numbers);
-  const body = observables.filter(({ name }) => both.some((told) => told && told[name] !== null) || !both.some(Boolean)).map(({ name }) => {
+  const isTold = (name) => [...both, run.numbers].some((told) => Number.isFinite(told?.[name]));
+  const body = observables.filter(({ name }) => isTold(name) || !run.numbers).map(({ name }) => {
     const values = both.map((told) => valueOf(told, name));
     const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
