@@ -90,11 +90,11 @@ function beginUnits() {
     fault(sentence);
     if (!sentence) { cellLength = value * MICROMETRE; takeUnits(); }
   });
-  const line = (id, name, input) => {
-    const made = element("div", { class: "row wide", id: `row-${id}`, title: say(`${name}.tip`) }, element("label", { for: id }, say(name)), input);
-    explain(made, say(`${name}.tip`));
+  const line = (input, name, tip) => {
+    const made = element("div", { class: "row wide", id: `row-${input.id}`, title: tip }, element("label", { for: input.id }, name), input);
+    explain(made, tip);
     return made;
   };
-  byId("summary-solid").after(line("material", "material", list), line("cell", "cell", field));
+  byId("summary-solid").after(line(list, say("material"), say("material.tip")), line(field, say("cell"), say("cell.tip")));
   byId("row-cell").hidden = !material;
 }

@@ -48,8 +48,6 @@ pub enum RefusalRule {
     FrictionNotElastic,
     #[strum(message = "GFMD solves contacts without friction only: choose another method, or set the tangential load to 0")]
     FrictionByGfmd,
-    #[strum(message = "rolling is solved for lines here: choose a line, or a surface that is pulled")]
-    RollingOnSurface,
     #[strum(message = "the load of a contact with adhesion cannot be swept: set the work of adhesion to 0")]
     SweepOfAdhesion,
     #[strum(message = "the load of a contact that creeps cannot be swept: set the time to 0")]

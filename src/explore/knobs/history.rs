@@ -97,7 +97,6 @@ impl Knobs {
             (slides && !grid.is_periodic(), RefusalRule::SlidingOfFreeBoundary),
             (self.rubs() && (others || self.adheres()), RefusalRule::FrictionNotElastic),
             (self.rubs() && is_gfmd, RefusalRule::FrictionByGfmd),
-            (self.rubs() && self.rolling && !grid.is_line(), RefusalRule::RollingOnSurface),
             (self.adheres() && self.solver != Method::default(), RefusalRule::AdhesionOfMethod),
             ((slides || self.creeps_in_time()) && is_gfmd, RefusalRule::CreepByGfmd),
         ];

@@ -69,7 +69,7 @@ fn friction_is_refused_where_it_has_no_solution() {
         (json!({"hardness": 5e-4}), "friction is solved for elastic contacts"),
         (json!({"adhesion": 1e-6}), "friction is solved for elastic contacts"),
         (json!({"creep": 9, "time": 1}), "friction is solved for elastic contacts"),
-        (json!({"rolling": true, "domain": "surface", "points": 64, "cutoff": 16}), "rolling is solved for lines here"),
+        (json!({"rolling": true, "domain": "surface", "points": 64, "cutoff": 16}), "rolling is solved on lines only"),
         (json!({"sideways": 1}), "`sideways` cannot be 1"),
     ] {
         let answer = page.post("/api/solve", &cylinder(changes.clone()).to_string());
