@@ -31,6 +31,7 @@ fn options(knob: &Knob) -> Option<BTreeSet<&'static str>> {
         KnobKind::Choice { options, .. } if !options.is_empty() => {
             Some(options.iter().copied().filter(|it| !it.is_empty()).collect())
         }
+        KnobKind::Switch { .. } => Some(["false", "true"].into()),
         KnobKind::Choices { options, .. } => Some(options.iter().flat_map(|it| it.split(' ')).collect()),
         _ => None,
     }
@@ -131,6 +132,11 @@ fn defaults_are_those_of_the_program() {
     }
 }
 
+/// A value without the quotes of a text.
+fn written_plainly(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), String::from)
+}
+
 /// The guide for lessons has a row for each knob, with its values and its default.
 #[test]
 fn the_guide_for_lessons_has_all_knobs() {
@@ -146,8 +152,9 @@ fn the_guide_for_lessons_has_all_knobs() {
                 assert_eq!((written.as_slice(), cells[1].parse()), (range.as_slice(), Ok(default)), "{start}");
             }
             _ => {
-                let default: Vec<Value> = names(cells[1]).map(Value::from).collect();
+                let default: Vec<String> = names(cells[1]).map(String::from).collect();
                 let wanted = knob.default().as_array().cloned().unwrap_or_else(|| vec![knob.default()]);
+                let wanted: Vec<String> = wanted.iter().map(written_plainly).collect();
                 assert_eq!((Some(names(cells[0]).collect()), default), (options(knob), wanted), "{start}");
             }
         }
