@@ -2,8 +2,9 @@
 
 window.asperity = {
   answered, ask, byId, colours, frameOfTop, rgb, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
-  moveHandle, openLesson, press, read, replace, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, words,
-  awake, wholeRuns,
+  moveHandle, openLesson, press, read, replace, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, withUnit, words,
+  awake, wholeRuns, LIMITS,
+  get axes() { return axes; },
   get above() { return above; },
   get beside() { return beside; },
   get graphics() { return graphics; },

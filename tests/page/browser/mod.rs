@@ -19,6 +19,7 @@ mod measures;
 mod newcomers;
 mod page;
 mod person;
+mod processes;
 mod seen_from_above;
 mod site;
 mod strangers;
