@@ -87,7 +87,7 @@ async function begin() {
   await tellWindow();
   const before = await ask("state");
   known = await ask("observables");
-  observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name));
+  observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name)).concat(CONDUCTANCE);
   const start = await ask("start");
   if (!isOwn(start)) sceneStart = start;
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : structuredClone(start);

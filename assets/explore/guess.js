@@ -25,7 +25,7 @@ function dropGuess() {
 
 /** Puts a question on the page, and calls with what there is to say of the answer and whether it is right. */
 function pose(it, done) {
-  byId("lesson-question").textContent = inLanguage(it.question);
+  byId("lesson-question").replaceChildren(...pointing(inLanguage(it.question)));
   const answers = { choose, number: askNumber, draw: askCurve, act: askContact }[it.kind](it, done);
   byId("lesson-answers").replaceChildren(...answers);
 }
@@ -36,7 +36,12 @@ function answerButton(number, text, action) {
   return made;
 }
 
-const tellWhy = (sentence) => { byId("lesson-why").textContent = sentence; };
+const tellWhy = (sentence) => byId("lesson-why").replaceChildren(...pointing(sentence));
+
+/** Goes on without an answer: to what is asked for, or where nobody says that, to the text. */
+function skipButton(number, isTold, done) {
+  return answerButton(number, say(isTold ? "guess.tell" : "guess.skip"), () => { fault(""); done(say(isTold ? "guess.told-you" : "guess.skipped"), false); });
+}
 
 /** With three or more choices, a wrong choice is explained, and there is a second try. */
 function choose({ choices, right }, done) {
@@ -44,7 +49,7 @@ function choose({ choices, right }, done) {
   let isSecond = choices.length < 3;
   return its.map(({ choice, because }, i) => answerButton(i + 1, choice, (made) => {
     if (i + 1 === right) { done(say("guess.yes", { choice }), true); return; }
-    if (isSecond) { done(say("guess.no", { choice, because, answer: its[right - 1].choice }), false); return; }
+    if (isSecond) { done(say("guess.no", { choice, because: withoutPoints(because), answer: its[right - 1].choice }), false); return; }
     isSecond = true;
     made.disabled = true;
     tellWhy(say("guess.again", { choice, because }));
@@ -54,12 +59,13 @@ function choose({ choices, right }, done) {
 /** For a number with a large error, the page shows whether it is too large, and there is a second try. */
 function askNumber({ of }, done) {
   const symbol = nameOf(of);
+  const isShare = SHARES.test(of);
   const limits = [0, of.startsWith("relative_area") ? 1 : Infinity];
   let isSecond = false;
   const field = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": symbol, id: "guess-number" });
-  const made = answerButton(1, say("guess.show"), () => {
-    const value = numberFrom(field.value);
-    const sentence = faultOf(symbol, field.value, value, limits);
+  const made = answerButton(1, say("guess.answer"), () => {
+    const value = isShare ? shareFrom(field.value) : numberFrom(field.value);
+    const sentence = isShare && Number.isNaN(value) ? say("fault.share") : faultOf(symbol, field.value, value, limits);
     if (sentence) { fault(sentence); field.focus(); return; }
     fault("");
     const truth = WORK.includes(of) ? null : expected?.[of];
@@ -73,7 +79,16 @@ function askNumber({ of }, done) {
     done(guess.said, Boolean(truth) && isNear(value, truth));
   });
   field.addEventListener("keydown", ({ key }) => { if (key === "Enter") made.click(); });
-  return [element("label", { for: "guess-number" }, `${symbol} = `), field, made];
+  return [element("label", { for: "guess-number" }, `${symbol} = `), field, made, skipButton(2, true, done)];
+}
+
+/** Numbers that are shares of a whole, and may be given in percent. */
+const SHARES = /^relative_area|_error$|^friction$|_share$/;
+
+/** The number in a text, as a share or in percent; not a number for any other text. */
+function shareFrom(text) {
+  const [, number, percent] = /^\s*(.*?)\s*(%?)\s*$/.exec(text);
+  return numberFrom(number) / (percent ? 100 : 1);
 }
 
 const isNear = (value, truth) => Math.abs(value - truth) <= NEAR * Math.abs(truth);
@@ -87,6 +102,7 @@ function nameOf(of) {
 function judge(run) {
   if (!guess?.of || !run.ended || !byId("lesson-verdict") || words(run.knobs) !== words(knobs)) return;
   const truth = run.numbers?.[guess.of];
+  if (typeof truth !== "number") return; // not there yet
   byId("lesson-verdict").textContent = `${guess.said} ${say("guess.told", { value: figure(truth) })} ${howFar(guess.value, truth)}`;
   lesson.marks.set(lesson.at, isNear(guess.value, truth));
 }
@@ -129,10 +145,10 @@ function guessOf(target) {
   return guess && guess.target === target ? [{ name: say("guess.yours"), style: "guess", points: guess.points }] : [];
 }
 
-/** A contact is made by the hand or the controls, and is seen when it is there; who cannot make it goes on without. */
-function askContact({ goal }, done) {
+/** A contact is made by the hand or the controls, and is seen when it is there; who cannot make it is shown it. */
+function askContact({ goal, solution }, done) {
   setWish(goal, () => done(say("guess.made"), true));
-  return [answerButton(1, say("guess.skip"), () => { dropWish(); done(say("guess.skipped"), false); })];
+  return [skipButton(1, Boolean(solution), (verdict) => { dropWish(); done(verdict, false, solution); })];
 }
 
 function setWish(goal, done) {

@@ -4,7 +4,7 @@
 let lessons = [];
 let lesson = null;
 /** What a lesson puts in the place of what was before, which is there again after it: the run that is pinned, as a lesson compares with the
- * step before, and whether the stress below is shown. */
+ * step before, whether the stress below is shown, the map, and the view. */
 let suspended = null;
 
 async function beginLessons() {
@@ -19,16 +19,18 @@ async function beginLessons() {
 async function openLesson(name, at = 0) {
   if (name) endWelcome();
   if (!lesson) {
-    suspended = { pinned, isDeep: isDeep() };
+    suspended = { pinned, isDeep: isDeep(), map: shownMap, view: wantedView };
+    if (wantedView === "viewer") putView("picture"); // lessons speak of the picture
     await setPin(null);
   }
   const opened = lessons.find((it) => it.name === name);
   byId("lesson").value = opened ? name : "";
-  lesson = opened ? { ...opened, at, isOver: false, marks: new Map() } : null;
+  lesson = opened ? { ...opened, at, isOver: false, marks: new Map(), conducts: speaksOfConductance(opened) } : null;
   byId("lesson-card").hidden = !lesson;
   byId("fringes").checked = lesson ? lesson.stress : suspended.isDeep;
   dropGuess();
   dropWish();
+  lightUp(null);
   if (lesson) showLesson(); else endLesson();
 }
 
@@ -38,6 +40,8 @@ function endLesson() {
   document.body.dataset.asked = "false";
   setMoment(null);
   if (runOf(suspended.pinned)) setPin(suspended.pinned);
+  chooseMap(suspended.map);
+  putView(suspended.view);
   if (wasAsked) changed(); else writeAddress();
 }
 
@@ -47,6 +51,7 @@ function showLesson() {
   const isAsked = Boolean(steps[at].ask) && !marks.has(at);
   dropGuess();
   dropWish();
+  lightUp(null);
   lesson.isOver = false;
   document.body.dataset.lesson = at;
   putAsked(isAsked);
@@ -76,17 +81,38 @@ function markSteps() {
 }
 
 /** Asks what a step asks, of a contact that is to be made, or of a surface that is not pressed yet. */
-function poseStep({ ask: it, knobs: wanted }) {
-  if (it.kind === "act") { takeKnobs(wanted); changed(); } else showUnpressed(wanted);
-  pose(it, reveal);
+function poseStep(step) {
+  const { ask: it, knobs: wanted } = step;
+  if (it.kind === "act") { showMapOf(step); takeKnobs(wanted); changed(); } else showUnpressed(wanted);
+  pose({ ...it, solution: step.solution }, reveal);
 }
 
 /** Shows the step after an answer, with what became of that before the text. */
-function reveal(verdict, isRight) {
+function reveal(verdict, isRight, solution = null) {
   const { at, steps } = lesson;
   lesson.marks.set(at, isRight);
   putAsked(false);
-  if (steps[at].ask.kind === "act") putText(steps[at].text, verdict); else showStep(verdict);
+  if (steps[at].ask.kind !== "act") { showStep(verdict); return; }
+  if (solution) { setMoment(null); takeKnobs(solution); changed(); }
+  putText(steps[at].text, verdict);
+}
+
+/** Whether a lesson speaks of the conductance, which is computed for such lessons alone. */
+const speaksOfConductance = (its) => JSON.stringify(its).includes(CONDUCTANCE.name);
+
+/** Gets the conductance of a run that has ended for a lesson that speaks of it; it takes about as long as the solve. */
+function findConductance(run) {
+  if (!lesson?.conducts || !run.ended || !run.numbers || CONDUCTANCE.name in run.numbers) return;
+  run.numbers[CONDUCTANCE.name] = null;
+  facet(run, CONDUCTANCE.name).then((value) => {
+    Object.assign(runOf(run.id)?.numbers ?? {}, { [CONDUCTANCE.name]: value });
+    numbers();
+  }).catch(() => {});
+}
+
+/** The map that a step needs. */
+function showMapOf({ show: map }) {
+  if (map) chooseMap(map);
 }
 
 function takeKnobs(wanted) {
@@ -96,16 +122,18 @@ function takeKnobs(wanted) {
 }
 
 function showStep(verdict) {
-  const { knobs: wanted, text, sweep: sweeps } = lesson.steps[lesson.at];
+  const shown = lesson.steps[lesson.at];
+  const { knobs: wanted, text, sweep: sweeps } = shown;
   setMoment(null);
+  showMapOf(shown);
   takeKnobs(wanted);
   putText(text, verdict);
   if (sweeps) sweep(); else changed();
 }
 
 function putText(text, verdict) {
-  const words = inLanguage(text);
-  byId("lesson-text").replaceChildren(...(verdict ? [element("strong", { id: "lesson-verdict" }, verdict), ` ${words}`] : [words]));
+  const words = pointing(inLanguage(text));
+  byId("lesson-text").replaceChildren(...(verdict ? [element("strong", { id: "lesson-verdict" }, verdict), " ", ...words] : words));
 }
 
 function step(by) {
@@ -122,11 +150,11 @@ function showEnd() {
   const { end } = lesson;
   lesson.isOver = true;
   document.body.dataset.lesson = "end";
-  const seenWords = end ? inLanguage(end.seen) : say("lesson.ended");
+  const seenWords = pointing(end ? inLanguage(end.seen) : say("lesson.ended"));
   const task = end?.challenge;
-  byId("lesson-text").replaceChildren(seenWords, ...(task ? [" ", element("strong", { id: "lesson-challenge" }, say("lesson.challenge", { task: inLanguage(task.text) }))] : []));
+  byId("lesson-text").replaceChildren(...seenWords, ...(task ? [" ", element("strong", { id: "lesson-challenge" }, ...pointing(say("lesson.challenge", { task: inLanguage(task.text) })))] : []));
   byId("lesson-back").disabled = false;
   byId("lesson-next").disabled = !following();
   byId("lesson-next").textContent = following() ? say("lesson.following", { title: inLanguage(following().title) }) : say("lesson.last");
-  if (task) setWish(task.goal, () => { byId("lesson-challenge").textContent = say("lesson.challenged", { task: inLanguage(task.text) }); });
+  if (task) setWish(task.goal, () => { byId("lesson-challenge").replaceChildren(...pointing(say("lesson.challenged", { task: inLanguage(task.text) }))); });
 }

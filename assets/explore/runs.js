@@ -304,6 +304,7 @@ const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds
 /** The observables beside which exact values stand. */
 const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
+const CONDUCTANCE = { name: "conductance" };
 
 /** The text of a status, which the server reports in English. */
 const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "begun").replaceAll(" ", "-")}`);
@@ -401,6 +402,7 @@ function numbers() {
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
   showSectionOf(run);
   warn(run);
+  findConductance(run);
   judge(run);
   watchWish(run);
   Object.assign(document.body.dataset, { run: run.id, status, ended: run.ended });

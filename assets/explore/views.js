@@ -20,6 +20,11 @@ function showView() {
 
 function chooseView(view) {
   localStorage.setItem("view", view);
+  putView(view);
+}
+
+function putView(view) {
+  if (view === wantedView) return;
   wantedView = view;
   showView();
 }

@@ -2,7 +2,7 @@
 
 use super::leak::Leak;
 use super::section::Section;
-use super::session_recording::SolvedRun;
+use super::session_recording::{CONDUCTANCE, SolvedRun};
 use super::top::Top;
 use super::why::Why;
 use serde_json::{Value, json};
@@ -27,6 +27,7 @@ pub const FACETS: [Facet; 10] = [
     Facet { name: "beside", of: |solved| json!(solved.beside.as_ref().map(|it| Section::from_contact(it, &[]))) },
     Facet { name: "shear-beside", of: |solved| json!(solved.shear(solved.beside.as_ref())) },
     Facet { name: "patches", of: |solved| json!(solved.patches()) },
+    Facet { name: CONDUCTANCE, of: |solved| json!(solved.conductance()) },
     Facet { name: "steps", of: |solved| json!(solved.steps) },
     Facet { name: MOTION, of: |solved| json!(solved.motion) },
     Facet { name: "why", of: |solved| json!(Why::find(solved)) },

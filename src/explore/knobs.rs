@@ -190,6 +190,11 @@ impl Start {
 }
 
 impl Knobs {
+    /// Whether a line is pressed.
+    pub(super) fn is_line(&self) -> bool {
+        self.domain == Domain::Line
+    }
+
     /// The knobs of a scene, with the solver, the parts of the recording and, if that is a pressure or a force, the load of its setup.
     ///
     /// # Errors

@@ -1,8 +1,10 @@
 //! Lessons: states that the page shows step by step, and questions before them.
 
 use super::knobs::{Knobs, Start};
+use super::point::check_points;
 use super::question::{Goal, Question};
 use super::refusal::{Refusal, RefusalRule};
+use super::top::TopMap;
 use super::words::Words;
 use crate::error::FileError;
 use serde::{Deserialize, Serialize};
@@ -90,10 +92,14 @@ pub struct LessonStep {
     /// All states that users can choose: first that of the step, then all combinations of the allowed values.
     #[serde(skip)]
     states: Vec<Knobs>,
+    /// The map that is shown of a surface; none to leave the one that a user has chosen.
+    pub show: Option<TopMap>,
     /// Whether the load is swept.
     pub sweep: bool,
     /// The question before the step is shown.
     pub ask: Option<Question>,
+    /// The state that is shown to those who do not find what a question asks them to make.
+    pub solution: Option<Knobs>,
 }
 
 /// A lesson as it is written. The knobs of a step override those of the lesson, and these override the initial ones of
@@ -106,6 +112,7 @@ struct WrittenLesson {
     knobs: WrittenKnobs,
     #[serde(default)]
     turn: Turns,
+    show: Option<TopMap>,
     #[serde(default)]
     stress: bool,
     end: Option<Spanned<End>>,
@@ -120,9 +127,12 @@ struct DraftStep {
     knobs: WrittenKnobs,
     #[serde(default)]
     turn: Turns,
+    show: Option<Spanned<TopMap>>,
     #[serde(default)]
     sweep: bool,
     ask: Option<Spanned<Question>>,
+    #[serde(default)]
+    solution: WrittenKnobs,
 }
 
 impl Lesson {
@@ -179,9 +189,10 @@ impl Lesson {
         if draft.step.is_empty() {
             return Err(at(None, "the lesson has no steps: give at least one, as [[step]]"));
         }
+        check_points(text).map_err(|(place, refusal)| at(Some(place), &refusal.sentence))?;
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
-            LessonStep::new(&draft.knobs, &draft.turn, step.into_inner())
+            LessonStep::new(&draft.knobs, &draft.turn, draft.show, step.into_inner())
                 .map_err(|(place, refusal)| at(Some(place.unwrap_or(span)), &refusal.sentence))
         };
         let steps = draft.step.into_iter().map(step).collect::<Result<_, _>>()?;
@@ -201,16 +212,36 @@ impl Lesson {
 }
 
 impl LessonStep {
-    fn new(common: &WrittenKnobs, turns: &Turns, draft: DraftStep) -> Result<Self, Misplaced> {
-        let DraftStep { text, knobs, turn, sweep, ask } = draft;
-        let knobs = laid_over(&common.iter().chain(&knobs).collect::<Vec<_>>())?;
+    fn new(
+        common: &WrittenKnobs,
+        turns: &Turns,
+        common_map: Option<TopMap>,
+        draft: DraftStep,
+    ) -> Result<Self, Misplaced> {
+        let DraftStep { text, knobs: own, turn, show, sweep, ask, solution } = draft;
+        let written = || common.iter().chain(&own);
+        let knobs = laid_over(&written().collect::<Vec<_>>())?;
         text.check().map_err(|refusal| (None, refusal))?;
         if let Some(ask) = &ask {
             ask.as_ref().check(sweep).map_err(|refusal| (Some(ask.span()), refusal))?;
         }
+        if let Some(show) = show.as_ref().filter(|_| knobs.is_line()) {
+            let reason = "a line has no map: leave out `show`, or give domain = \"surface\"";
+            return Err((Some(show.span()), reason.into()));
+        }
+        let show = show.map(Spanned::into_inner).or(common_map).filter(|_| !knobs.is_line());
+        let ask = ask.map(Spanned::into_inner);
+        let solution = match solution.values().next() {
+            None => None,
+            Some(first) if !matches!(ask, Some(Question::Act { .. })) => {
+                let reason = "a solution is for a question of the kind \"act\": leave it out";
+                return Err((Some(first.span()), reason.into()));
+            }
+            Some(_) => Some(laid_over(&written().chain(&solution).collect::<Vec<_>>())?),
+        };
         let turn: Turns = turns.clone().into_iter().chain(turn).collect();
-        let states = turned(&knobs, &turn)?;
-        Ok(Self { text, knobs, states, sweep, ask: ask.map(Spanned::into_inner) })
+        let states = distinct(turned(&knobs, &turn)?.into_iter().chain(solution.clone()).collect());
+        Ok(Self { text, knobs, states, show, sweep, ask, solution })
     }
 
     /// All states of the knobs that a class may turn to from this step, its own first.

@@ -22,6 +22,7 @@ mod lesson;
 mod listener;
 mod motion;
 mod patches;
+mod point;
 mod question;
 mod refusal;
 mod report;
@@ -61,6 +62,7 @@ pub use schema::{
 pub use section::Section;
 pub use session::{RunKind, Session, Stock};
 pub use source::{SceneFile, SurfaceSource};
+pub use top::TopMap;
 pub use words::Words;
 
 #[cfg(feature = "serve")]

@@ -1,6 +1,7 @@
 //! Questions of lessons, which one answers by a guess or by what one does.
 
 use super::refusal::Refusal;
+use super::session_recording::CONDUCTANCE;
 use super::words::Words;
 use crate::contact::Quantity;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -121,7 +122,7 @@ impl Goal {
 
 /// Refuses a name that no observable has.
 fn check_observable(of: &str) -> Result<(), Refusal> {
-    if Quantity::found().any(|it| it.name() == of) {
+    if of == CONDUCTANCE || Quantity::found().any(|it| it.name() == of) {
         return Ok(());
     }
     Err(format!("{of:?} is not a number of a run: give one such as \"kappa_r\"").into())

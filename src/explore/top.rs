@@ -2,13 +2,44 @@
 
 use super::section::columns;
 use crate::contact::{Contact, StateField, Unit};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::Range;
+use strum::{EnumIter, IntoStaticStr};
 
 /// The most rows and columns of a map of a run that has ended, and of one under the hand.
 const MOST: usize = 256;
 const MOST_HELD: usize = 128;
+
+/// What a map of the page shows of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum TopMap {
+    /// The pressure.
+    Pressure,
+    /// The gap.
+    Gap,
+    /// The patches.
+    Patches,
+    /// The flux of a fluid that leaks through the gap.
+    Flux,
+    /// The pressure of that fluid.
+    Fluid,
+    /// The traction of a contact with friction.
+    Traction,
+    /// Where such a contact slips.
+    Slip,
+    /// The deformed surface in space.
+    Solid,
+}
+
+impl TopMap {
+    /// Its name on the page.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
 
 /// The fields of a contact of a surface on a coarser grid. A place shows the node at which the rigid surface is highest in it, which touches
 /// first and is the same node at all loads. Lengths are in metres, pressures over the contact modulus; heights are those of a
