@@ -7,6 +7,9 @@ use crate::surface::Field;
 use serde::Serialize;
 use std::ops::Range;
 
+/// The name of the [`conductance`] among the numbers of the page.
+pub const CONDUCTANCE: &str = "conductance";
+
 /// The most rows and columns of a map of the flux.
 const MOST: usize = 256;
 
@@ -15,8 +18,7 @@ const MOST: usize = 256;
 pub struct Leak {
     /// The leakage along x and along y.
     axes: [LeakAlong; 2],
-    /// The conductance per area between two bodies, times the sum of their resistivities and the length of the cell: a pure number;
-    /// none of a layer, and of a contact that slides.
+    /// The [`conductance`].
     conductance: Option<f64>,
 }
 
@@ -40,10 +42,15 @@ impl Leak {
             return None;
         }
         let along = |axis| Some(LeakAlong::new(&Leakage::from_contact(contact, axis, Leakage::TOLERANCE).ok()?));
-        let length = contact.problem.surface().grid().size()[1];
-        let conductance = Conductance::new(contact, [1.0, 0.0]).ok().map(|it| it.per_area * length);
-        Some(Self { axes: [along(FlowAxis::X)?, along(FlowAxis::Y)?], conductance })
+        Some(Self { axes: [along(FlowAxis::X)?, along(FlowAxis::Y)?], conductance: conductance(contact) })
     }
+}
+
+/// The conductance per area between two bodies, times the sum of their resistivities and the length of the cell: that of the contact over
+/// that of the bodies, if each is as thick as the cell is long. None of a layer, and of a contact that slides.
+pub fn conductance(contact: &Contact) -> Option<f64> {
+    let length = contact.problem.surface().grid().size()[1];
+    Conductance::new(contact, [1.0, 0.0]).ok().map(|it| it.per_area * length)
 }
 
 impl LeakAlong {

@@ -1,8 +1,8 @@
 //! Things on the page at which the texts of lessons point.
 
+use super::leak::CONDUCTANCE;
 use super::refusal::Refusal;
 use super::schema::KNOBS;
-use super::session_recording::CONDUCTANCE;
 use super::top::TopMap;
 use crate::contact::Quantity;
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! Questions of lessons, which one answers by a guess or by what one does.
 
+use super::leak::CONDUCTANCE;
 use super::refusal::Refusal;
-use super::session_recording::CONDUCTANCE;
 use super::words::Words;
 use crate::contact::Quantity;
 use serde::{Deserialize, Deserializer, Serialize};

@@ -7,14 +7,10 @@ use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
 use crate::contact::{Contact, StateField, archive};
-use crate::flow::Conductance;
 use crate::setup::ProcessKind;
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
-
-/// The name of [`SolvedRun::conductance`] among the numbers of the page.
-pub const CONDUCTANCE: &str = "conductance";
 
 /// A recording that can still be read.
 #[derive(Clone)]
@@ -120,15 +116,6 @@ impl SolvedRun {
     /// Whether the contact is the last state of a process.
     fn is_of(&self, kind: ProcessKind) -> bool {
         self.report.process.as_ref().is_some_and(|it| it.kind == kind)
-    }
-
-    /// The conductance of the contact between two bodies of the same resistivity, over that of a bar of it as large as the cell. It takes about
-    /// as long as the solve. None for solids to which Barber's analogy does not apply, and where all touches, so that nothing is constricted.
-    pub fn conductance(&self) -> Option<f64> {
-        let length = self.contact.problem.surface().grid().size()[1];
-        let has_other_law = self.is_of(ProcessKind::Creep) || self.is_of(ProcessKind::Adhesion);
-        let found = Conductance::new(&self.contact, [1.0; 2]).ok().filter(|_| !has_other_law)?;
-        Some(found.per_area * length).filter(|it| it.is_finite())
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.
