@@ -1,6 +1,6 @@
 //! Lessons of a teacher: what can be written, and what is refused.
 
-use asperity::explore::{Lesson, Question, SweepCurve, Words};
+use asperity::explore::{Lesson, Question, SweepCurve, TopMap, Words};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -129,6 +129,22 @@ fn the_example_of_the_readme_is_a_lesson() {
     }
 }
 
+/// A map for all steps, another one for one of them, and none for a line. Comments may hold any address.
+#[test]
+fn steps_show_maps_and_solutions() {
+    let lesson = lesson(
+        "# as in [a book](https://example.org)\ntitle = \"T\"\nshow = \"gap\"\nknobs = { domain = \"surface\", points = 64, cutoff = 16 }\n\
+         [[step]]\ntext = \"[A](map.gap).\"\n\
+         [[step]]\ntext = \"B.\"\nshow = \"solid\"\nsolution.load = 0.2\nask = { kind = \"act\", question = \"?\", goal = { patches = [1, 9] } }\n\
+         [[step]]\ntext = \"C.\"\nknobs.domain = \"line\"\n",
+    );
+    let shown: Vec<_> = lesson.steps.iter().map(|step| step.show).collect();
+    assert_eq!(shown, [Some(TopMap::Gap), Some(TopMap::Solid), None]);
+    let solved = lesson.steps[1].solution.clone().unwrap();
+    assert_eq!(json_of(&solved)["load"], json!(0.2));
+    assert!(lesson.steps[1].states().contains(&solved) && lesson.steps[0].solution.is_none());
+}
+
 #[test]
 fn lessons_that_cannot_be_say_where() {
     let refused = |text: &str| Lesson::folder(folder(text).path()).unwrap_err().to_string();
@@ -205,6 +221,31 @@ fn lessons_that_cannot_be_say_where() {
             "a step with a goal cannot sweep the load",
         ),
         (format!("{STEP}[end]\nseen = \"\"\n"), 5, "end: a text is empty"),
+        (
+            STEP.replace("Look.", "Look at [it](number.kapa)."),
+            4,
+            "there is no \"number.kapa\" to point at: choose one of `section`, ",
+        ),
+        (
+            format!("{STEP}[end]\nseen = \"[All](chart.kappa) of [it](control.lod).\"\n"),
+            6,
+            "`chart.kappa`, `map.pressure`, ",
+        ),
+        (
+            STEP.replace("Look.", "Look at [it](nowhere)."),
+            4,
+            "or `number.` with the name of a number or `control.` with that of a knob",
+        ),
+        (format!("{STEP}show = \"gaps\"\n"), 5, "unknown variant `gaps`, expected one of `pressure`, `gap`, "),
+        (format!("{STEP}show = \"gap\"\n"), 5, "a line has no map"),
+        (format!("{STEP}solution.load = 0.1\n"), 5, "a solution is for a question of the kind \"act\""),
+        (
+            format!(
+                "{STEP}solution.load = 1e9\nask = {{ kind = \"act\", question = \"?\", goal = {{ patches = [1, 1] }} }}\n"
+            ),
+            5,
+            "`load` cannot be 1000000000: give a number from 1e-5 to 1000",
+        ),
     ] {
         let said = refused(&text);
         assert!(said.contains(&format!("lesson.toml, line {line}: ")) && said.contains(words), "{text}: {said}");
