@@ -186,5 +186,5 @@ function showUnpressed(wanted) {
     showSection(liftedClear(its, UNPRESSED * its.highest), null);
     document.body.dataset.unpressed = at;
   };
-  hold({ knobs, "mean-gap": null, "is-deep": false }, show);
+  hold({ knobs: { ...knobs, sideways: 0 }, "mean-gap": null, "is-deep": false }, show); // a surface that is pulled cannot be held
 }

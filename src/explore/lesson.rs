@@ -21,16 +21,19 @@ const MOST_BYTES: u64 = 1 << 18;
 const MOST_STATES: usize = 64;
 
 /// The lessons that the page has of its own: names and texts.
-const LESSONS: [(&str, &str); 9] = [
+const LESSONS: [(&str, &str); 12] = [
     ("hertz-and-rough.toml", include_str!("../../assets/lessons/hertz-and-rough.toml")),
     ("kappa-r.toml", include_str!("../../assets/lessons/kappa-r.toml")),
     ("counting.toml", include_str!("../../assets/lessons/counting.toml")),
     ("coating.toml", include_str!("../../assets/lessons/coating.toml")),
     ("yield.toml", include_str!("../../assets/lessons/yield.toml")),
+    ("honing.toml", include_str!("../../assets/lessons/honing.toml")),
     ("crawl.toml", include_str!("../../assets/lessons/crawl.toml")),
+    ("fretting.toml", include_str!("../../assets/lessons/fretting.toml")),
     ("grip.toml", include_str!("../../assets/lessons/grip.toml")),
     ("gecko.toml", include_str!("../../assets/lessons/gecko.toml")),
     ("seal.toml", include_str!("../../assets/lessons/seal.toml")),
+    ("conductance.toml", include_str!("../../assets/lessons/conductance.toml")),
 ];
 
 /// Knobs as they are written, with where each of them stands in its file.

@@ -122,7 +122,7 @@ impl Goal {
 
 /// Refuses a name that no observable has.
 fn check_observable(of: &str) -> Result<(), Refusal> {
-    if of == CONDUCTANCE || Quantity::found().any(|it| it.name() == of) {
+    if of == CONDUCTANCE || Quantity::find(of).is_some() {
         return Ok(());
     }
     Err(format!("{of:?} is not a number of a run: give one such as \"kappa_r\"").into())
