@@ -100,7 +100,7 @@ function reveal(verdict, isRight, solution = null) {
 /** Whether a lesson speaks of the conductance, which is computed for such lessons alone. */
 const speaksOfConductance = (its) => JSON.stringify(its).includes(CONDUCTANCE.name);
 
-/** Gets the conductance of a run that has ended for a lesson that speaks of it; it takes about as long as the solve. */
+/** Gets the conductance of a run that has ended for a lesson that speaks of it. */
 function findConductance(run) {
   if (!lesson?.conducts || !run.ended || !run.numbers || CONDUCTANCE.name in run.numbers) return;
   run.numbers[CONDUCTANCE.name] = null;
