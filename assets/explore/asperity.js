@@ -2,7 +2,7 @@
 
 window.asperity = {
   answered, ask, byId, colours, frameOfTop, rgb, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
-  moveHandle, openLesson, press, read, replace, runOf, seek, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, withUnit, words,
+  moveHandle, openLesson, press, read, replace, runOf, seek, seenBoxOf, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, wake, withUnit, words,
   awake, wholeRuns, LIMITS,
   get axes() { return axes; },
   get above() { return above; },

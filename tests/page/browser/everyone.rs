@@ -102,8 +102,8 @@ fn languages_change(page: &mut Page) {
     assert_eq!(page.text("localStorage.getItem('language')"), "en");
 }
 
-/// Controls that a finger may miss: less than 40 pixels high, or wide.
-const SMALL: &str = "[...document.querySelectorAll('button, select, input:not([type=file]):not([type=checkbox]), .checks label')] \
+/// Controls that a finger may miss: less than 40 pixels high, or wide. Words that point stand in a sentence and are as high as its lines.
+const SMALL: &str = "[...document.querySelectorAll('button:not(.point), select, input:not([type=file]):not([type=checkbox]), .checks label')] \
     .filter((it) => it.checkVisibility()).map((it) => [it, it.getBoundingClientRect()]) \
     .filter(([, box]) => box.height < 39.5 || box.width < 39.5).map(([it, box]) => `${it.tagName} ${it.id} ${box.width} ${box.height}`)";
 

@@ -1,7 +1,7 @@
 //! A person in a lesson, which is opened, guessed and played to its end, and viewer and table follow.
 
 use super::chromium::installed;
-use super::explorer::{Explorer, opened, rested};
+use super::explorer::{Explorer, opened, rested, sketched};
 use super::page::Page;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::{Value, json};
@@ -38,6 +38,18 @@ fn why(page: &mut Page) -> String {
     page.text("document.getElementById('lesson-why').innerText")
 }
 
+/// A text as it is seen, without the names of what its words point at.
+fn plain(text: &str) -> String {
+    let mut parts = text.split("](");
+    let mut seen = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let begin = seen.rfind('[').unwrap();
+        seen.remove(begin);
+        seen.push_str(part.split_once(')').unwrap().1);
+    }
+    seen
+}
+
 /// What is asked about is shown as it is before it is pressed, with no numbers and nothing of the run before.
 fn is_unpressed(page: &mut Page) {
     page.until("document.body.dataset.unpressed === document.body.dataset.lesson");
@@ -49,10 +61,15 @@ fn is_unpressed(page: &mut Page) {
 /// Guesses a number: none, one that cannot be, one that is too large, and one that is too small, as far as there is a second try.
 fn guess_number(page: &mut Page, ask: &Value, means: Means) {
     let of = ask["of"].as_str().unwrap();
-    let is_work = ["iterations", "transforms"].contains(&of);
+    // of the work of a solver, of processes and of the conductance nothing is known before
+    let is_known = !["iterations", "transforms", "stick_share", "conductance"].contains(&of);
+    let is_share = of.starts_with("relative_area") || ["friction", "stick_share"].contains(&of);
     means.press(page, "answer-1");
     assert_eq!(page.text("document.body.dataset.asked"), "true", "no number is no guess");
-    assert!(page.text("document.getElementById('fault').innerText").ends_with(" needs a number."));
+    let fault = page.text("document.getElementById('fault').innerText");
+    let is_told =
+        if is_share { fault == "Type a share such as 0.11 or 11 %." } else { fault.ends_with(" needs a number.") };
+    assert!(is_told, "{fault}");
     let tell = |page: &mut Page, value: &str| {
         page.fill("guess-number", value);
         means.press(page, "answer-1");
@@ -60,7 +77,7 @@ fn guess_number(page: &mut Page, ask: &Value, means: Means) {
     };
     assert!(tell(page, "-0.5"), "a negative number is no guess");
     let is_open = tell(page, "4000");
-    assert_eq!(is_open, !is_work, "of the work of a solver nothing is known before");
+    assert_eq!(is_open, is_known, "a number that is known has a second try");
     if of.starts_with("relative_area") {
         assert!(page.text("byId('fault').innerText").contains("cannot be 4000"), "an area above 1 is no guess");
         assert!(tell(page, "0.9"), "a number that is far off has a second try");
@@ -69,12 +86,13 @@ fn guess_number(page: &mut Page, ask: &Value, means: Means) {
         assert_eq!(why(page), "4000 is too large. Try again.");
     }
     if is_open {
-        assert!(!tell(page, "0.5"), "the second number is an answer");
+        assert!(!tell(page, if is_share { "50 %" } else { "0.5" }), "the second number is an answer");
     }
 }
 
 /// Answers what is asked, wrongly first where there is a second try, and returns what the page says of the answer.
-fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
+fn guess(page: &mut Page, step: &Value, means: Means) -> String {
+    let ask = &step["ask"];
     assert_eq!(page.value("document.getElementById('lesson-next').disabled"), true, "a guess comes first");
     if ask["kind"] != "act" {
         is_unpressed(page);
@@ -84,7 +102,7 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
             let choices = ask["choices"].as_array().unwrap();
             let wrong = 1 + choices.iter().position(|it| it["because"].is_object()).unwrap();
             means.press(page, &format!("answer-{wrong}"));
-            let because = choices[wrong - 1]["because"]["en"].as_str().unwrap();
+            let because = plain(choices[wrong - 1]["because"]["en"].as_str().unwrap());
             assert_eq!(why(page), format!("No. {because} Try again."));
             assert_eq!(page.value(&format!("byId('answer-{wrong}').disabled")), true);
             means.press(page, &format!("answer-{}", ask["right"]));
@@ -92,17 +110,11 @@ fn guess(page: &mut Page, ask: &Value, means: Means) -> String {
         "act" => {
             page.until("latest()?.ended && words(latest().knobs) === words(knobs)");
             assert_eq!(page.text("document.body.dataset.asked"), "true", "it is done before it is done");
-            // the middle of the goal, by the control that leads there
-            let goal = &ask["goal"];
-            let [control, value] = match [goal["reduced_pressure"].is_array(), goal["friction"].is_array()] {
-                _ if goal["relative_area"] == json!([0.0, 0.0]) => ["control-pull-value", "0.2"],
-                [true, _] if goal["relative_area"].is_array() => ["control-adhesion-value", "4e-6"],
-                [true, _] => ["control-layer-value", "0.05"],
-                [_, true] => ["control-speed-value", "1.6"],
-                _ => ["control-load-value", "0.28"],
-            };
+            let [from, to] = ["knobs", "solution"].map(|state| step[state].as_object().unwrap());
+            let (knob, value) = to.iter().find(|(knob, value)| from[*knob] != **value).unwrap();
+            let control = format!("control-{knob}-value");
             page.value(&format!("byId('{control}').closest('details').open = true")); // a telephone folds most controls
-            page.type_into(control, value);
+            page.type_into(&control, &value.to_string());
         }
         "number" => guess_number(page, ask, means),
         _ => {
@@ -166,7 +178,7 @@ fn judged(page: &mut Page, ask: &Value, verdict: &str) {
 fn ended(page: &mut Page, lesson: &Value) {
     page.until("document.body.dataset.lesson === 'end'");
     let text = page.text("document.getElementById('lesson-text').innerText");
-    assert!(text.starts_with(lesson["end"]["seen"]["en"].as_str().unwrap()), "{text}");
+    assert!(text.starts_with(&plain(lesson["end"]["seen"]["en"].as_str().unwrap())), "{text}");
     let next = page.text("document.getElementById('lesson-next').innerText");
     assert!(next.starts_with("Next lesson: ") || next == "This was the last lesson", "{next}");
     assert_eq!(
@@ -196,13 +208,13 @@ pub fn play(explorer: Option<&Explorer>, page: &mut Page, lesson: &Value, means:
     let steps = lesson["steps"].as_array().unwrap();
     for (at, step) in steps.iter().enumerate() {
         page.until(&format!("document.body.dataset.lesson === '{at}'"));
-        let verdict = if step["ask"].is_object() { guess(page, &step["ask"], means) } else { String::new() };
+        let verdict = if step["ask"].is_object() { guess(page, step, means) } else { String::new() };
         followed(explorer, page, step);
         if step["ask"].is_object() {
             judged(page, &step["ask"], &verdict);
         }
         let text = page.text("document.getElementById('lesson-text').innerText");
-        assert!(text.contains(step["text"]["en"].as_str().unwrap()), "{text}");
+        assert!(text.contains(&plain(step["text"]["en"].as_str().unwrap())), "{text}");
         assert_eq!(page.value("document.getElementById('fault').hidden"), true);
         keep(page, &format!("{name}-{}", at + 1));
         means.press(page, "lesson-next");
@@ -218,9 +230,60 @@ fn a_person_in_a_lesson() {
     let Some(program) = installed() else { return };
     let (explorer, mut page) = opened(&program);
     let names = page.value("[...document.querySelectorAll('#lesson option')].map((it) => it.textContent)");
-    assert_eq!(names.as_array().unwrap().len(), 10);
+    assert_eq!(names.as_array().unwrap().len(), 13);
     let lesson = page.value("lessons[0]");
     play(Some(&explorer), &mut page, &lesson, Means::Mouse);
+}
+
+/// Every word that points, in the question, text or end that is shown, lights up something that is on the page.
+fn lights_up(page: &mut Page, when: &str) {
+    let names = page.value("[...document.querySelectorAll('#lesson-card .point')].filter((it) => it.checkVisibility()).map((it) => it.dataset.point)");
+    for (i, name) in names.as_array().unwrap().iter().enumerate() {
+        let nth =
+            format!("[...document.querySelectorAll('#lesson-card .point')].filter((it) => it.checkVisibility())[{i}]");
+        page.value(&format!("{nth}.click()"));
+        page.until(&format!("seenBoxOf({name}) && !byId('light').hidden /* {when} */"));
+    }
+    page.value("document.activeElement.blur(); byId('light').hidden = true");
+}
+
+/// Steps are shown by the answer that is right, or by the button that shows it.
+#[test]
+fn every_word_of_a_lesson_that_points_lights_something_up() {
+    let Some(program) = installed() else { return };
+    let (_explorer, mut page) = sketched(&program, "");
+    let lessons = page.value("lessons");
+    for lesson in lessons.as_array().unwrap() {
+        let name = lesson["name"].as_str().unwrap();
+        for (at, step) in lesson["steps"].as_array().unwrap().iter().enumerate() {
+            let when = format!("{name}, step {}", at + 1);
+            page.value(&format!("openLesson('{name}', {at})"));
+            page.until(&format!("document.body.dataset.lesson === '{at}'"));
+            let ask = &step["ask"];
+            if ask.is_object() {
+                page.until("document.body.dataset.asked === 'true'");
+                lights_up(&mut page, &when);
+                let right = match ask["kind"].as_str().unwrap() {
+                    "choose" => ask["right"].as_u64().unwrap(),
+                    "number" => 2,
+                    _ => 1,
+                };
+                page.click(&format!("answer-{right}"));
+            }
+            followed(None, &mut page, step);
+            let reached = "Object.entries(lesson.steps[lesson.at].ask?.goal ?? {}).every(([of, [least, most]]) => \
+                 latest().numbers[of] >= least && latest().numbers[of] <= most)";
+            assert_eq!(page.value(reached), true, "{when}: what is shown is not what was asked for");
+            if let Some(map) = step["show"].as_str() {
+                assert_eq!(page.text(&format!("byId('map-{map}').getAttribute('aria-pressed')")), "true", "{when}");
+            }
+            lights_up(&mut page, &when);
+        }
+        page.value("showEnd()");
+        page.until("document.body.dataset.lesson === 'end'");
+        lights_up(&mut page, &format!("{name}, its end"));
+        println!("{name} points.");
+    }
 }
 
 /// All of them take minutes, and are played without a browser in any case.
