@@ -24,9 +24,9 @@ function dropGuess() {
 }
 
 /** Puts a question on the page, and calls with what there is to say of the answer and whether it is right. */
-function pose(it, done) {
+function pose({ ask: it, solution }, done) {
   byId("lesson-question").replaceChildren(...pointing(inLanguage(it.question)));
-  const answers = { choose, number: askNumber, draw: askCurve, act: askContact }[it.kind](it, done);
+  const answers = { choose, number: askNumber, draw: askCurve, act: askContact }[it.kind](it, done, Boolean(solution));
   byId("lesson-answers").replaceChildren(...answers);
 }
 
@@ -146,9 +146,9 @@ function guessOf(target) {
 }
 
 /** A contact is made by the hand or the controls, and is seen when it is there; who cannot make it is shown it. */
-function askContact({ goal, solution }, done) {
+function askContact({ goal }, done, isTold) {
   setWish(goal, () => done(say("guess.made"), true));
-  return [skipButton(1, Boolean(solution), (verdict) => { dropWish(); done(verdict, false, solution); })];
+  return [skipButton(1, isTold, (verdict) => { dropWish(); done(verdict, false); })];
 }
 
 function setWish(goal, done) {

@@ -84,17 +84,16 @@ function markSteps() {
 function poseStep(step) {
   const { ask: it, knobs: wanted } = step;
   if (it.kind === "act") { showMapOf(step); takeKnobs(wanted); changed(); } else showUnpressed(wanted);
-  pose({ ...it, solution: step.solution }, reveal);
+  pose(step, reveal);
 }
 
-/** Shows the step after an answer, with what became of that before the text. */
-function reveal(verdict, isRight, solution = null) {
+/** Shows the step after an answer, with what became of that before the text. A contact that a person has made stays. */
+function reveal(verdict, isRight) {
   const { at, steps } = lesson;
+  const { ask: it, solution, text } = steps[at];
   lesson.marks.set(at, isRight);
   putAsked(false);
-  if (steps[at].ask.kind !== "act") { showStep(verdict); return; }
-  if (solution) { setMoment(null); takeKnobs(solution); changed(); }
-  putText(steps[at].text, verdict);
+  if (it.kind === "act" && (isRight || !solution)) putText(text, verdict); else showStep(verdict);
 }
 
 /** Whether a lesson speaks of the conductance, which is computed for such lessons alone. */
@@ -123,10 +122,10 @@ function takeKnobs(wanted) {
 
 function showStep(verdict) {
   const shown = lesson.steps[lesson.at];
-  const { knobs: wanted, text, sweep: sweeps } = shown;
+  const { knobs: asked, solution, text, sweep: sweeps } = shown;
   setMoment(null);
   showMapOf(shown);
-  takeKnobs(wanted);
+  takeKnobs(solution ?? asked);
   putText(text, verdict);
   if (sweeps) sweep(); else changed();
 }
