@@ -122,10 +122,10 @@ function takeKnobs(wanted) {
 
 function showStep(verdict) {
   const shown = lesson.steps[lesson.at];
-  const { knobs: asked, solution, text, sweep: sweeps } = shown;
+  const { knobs: own, solution, text, sweep: sweeps } = shown;
   setMoment(null);
   showMapOf(shown);
-  takeKnobs(solution ?? asked);
+  takeKnobs(solution ?? own);
   putText(text, verdict);
   if (sweeps) sweep(); else changed();
 }
