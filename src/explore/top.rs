@@ -30,6 +30,8 @@ pub enum TopMap {
     Traction,
     /// Where such a contact slips.
     Slip,
+    /// The attraction of surfaces that adhere.
+    Attraction,
     /// The deformed surface in space.
     Solid,
 }
