@@ -95,7 +95,7 @@ const isNear = (value, truth) => Math.abs(value - truth) <= NEAR * Math.abs(trut
 
 /** The name of a number: that of its row in the table, or else its symbol. */
 function nameOf(of) {
-  return observables.some(({ name }) => name === of) ? say(`number.${of}`) : known.find(({ name }) => name === of)?.symbol ?? of;
+  return knows(`number.${of}`) ? say(`number.${of}`) : known.find(({ name }) => name === of)?.symbol ?? of;
 }
 
 /** Says what a number that was guessed is, and how far off the guess was, once the run of the step has ended. */
