@@ -432,6 +432,15 @@ fn geckos_stick_as_told() {
     near(its(2, "reduced_pressure"), -0.05, 1e-9, "the pull");
     lets_go(&page, 2, json!({}), [0.0824, 0.0826]);
     near(its(3, area), its(1, area), 0.0, "the wave under the hand");
+    let height = its(3, "mean_gap") / its(3, "mean_gap_over_rms_height");
+    let under_the_hand = |gap: f64, goes_on: bool| {
+        let knobs = &LESSONS["gecko"][2].step["knobs"];
+        let order = json!({"knobs": knobs, "mean-gap": gap * height, "is-deep": false, "goes-on": goes_on});
+        page.post("/api/hold", &order.to_string()).json()["numbers"][area].as_f64().unwrap()
+    };
+    let up = [(2.0, false), (2.04, true), (2.06, true)].map(|(gap, goes_on)| under_the_hand(gap, goes_on) > 0.0);
+    let down = [1.86, 1.83].map(|gap| under_the_hand(gap, true) > 0.0);
+    assert_eq!((up, down), ([true, true, false], [false, true]), "where the wave lets go and snaps in");
     lets_go(&page, 4, json!({}), [0.0595, 0.0597]);
     // the same pressure on other slopes
     let [smooth, rough] = [2, 5].map(|step| its(step, "mean_pressure"));
