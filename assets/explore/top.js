@@ -296,11 +296,6 @@ function keyOnTop(event) {
   cutAt(section.y / above.size[0] + (by + 0.5) / above.shape[0]);
 }
 
-function chooseMap(name) {
-  shownMap = name;
-  drawTop();
-}
-
 function beginTop() {
   const canvas = byId("top");
   canvas.addEventListener("pointermove", (event) => { pointAtTop(event); const place = event.buttons && above && placeOnTop(event); if (place) cutAt(place.shares[0]); });
