@@ -252,6 +252,8 @@ fn lights_up(page: &mut Page, when: &str) {
 fn every_word_of_a_lesson_that_points_lights_something_up() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = sketched(&program, "");
+    let calm = json!({"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]}); // it is there at once
+    page.chromium.page("Emulation.setEmulatedMedia", calm);
     let lessons = page.value("lessons");
     for lesson in lessons.as_array().unwrap() {
         let name = lesson["name"].as_str().unwrap();
