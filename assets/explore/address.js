@@ -27,10 +27,7 @@ function linked() {
 
 async function copyLink() {
   writeAddress();
-  const hint = byId("hint");
-  await navigator.clipboard.writeText(linked()).then(
-    () => { hint.textContent = say("link.copied"); },
-    () => { hint.textContent = say("link.failed"); });
+  await navigator.clipboard.writeText(linked()).then(() => tell(say("link.copied")), () => tell(say("link.failed")));
 }
 
 /** What the address says to show; none for an address without it. */

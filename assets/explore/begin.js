@@ -29,7 +29,7 @@ function key(event) {
     if (event.key === "Escape") leaveViewer();
   }
   const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-  if (!action || isTyping(event) || document.querySelector("dialog[open]") || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (!action || isTyping(event) || document.querySelector("dialog[open], [popover]:popover-open") || event.ctrlKey || event.metaKey || event.altKey) return;
   event.stopImmediatePropagation();
   event.preventDefault();
   action();
@@ -96,6 +96,7 @@ async function begin() {
   remember(await ask("runs"));
   build();
   beginUnits();
+  beginHint();
   description = await ask("heights");
   show();
   charts();
@@ -105,13 +106,12 @@ async function begin() {
   beginTop();
   beginSolid();
   beginWhy();
-  beginPresets();
+  beginShare();
   keepState();
   for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepChart);
+  byId("show-solving").addEventListener("click", foldSolving);
   byId("beside").addEventListener("click", putBeside);
   byId("patch-close").addEventListener("click", () => choosePatch(null));
-  const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
-  Object.entries(saves).forEach(([id, action]) => byId(id).addEventListener("click", action));
   byId("words").addEventListener("click", () => byId("glossary").showModal());
   byId("runs").addEventListener("change", () => showRun(byId("runs").value));
   byId("play").addEventListener("click", play);

@@ -54,30 +54,35 @@ function element(tag, attributes, ...children) {
   return made;
 }
 
+/** The groups that fold away, as few people need them. */
+const LATE = ["solver", "recording"];
+
 function build() {
-  const groups = new Map();
-  for (const control of CONTROLS) {
-    if (!groups.has(control.group)) {
-      groups.set(control.group, foldable(control.group));
-      byId("controls").append(groups.get(control.group));
-    }
-    groups.get(control.group).append(row(control));
-  }
-  groups.get("load").append(element("div", { class: "buttons" },
+  byId("controls").append(...Object.keys(QUESTIONS).map(questionGroup), ...LATE.map((name) => foldable(name, false)));
+  for (const control of CONTROLS) byId(`group-${questionOf(control)}`).append(row(control));
+  for (const question of Object.keys(QUESTIONS)) byId(`group-${question}`).append(moreButton(question));
+  beginChoices();
+  byId("group-load").append(element("div", { class: "buttons" },
     button("sweep", say("control.sweep"), say("control.sweep.tip"), sweep), button("cancel", say("control.cancel"), say("control.cancel.tip"), cancel), button("undo", say("control.undo"), say("control.undo.tip"), undo)));
   offerUndo();
   buildHeights();
-  groups.get("recording").hidden = Boolean(site);
+  byId("group-recording").hidden = Boolean(site);
   byId("control-body").querySelector("[value=scene]").hidden = !sceneStart;
   byId("controls").addEventListener("submit", (event) => event.preventDefault());
 }
 
-/** A narrow screen, which shows the load of the controls and folds the rest. */
-const NARROW = "(max-width: 700px)";
-
 /** A group of controls, which folds. */
-const foldable = (group, ...rows) =>
-  element("details", { id: `group-${group}`, open: group === "load" || !askSystem(NARROW).matches }, element("summary", { id: `summary-${group}` }, say(`group.${group}`)), ...rows);
+const foldable = (group, open, ...rows) =>
+  element("details", { id: `group-${group}`, open }, element("summary", { id: `summary-${group}` }, say(`group.${group}`)), ...rows);
+
+/** Unfolds what hides an element: a group, the menu, the other controls of a question, or how a contact was solved. */
+function unfold(it) {
+  for (let fold = it.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;
+  if (it.closest("[popover]:not(:popover-open)")) it.closest("[popover]").showPopover();
+  if (it.closest("#solving")?.hidden) foldSolving();
+  const question = it.closest(".question")?.id.replace("group-", "");
+  if (it.closest(".row")?.hidden && question) openMore(question, true);
+}
 
 function button(id, label, tip, action) {
   const made = element("button", { id, type: "button", title: tip }, label);
@@ -96,7 +101,7 @@ function row(control) {
   const [name, tip] = [labelOf(control), tipOf(control)];
   const line = element("div", { class: "row", id: `row-${control.id}`, title: tip });
   const unit = control.unit ? [" ", element("small", {}, unitOf(control))] : [];
-  line.append(control.kind === "choices" ? element("span", {}, name) : element("label", { for: id }, name, ...unit));
+  line.append(control.kind === "choices" ? element("span", { class: "name" }, name) : element("label", { for: id, class: "name" }, name, ...unit));
   if (isList(control)) {
     line.classList.add("wide");
     line.append(element("select", { id }, ...optionsOf(control).map((value) => element("option", { value }, optionOf(control, value)))));
@@ -158,8 +163,28 @@ function faultOfKnobs(wanted) {
   return "";
 }
 
+/** Says below the controls what one does: to who points at it or is at it by keys, and to who taps its name. */
 function explain(target, tip) {
   for (const event of ["mouseenter", "focusin"]) target.addEventListener(event, () => { byId("hint").textContent = tip; });
+  target.addEventListener("click", (event) => {
+    if (!FINGERS.matches || !event.target.closest(".name")) return;
+    event.preventDefault();
+    tell(tip);
+  });
+}
+
+/** Whether fingers point, which cannot rest on anything. */
+const FINGERS = askSystem("(pointer: coarse)");
+
+/** Says something where hints stand. For fingers it stands at the foot of the screen until the next touch. */
+function tell(sentence) {
+  byId("hint").textContent = sentence;
+  document.body.toggleAttribute("data-told", true);
+}
+
+function beginHint() {
+  if (FINGERS.matches) byId("hint").textContent = say("hint.tap");
+  document.addEventListener("pointerdown", () => document.body.removeAttribute("data-told"), true);
 }
 
 /** The parts of a recording of a checkbox. */
@@ -185,6 +210,12 @@ function set(control, value) {
   show();
 }
 
+/** A kurtosis that heights of a skewness have: it must be above 1 + skewness². */
+const leastKurtosis = (skewness) => Math.ceil(10 * (1.5 + skewness ** 2)) / 10;
+
+/** The most waves per cell that the points of a state resolve: across the lay of a surface they are shorter. */
+const finestOf = ({ domain, points, peklenik }) => points / 2 / (domain === "surface" ? Math.sqrt(Math.max(peklenik, 1 / peklenik)) : 1);
+
 /** Keeps what goes together together, when a control on which others depend has moved. */
 function mend(id) {
   const { method, ...settings } = knobs.solver;
@@ -195,16 +226,18 @@ function mend(id) {
     knobs.points = knobs.domain === "line" ? controlOf("points").default : LIMITS.side;
     if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;
   }
+  if (id === "skewness") knobs.kurtosis = Math.max(knobs.kurtosis, leastKurtosis(knobs.skewness));
+  if (knobs.domain === "surface") knobs.rolling = false;
   if (knobs.domain === "surface") knobs.points = Math.min(knobs.points, MOST.side);
   if (knobs.domain === "surface" || knobs.body === "file") knobs.bumps = [];
   if (knobs.body === "flat" && knobs.roughness === 0) {
     if (id === "roughness") knobs.body = "round"; else knobs.roughness = controlOf("roughness").default;
   }
-  if (knobs.cutoff > knobs.points / 2) {
-    if (id === "cutoff") knobs.points = 2 ** Math.ceil(Math.log2(2 * knobs.cutoff)); else knobs.cutoff = knobs.points / 2;
+  if (knobs.cutoff > finestOf(knobs)) {
+    if (id === "cutoff") knobs.points = 2 ** Math.ceil(Math.log2(knobs.points * knobs.cutoff / finestOf(knobs))); else knobs.cutoff = Math.floor(finestOf(knobs));
   }
   const most = knobs.domain === "surface" ? MOST.side : MOST.line;
-  if (knobs.points > most) { knobs.points = most; knobs.cutoff = knobs.points / 2; }
+  if (knobs.points > most) { knobs.points = most; knobs.cutoff = Math.floor(finestOf(knobs)); }
   if (knobs.rolloff >= knobs.cutoff) knobs.rolloff = Math.max(1, Math.floor(knobs.cutoff / 2));
 }
 
@@ -231,6 +264,7 @@ function show() {
     }
     byId(`row-${control.id}`).hidden = !HAS[control.scenes](knobs);
   }
+  showChoices();
   showHeights();
 }
 

@@ -195,13 +195,15 @@ function under(event) {
   return { share, y: event.clientY - box.y, profile };
 }
 
+/** A finger on the picture moves the page: it takes the handles only. */
 function pointerDown(event) {
   if (!section || event.button) return;
   event.preventDefault();
   byId("section").setPointerCapture(event.pointerId);
   const { share, y, profile } = under(event);
-  if (canBend() && Math.abs(y - profile) < BUMP.near) takePoint(share, event);
-  else takeGrip(canPress() ? "press" : "look", event);
+  const isFinger = event.pointerType === "touch";
+  if (!isFinger && canBend() && Math.abs(y - profile) < BUMP.near) takePoint(share, event);
+  else takeGrip(!isFinger && canPress() ? "press" : "look", event);
 }
 
 function pointerMove(event) {

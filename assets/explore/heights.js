@@ -18,11 +18,11 @@ function buildHeights() {
   const open = button("open-file", say("heights.open"), say("heights.open.tip"), openFile);
   const choose = element("input", { type: "file", id: "file", hidden: true });
   choose.addEventListener("change", () => { takeFile(choose.files[0]); choose.value = ""; });
-  byId("group-surface").append(element("div", { class: "buttons" }, open, choose));
-  const rows = HEIGHT_CONTROLS.map(heightRow);
-  const group = foldable("file", ...rows, element("p", { id: "heights-place" }, say(site ? "heights.place.browser" : "heights.place.server")), element("div", { id: "heights", role: "group", "aria-label": say("heights.holds") }));
+  const rowsOf = (isWanted) => HEIGHT_CONTROLS.filter(isWanted).map(heightRow);
+  const steps = foldable("steps", false, ...rowsOf(isStep));
+  const group = foldable("file", true, element("div", { class: "buttons" }, open), ...rowsOf((control) => !isStep(control)), steps, element("p", { id: "heights-place" }, say(site ? "heights.place.browser" : "heights.place.server")), element("div", { id: "heights", role: "group", "aria-label": say("heights.holds") }));
   group.hidden = true;
-  byId("group-surface").after(group);
+  byId("choices-surface").after(choose, group);
   for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) window.addEventListener(kind, dragged, true);
 }
 
@@ -42,7 +42,7 @@ function heightRow(control) {
   input.addEventListener("input", () => { input.dataset.typed = "true"; });
   for (const end of ["change", "blur"]) input.addEventListener(end, () => delete input.dataset.typed);
   input.addEventListener("change", () => takeStep(control, input.value.trim()));
-  const line = element("div", { class: "row wide", id: `row-${id}`, title: tip }, element("label", { for: id }, heightLabel(control)), input);
+  const line = element("div", { class: "row wide", id: `row-${id}`, title: tip }, element("label", { for: id, class: "name" }, heightLabel(control)), input);
   explain(line, tip);
   return line;
 }
@@ -68,6 +68,7 @@ const FRESH = { ...defaultsOf("load", "solid"), body: "file" };
 /** Gives a file to the server, and solves it as soon as it can be. */
 async function takeFile(file) {
   if (!file) return;
+  if (file.size === 0) { fault(say("fault.empty", { name: file.name })); return; }
   if (file.size > LIMITS.bytes) { fault(say("fault.large", { name: file.name, size: Math.ceil(file.size / 1e6), most: Math.floor(LIMITS.bytes / 1e6) })); return; }
   await postFile(`heights?name=${encodeURIComponent(file.name)}`, file).then((told) => {
     delete knobs.beside;
@@ -102,7 +103,21 @@ function takeDescription(told) {
   mend("body");
   show();
   document.body.dataset.file = told.name;
+  markField(told.known_fault?.key);
   if (told.fault) { fault(inWordsOfPage(told)); markUnsolved(true); } else changed();
+}
+
+/** The fields that a person has to fill in, by what the file lacks. */
+const MISSING = { "no-size": "heights-width" };
+
+/** Marks the field without which a file cannot be pressed, and goes there. */
+function markField(lack) {
+  for (const [key, id] of Object.entries(MISSING)) {
+    byId(id).ariaInvalid = String(key === lack);
+    if (key !== lack) continue;
+    unfold(byId(id));
+    byId(id).focus();
+  }
 }
 
 /** Shows the file and its knobs where it is the body, but for a field that is being typed into. */

@@ -5,13 +5,15 @@
 const BANDS = { pressure: 0.24, relief: 0.64 };
 const DEEP_BANDS = { pressure: 0.24, relief: 0.42 };
 const bands = () => isDeep() ? DEEP_BANDS : BANDS;
-/** Room above the highest pressure and below the surfaces, over the height of their bands, and above the surfaces, in pixels, for the
- * name of the rigid one. */
+/** Room below the surfaces, over the height of their band, and in pixels above the highest pressure and above the surfaces, for their
+ * names. */
 const SPARE = 0.08;
-const NAME = 20;
+const NAME = 24;
 /** Room at the foot of a section for what stands there: names of places are left out there, and the scale of heights is above them. */
 const AXIS = { left: 150, right: 40, above: 24 };
-const FONT = "12px system-ui, sans-serif";
+/** Letters of pictures on a screen, and on a wall. */
+const FONTS = { screen: "12px system-ui, sans-serif", wall: "17px system-ui, sans-serif" };
+let FONT = FONTS.screen;
 /** Width of the lines on a screen, and on a wall. */
 const lineWidth = () => "projector" in document.body.dataset ? 4 : 1.5;
 /** Fringe orders up to the largest shear stress. */
@@ -82,7 +84,7 @@ function frame(canvas) {
     w, h, top, perHeight,
     x: (share) => share * w,
     y: (height) => top + NAME + (axes.high - height) * perHeight,
-    pressure: (p) => top * (1 - (1 - SPARE) * (p + axes.pull) / (axes.pressure + axes.pull || 1)),
+    pressure: (p) => top - (top - NAME) * (p + axes.pull) / (axes.pressure + axes.pull || 1),
   };
 }
 

@@ -301,6 +301,8 @@ function lengthOf(metres, digits = 3) {
 let known = [];
 let observables = [];
 const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds"];
+/** Those that tell how a contact was solved, which are folded away. */
+const SOLVING = ["certificate", "traction_certificate", "iterations", "transforms", "seconds"];
 /** The observables beside which exact values stand. */
 const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
@@ -378,6 +380,12 @@ function rowsOfProcess(run, both, cell) {
   return names.map((name) => element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(told(both[0], name), name), cell(told(both[1], name), ""), cell("", "")));
 }
 
+/** Shows how the contact was solved, or folds it away. */
+function foldSolving() {
+  byId("solving").hidden = !byId("solving").hidden;
+  byId("show-solving").ariaExpanded = String(!byId("solving").hidden);
+}
+
 function numbers() {
   const shown = runOf(shownRun);
   const isOfSweep = shown && isSweep(shown) && !moment?.title;
@@ -389,12 +397,15 @@ function numbers() {
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const both = [moment || run, run.beside || before].map((it) => it?.numbers);
   const isTold = (name) => [...both, run.numbers].some((told) => Number.isFinite(told?.[name]));
-  const body = observables.filter(({ name }) => isTold(name) || !run.numbers).map(({ name }) => {
+  const rows = observables.filter(({ name }) => isTold(name) || !run.numbers).map(({ name }) => {
     const values = both.map((told) => valueOf(told, name));
     const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
-  byId("numbers").tBodies[0].replaceChildren(...body, ...rowsOfProcess(run, both, cell));
+  rows.push(...rowsOfProcess(run, both, cell));
+  const isOfSolving = (row) => SOLVING.includes(row.querySelector("[data-number]").dataset.number);
+  byId("numbers").tBodies[0].replaceChildren(...rows.filter((row) => !isOfSolving(row)));
+  byId("solving").replaceChildren(...rows.filter(isOfSolving));
   const status = run.numbers ? run.numbers.status : "begun";
   if (!isOfSweep) titleRun(run);
   byId("this").textContent = moment ? moment.name : say("numbers.this");

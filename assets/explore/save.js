@@ -14,6 +14,25 @@ function offerSaves() {
   offer("save-charts", report.sweep && report.sweep.points.length);
 }
 
+/** Room between the menu and its button, and the edge of the window. */
+const MENU_ROOM = 6;
+
+/** Puts the menu below its button when it opens, and closes it when something of it is chosen. */
+function beginShare() {
+  const menu = byId("saves");
+  menu.addEventListener("toggle", (event) => {
+    const isOpen = /** @type {ToggleEvent} */ (event).newState === "open";
+    byId("share").ariaExpanded = String(isOpen);
+    if (!isOpen) return;
+    const { left, bottom } = byId("share").getBoundingClientRect();
+    const most = innerWidth - menu.getBoundingClientRect().width - MENU_ROOM;
+    Object.assign(menu.style, { left: `${Math.max(MENU_ROOM, Math.min(left, most))}px`, top: `${bottom + MENU_ROOM}px` });
+  });
+  menu.addEventListener("click", ({ target }) => { if (target instanceof HTMLButtonElement) menu.hidePopover(); });
+  const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
+  Object.entries(saves).forEach(([id, action]) => byId(id).addEventListener("click", action));
+}
+
 function save(address, name = "") {
   element("a", { href: address, download: name }).click();
 }
@@ -124,8 +143,8 @@ async function copyCommand() {
   const { command } = current();
   try {
     await navigator.clipboard.writeText(command);
-    byId("hint").textContent = say("command.copied", { command });
+    tell(say("command.copied", { command }));
   } catch {
-    byId("hint").textContent = command;
+    tell(command);
   }
 }

@@ -76,7 +76,7 @@ function takeUnits() {
   charts();
 }
 
-/** A list of solids and the length of the cell, at the head of the knobs of the solid. */
+/** A list of solids and the length of the cell, below the choices of a solid. */
 function beginUnits() {
   const option = (value) => element("option", { value }, say(`material.${value || "none"}`));
   const list = element("select", { id: "material" }, ...["", ...Object.keys(MATERIALS)].map(option));
@@ -91,10 +91,10 @@ function beginUnits() {
     if (!sentence) { cellLength = value * MICROMETRE; takeUnits(); }
   });
   const line = (input, name, tip) => {
-    const made = element("div", { class: "row wide", id: `row-${input.id}`, title: tip }, element("label", { for: input.id }, name), input);
+    const made = element("div", { class: "row wide", id: `row-${input.id}`, title: tip }, element("label", { for: input.id, class: "name" }, name), input);
     explain(made, tip);
     return made;
   };
-  byId("summary-solid").after(line(list, say("material"), say("material.tip")), line(field, say("cell"), say("cell.tip")));
+  byId("choices-solid").after(line(list, say("material"), say("material.tip")), line(field, say("cell"), say("cell.tip")));
   byId("row-cell").hidden = !material;
 }

@@ -226,12 +226,17 @@ function showDuration() {
   byId("duration").setAttribute("aria-valuetext", seconds);
 }
 
+/** Who wants no motion gets so many pictures of a run, one after the other. */
+const CALM = { wish: askSystem("(prefers-reduced-motion: reduce)"), pictures: 12 };
+
+const calmed = (share) => CALM.wish.matches ? Math.floor(share * CALM.pictures) / CALM.pictures : share;
+
 function play() {
   if (playing) { stopPlaying(); return; }
   const begun = performance.now();
   const frame = (now) => {
     const share = Math.min(1, (now - begun) / 1000 / duration());
-    if (!seek(Math.max(0, share)) || share >= 1) { stopPlaying(); return; }
+    if (!seek(calmed(Math.max(0, share))) || share >= 1) { stopPlaying(); return; }
     playing = requestAnimationFrame(frame);
   };
   playing = requestAnimationFrame(frame);

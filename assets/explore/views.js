@@ -38,7 +38,7 @@ function beginViews() {
   byId("projector").addEventListener("click", () => putProjector(!("projector" in document.body.dataset)));
   if (localStorage.getItem("projector")) putProjector(true);
   const wishes = [new URLSearchParams(location.search).get("view"), localStorage.getItem("view")];
-  wantedView = wishes.find((wish) => VIEWS.includes(wish)) ?? (site ? "picture" : "both");
+  wantedView = wishes.find((wish) => VIEWS.includes(wish)) ?? "picture";
   const why = site?.recorded.length === 0 ? say("viewer.left-out") : location.protocol === "file:" ? say("viewer.disk") : "";
   if (why) {
     wantedView = "picture";
@@ -53,6 +53,8 @@ function putProjector(isWanted) {
   document.body.toggleAttribute("data-projector", isWanted);
   byId("projector").setAttribute("aria-pressed", String(isWanted));
   if (isWanted) localStorage.setItem("projector", "true"); else localStorage.removeItem("projector");
+  FONT = isWanted ? FONTS.wall : FONTS.screen;
   drawSections();
+  drawTop();
   charts();
 }

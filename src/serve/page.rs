@@ -41,7 +41,7 @@ macro_rules! scripts {
 
 /// All scripts of the page in the order in which they run.
 const SCRIPTS: &str = scripts!(
-    "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "chart" "charts" "save" "address" "welcome" "presets"
+    "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "chart" "charts" "save" "address" "welcome" "choices"
     "point" "guess" "lessons" "picture" "top" "solid" "hand" "pick" "why" "undo" "asperity" "begin"
 );
 

@@ -45,7 +45,7 @@ fn steps_are_scrubbed(page: &mut Page) {
 #[test]
 fn a_page_without_a_viewer() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = sketched(&program, "");
+    let (_explorer, mut page) = sketched(&program, "&view=both");
     page.resize([1440, 900]);
     assert_eq!(page.text("document.body.dataset.viewer"), "failed");
     the_picture_takes_the_place_of_the_viewer(&mut page);

@@ -63,7 +63,7 @@ fn a_person_who_reads_german() {
         is_well(&mut page, has_axe, &format!("a German answer, {theme}"));
         page.click("lesson-close");
         drop_heights(&mut page);
-        page.until("byId('fault').innerText.startsWith('Keine Breite ist angegeben')");
+        page.until("byId('fault').innerText.startsWith('Die Datei nennt keine Größe. Geben Sie ihre Breite')");
         page.type_into("heights-width", "10 um");
         page.until("byId('heights').innerText.includes('RMS-Gradient')");
         rested(&mut page);

@@ -72,7 +72,7 @@ pub const ROOMY: [u32; 2] = [1440, 900];
 
 /// The page with its viewer, at the end of its first run.
 pub fn opened(program: &Path) -> (Explorer, Page) {
-    opened_in(Chromium::start(program), "")
+    opened_in(Chromium::start(program), "&view=both")
 }
 
 /// The page without a viewer, at the end of its first run, with more in its address: for what the viewer has no part in, sooner.
@@ -85,7 +85,9 @@ fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut page = Page { chromium };
     page.resize(ROOMY);
     page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
-    page.until("['started', 'failed'].includes(document.body.dataset.viewer)");
+    page.until(
+        "document.body.dataset.view === 'picture' || ['started', 'failed'].includes(document.body.dataset.viewer)",
+    );
     rested(&mut page);
     explorer.session = page.text("session");
     (explorer, page)

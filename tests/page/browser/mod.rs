@@ -5,6 +5,7 @@
 
 mod appearance;
 mod blind;
+mod choices;
 mod chromium;
 mod downloads;
 mod everyone;

@@ -67,9 +67,14 @@ fn a_telephone(page: &mut Page) {
     assert_eq!(page.value("isDeep() && section.shear !== null"), true, "the lesson on yield shows the stress");
     assert_eq!(page.value("byId('save-rrd').checkVisibility()"), false);
     page.value("byId('more').click()");
-    assert_eq!(page.value("byId('save-rrd').checkVisibility() && byId('theme').checkVisibility()"), true);
+    assert_eq!(page.value("byId('theme').checkVisibility()"), true);
     assert_eq!(page.value(WIDE), json!([]), "with more");
     page.value("byId('more').click()");
+    page.click("share");
+    assert_eq!(page.value("byId('save-rrd').checkVisibility()"), true);
+    assert_eq!(page.value(WIDE), json!([]), "with the menu");
+    page.press("Escape");
+    page.until("!byId('save-rrd').checkVisibility()");
     page.value("openLesson('')");
     rested(page);
     assert_eq!(page.value("isDeep()"), false, "and no longer than that");
@@ -88,12 +93,19 @@ fn a_small_laptop(page: &mut Page) {
     rested(page);
 }
 
-/// Presets are solved, and undone.
-fn presets_and_undo(page: &mut Page) {
+/// Choices are solved, and undone.
+fn choices_and_undo(page: &mut Page) {
     page.resize([1440, 900]);
     page.until("innerWidth === 1440");
-    for (preset, body, layer) in [("coating", "flat", 0.02), ("hertz", "round", 0.0), ("rough", "flat", 0.0)] {
-        page.click(&format!("preset-{preset}"));
+    page.click("choice-elastic");
+    for (choice, body, layer) in [
+        ("rough", "flat", 0.0),
+        ("coated", "flat", 0.02),
+        ("elastic", "flat", 0.0),
+        ("round", "round", 0.0),
+        ("rough", "flat", 0.0),
+    ] {
+        page.click(&format!("choice-{choice}"));
         page.until(&format!("latest().knobs.body === '{body}' && latest().knobs.layer === {layer}"));
         rested(page);
         page.until("states.length && words(states.at(-1)) === words(knobs)");
@@ -152,12 +164,17 @@ fn a_slow_run_is_explained(page: &mut Page) {
     page.press("Escape");
 }
 
-/// Letters for a wall are half as large again, and lines thicker.
+/// Letters for a wall are half as large again, and lines thicker, and the picture is as large as before.
 fn a_class_before_a_wall(page: &mut Page) {
     let size = "parseFloat(getComputedStyle(byId('numbers')).fontSize)";
     let before = page.value(size).as_f64().unwrap();
+    let picture = "(({ width, height }) => [width, height])(byId('section').getBoundingClientRect())";
+    let sides = |page: &mut Page| serde_json::from_value::<[f64; 2]>(page.value(picture)).unwrap();
+    let [width, high] = sides(page);
     page.click("projector");
     assert!(page.value(size).as_f64().unwrap() >= 1.4 * before);
+    let [wide, height] = sides(page);
+    assert!(wide >= width && height >= high, "a picture of {width} x {high} has become {wide} x {height}");
     assert_eq!(page.value("lineWidth() > 2"), Value::Bool(true));
     page.click("projector");
     assert_eq!(page.value(size).as_f64(), Some(before));
@@ -170,7 +187,7 @@ fn a_person_who_comes_for_the_first_time() {
     the_first_half_minute(&mut page);
     a_telephone(&mut page);
     a_small_laptop(&mut page);
-    presets_and_undo(&mut page);
+    choices_and_undo(&mut page);
     a_sweep_plays(&mut page);
     a_slow_run_is_explained(&mut page);
     a_class_before_a_wall(&mut page);

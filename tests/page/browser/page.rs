@@ -114,6 +114,7 @@ impl Page {
 
     /// Focuses a control and presses a key.
     pub fn press_at(&mut self, id: &str, key: &str) {
+        self.unfold(id);
         self.value(&format!("document.getElementById('{id}').focus()"));
         assert_eq!(self.text("document.activeElement.id"), id);
         self.press(key);
@@ -136,6 +137,7 @@ impl Page {
 
     /// Types a value into a field, instead of what is there.
     pub fn fill(&mut self, id: &str, value: &str) {
+        self.unfold(id);
         self.value(&format!("document.getElementById('{id}').focus(); document.getElementById('{id}').select()"));
         self.chromium.page("Input.insertText", json!({"text": value}));
     }
@@ -192,8 +194,14 @@ impl Page {
         }
     }
 
-    /// Left, top, width and height of an element, scrolled into view.
+    /// Opens what hides an element, as a person does who looks for it.
+    fn unfold(&mut self, id: &str) {
+        self.value(&format!("typeof unfold === 'function' && unfold(document.getElementById('{id}'))"));
+    }
+
+    /// Left, top, width and height of an element, unfolded and scrolled into view.
     pub fn place(&mut self, id: &str) -> [f64; 4] {
+        self.unfold(id);
         let place = self.value(&format!(
             "(() => {{ const it = document.getElementById('{id}'); it.scrollIntoView({{ block: 'nearest' }}); \
              const box = it.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }})()"

@@ -258,7 +258,7 @@ fn a_file_stays_in_the_browser(page: &mut Page) {
     };
     let before = sent(page);
     page.value(&format!("takeFile(new File([{}], 'map.txt')).then(() => true)", json!(text)));
-    page.until("byId('fault').innerText.startsWith('no size is given, and the file has none')");
+    page.until("byId('fault').innerText.startsWith('The file states no size. Type its Width')");
     page.type_into("heights-width", "10 um");
     rested(page);
     assert_eq!(page.value("[knobs.body, section.y === null]"), json!(["file", false]));

@@ -62,7 +62,7 @@ fn numbers_are_explained_as_everywhere() {
 }
 
 /// Faults that the English page words with the names of its knobs, and not like the library.
-const OWN_WORDS: [&str; 3] = ["surface-points", "cutoff-of-rolloff", "cutoff-of-points"];
+const OWN_WORDS: [&str; 4] = ["surface-points", "cutoff-of-rolloff", "cutoff-of-points", "no-size"];
 
 #[test]
 fn every_refusal_has_a_text() {
