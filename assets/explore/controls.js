@@ -75,6 +75,12 @@ function build() {
 const foldable = (group, open, ...rows) =>
   element("details", { id: `group-${group}`, open }, element("summary", { id: `summary-${group}` }, say(`group.${group}`)), ...rows);
 
+/** What unfolds an element that is folded away; none for another one. */
+function folderOf(it) {
+  if (it.closest("#solving")) return byId("show-solving");
+  return it.closest("details:not([open])")?.querySelector("summary") ?? it.closest(".question")?.querySelector(":scope > .fold[aria-expanded=false]") ?? null;
+}
+
 /** Unfolds what hides an element: a group, the menu, the other controls of a question, or how a contact was solved. */
 function unfold(it) {
   for (let fold = it.closest("details"); fold; fold = fold.parentElement.closest("details")) fold.open = true;

@@ -58,19 +58,24 @@ function pointer(words, name) {
   return made;
 }
 
-/** The element of a thing, or of that which hides it. */
-function elementOf(name) {
+/** The element of a thing, seen or not. */
+function thingOf(name) {
   const [kind, rest] = [name.split(".")[0], name.slice(name.indexOf(".") + 1)];
-  const found = (KINDS[kind] ? KINDS[kind](rest) : THINGS[kind]?.()) ?? null;
-  if (!found || found.checkVisibility()) return found;
-  return found.closest("details:not([open])")?.querySelector("summary") ?? null;
+  return (KINDS[kind] ? KINDS[kind](rest) : THINGS[kind]?.()) ?? null;
+}
+
+/** The element of a thing, or of that which unfolds it. */
+function elementOf(name) {
+  const found = thingOf(name);
+  return !found || found.checkVisibility() ? found : folderOf(found);
 }
 
 /** Brings a thing on the screen: a control that is folded away, a map that is not shown, what is further down. */
 function goToThing(name) {
   const [kind, rest] = name.split(".");
   if (kind === "map" && above) chooseMap(rest);
-  elementOf(name)?.closest("details")?.setAttribute("open", "");
+  const found = thingOf(name);
+  if (found && !found.checkVisibility()) unfold(found);
   const isCalm = askSystem("(prefers-reduced-motion: reduce)").matches;
   elementOf(name)?.scrollIntoView({ block: "nearest", behavior: isCalm ? "auto" : "smooth" });
 }
