@@ -63,7 +63,7 @@ function elementOf(name) {
   const [kind, rest] = [name.split(".")[0], name.slice(name.indexOf(".") + 1)];
   const found = (KINDS[kind] ? KINDS[kind](rest) : THINGS[kind]?.()) ?? null;
   if (!found || found.checkVisibility()) return found;
-  return found.closest("details:not([open])")?.querySelector("summary") ?? null;
+  return found.closest("details:not([open])")?.querySelector("summary") ?? (found.closest(".less") ? byId("more") : null);
 }
 
 /** Brings a thing on the screen: a control that is folded away, a map that is not shown, what is further down. */
