@@ -78,7 +78,7 @@ const foldable = (group, open, ...rows) =>
 /** What unfolds an element that is folded away; none for another one. */
 function folderOf(it) {
   if (it.closest("#solving")) return byId("show-solving");
-  return it.closest("details:not([open])")?.querySelector("summary") ?? it.closest(".question")?.querySelector(":scope > .fold[aria-expanded=false]") ?? null;
+  return it.closest("details:not([open])")?.querySelector("summary") ?? it.closest(".question")?.querySelector(":scope > .fold[aria-expanded=false]") ?? (it.closest(".less") ? byId("more") : null);
 }
 
 /** Unfolds what hides an element: a group, the menu, the other controls of a question, or how a contact was solved. */

@@ -4,7 +4,7 @@
 let lessons = [];
 let lesson = null;
 /** What a lesson puts in the place of what was before, which is there again after it: the run that is pinned, as a lesson compares with the
- * step before, whether the stress below is shown, the map, and the view. */
+ * step before, whether the stress below is shown, the map, and whether only the viewer was shown. */
 let suspended = null;
 
 async function beginLessons() {
@@ -19,8 +19,8 @@ async function beginLessons() {
 async function openLesson(name, at = 0) {
   if (name) endWelcome();
   if (!lesson) {
-    suspended = { pinned, isDeep: isDeep(), map: shownMap, view: wantedView };
-    if (wantedView === "viewer") putView("picture"); // lessons speak of the picture
+    suspended = { pinned, isDeep: isDeep(), map: shownMap, isInViewer: wantedView === "viewer" };
+    if (suspended.isInViewer) putView("picture"); // lessons speak of the picture
     await setPin(null);
   }
   const opened = lessons.find((it) => it.name === name);
@@ -41,7 +41,7 @@ function endLesson() {
   setMoment(null);
   if (runOf(suspended.pinned)) setPin(suspended.pinned);
   chooseMap(suspended.map);
-  putView(suspended.view);
+  if (suspended.isInViewer) putView("viewer");
   if (wasAsked) changed(); else writeAddress();
 }
 

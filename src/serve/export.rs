@@ -111,7 +111,7 @@ impl SiteExport {
             copy(&recording.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
             runs.push(json!({ "id": id, "is_sweep": *kind == RunKind::Sweep, "knobs": knobs }));
         }
-        let observables: Vec<_> = Quantity::found().map(Quantity::row).collect();
+        let observables: Vec<_> = Quantity::all().map(Quantity::row).collect();
         Ok(json!({ "start": start, "lessons": lessons, "observables": observables, "first": first, "recorded": runs }))
     }
 }
