@@ -53,7 +53,7 @@ function wantsFile() {
 async function openAddress(instead) {
   try {
     const wish = wished();
-    if (wish && words(wish) !== words(seen())) await carryOut(wish);
+    if (wish && (words(wish) !== words(seen()) || !latest())) await carryOut(wish);
     if (wish === null) await instead();
   } catch (error) {
     await instead();

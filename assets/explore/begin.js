@@ -96,6 +96,7 @@ async function begin() {
   remember(await ask("runs"));
   build();
   beginUnits();
+  beginState();
   description = await ask("heights");
   show();
   charts();

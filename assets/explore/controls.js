@@ -232,6 +232,7 @@ function show() {
     byId(`row-${control.id}`).hidden = !HAS[control.scenes](knobs);
   }
   showHeights();
+  markState();
 }
 
 function dice() {

@@ -102,7 +102,7 @@ function takeDescription(told) {
   mend("body");
   show();
   document.body.dataset.file = told.name;
-  if (told.fault) { fault(inWordsOfPage(told)); markUnsolved(true); } else changed();
+  if (told.fault) { fault(inWordsOfPage(told)); markState(); } else changed();
 }
 
 /** Shows the file and its knobs where it is the body, but for a field that is being typed into. */

@@ -29,7 +29,6 @@ function takePreset({ knobs: its }) {
   if (!its) { openFile(); return; }
   const { beside: _, scene: __, ...kept } = knobs;
   knobs = structuredClone({ ...kept, ...PLAIN, ...its });
-  setMoment(null);
   show();
   changed();
 }
