@@ -120,6 +120,11 @@ fn the_picture_moves_load_by_load() {
     let id = state["sweep"]["id"].as_str().unwrap();
     let motion = page.get(&format!("/api/run/{id}/motion")).json();
     let numbers: Vec<&Value> = points.iter().map(|point| &point["number"]).collect();
+    for point in points {
+        let [number, load] = ["number", "reduced_pressure"].map(|name| point[name].as_f64().unwrap());
+        let its = 1e-4 * 10f64.powf((number - 1.0) / 12.0);
+        assert!((load / its - 1.0).abs() < 1e-6, "load {number} of the viewer is {its}, of the page {load}");
+    }
     assert_eq!(motion["steps"].as_array().unwrap().iter().collect::<Vec<_>>(), numbers);
     let values = |of: &Value| of.as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>();
     let sections = motion["sections"].as_array().unwrap();
