@@ -106,6 +106,7 @@ async function begin() {
   beginTop();
   beginSolid();
   beginWhy();
+  beginRace();
   beginPresets();
   keepState();
   for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepChart);

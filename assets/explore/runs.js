@@ -160,6 +160,7 @@ function dropRun(run) {
 /** Takes the runs of before this page was opened, as far as they can still be read. */
 function remember(earlier) {
   runs = earlier.map((run) => Object.assign(run, { session }));
+  stateRun = latest()?.id ?? null;
   listRuns();
   runs.slice(-1).forEach(follow);
 }

@@ -5,6 +5,7 @@
 
 mod appearance;
 mod blind;
+mod chance;
 mod chromium;
 mod downloads;
 mod everyone;
@@ -16,10 +17,12 @@ mod keyboard;
 mod lessons;
 mod links;
 mod measures;
+mod moments;
 mod newcomers;
 mod page;
 mod person;
 mod processes;
+mod races;
 mod seen_from_above;
 mod site;
 mod strangers;
