@@ -145,7 +145,7 @@ function drawLane(canvas, shown) {
   Object.assign(pen, { font: FONT, fillStyle: colours().ink });
   pen.fillText(say("race.pressure"), 6, 14);
   pen.fillText(say("label.rigid"), 6, at.top + 15);
-  pen.fillText(say("label.solid"), 6, height - 28);
+  pen.fillText(say("label.solid"), 6, height - 8);
   canvas.ariaLabel = inWords(shown);
 }
 

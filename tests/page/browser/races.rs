@@ -26,7 +26,7 @@ fn work_for(page: &mut Page, run: &str, goal: f64) -> Value {
 fn a_run_is_watched(page: &mut Page) {
     page.click("watch");
     page.until("document.body.dataset.race === latest().id");
-    assert_eq!(page.value(LANES), json!(["GFMD, uniform masses"]));
+    assert_eq!(page.value(LANES), json!(["GFMD (uniform masses)"]));
     page.press_at("race-scrub", "Home");
     page.until("document.querySelector('.race-lane p').innerText.startsWith('Step ')");
     let first = page.value(TOLD);
@@ -44,7 +44,7 @@ fn two_solvers_race(page: &mut Page) {
     let before = page.value("[words(knobs), document.body.dataset.run, byId('title').innerText]");
     let first = page.text("shownOrLatest().id");
     race_with(page, "multilevel");
-    assert_eq!(page.value(LANES), json!(["GFMD, uniform masses", "Multilevel"]));
+    assert_eq!(page.value(LANES), json!(["GFMD (uniform masses)", "Multilevel"]));
     assert_eq!(page.value("[words(knobs), document.body.dataset.run, byId('title').innerText]"), before);
     assert_eq!(page.value("isWhole"), true);
     let second = page.text("document.body.dataset.race.split(' ')[1]");
@@ -73,13 +73,13 @@ fn a_cure_is_tried(page: &mut Page) {
     assert_eq!(page.text(&format!("document.querySelector('{cure}').innerText")), "Try it: masses ∝ stiffness");
     page.value(&format!("document.querySelector('{cure}').click()"));
     page.until("document.querySelectorAll('.race-lane').length === 2");
-    assert_eq!(page.value(LANES), json!(["GFMD, uniform masses", "GFMD, masses ∝ stiffness"]));
+    assert_eq!(page.value(LANES), json!(["GFMD (uniform masses)", "GFMD (masses ∝ stiffness)"]));
     assert_eq!(
         page.value("[knobs.solver.masses, shownOrLatest().knobs.solver.masses]"),
         json!(["stiffness", "stiffness"])
     );
     let verdict = page.text("byId('race-verdict').innerText");
-    assert!(verdict.starts_with("GFMD, masses ∝ stiffness had a certificate of "), "{verdict}");
+    assert!(verdict.starts_with("GFMD (masses ∝ stiffness) had a certificate of "), "{verdict}");
     page.press("Escape");
     rested(page);
 }
