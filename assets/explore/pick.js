@@ -49,17 +49,20 @@ async function momentOfLoad(its, point) {
   }
 }
 
-/** The name of a step of a run, of a state in time, or of one with adhesion.
- * @type {(run: any, told: any) => string} */
-function momentName(run, { step, time, reduced_pressure: load }) {
-  if (run.creeps) return say("moment.time", { time: figure(time, 3) });
-  return run.adheres ? say("moment.load", { load: figure(load, 3) }) : say("moment.step", { step });
+/** What names a state of a process, and the end of the title of a run that is of its last state alone. */
+const OF_STATES = { creep: "time", adhesion: "reduced_pressure", slip: "friction", rolling: "friction" };
+const OF_LAST = /, (T\/τ|Q\/\(μP\)) = [^,]*$/;
+
+/** The name of a step of a run, or of a state of a process. */
+function momentName(run, told) {
+  const of = OF_STATES[processOf(run)];
+  return of && Number.isFinite(told[of]) ? say(`moment.${of}`, { value: figure(told[of], 3) }) : say("moment.step", { step: told.step });
 }
 
 /** The title of a moment of a run: a state in time is at its own time, not at that of the end. */
 function momentTitle(run, name) {
-  const title = titleOf(run).replace(/, T\/τ = [^,]*$/, "");
-  return say(run.creeps ? "title.time" : "title.step", { title, name });
+  const title = titleOf(run);
+  return say(OF_LAST.test(title) ? "title.state" : "title.step", { title: title.replace(OF_LAST, ""), name });
 }
 
 /** The numbers of a step of a run, the first one before all others; at its end those of the run. */

@@ -40,7 +40,7 @@ function beginRace() {
 async function watch(run, other = null) {
   if (!run?.ended) { fault(say("why.early")); return; }
   const { dialog, mine } = openRace(run);
-  const isOfStates = run.creeps || run.adheres || run.knobs.speed > 0;
+  const isOfStates = Boolean(run.process) || run.knobs.speed > 0;
   byId("race-rival").disabled = isOfStates;
   byId("race-rival").value = "";
   if (isOfStates) noteRace(say("race.states"));
@@ -108,7 +108,7 @@ const isCalm = () => askSystem("(prefers-reduced-motion: reduce)").matches;
 
 /** The work at a share of a race: the early steps, in which most happens, are slow. */
 const workAt = (share) => race.most * share ** race.power;
-const shareOf = (work) => (work / race.most) ** (1 / race.power);
+const shareOfWork = (work) => (work / race.most) ** (1 / race.power);
 
 /** The last row of a lane that no more work has led to than the clock shows. */
 const rowAt = ({ work }) => Math.max(0, work.findLastIndex((it) => it <= race.at * (1 + 1e-9)));
@@ -116,7 +116,7 @@ const rowAt = ({ work }) => Math.max(0, work.findLastIndex((it) => it <= race.at
 /** Shows all lanes after some work. */
 function showWork(work) {
   race.at = Math.min(race.most, Math.max(0, work));
-  byId("race-scrub").value = String(1000 * shareOf(race.at));
+  byId("race-scrub").value = String(1000 * shareOfWork(race.at));
   byId("race-work").value = say("race.work", { work: String(Math.round(race.at)) });
   race.lanes.forEach(showLane);
   for (const line of document.querySelectorAll("#race-charts .now")) placeNow(line);
@@ -194,7 +194,7 @@ function trace(target, title, marks, down, curves) {
   const [w, h] = [Math.max(160, box.width), Math.max(110, box.height)];
   const room = { left: 42, right: 12, above: 20, below: 32 };
   const [wide, high] = [w - room.left - room.right, h - room.above - room.below];
-  const x = (work) => room.left + shareOf(work) * wide;
+  const x = (work) => room.left + shareOfWork(work) * wide;
   const y = (share) => room.above + Math.min(1, Math.max(0, share)) * high;
   const svg = drawn("svg", { viewBox: `0 0 ${w} ${h}`, role: "img", "aria-label": title });
   svg.append(drawn("text", { class: "title", x: room.left, y: 13 }, title), drawn("rect", { class: "axis", x: room.left, y: room.above, width: wide, height: high }));
@@ -217,7 +217,7 @@ function trace(target, title, marks, down, curves) {
 /** Puts the line of the clock into a chart. */
 function placeNow(line) {
   const [from, to] = [line.dataset.from, line.dataset.to].map(Number);
-  for (const end of ["x1", "x2"]) line.setAttribute(end, from + shareOf(race.at) * (to - from));
+  for (const end of ["x1", "x2"]) line.setAttribute(end, from + shareOfWork(race.at) * (to - from));
 }
 
 /** Draws all anew, after the dialog has another size. */
@@ -229,7 +229,7 @@ function drawRace() {
 
 function playRace() {
   if (!race?.lanes) return;
-  const begun = performance.now() - (race.at >= race.most ? 0 : shareOf(race.at)) * RACE.seconds * 1000;
+  const begun = performance.now() - (race.at >= race.most ? 0 : shareOfWork(race.at)) * RACE.seconds * 1000;
   const tick = (now) => {
     const share = Math.min(1, Math.max(0, (now - begun) / 1000 / RACE.seconds));
     showWork(workAt(isCalm() ? Math.floor(share * RACE.stills) / RACE.stills : share));
