@@ -97,6 +97,13 @@ fn the_steps_of_long_runs_are_thinned() {
 #[test]
 fn facets_are_those_of_runs_that_have_ended() {
     let page = Page::open();
+    let nested = page.solve(&with(json!({"points": 512, "cutoff": 64})));
+    let steps = page.get(&format!("/api/run/{}/steps", nested["id"].as_str().unwrap())).json();
+    let levels: Vec<u64> = steps["level"].as_array().unwrap().iter().map(|it| it.as_u64().unwrap()).collect();
+    assert!(
+        levels[0] > 0 && levels.last() == Some(&0) && levels.is_sorted_by(|a, b| a >= b),
+        "from coarse to fine: {levels:?}"
+    );
     for path in ["/api/run/run-1/steps", "/api/run/run-1", "/api/run/"] {
         assert_eq!(page.get(path).status, 404, "{path}");
     }

@@ -65,10 +65,14 @@ fn the_session_of_a_tab_that_was_killed_makes_room() {
     let begun = Instant::now();
     while page.post("/api/session", "0").status == 503 {
         assert!(begun.elapsed() < Duration::from_secs(30), "it never makes room");
-        [&page, &others[0], &others[2]].map(|open| assert_eq!(open.get("/api/state?since=0").status, 200));
+        for open in [&page, &others[0], &others[2]] {
+            assert_eq!(open.get("/api/state?since=0").status, 200);
+        }
     }
     assert_eq!(others[1].get("/api/state").status, 410);
-    [&page, &others[0], &others[2]].map(|open| assert_eq!(open.get("/api/state").status, 200));
+    for open in [&page, &others[0], &others[2]] {
+        assert_eq!(open.get("/api/state").status, 200);
+    }
 }
 
 #[test]
