@@ -94,8 +94,9 @@ fn the_steps_of_long_runs_are_thinned() {
     assert_eq!(*iterations.last().unwrap(), 9001.0);
 }
 
+/// A solver on nested grids says which steps are on a coarser grid, where a certificate is that of another problem.
 #[test]
-fn facets_are_those_of_runs_that_have_ended() {
+fn steps_on_coarser_grids_are_told() {
     let page = Page::open();
     let nested = page.solve(&with(json!({"points": 512, "cutoff": 64})));
     let steps = page.get(&format!("/api/run/{}/steps", nested["id"].as_str().unwrap())).json();
@@ -104,6 +105,11 @@ fn facets_are_those_of_runs_that_have_ended() {
         levels[0] > 0 && levels.last() == Some(&0) && levels.is_sorted_by(|a, b| a >= b),
         "from coarse to fine: {levels:?}"
     );
+}
+
+#[test]
+fn facets_are_those_of_runs_that_have_ended() {
+    let page = Page::open();
     for path in ["/api/run/run-1/steps", "/api/run/run-1", "/api/run/"] {
         assert_eq!(page.get(path).status, 404, "{path}");
     }
