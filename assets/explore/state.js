@@ -56,7 +56,7 @@ function markLoad() {
   const isNews = isByHand !== row.hasAttribute("data-hand");
   row.toggleAttribute("data-hand", isByHand);
   byId("load-hand").hidden = !isByHand;
-  if (isByHand || isNews) byId("control-load-value").value = isByHand ? figure(moment.load, 4) : inLocale(written(knobs.load));
+  if (isByHand || isNews) byId("control-load-value").value = isByHand ? figure(moment.load, 3) : inLocale(written(knobs.load));
 }
 
 /** Makes room for what is said of the load. */
