@@ -134,7 +134,7 @@ function showLane(lane, place) {
   drawLane(lane.picture, { ...shown, exact: null, shear: null });
   drawErrors(lane.bars, why && why.errors, step, isEnd, PAINTS[place]);
   lane.told.textContent = say(isEnd ? "race.ended" : steps.level[row] ? "race.coarse" : "race.step", {
-    status: statusOf(lane.run), step: figure(step), work: figure(steps.transforms[row]), certificate: figure(steps.certificate[row], 2), area: figure(100 * steps.relative_area[row], 3), kappa: figure(steps.kappa_r[row], 3) });
+    status: statusOf(lane.run), step: figure(step), work: figure(steps.transforms[row]), certificate: figure(knownCertificate(lane, row), 2), area: figure(100 * steps.relative_area[row], 3), kappa: figure(steps.kappa_r[row], 3) });
 }
 
 function drawLane(canvas, shown) {
@@ -167,6 +167,7 @@ function drawErrors(canvas, errors, step, isEnd, paint) {
   const at = isEnd ? null : errors.rows[Math.max(0, errors.steps.findLastIndex((it) => it <= step))];
   const wide = (width - left) / Math.max(1, errors.wavelengths.length);
   pen.fillStyle = colour[paint];
+  if (isEnd) pen.fillText(say("race.solution"), left + 8, height / 2);
   at?.forEach((error, band) => { if (error > 0) pen.fillRect(left + band * wide + 1, y(error), Math.max(1, wide - 2), above + high - y(error)); });
   if (!errors.wavelengths.length) return;
   Object.assign(pen, { fillStyle: colour.soft, textBaseline: "bottom" });
@@ -255,6 +256,15 @@ function stepRace(by) {
 
 /** The certificate of a row, none on a coarser grid: there it is that of another problem. */
 const certificateAt = ({ steps }, row) => steps.level[row] ? null : steps.certificate[row];
+
+/** The last certificate up to a row: some solvers find one at some steps only. */
+function knownCertificate(lane, row) {
+  for (let at = row; at >= 0; at--) {
+    const its = certificateAt(lane, at);
+    if (its !== null) return its;
+  }
+  return null;
+}
 
 /** The work after which a lane first had a certificate; none if it never had. */
 function workFor(lane, goal) {
