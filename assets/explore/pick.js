@@ -62,7 +62,8 @@ function momentName(run, told) {
 /** The title of a moment of a run: a state in time is at its own time, not at that of the end. */
 function momentTitle(run, name) {
   const title = titleOf(run);
-  return say(OF_LAST.test(title) ? "title.state" : "title.step", { title: title.replace(OF_LAST, ""), name });
+  const places = { title: title.replace(OF_LAST, ""), name };
+  return places.title === title ? say("title.step", places) : say("title.state", places);
 }
 
 /** The numbers of a step of a run, the first one before all others; at its end those of the run. */

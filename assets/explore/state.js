@@ -43,7 +43,7 @@ const isSolving = () => posting || holding || report.busy;
 function markState() {
   const isOld = !isWhole();
   document.body.toggleAttribute("data-unsolved", isOld);
-  byId("unsolved").textContent = say(isSolving() ? "solving" : "unsolved");
+  byId("unsolved").textContent = isSolving() ? say("solving") : say("unsolved");
   if (!isOld) { clearTimeout(saying); saying = null; byId("unsolved").hidden = true; }
   else saying ??= setTimeout(() => { byId("unsolved").hidden = false; }, QUIET);
   markLoad();
