@@ -30,7 +30,9 @@ async function showMoment() {
 async function momentOfLoad(its, point) {
   if (!point || moment?.numbers === point) return;
   const load = point.reduced_pressure;
-  const now = { name: say("moment.load", { load: figure(load, 3) }), numbers: point, exact: point.exact, sweep: its, knobs: { ...its.knobs, load: Number(load.toPrecision(4)) } };
+  const rounded = Number(load.toPrecision(4));
+  const title = titleOf({ title: its.title.replace("load sweep", `p* = ${rounded}`) });
+  const now = { name: say("moment.load", { load: figure(load, 3) }), title, numbers: point, exact: point.exact, sweep: its, knobs: { ...its.knobs, load: rounded } };
   goToState(now);
   const isShown = () => moment === now && !grip;
   const isFlat = its.ended && !isDeep() && isKept(its) && byId("top-box").hidden;

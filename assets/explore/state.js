@@ -107,7 +107,7 @@ const takesOver = (run) => !isOfKnobs() || (words(run.knobs) === words(knobs) &&
 /** Shows the title of the state, and of the sweep that the viewer shows or that goes on. */
 function showTitle(run) {
   const shown = runOf(shownRun);
-  const sweep = shown && isSweep(shown) && !moment?.title ? ` · ${sweepInWords(shown)}` : "";
+  const sweep = shown && isSweep(shown) && (!moment || moment.sweep) ? ` · ${sweepInWords(shown)}` : "";
   byId("title").textContent = `${moment?.title ?? titleOfRun(run)}${sweep}`;
 }
 

@@ -42,8 +42,8 @@ fn a_refused_value_stops_nothing() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = sketched(&program, "&view=picture&language=en");
     page.value(
-        "Object.assign(knobs, { points: 512, cutoff: 64, stop: { tolerance: 1e-14, 'max-steps': 200000 }, \
-         solver: { method: 'gfmd', masses: 'uniform', dynamics: 'damped', 'time-step': 0.01, damping: 1 } }), show(), changed()",
+        "Object.assign(knobs, { points: 32768, cutoff: 128, stop: { tolerance: 1e-13, 'max-iterations': 100000 }, \
+         solver: { method: 'gfmd', masses: 'uniform', dynamics: 'damped', 'time-step': 0.5, damping: 1 } }), show(), changed()",
     );
     page.until("report.busy && latest().knobs.solver.method === 'gfmd' && latest().numbers");
     let run = page.text("latest().id");
