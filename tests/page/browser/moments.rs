@@ -66,8 +66,7 @@ fn a_link_to_the_start_has_a_picture() {
     page.resize([1440, 900]);
     page.follow(&format!("{}/?theme=dark&view=picture", explorer.origin()));
     rested(&mut page);
-    let link = page.text("linked()");
-    let (_, state) = link.split_once('#').unwrap();
+    let state = page.text("encodeURIComponent(JSON.stringify({ knobs }))");
     page.chromium.open_tab();
     page.follow(&format!("{}/?theme=dark&view=picture#{state}", explorer.origin()));
     rested(&mut page);
