@@ -8,6 +8,8 @@ const LOWEST = -8;
 /** The share of a race at which the lane with the least work ends, at least, and the powers of time by which this is made. */
 const EARLIEST = 0.3;
 const POWERS = [2, 6];
+/** How many times the work of the winner is about as much. */
+const CLOSE = 1.1;
 /** Highest value of the numbers over their final ones. */
 const HIGHEST = 2;
 /** Styles of the lanes, and their colours. */
@@ -290,7 +292,7 @@ function verdict(lanes, goals) {
   if (!goal) return "";
   const [first, second] = lanes.map((lane) => ({ name: lane.name, work: workFor(lane, goal) })).sort((a, b) => a.work - b.work);
   const places = { goal: figure(goal, 2), first: first.name, second: second.name, fewer: figure(first.work), more: figure(second.work), times: figure(second.work / Math.max(1, first.work), 2) };
-  return say(first.work === second.work ? "race.draw" : "race.won", places);
+  return second.work < CLOSE * first.work ? say("race.draw", places) : say("race.won", places);
 }
 
 /** Solves the contact of the run with another solver, which takes the second lane. The knobs stay. */
