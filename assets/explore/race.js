@@ -191,6 +191,12 @@ function drawTraces() {
   trace(byId("race-numbers"), say("race.numbers"), [[0, String(HIGHEST)], [0.5, "1"], [1, "0"]], (value) => 1 - value / HIGHEST, curves(["kappa_r", "relative_area"]));
 }
 
+/** A number down to its first digit. */
+function roundedDown(value) {
+  const unit = 10 ** Math.floor(Math.log10(Math.max(1, value)));
+  return Math.floor(value / unit) * unit;
+}
+
 /** A chart against the work, whose axis is that of the clock: `down` is the share of its height, from its top, at which a value stands. */
 function trace(target, title, marks, down, curves) {
   const box = target.getBoundingClientRect();
@@ -203,7 +209,7 @@ function trace(target, title, marks, down, curves) {
   svg.append(drawn("text", { class: "title", x: room.left, y: 13 }, title), drawn("rect", { class: "axis", x: room.left, y: room.above, width: wide, height: high }));
   const every = Math.max(1, Math.ceil(marks.length * 16 / high));
   marks.forEach(([share, text], i) => { if (i % every === 0) svg.append(drawn("text", { x: room.left - 5, y: y(share) + 4, "text-anchor": "end" }, text)); });
-  for (const work of [0, race.most / 16, race.most / 4, race.most].map((it) => Number(it.toPrecision(1))).filter((it) => it <= race.most)) svg.append(drawn("text", { x: x(work), y: h - 18, "text-anchor": "middle" }, String(work)));
+  for (const work of [0, race.most / 16, race.most / 4, race.most].map(roundedDown)) svg.append(drawn("text", { x: x(work), y: h - 18, "text-anchor": "middle" }, String(work)));
   svg.append(drawn("text", { x: room.left + wide / 2, y: h - 4, "text-anchor": "middle" }, say("race.axis")));
   for (const { name, style, isDashed, points } of curves) {
     const line = drawn("polyline", { class: `${style}${isDashed ? " dashed" : ""}`, points: points.map(([work, value]) => `${x(work).toFixed(1)},${y(down(value)).toFixed(1)}`).join(" ") });
