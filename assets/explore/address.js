@@ -76,6 +76,8 @@ async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept
   await post("solve", painted(wanted)).catch((error) => { throw Object.assign(error, { inWords: faultOfKnobs(wanted) || undefined }); });
   knobs = painted(wanted);
   show();
+  const run = runOfKnobs(knobs);
+  if (run && !isOfKnobs()) showRun(run.id); // it has begun before the answer to the order was there
 }
 
 /** A state as words that do not depend on the order of its keys, nor on the colours. */

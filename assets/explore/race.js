@@ -310,7 +310,8 @@ async function chooseRival() {
   const [first] = mine.lanes;
   if (!rival) { setLanes([first]); return; }
   const its = painted({ ...mine.run.knobs, solver: rival[1]() });
-  const known = runs.findLast((run) => run.ended && isKept(run) && !isSweep(run) && words(run.knobs) === words(its));
+  const before = runOfKnobs(its);
+  const known = before?.numbers?.status === "converged" && isKept(before) ? before : null;
   noteRace(say("race.solving", { solver: say(`race.${rival[0]}`) }));
   mine.isSolving = !known;
   const run = known ?? await solved(its).catch((error) => { noteRace(error.message); return null; });
@@ -321,8 +322,8 @@ async function chooseRival() {
 /** The run of some knobs, which the page does not show unless they are its own, once it has ended. */
 async function solved(its) {
   const { revision } = await post("solve", its);
-  await ended(revision);
-  const run = runs.findLast((it) => !isSweep(it) && words(it.knobs) === words(its));
+  while (report.revision < revision || report.busy) await new Promise((done) => setTimeout(done, 20));
+  const run = runOfKnobs(its);
   if (!run?.ended) throw new Error(report.fault ?? say("unsolved"));
   return run;
 }

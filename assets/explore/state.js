@@ -25,6 +25,9 @@ function isOfKnobs() {
   return its !== null && words(its) === words(knobs);
 }
 
+/** The latest run of some knobs; none if there is none. */
+const runOfKnobs = (its) => runs.findLast((run) => !isSweep(run) && words(run.knobs) === words(its));
+
 /** Whether a run goes on. One that has failed or was lost has not ended, and does not go on. */
 const goesOn = (run) => !run.ended && report.busy && report.run?.id === run.id && document.body.dataset.server !== "gone";
 
