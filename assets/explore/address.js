@@ -50,7 +50,7 @@ function wantsFile() {
 async function openAddress(instead) {
   try {
     const wish = wished();
-    if (wish && words(wish) !== words(seen())) await carryOut(wish);
+    if (wish && (words(wish) !== words(seen()) || !latest())) await carryOut(wish);
     if (wish === null) await instead();
   } catch (error) {
     await instead();
@@ -73,6 +73,8 @@ async function carryOut({ lesson: name, step: place, knobs: wanted, pinned: kept
   await post("solve", painted(wanted)).catch((error) => { throw Object.assign(error, { inWords: faultOfKnobs(wanted) || undefined }); });
   knobs = painted(wanted);
   show();
+  const run = runOfKnobs(knobs);
+  if (run && !isOfKnobs()) showRun(run.id); // it has begun before the answer to the order was there
 }
 
 /** A state as words that do not depend on the order of its keys, nor on the colours. */

@@ -97,6 +97,7 @@ async function begin() {
   build();
   beginUnits();
   beginHint();
+  beginState();
   description = await ask("heights");
   show();
   charts();
@@ -107,6 +108,7 @@ async function begin() {
   beginSolid();
   beginWhy();
   beginShare();
+  beginRace();
   keepState();
   for (const id of ["chart-area", "chart-kappa"]) byId(id).addEventListener("keydown", stepChart);
   byId("show-solving").addEventListener("click", foldSolving);

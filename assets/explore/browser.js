@@ -17,6 +17,10 @@ const WRITTEN = { start: "start", lessons: "lessons", observables: "observables"
 /** Orders that end what runs. */
 const ENDING = ["solve", "sweep", "cancel", "heights"];
 
+/** Orders to solve, and the latest of them that was taken. */
+const SOLVING = ["solve", "sweep"];
+let latestOrder = null;
+
 /** Milliseconds that an order has to end by itself where it cannot be ended. */
 const RESPITE = 300;
 
@@ -149,13 +153,24 @@ async function postBrowser(path, body) {
   const [name] = path.split("?");
   if (name === "hold") return JSON.parse(await (await loadHand()).request("POST", path, body));
   const engine = await loadModule();
+  const before = SOLVING.includes(name) && latestNews.busy ? latestOrder : null;
   if (ENDING.includes(name) && !await engine.interrupt()) renew(engine, say("fault.superseded"));
-  const answer = JSON.parse(await (await loadModule()).request("POST", path, body));
+  const answer = JSON.parse(await order(path, body, before));
+  if (SOLVING.includes(name)) latestOrder = [path, body];
   if (name === "heights" || name === "describe") {
     heightOrders = [...(name === "describe" ? heightOrders.slice(0, 1) : []), ["POST", path, body]];
     await hand?.then((other) => other.request("POST", path, body));
   }
   return "revision" in answer ? { revision: latestNews.revision } : answer;
+}
+
+/** What the module answers to an order. If it refuses, it begins again with the order that it was carrying out. */
+async function order(path, body, before) {
+  const engine = await loadModule();
+  return engine.request("POST", path, body).catch((error) => {
+    if (before && error.status === REFUSED) engine.request("POST", ...before).catch(() => {});
+    throw error;
+  });
 }
 
 /** The arrays of a run as a file. */

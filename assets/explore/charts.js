@@ -156,11 +156,16 @@ function describeCharts(count, at) {
   }
 }
 
+/** The load of a sweep that is nearest to one; none of a sweep without loads. */
+function nearestLoad({ points }, load) {
+  const away = ({ reduced_pressure: p }) => Math.abs(Math.log(p / load));
+  return points.reduce((best, point) => best && away(best) <= away(point) ? best : point, null);
+}
+
 /** Shows the load of the sweep that is nearest to one, in the viewer, the table and the picture. */
 function pickLoad(load) {
-  const points = report.sweep?.points ?? [];
-  const away = ({ reduced_pressure: p }) => Math.abs(Math.log(p / load));
-  if (points.length) showLoad(points.reduce((best, point) => away(point) < away(best) ? point : best));
+  const point = report.sweep && nearestLoad(report.sweep, load);
+  if (point) showLoad(point);
 }
 
 /** Goes from one state of a process, or load of the sweep, to its neighbours by keys. */
@@ -180,9 +185,10 @@ function stepLoad(by) {
 }
 
 function showLoad(point) {
+  if (isHidden()) return;
   const { id } = report.sweep;
-  if (shownRun !== id && runOf(id)) showRun(id);
   const run = runOf(id);
+  if (shownRun !== id && run) showInViewer(id);
   if (run && isInViewer(run) && rangeOf(run)) goTo(recordingName(run), "load", point.number);
-  momentOfLoad(point);
+  momentOfLoad(run ?? report.sweep, point);
 }

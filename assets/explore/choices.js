@@ -121,7 +121,6 @@ function put(question, choice) {
   if (isOther) mend("domain");
   mend("body");
   tellChanges(choice, before, consequences(question, knobs));
-  setMoment(null);
   show();
   changed();
 }

@@ -272,6 +272,7 @@ function show() {
   }
   showChoices();
   showHeights();
+  markState();
 }
 
 function dice() {

@@ -175,15 +175,16 @@ function watchWish(run) {
 function showUnpressed(wanted) {
   const { at, name } = lesson;
   takeKnobs(wanted);
-  sectionRun = null;
   choosePatch(null);
-  setMoment({ name: say("moment.asked"), title: say("title.asked"), numbers: {}, exact: null, isClear: true });
+  const asked = { name: say("moment.asked"), title: say("title.asked"), numbers: {}, exact: null, isClear: true, isAsked: true, knobs: structuredClone(knobs) };
+  setMoment(asked);
   charts();
   if (viewer) noteViewer(say("viewer.asked"));
   const show = ({ section: its, numbers: told }) => {
     if (lesson?.name !== name || lesson.at !== at || document.body.dataset.asked !== "true") return;
     expected = told;
     showSection(liftedClear(its, UNPRESSED * its.highest), null);
+    setPictured(moment);
     document.body.dataset.unpressed = at;
   };
   hold({ knobs: { ...knobs, sideways: 0 }, "mean-gap": null, "is-deep": false }, show); // a surface that is pulled cannot be held

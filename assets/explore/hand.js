@@ -26,16 +26,21 @@ async function hold(order, done) {
   if (holding) return;
   holding = true;
   while (upcoming) {
+    markState();
     const { order: sent, done: show } = upcoming;
     upcoming = null;
     await post("hold", sent).then(show, (error) => fault(error.message));
   }
   holding = false;
+  markState();
   if (grip?.isLeft) drop();
 }
 
 /** Asks for what the hand holds: the gap, or the load of the knobs. */
-const holdGrip = () => hold({ knobs, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, showHeld);
+function holdGrip() {
+  const its = structuredClone(knobs);
+  hold({ knobs: its, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, (contact) => showHeld(contact, its));
+}
 
 /** The section that a hand got, and the one beside, with the stress below each. */
 const deepened = ({ section, shear, beside, shear_beside: shearBeside }) => [{ ...section, shear }, beside && { ...beside, shear: shearBeside }];
@@ -53,21 +58,24 @@ function showContact(contact, before = null) {
 /** A name of numbers, with how their solve ended where it did not converge. */
 const named = (name, { status }) => ["converged", undefined].includes(status) ? name : `${name}: ${statusOf({ numbers: { status } })}`;
 
-function showHeld(contact) {
+/** Shows what the hand holds, whose knobs get the load that it needs; surfaces that attract each other have others under the same load. */
+function showHeld(contact, its) {
   document.body.dataset.held = String(++heldCount);
-  keepSeen(knobs, contact.numbers);
+  keepSeen(its, contact.numbers);
   fault("");
   if (!grip || isClear(grip.gap)) return;
   const { numbers: told } = contact;
   const isStuck = grip.gap !== null && adheres();
   if (grip.gap !== null && !isStuck) {
     const [least, most] = controlOf("load").range;
-    knobs.load = Number(Math.min(most, Math.max(least, told.reduced_pressure)).toPrecision(4));
+    knobs.load = its.load = Number(Math.min(most, Math.max(least, told.reduced_pressure)).toPrecision(4));
   }
+  const title = say("title.hand", { load: figure(told.reduced_pressure, 4) });
+  setMoment({ name: named(say("moment.hand"), told), title, numbers: told, exact: null, isStuck, knobs: its, load: isStuck ? told.reduced_pressure : undefined });
   show();
-  setMoment({ name: named(say("moment.hand"), told), title: say("title.hand", { load: figure(told.reduced_pressure, 4) }), numbers: told, exact: null, isStuck });
   if (grip.kind === "bend") followRigid(contact.section);
   showContact(contact, axes);
+  setPictured(moment);
 }
 
 /** Moves the axes with the rigid surface, of which only the held point is to move on the screen: under a given load a new bump lifts all the
@@ -99,8 +107,7 @@ const isAsked = () => document.body.dataset.asked === "true" && lesson?.steps[le
 function takeGrip(kind, event) {
   if (!section) return;
   const at = frame(byId("section"));
-  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, load: knobs.load, moved: 0, perHeight: at.perHeight, run: sectionRun };
-  sectionRun = null;
+  grip = { kind, y: event?.clientY ?? 0, gap: null, begun: section.mean_gap, load: knobs.load, moved: 0, perHeight: at.perHeight };
   isTouched = true;
   stopPlaying();
 }
@@ -129,8 +136,11 @@ const CLEAR = { relative_area: 0, relative_area_counted: 0, patches: 0, reduced_
 /** Shows the rigid surface above a solid that it does not touch, and that is flat. */
 function lift(gap) {
   upcoming = null;
-  setMoment({ name: say("moment.hand"), title: say("title.clear"), numbers: CLEAR, exact: null, isClear: true });
+  knobs.load = grip.load;
+  setMoment({ name: say("moment.hand"), title: say("title.clear"), numbers: CLEAR, exact: null, isClear: true, knobs: structuredClone(knobs), load: 0 });
+  show();
   showSection(liftedClear(section, gap), null, axes);
+  setPictured(moment);
 }
 
 /** A section whose rigid surface is lifted to a mean gap at which nothing touches. */
@@ -164,20 +174,16 @@ function takePoint(share, event) {
 /** Lets go, as soon as the last wish of the hand is solved. */
 function letGo() {
   if (!grip) return;
-  if (grip.kind === "look") { sectionRun = grip.run; grip = null; return; }
+  if (grip.kind === "look") { grip = null; numbers(); return; }
   if (holding) grip.isLeft = true; else drop();
 }
 
-/** What the hand found is solved as a run, and recorded; until that has ended the picture stays as the hand left it. What is lifted clear
- * stays where it is, as does a contact with adhesion, which no load has alone: the load is the one before. */
+/** What the hand found is solved as a run, and recorded; until that begins it is shown. What is lifted clear stays where it is, as does a
+ * contact with adhesion, which no load has alone: the load is the one before. */
 function drop() {
-  const { load } = grip;
   grip = null;
   knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
-  if (moment?.isClear || moment?.isStuck) { knobs.load = load; show(); return; }
-  sectionRun = shownOrLatest()?.id;
-  setMoment(null);
-  changed();
+  if (moment?.isClear || moment?.isStuck) numbers(); else changed();
 }
 
 /** Takes off all bumps. */
@@ -217,10 +223,10 @@ function pointerMove(event) {
 function pointerUp(event) {
   const isClick = grip && grip.moved <= STILL;
   if (isClick) {
-    sectionRun = grip.run;
     grip = null;
     knobs.bumps = knobs.bumps.filter(([, height]) => height !== 0);
     placeHandles();
+    numbers();
     pickAt(under(event).share);
   } else letGo();
 }
@@ -268,11 +274,12 @@ function placeHandles() {
 
 /** Shows what is shown once more, with the stress below or without it. */
 function showAgain() {
-  sectionRun = null;
-  const load = report.sweep?.points.find((point) => point === moment?.numbers);
-  if (!load) { showSectionOf(shownOrLatest()); return; }
+  const { sweep, numbers: point } = moment ?? {};
+  if (moment && !sweep) { drawSections(); return; }
+  asking = null;
   moment = null;
-  momentOfLoad(load);
+  setPictured(null);
+  if (sweep) momentOfLoad(sweep, point); else showSectionOf(shownOrLatest());
 }
 
 function beginHand() {

@@ -104,7 +104,7 @@ function takeDescription(told) {
   show();
   document.body.dataset.file = told.name;
   markField(told.known_fault?.key);
-  if (told.fault) { fault(inWordsOfPage(told)); markUnsolved(true); } else changed();
+  if (told.fault) { fault(inWordsOfPage(told)); markState(); } else changed();
 }
 
 /** The fields that a person has to fill in, by what the file lacks. */

@@ -20,76 +20,92 @@ function facet(run, name) {
 async function showMoment() {
   const run = runOf(shownRun);
   const now = run && isInViewer(run) ? viewer.get_time_for_timeline(recordingName(run), timeline(run)) : null;
-  if (grip || visited !== shownRun || now === null || now === undefined) return;
-  if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= now));
+  if (grip || isHidden() || isSolving() || visited !== shownRun || now === null || now === undefined) return;
+  if (isSweep(run)) momentOfLoad(run, run.points.findLast(({ number }) => number <= now));
   else if (run.ended) await momentOfStep(run, Math.round(now));
 }
 
-/** The numbers of a load of a sweep, and its section: that which is kept of a sweep that has ended, or else, and for the stress below, one
+/** A load of a sweep, with its knobs, and its section: that which is kept of a sweep that has ended, or else, and for the stress below, one
  * that is solved anew. */
-async function momentOfLoad(point) {
+async function momentOfLoad(its, point) {
   if (!point || moment?.numbers === point) return;
-  setMoment({ name: say("moment.load", { load: figure(point.reduced_pressure, 3) }), numbers: point, exact: point.exact });
-  charts();
-  const its = runOf(report.sweep.id) ?? report.sweep;
-  const isShown = () => moment?.numbers === point && !grip;
-  if (its.ended && !isDeep() && isKept(its) && byId("top-box").hidden) {
-    const { steps, sections } = await facet(its, "motion");
-    if (!isShown()) return;
-    const at = steps.indexOf(point.number);
-    sectionRun = null;
-    showSection(sections[at], null, { ...axesOf(sections), pressure: sections[at].highest_pressure });
+  const load = point.reduced_pressure;
+  const rounded = Number(load.toPrecision(4));
+  const title = titleOf({ title: its.title.replace("load sweep", `p* = ${rounded}`) });
+  const now = { name: say("moment.load", { load: figure(load, 3) }), title, numbers: point, exact: point.exact, sweep: its, knobs: { ...its.knobs, load: rounded } };
+  goToState(now);
+  const isShown = () => moment === now && !grip;
+  const isFlat = its.ended && !isDeep() && isKept(its) && byId("top-box").hidden;
+  const motion = isFlat ? await facet(its, "motion").catch(() => null) : null; // a session keeps its latest sweeps
+  if (!isShown()) return;
+  if (motion) {
+    const shown = motion.sections[motion.steps.indexOf(point.number)];
+    showSection(shown, null, { ...axesOf(motion.sections), pressure: shown.highest_pressure });
+    setPictured(now);
   } else {
-    const load = Number(point.reduced_pressure.toPrecision(12));
-    hold({ knobs: { ...its.knobs, load }, "mean-gap": null, "is-deep": isDeep() }, (contact) => {
+    hold({ knobs: { ...its.knobs, load: Number(load.toPrecision(12)) }, "mean-gap": null, "is-deep": isDeep() }, (contact) => {
       if (!isShown()) return;
-      sectionRun = null;
       showContact(contact);
+      setPictured(now);
     });
   }
 }
 
-/** The name of a step, or of a state in time, in retardation times.
- * @param {any} numbers */
-const momentName = ({ step, time }) => Number.isFinite(time) ? say("moment.time", { state: step, time: figure(time, 3) }) : say("moment.step", { step });
+/** What names a state of a process, and the end of the title of a run that is of its last state alone. */
+const OF_STATES = { creep: "time", adhesion: "reduced_pressure", slip: "friction", rolling: "friction" };
+const OF_LAST = /, (T\/τ|Q\/\(μP\)) = [^,]*$/;
 
-/** The numbers of a step of a run; at its end those of the run. */
+/** The name of a step of a run, or of a state of a process. */
+function momentName(run, told) {
+  const of = OF_STATES[processOf(run)];
+  return of && Number.isFinite(told[of]) ? say(`moment.${of}`, { value: figure(told[of], 3) }) : say("moment.step", { step: told.step });
+}
+
+/** The title of a moment of a run: a state in time is at its own time, not at that of the end. */
+function momentTitle(run, name) {
+  const title = titleOf(run);
+  const places = { title: title.replace(OF_LAST, ""), name };
+  return places.title === title ? say("title.step", places) : say("title.state", places);
+}
+
+/** The numbers of a step of a run, the first one before all others; at its end those of the run. */
 async function momentOfStep(run, step) {
-  const columns = await facet(run, "steps").catch((error) => fault(error.message));
-  if (!columns || runOf(shownRun) !== run) return;
+  const [columns, motion] = await Promise.all(["steps", "motion"].map((name) => facet(run, name))).catch((error) => { fault(error.message); return []; });
+  if (!columns || grip || runOf(shownRun) !== run || stateRun !== run.id) return;
   const steps = columns.step;
-  const at = steps.findLastIndex((it) => it <= step);
-  const isEnd = at < 0 || step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity);
-  const numbers = isEnd ? null : Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
-  setMoment(numbers && { name: momentName(numbers), numbers, step });
+  if (step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity)) { goToState(null); return; }
+  const at = Math.max(0, steps.findLastIndex((it) => it <= step));
+  const told = Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
+  const name = momentName(run, told);
+  goToState({ name, title: momentTitle(run, name), numbers: told, step, knobs: run.knobs });
   charts();
-  if (numbers) await showMotion(run, step);
+  showSection({ ...motion.sections[Math.max(0, motion.steps.findLastIndex((it) => it <= step))], shear: null }, beside, axesOf(motion.sections));
+  setPictured(moment);
 }
 
-/** Shows the section of a step, or of the last one before it that is kept, on axes that hold all steps. */
-async function showMotion(run, step) {
-  const motion = await facet(run, "motion").catch((error) => fault(error.message));
-  if (!motion || grip || moment?.step !== step || runOf(shownRun) !== run) return;
-  sectionRun = null;
-  showSection({ ...motion.sections[motion.steps.findLastIndex((it) => it <= step)], shear: null }, beside, axesOf(motion.sections));
-}
+/** The latest request for the section of a run, while it is under way. */
+let asking = null;
 
-/** The run whose section is shown; none while it is that of something else. */
-let sectionRun = null;
-
-/** Shows the section of a run that has ended, if it is not shown, unless a hand holds another or a moment has its own. */
+/** Shows the section of a run, if it is not shown, unless a hand holds another or a moment has its own. */
 async function showSectionOf(run) {
-  if (run?.section && !(run.ended && isKept(run))) { showRunning(run); return; }
-  if (!run || !run.ended || isSweep(run) || run.id === sectionRun || moment) return;
+  if (grip || moment) return;
+  if (run.section && !(run.ended && isKept(run))) { showRunning(run); return; }
+  if (!run.ended || run.id === sectionRun || run === asking?.run) return;
   if (chosen && chosen.run !== run.id) choosePatch(null);
-  sectionRun = run.id;
+  const mine = asking = { run };
+  await askSection(mine).catch((error) => fault(error.message));
+  if (asking === mine) asking = null;
+}
+
+/** Asks for the section of a run at its end and shows it, unless another state is asked for or shown by then. */
+async function askSection(mine) {
+  const { run } = mine;
   const names = ["section", "beside", ...(isDeep() ? ["shear", "shear-beside"] : [])];
-  const its = await Promise.all(names.map((name) => facet(run, name))).catch((error) => fault(error.message));
-  if (!its || grip || sectionRun !== run.id) return;
-  const [shown, shownBeside, shear = null, shearBeside = null] = its;
+  const [shown, shownBeside, shear = null, shearBeside = null] = await Promise.all(names.map((name) => facet(run, name)));
   const top = shown.y === null ? null : await facet(run, "top").catch(() => null);
-  if (grip || sectionRun !== run.id) return;
+  if (grip || moment || mine !== asking || run !== shownOrLatest()) return;
   showContact({ section: shown, beside: shownBeside, top, shear, shear_beside: shearBeside });
+  setPictured(run, true);
   run.steps = (await facet(run, "steps").catch(() => null))?.step;
   document.body.dataset.section = run.id;
 }
@@ -97,9 +113,8 @@ async function showSectionOf(run) {
 /** Shows the section of the latest step of a run that has not ended, which the solver reports now and then, or that was ended with its
  * solver. */
 function showRunning(run) {
-  if (grip || moment || isSweep(run)) return;
-  sectionRun = null;
   showSection(run.section, beside, axesOf([run.section, beside].filter(Boolean)));
+  setPictured(run);
   document.body.dataset.running = run.id;
 }
 

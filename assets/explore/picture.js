@@ -75,16 +75,16 @@ function scaleInWords({ fields }) {
 }
 
 /** Places of the picture in pixels: x of a share of the length, y of a height and of a pressure, and back. */
-function frame(canvas) {
+function frame(canvas, its = axes) {
   const { width: w, height: h } = canvas.getBoundingClientRect();
   const top = h * bands().pressure;
   const high = h * bands().relief;
-  const perHeight = (high * (1 - SPARE) - NAME) / (axes.high - axes.low || 1);
+  const perHeight = (high * (1 - SPARE) - NAME) / (its.high - its.low || 1);
   return {
     w, h, top, perHeight,
     x: (share) => share * w,
-    y: (height) => top + NAME + (axes.high - height) * perHeight,
-    pressure: (p) => top - (top - NAME) * (p + axes.pull) / (axes.pressure + axes.pull || 1),
+    y: (height) => top + NAME + (its.high - height) * perHeight,
+    pressure: (p) => top - (top - NAME) * (p + its.pull) / (its.pressure + its.pull || 1),
   };
 }
 

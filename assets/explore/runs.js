@@ -1,15 +1,19 @@
-// The server, its runs, and their numbers.
+// The orders of the page, the runs that come of them, and their numbers.
 
 let posting = false;
 let waiting = false;
+/** How many orders there were. */
+let orders = 0;
 
-/** Solves anew; while one request is under way, only the latest change waits. The curves of another surface are greyed at once. */
+/** Solves anew; while one request is under way, only the latest change waits. What is shown is greyed at once. */
 async function changed() {
+  orders += 1;
   charts();
   writeAddress();
   keepState();
-  if (posting) { waiting = true; return; }
+  if (posting) { waiting = true; markState(); return; }
   posting = true;
+  markState();
   asked = performance.now();
   do {
     waiting = false;
@@ -17,6 +21,7 @@ async function changed() {
     await post("solve", knobs).then(() => settleFault(before), refused);
   } while (waiting);
   posting = false;
+  markState();
 }
 
 /** Says why an order was refused, unless a newer one waits. */
@@ -25,31 +30,19 @@ function refused(error) {
   if (error.status === REFUSED && !waiting) putBack();
 }
 
-/** Puts the knobs back to those of the latest run, for the page to show what is solved. Those of a file are kept, as it may take more than
- * one change to make them solvable: what is shown is grey until then. */
-function putBack() {
-  const good = latest()?.knobs;
-  if (knobs.body === "file") { markUnsolved(true); return; }
-  if (!good || words(good) === words(knobs)) return;
-  knobs = painted(structuredClone(good));
-  show();
-  charts();
-  writeAddress();
-}
-
-/** Greys what is shown while it is not what the knobs ask for. */
-function markUnsolved(isUnsolved) {
-  document.body.toggleAttribute("data-unsolved", isUnsolved);
-  byId("unsolved").hidden = !isUnsolved;
-}
-
+/** Sweeps the load, once the state of the knobs is solved, so that it is the one that is shown. */
 async function sweep() {
   repainted = null;
-  const before = faults;
-  await post("sweep", knobs).then(() => settleFault(before), (error) => fault(error.message));
+  if (isSolved()) orders += 1; else changed();
+  const [mine, before] = [orders, faults];
+  while (orders === mine && faults === before && !isSolved()) await new Promise((done) => setTimeout(done, 20));
+  if (orders === mine && isSolved()) await post("sweep", knobs).then(() => settleFault(before), (error) => fault(error.message));
 }
 
-const cancel = () => post("cancel", {}).catch((error) => fault(error.message));
+function cancel() {
+  orders += 1;
+  post("cancel", {}).catch((error) => fault(error.message));
+}
 
 /** How many sentences there were. */
 let faults = 0;
@@ -106,8 +99,9 @@ const hasCaughtUp = (sweep) => Boolean(sweep && repainted && sweep.id !== repain
 function heard(news) {
   if (news.fault || hasCaughtUp(news.sweep)) repainted = null;
   report = { ...news, sweep: repainted || news.sweep || report.sweep };
-  if (news.fault) { fault(inWordsOfPage(news)); if (!posting) putBack(); }
+  if (news.fault) fault(inWordsOfPage(news));
   if (news.run) heardRun(news.run);
+  if (news.fault && !posting) putBack();
   showHeights();
   if (news.sweep) heardSweep(news.sweep);
   showPin(news.pinned);
@@ -138,23 +132,35 @@ const numberOf = (run) => Number(run.id.split("-")[1]);
 function heardRun(run) {
   if (run.ended && !isSweep(run)) keepSeen(run.knobs, run.numbers);
   const known = runOf(run.id);
-  if (known) Object.assign(known, run);
-  else {
-    runs.forEach((before) => { before.ended = true; }); // one is solved at a time, and the end of a cancelled run is not reported
-    runs.push(Object.assign(run, { session }));
-    moment = null;
-    markUnsolved(false);
-    byId("title").textContent = titleOf(run);
-    follow(run);
-    while (runs.length > KEEP) forget(runs.splice(runs.findIndex((old) => old.id !== pinned), 1)[0]);
-    listRuns();
-  }
+  if (known) Object.assign(known, { section: undefined }, run); else keepRun(run);
   numbers();
+}
+
+/** Takes a run that begins, and shows it. One that goes on no more, and whose end was not heard, is not kept. */
+function keepRun(run) {
+  runs.filter((before) => !before.ended).forEach(dropRun);
+  const isShown = takesOver(run);
+  runs.push(Object.assign(run, { session }));
+  if (isShown) {
+    moment = null;
+    if (!isSweep(run)) stateRun = run.id;
+    follow(run);
+  }
+  const isFree = ({ id }) => ![pinned, stateRun, shownRun].includes(id);
+  if (runs.length > KEEP) dropRun(runs.find(isFree));
+  listRuns();
+}
+
+/** Drops a run from the list. */
+function dropRun(run) {
+  runs = runs.filter((other) => other !== run);
+  forget(run);
 }
 
 /** Takes the runs of before this page was opened, as far as they can still be read. */
 function remember(earlier) {
   runs = earlier.map((run) => Object.assign(run, { session }));
+  stateRun = latest()?.id ?? null;
   listRuns();
   runs.slice(-1).forEach(follow);
 }
@@ -222,10 +228,10 @@ function rival(run) {
 /** What the viewer shows, or will show: a run or a sweep. */
 const current = () => runOf(shownRun) || runs.at(-1);
 
-/** The run that is shown; behind a sweep the latest one. */
-function shownOrLatest() {
-  const shown = runOf(shownRun);
-  return shown && !isSweep(shown) ? shown : latest();
+/** Whether the run that is shown is of the knobs, and has ended. */
+function isSolved() {
+  const run = shownOrLatest();
+  return Boolean(run?.ended && words(run.knobs) === words(knobs));
 }
 
 /** Switches between the latest run and what it is compared with. */
@@ -238,7 +244,8 @@ function swap() {
 /** Keeps the run that is shown to compare with, its curves beside those of the next ones, or lets it go. */
 function pin() {
   const shown = shownOrLatest();
-  setPin(pinned || !shown ? null : shown.id);
+  if (!pinned && !shown?.ended) { fault(say("why.early")); return; }
+  setPin(pinned ? null : shown.id);
 }
 
 async function setPin(id) {
@@ -265,9 +272,19 @@ function putBeside() {
 
 const besideOf = ({ beside: _, ...its }) => its;
 
+/** Shows a run with its knobs, or the load of a sweep that is nearest to that of the knobs. */
 function showRun(id) {
+  if (isHidden()) { byId("runs").value = shownRun; return; }
+  showInViewer(id);
+  const run = runOf(id);
+  if (isSweep(run)) { momentOfLoad(run, nearestLoad(run, knobs.load)); return; }
+  stateRun = id;
+  goToState(null);
+}
+
+/** Has the viewer show a run or a sweep. */
+function showInViewer(id) {
   stopPlaying();
-  moment = null;
   visited = null;
   shownRun = id;
   byId("runs").value = id;
@@ -275,7 +292,6 @@ function showRun(id) {
   clearTimeout(next);
   if (viewer && run.followed) { viewer.set_active_recording_id(recordingName(run)); watchFirst(run, performance.now()); }
   else follow(run);
-  numbers();
   offerSaves();
   wake();
 }
@@ -302,7 +318,7 @@ let known = [];
 let observables = [];
 const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds"];
 /** Those that tell how a contact was solved, which are folded away. */
-const SOLVING = ["certificate", "traction_certificate", "iterations", "transforms", "seconds"];
+const HOW_SOLVED = ["certificate", "traction_certificate", "iterations", "transforms", "seconds"];
 /** The observables beside which exact values stand. */
 const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
@@ -328,25 +344,6 @@ function titleOf({ title }) {
 
 /** The name of an exact solution, such as "cylinder, periodic". */
 const exactOf = ({ name }) => name.split(", ").map((part) => knows(`exact.${slug(part)}`) ? say(`exact.${slug(part)}`) : part).join(", ");
-
-function titleSweep(it) {
-  const places = { title: titleOf(it), count: it.points.length };
-  byId("title").textContent = say(`title.sweep.${it.ended ? "ended" : isLost(it) ? "lost" : "running"}`, places);
-}
-
-function titleRun(run) {
-  const places = { title: titleOf(run), status: isLost(run) ? say("status.lost") : statusOf(run), exact: run.exact && exactOf(run.exact) };
-  byId("title").textContent = moment?.title ?? (run.exact ? say("title.run.exact", places) : say("title.run", places));
-}
-
-/** A state that the table shows in the place of the end of the run: a name and its numbers; `exact`, if the exact values are not those of the
- * run, and a title, if that is another; the step of a run, and whether the rigid surface is lifted clear of the solid. */
-let moment = null;
-
-function setMoment(state) {
-  moment = state;
-  numbers();
-}
 
 /** What a mean gap over the height of the surface can be by rounding alone; it is shown as zero. */
 const ROUNDING = 1e-12;
@@ -386,10 +383,8 @@ function foldSolving() {
   byId("show-solving").ariaExpanded = String(!byId("solving").hidden);
 }
 
+/** Shows the numbers of the state, and all that goes with them. */
 function numbers() {
-  const shown = runOf(shownRun);
-  const isOfSweep = shown && isSweep(shown) && !moment?.title;
-  if (isOfSweep) titleSweep(shown);
   const run = shownOrLatest();
   if (!run) return;
   const before = rival(run);
@@ -403,15 +398,16 @@ function numbers() {
     return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
   });
   rows.push(...rowsOfProcess(run, both, cell));
-  const isOfSolving = (row) => SOLVING.includes(row.querySelector("[data-number]").dataset.number);
+  const isOfSolving = (row) => HOW_SOLVED.includes(row.querySelector("[data-number]").dataset.number);
   byId("numbers").tBodies[0].replaceChildren(...rows.filter((row) => !isOfSolving(row)));
   byId("solving").replaceChildren(...rows.filter(isOfSolving));
   const status = run.numbers ? run.numbers.status : "begun";
-  if (!isOfSweep) titleRun(run);
+  showTitle(run);
   byId("this").textContent = moment ? moment.name : say("numbers.this");
   byId("rival").textContent = run.beside ? named(say("numbers.beside"), run.beside.numbers ?? {}) : pinned ? say("numbers.pinned") : say("numbers.before");
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
   showSectionOf(run);
+  markState();
   warn(run);
   findConductance(run);
   judge(run);

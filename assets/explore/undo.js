@@ -26,7 +26,6 @@ function undo() {
   if (states.length < 2) return;
   states.pop();
   knobs = painted(structuredClone(states.at(-1)));
-  setMoment(null);
   show();
   offerUndo();
   changed();

@@ -76,7 +76,7 @@ function resumeViewer() {
   viewer = started;
   const run = current();
   if (isAsked()) noteViewer(say("viewer.asked"));
-  else if (run) showRun(run.id);
+  else if (run) showInViewer(run.id);
   offerSaves();
 }
 
@@ -113,7 +113,7 @@ let toldWindow = "";
 async function tellWindow() {
   const { clientWidth, clientHeight } = byId("viewer");
   const size = `${clientWidth} ${clientHeight}`;
-  if (isView || site || !session || !clientWidth || !clientHeight || size === toldWindow) return;
+  if (document.body.dataset.view === "picture" || isView || site || !session || !clientWidth || !clientHeight || size === toldWindow) return;
   toldWindow = size;
   await post("window", [clientWidth, clientHeight]).catch(() => { toldWindow = ""; });
 }
@@ -185,9 +185,9 @@ function stepAt(run, share) {
 function seek(share) {
   const run = runOf(shownRun);
   const step = stepAt(run, share);
-  if (step === null) return false;
+  if (step === null || isHidden()) return false;
   if (isInViewer(run)) goTo(recordingName(run), timeline(run), step);
-  else if (isSweep(run)) momentOfLoad(run.points.findLast(({ number }) => number <= step));
+  else if (isSweep(run)) momentOfLoad(run, run.points.findLast(({ number }) => number <= step));
   else momentOfStep(run, step);
   byId("scrub").value = 1000 * share;
   byId("scrub-step").value = say(`timeline.${timeline(run)}`, { value: step });

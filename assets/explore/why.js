@@ -23,8 +23,9 @@ async function openWhy() {
   if (!its?.[0]) return;
   const [why, motion] = its;
   const standing = why.standing && say("why.standing", { area: why.standing.relative_area, kappa: why.standing.kappa_r, steps: why.standing.steps });
-  const sentences = why.causes.length ? why.causes.map(causeInWords) : [say("why.nothing")];
-  byId("why-causes").replaceChildren(...[...sentences, standing].filter(Boolean).map((sentence) => element("li", {}, sentence)));
+  const causes = why.causes.map((found) => [`${causeInWords(found)} `, cureButton(found, run)]);
+  const lines = [...(causes.length ? causes : [[say("why.nothing")]]), [standing]];
+  byId("why-causes").replaceChildren(...lines.map((line) => line.filter(Boolean)).filter(({ length }) => length).map((line) => element("li", {}, ...line)));
   byId("why-pictures").hidden = false;
   drawWhy(why, motion);
   document.body.dataset.why = run.id;

@@ -187,7 +187,7 @@ pub struct SweepReport {
 /// A contact of a sweep, and what theories say.
 #[derive(Clone, Serialize)]
 pub struct SweepPoint {
-    /// The number of its load in the recording, from 0 on.
+    /// The number of its load in the recording, from 1 on.
     pub number: usize,
     /// All other numbers.
     #[serde(flatten)]

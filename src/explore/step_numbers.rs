@@ -13,11 +13,12 @@ const MOST: usize = 2000;
 const COUNTED: [Quantity; 2] = [Quantity::Iterations, Quantity::Transforms];
 
 /// The numbers of the steps of a run by their names, a column each, and the final contact as the last row; or those of the states of a history.
-/// `step` is the step of a row in the recording: its number of iterations, or the number of the state from 1 on. What is not known at a
-/// step is null in JSON.
+/// `step` is the step of a row in the recording: its number of iterations, or the number of the state from 1 on; `level` is 0 on the grid of
+/// the run, and more on coarser ones. What is not known at a step is null in JSON.
 #[derive(Default, Serialize)]
 pub struct StepNumbers {
     step: Vec<f64>,
+    level: Vec<usize>,
     seconds: Vec<f64>,
     #[serde(flatten)]
     columns: BTreeMap<&'static str, Vec<f64>>,
@@ -47,15 +48,16 @@ impl StepNumbers {
     pub fn add_state(&mut self, work: Work, state: &State) {
         self.seen += 1;
         let reading = Reading::from(&state.contact).with_work(work);
-        self.add(self.seen, work, reading);
+        self.add([self.seen, 0], work, reading);
         for quantity in &self.of_states {
             self.columns.entry(quantity.name()).or_default().push(state.value(*quantity));
         }
     }
 
-    fn add<'a>(&mut self, step: usize, work: Work, state: impl Into<Reading<'a>>) {
+    fn add<'a>(&mut self, [step, level]: [usize; 2], work: Work, state: impl Into<Reading<'a>>) {
         let reading = state.into();
         self.step.push(step as f64);
+        self.level.push(level);
         self.seconds.push(work.seconds);
         for quantity in Quantity::iter().filter(|it| is_kept(*it)) {
             self.columns.entry(quantity.name()).or_default().push(reading.value(quantity));
@@ -70,6 +72,7 @@ impl StepNumbers {
     fn thin(&mut self) {
         self.thinned += 1;
         self.step = self.step.iter().copied().step_by(2).collect();
+        self.level = self.level.iter().copied().step_by(2).collect();
         for column in self.columns.values_mut().chain([&mut self.seconds]) {
             let kept = column.iter().copied().step_by(2).collect();
             *column = kept;
@@ -85,7 +88,7 @@ fn is_kept(quantity: Quantity) -> bool {
 impl Observer for StepNumbers {
     fn step(&mut self, step: &Step<'_>) -> Wish {
         if self.seen.is_multiple_of(1 << self.thinned) {
-            self.add(step.index(), step.work(), step);
+            self.add([step.index(), step.phase().level], step.work(), step);
         }
         self.seen += 1;
         if self.seconds.len() == MOST {
@@ -95,7 +98,7 @@ impl Observer for StepNumbers {
     }
 
     fn end(&mut self, contact: &Contact) -> Result<(), Failure> {
-        self.add(contact.work.iterations, contact.work, contact);
+        self.add([contact.work.iterations, 0], contact.work, contact);
         Ok(())
     }
 }

@@ -121,7 +121,7 @@ impl Press<'_> {
             return Ok(());
         }
         let point = SweepPoint {
-            number,
+            number: number + 1,
             observables: Observables::new(contact),
             persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
@@ -129,7 +129,7 @@ impl Press<'_> {
         self.tape.point(&point)?;
         self.report.points.push(point);
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
-        self.motion.add_load(number, Section::from_load(contact, row));
+        self.motion.add_load(number + 1, Section::from_load(contact, row));
         self.publish();
         Ok(())
     }

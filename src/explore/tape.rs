@@ -139,7 +139,7 @@ impl SweepTape {
     /// [`FileError::Write`].
     pub fn point(&self, point: &SweepPoint) -> Result<(), FileError> {
         let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(point)).collect();
-        self.recording.values(point.number, &values)
+        self.recording.values(point.number - 1, &values)
     }
 
     /// Ends the recording.

@@ -12,6 +12,7 @@
 mod export;
 mod guard;
 mod page;
+mod patience;
 mod policy;
 mod route;
 mod server;

@@ -42,7 +42,7 @@ macro_rules! scripts {
 /// All scripts of the page in the order in which they run.
 const SCRIPTS: &str = scripts!(
     "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "chart" "charts" "save" "address" "welcome" "choices"
-    "point" "guess" "lessons" "picture" "top" "solid" "hand" "pick" "why" "undo" "asperity" "begin"
+    "point" "guess" "lessons" "picture" "top" "solid" "state" "hand" "pick" "why" "race" "undo" "asperity" "begin"
 );
 
 /// The files of the page that are as they are written: path, kind and text.

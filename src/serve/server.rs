@@ -1,6 +1,7 @@
 //! The server: loopback only, for its own pages only, with bounded requests.
 
 use super::guard;
+use super::patience::PatientStream;
 use super::policy::IN_HEADER;
 use super::site::{Intake, Reply, Site};
 use crate::explore::{RefusalRule, Request};
@@ -29,6 +30,8 @@ const THREADS: usize = 32;
 const FURTHER_PORTS: u16 = 32;
 /// Longest time that the head of a request, and its body, may take.
 const PATIENCE: Duration = Duration::from_secs(10);
+/// Longest time in which the other end of a connection takes nothing of an answer: a page in the background reads on.
+const UNREAD: Duration = Duration::from_secs(60);
 /// Time until a connection is accepted again after one could not be.
 const PAUSE: Duration = Duration::from_millis(50);
 /// Longest time that open connections go on at the end.
@@ -97,7 +100,8 @@ impl Server {
     }
 }
 
-/// Answers the requests of all connections. One whose next request is not there to the end of its head in time is closed.
+/// Answers the requests of all connections. One whose next request is not there to the end of its head in time is closed, as is one whose
+/// answer is not read.
 async fn accept(listener: tokio::net::TcpListener, router: Router) -> io::Result<()> {
     loop {
         let Ok((stream, _)) = listener.accept().await else {
@@ -108,7 +112,7 @@ async fn accept(listener: tokio::net::TcpListener, router: Router) -> io::Result
         let mut http = http1::Builder::new();
         http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
         tokio::spawn(async move {
-            http.serve_connection(TokioIo::new(stream), service).await.ok(); // a connection that breaks concerns nobody else
+            http.serve_connection(TokioIo::new(PatientStream::new(stream, UNREAD)), service).await.ok(); // a connection that breaks concerns nobody else
         });
     }
 }

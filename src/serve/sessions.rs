@@ -10,8 +10,9 @@ use std::time::{Duration, Instant};
 
 /// The most sessions at the same time, each with a solver thread and recordings of its own.
 const MOST: usize = 4;
-/// Time without requests after which a new session may replace a session; an open page sends a request every second.
-const IDLE: Duration = Duration::from_secs(60);
+/// Time without requests after which a new session may replace a session: an open page sends a request every second, the page of a tab that
+/// was killed sends none.
+const IDLE: Duration = Duration::from_secs(5);
 
 /// The sessions of a server.
 #[derive(Default)]

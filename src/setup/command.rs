@@ -43,10 +43,16 @@ pub fn command(setup: &Setup) -> String {
         let value = table.find(flag.path)?;
         Some(match flag.value {
             FlagValue::Switch => format!(" --{}", flag.name),
-            _ => format!(" --{} {}", flag.name, word(value)),
+            _ => format!(" --{}{}", flag.name, after_name(&word(value))),
         })
     };
     format!("asperity solve{}", flags.filter_map(written).collect::<String>())
+}
+
+/// A word as it stands after the name of its flag: one that begins with a minus would be read as another flag.
+fn after_name(word: &str) -> String {
+    let between = if word.starts_with('-') { '=' } else { ' ' };
+    format!("{between}{word}")
 }
 
 /// A value as it is written on a command line.

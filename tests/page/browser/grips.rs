@@ -88,6 +88,8 @@ fn what_is_lifted_clear_stays(page: &mut Page) {
     let cells = "['relative_area', 'exact relative_area'].map((name) => document.querySelector(`#numbers td[data-number=\"${name}\"]`).innerText)";
     assert_eq!(page.value(cells), json!(["0", ""]));
     assert_eq!(load(page), before);
+    let field = "[document.getElementById('control-load-value').value, document.getElementById('load-hand').hidden]";
+    assert_eq!(page.value(field), json!(["0", false]), "the field has the load of the hand");
     let grip = middle(page.place("press"));
     let down =
         page.value("(section.mean_gap - 0.5 * section.highest) * frame(byId('section')).perHeight").as_f64().unwrap();
@@ -272,7 +274,13 @@ fn an_attraction_snaps_in_and_lets_go(page: &mut Page) {
     pictured(page);
     assert!(run(page)["numbers"]["relative_area"].as_f64().unwrap() > 0.3, "it sticks");
     assert!(area_at(page, 1.38) > 0.05, "it holds on while it is pulled up");
-    assert!(page.value("moment.numbers.reduced_pressure").as_f64().unwrap() < -0.05);
+    let pull = page.value("moment.numbers.reduced_pressure").as_f64().unwrap();
+    assert!(pull < -0.05);
+    let field = page.text("document.getElementById('control-load-value').value");
+    assert!(
+        (field.parse::<f64>().unwrap() / pull - 1.0).abs() < 5e-3,
+        "the field has {field}, the hand pulls with {pull}"
+    );
     assert_eq!(area_at(page, 1.6), 0.0, "it lets go");
     assert_eq!(area_at(page, 1.38), 0.0, "it stays apart");
     assert!(area_at(page, 1.2) > 0.1, "it snaps in");

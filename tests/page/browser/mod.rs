@@ -5,6 +5,7 @@
 
 mod appearance;
 mod blind;
+mod chance;
 mod choices;
 mod chromium;
 mod downloads;
@@ -17,10 +18,12 @@ mod keyboard;
 mod lessons;
 mod links;
 mod measures;
+mod moments;
 mod newcomers;
 mod page;
 mod person;
 mod processes;
+mod races;
 mod seen_from_above;
 mod site;
 mod strangers;

@@ -325,3 +325,10 @@ fn a_site_shows_recordings_on_demand() {
 fn rested_in_picture(page: &mut Page) {
     page.until("!report.busy && latest().ended && words(latest().knobs) === words(knobs) && document.body.dataset.section === latest().id");
 }
+
+/// Opens a site without recordings behind a server of files, which goes on as long as what is returned.
+pub fn served(page: &mut Page, folder: &Path) -> impl Sized + use<> {
+    let files = Files::serve(export(folder, &["--no-recordings"]));
+    open(page, &format!("{}&language=en", files.address()));
+    files
+}

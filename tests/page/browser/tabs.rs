@@ -53,8 +53,9 @@ fn a_tab_finds_its_runs_again(explorer: &Explorer, page: &mut Page) {
 
 /// With all sessions taken the next tab says so, and begins as soon as another one is closed.
 fn a_tab_too_many_waits(explorer: &Explorer, page: &mut Page) {
-    let take =
-        "(async () => { for (;;) await answered(fetch('api/session', sent('0'))); })().catch((error) => error.status)";
+    let take = "(async () => { for (;;) { \
+          const { session: its } = await answered(fetch('api/session', sent('0'))); \
+          setInterval(() => fetch(`session/${its}/api/state`), 500); } })().catch((error) => error.status)";
     assert_eq!(page.value(take), 503);
     let before = open_tab(explorer, page);
     page.until("document.body.dataset.server === 'full'");

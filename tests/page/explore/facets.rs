@@ -94,6 +94,19 @@ fn the_steps_of_long_runs_are_thinned() {
     assert_eq!(*iterations.last().unwrap(), 9001.0);
 }
 
+/// A solver on nested grids says which steps are on a coarser grid, where a certificate is that of another problem.
+#[test]
+fn steps_on_coarser_grids_are_told() {
+    let page = Page::open();
+    let nested = page.solve(&with(json!({"points": 512, "cutoff": 64})));
+    let steps = page.get(&format!("/api/run/{}/steps", nested["id"].as_str().unwrap())).json();
+    let levels: Vec<u64> = steps["level"].as_array().unwrap().iter().map(|it| it.as_u64().unwrap()).collect();
+    assert!(
+        levels[0] > 0 && levels.last() == Some(&0) && levels.is_sorted_by(|a, b| a >= b),
+        "from coarse to fine: {levels:?}"
+    );
+}
+
 #[test]
 fn facets_are_those_of_runs_that_have_ended() {
     let page = Page::open();
@@ -120,6 +133,11 @@ fn the_picture_moves_load_by_load() {
     let id = state["sweep"]["id"].as_str().unwrap();
     let motion = page.get(&format!("/api/run/{id}/motion")).json();
     let numbers: Vec<&Value> = points.iter().map(|point| &point["number"]).collect();
+    for point in points {
+        let [number, load] = ["number", "reduced_pressure"].map(|name| point[name].as_f64().unwrap());
+        let its = 1e-4 * 10f64.powf((number - 1.0) / 12.0);
+        assert!((load / its - 1.0).abs() < 1e-6, "load {number} of the viewer is {its}, of the page {load}");
+    }
     assert_eq!(motion["steps"].as_array().unwrap().iter().collect::<Vec<_>>(), numbers);
     let values = |of: &Value| of.as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect::<Vec<_>>();
     let sections = motion["sections"].as_array().unwrap();

@@ -456,6 +456,8 @@ fn the_command_repeats_the_run() {
         json!({"solver": {"method": "gfmd", "damping": 0.45}, "points": 256, "stop": stop(1e-5, 20_000), "cutoff": 32}),
         small_surface.clone(),
         json!({"domain": "surface", "points": 64, "cutoff": 16, "body": "sine", "roughness": 0.001}),
+        json!({"points": 512, "cutoff": 64, "skewness": -0.5, "kurtosis": 3.5}),
+        json!({"points": 512, "cutoff": 64, "bumps": [[0.3, -0.0005, 0.02], [0.7, 0.0002, 0.02]]}),
     ];
     for case in cases {
         let run = page.solve(&with(case.clone()));

@@ -2,6 +2,7 @@
 
 use super::{Page, endless, with};
 use serde_json::{Value, json};
+use std::time::{Duration, Instant};
 
 /// Another tab on the same server.
 fn beside(page: &Page) -> Page {
@@ -53,6 +54,24 @@ fn more_sessions_than_there_is_room_for_are_refused_until_one_leaves() {
     assert_eq!(page.post("/api/session", "0").status, 503);
     for page in [&page, &others[0], &others[2]] {
         assert_eq!(page.get("/api/state").status, 200);
+    }
+}
+
+/// A tab that was killed says no word: its session makes room for another one after some seconds, those of open tabs do not.
+#[test]
+fn the_session_of_a_tab_that_was_killed_makes_room() {
+    let page = Page::open();
+    let others = [1, 2, 3].map(|_| beside(&page));
+    let begun = Instant::now();
+    while page.post("/api/session", "0").status == 503 {
+        assert!(begun.elapsed() < Duration::from_secs(30), "it never makes room");
+        for open in [&page, &others[0], &others[2]] {
+            assert_eq!(open.get("/api/state?since=0").status, 200);
+        }
+    }
+    assert_eq!(others[1].get("/api/state").status, 410);
+    for open in [&page, &others[0], &others[2]] {
+        assert_eq!(open.get("/api/state").status, 200);
     }
 }
 
