@@ -86,6 +86,8 @@ function chart(target, { title, name, x: across, y: up, curves, dots, note, isSt
     svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
   });
   target.replaceChildren(svg);
+  const heading = /** @type {SVGTextElement} */ (svg.querySelector(".title"));
+  heading.setAttribute("x", String(Math.max(0, Math.min(ROOM.left, w - heading.getComputedTextLength()))));
   legend(svg, up, shown, w);
 }
 
