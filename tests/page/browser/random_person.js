@@ -137,7 +137,7 @@
     await pause(12 * chance());
     if (chance() < 0.25 && await rest(600)) {
       looks += 1;
-      for (let waited = 0; isGrey() && !isGivenUp && waited < 60; waited++) await pause(20);
+      for (let waited = 0; isGrey() && !isGivenUp && waited < 500; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
