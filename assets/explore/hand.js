@@ -36,10 +36,10 @@ async function hold(order, done) {
   if (grip?.isLeft) drop();
 }
 
-/** Asks for what the hand holds: the gap, or the load of the knobs. */
+/** Asks for what the hand holds: the gap, or the load of the knobs. It is not shown after a newer order. */
 function holdGrip() {
-  const its = structuredClone(knobs);
-  hold({ knobs: its, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, (contact) => showHeld(contact, its));
+  const [its, before] = [structuredClone(knobs), orders];
+  hold({ knobs: its, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, (contact) => { if (orders === before) showHeld(contact, its); });
 }
 
 /** The section that a hand got, and the one beside, with the stress below each. */

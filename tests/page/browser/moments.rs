@@ -77,10 +77,10 @@ fn a_link_to_the_start_has_a_picture() {
 #[test]
 fn a_hidden_viewer_has_no_size() {
     let Some(program) = installed() else { return };
-    for (view, told) in [("picture", 0), ("both", 1)] {
+    for (view, told) in [("picture", false), ("both", true)] {
         let (_explorer, page) = sketched(&program, &format!("&view={view}"));
         let sent = page.chromium.events("Network.requestWillBeSent");
         let sizes = sent.filter(|it| it["request"]["url"].as_str().unwrap().ends_with("api/window"));
-        assert_eq!(sizes.count(), told, "{view}");
+        assert_eq!(sizes.count() > 0, told, "{view}");
     }
 }

@@ -67,7 +67,7 @@ fn two_solvers_race(page: &mut Page) {
 
 /// What held the run up is told with a cure, which changes the knobs and races with the run before.
 fn a_cure_is_tried(page: &mut Page) {
-    page.click("why");
+    page.value("byId('why').click()");
     page.until("document.body.dataset.why === shownOrLatest().id");
     let cure = "#why-causes .race-cure";
     assert_eq!(page.text(&format!("document.querySelector('{cure}').innerText")), "Try it: masses ∝ stiffness");

@@ -67,6 +67,8 @@
   const surface = () => { choose("control-domain", "surface"); return type("points", "32"); };
   const small = () => { choose("control-domain", "line"); return type("points", oneOf(["128", "256"])); };
 
+  /** Choices that take a file, or a surface that is not small. */
+  const NO_CHOICES = ["choice-file", "choice-leaking"];
   /** What may be done, and how often. */
   const actions = [
     [20, () => type("load", oneOf(["0.01", "0,05", "0.2", "1", "3", "abc", "-1", "1e9", "0.0173"]))],
@@ -74,7 +76,7 @@
     [8, () => choose(oneOf(["control-body", "control-solver", "control-masses", "control-dynamics"]))], [1, surface], [4, small],
     [6, () => click("sweep")], [8, () => { isGivenUp = true; return click("cancel"); }], [8, () => click("undo")], [10, pickLoad],
     [6, () => click("play")], [10, scrub], [3, () => choose("lesson")], [5, () => click(oneOf(["answer-1", "answer-2", "lesson-next", "lesson-back"]))], [5, () => click("lesson-close")],
-    [5, () => click(oneOf(["preset-hertz", "preset-rough", "preset-coating"]))], [12, hold], [3, () => click("theme")], [6, () => choose("runs")], [6, () => click("swap")],
+    [8, () => click(oneOf([...document.querySelectorAll(".choices button")].map(({ id }) => id).filter((id) => !NO_CHOICES.includes(id))))], [2, () => click(oneOf(["more-surface", "more-solid", "more-load"]))], [12, hold], [3, () => click("theme")], [6, () => choose("runs")], [6, () => click("swap")],
     [2, () => click("pin")], [2, () => click("beside")], [4, () => click("dice")], [2, () => click("fringes")], [2, () => click("unbend")],
   ];
   const all = actions.reduce((sum, [weight]) => sum + weight, 0);
@@ -135,7 +137,7 @@
     await pause(12 * chance());
     if (chance() < 0.25 && await rest(600)) {
       looks += 1;
-      for (let waited = 0; isGrey() && !isGivenUp && waited < 60; waited++) await pause(20);
+      for (let waited = 0; isGrey() && !isGivenUp && waited < 500; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
