@@ -27,7 +27,7 @@ function linked() {
 
 async function copyLink() {
   writeAddress();
-  await navigator.clipboard.writeText(linked()).then(() => tell(say("link.copied")), () => tell(say("link.failed")));
+  await navigator.clipboard.writeText(linked()).then(() => hint(say("link.copied")), () => hint(say("link.failed")));
 }
 
 /** What the address says to show; none for an address without it. */

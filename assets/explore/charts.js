@@ -14,11 +14,13 @@ const USUAL_LOADS = [-4, 1];
 function keepSeen(its, numbers) {
   if (numbers?.status !== "converged") return;
   const isSame = (seen) => seen.numbers.reduced_pressure === numbers.reduced_pressure && seen.numbers.mean_gap === numbers.mean_gap && words(seen.its) === words(its);
-  visitedContacts = [...visitedContacts.filter((seen) => !isSame(seen)), { its: structuredClone(its), numbers }].slice(-MOST_SEEN);
+  const before = visitedContacts.find(isSame)?.numbers;
+  visitedContacts = [...visitedContacts.filter((seen) => !isSame(seen)), { its: structuredClone(its), numbers: { ...before, ...numbers } }].slice(-MOST_SEEN);
 }
 
 /** Keeps how much leaks through a contact that was seen. */
 function keepLeak(run, { axes: [{ hydraulic_gap: gap }] }) {
+  keepSeen(run.knobs, run.numbers);
   for (const seen of visitedContacts) if (words(seen.its) === words(run.knobs)) seen.numbers = { ...seen.numbers, hydraulic_gap_x: gap };
   charts();
 }

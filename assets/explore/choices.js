@@ -127,7 +127,7 @@ function put(question, choice) {
 
 function tellChanges({ id }, before, after) {
   const changes = after.flatMap((word, i) => word === before[i] ? [] : [say("choice.changed", { choice: say(`choice.${id}`), before: before[i], after: word })]);
-  tell(changes.join(" ") || say(`choice.${id}.tip`));
+  hint(changes.join(" ") || say(`choice.${id}.tip`));
 }
 
 /** Presses the file once more, or asks for one. */

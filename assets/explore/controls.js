@@ -175,7 +175,7 @@ function explain(target, tip) {
   target.addEventListener("click", (event) => {
     if (!FINGERS.matches || !event.target.closest(".name")) return;
     event.preventDefault();
-    tell(tip);
+    hint(tip);
   });
 }
 
@@ -183,7 +183,7 @@ function explain(target, tip) {
 const FINGERS = askSystem("(pointer: coarse)");
 
 /** Says something where hints stand. For fingers it stands at the foot of the screen until the next touch. */
-function tell(sentence) {
+function hint(sentence) {
   byId("hint").textContent = sentence;
   document.body.toggleAttribute("data-told", true);
 }

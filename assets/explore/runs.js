@@ -338,7 +338,7 @@ const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
 function titleOf({ title }) {
   const [, surface, rest] = /^([^,]*)(.*)$/.exec(title);
   const name = slug(surface);
-  const words = rest.replace("load sweep", say("surface.sweep")).split(", ").map(inLocale).join(", ");
+  const words = rest.split(", ").map((part) => knows(`title.${slug(part)}`) ? say(`title.${slug(part)}`) : inLocale(part)).join(", ");
   return `${knows(`surface.${name}`) ? say(`surface.${name}`) : surface}${words}`;
 }
 

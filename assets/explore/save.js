@@ -143,8 +143,8 @@ async function copyCommand() {
   const { command } = current();
   try {
     await navigator.clipboard.writeText(command);
-    tell(say("command.copied", { command }));
+    hint(say("command.copied", { command }));
   } catch {
-    tell(command);
+    hint(command);
   }
 }

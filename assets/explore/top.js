@@ -158,7 +158,7 @@ function tellLeak() {
   byId("top-note").hidden = !isLeak;
   if (!isLeak) return;
   const gap = leakOfTop?.axes[0].hydraulic_gap;
-  byId("top-note").textContent = gap === undefined ? say("top.leak.waits") : gap > 0 ? say("top.leak", { gap: withUnit(gap, "length") }) : say("top.leak.sealed");
+  byId("top-note").textContent = gap === undefined ? say(!grip && sectionRun ? "top.leak.finding" : "top.leak.waits") : gap > 0 ? say("top.leak", { gap: withUnit(gap, "length") }) : say("top.leak.sealed");
 }
 
 function paintTop() {

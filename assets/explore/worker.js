@@ -40,10 +40,25 @@ const page = {
 const bytesAt = (start, length) => new Uint8Array(module.memory.buffer, start, length);
 const textAt = (start, length) => new TextDecoder().decode(bytesAt(start, length));
 
+/** The digits of numbers to the base of 85, as RFC 1924 has them. */
+const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;<=>?@^_`{|}~";
+
+/** The bytes of a text to the base of 85: four for each five letters, and one fewer for each letter that the last five lack. */
+function bytesFrom(text) {
+  const digits = new Uint8Array(128);
+  [...DIGITS].forEach((letter, i) => { digits[letter.charCodeAt(0)] = i; });
+  const bytes = new Uint8Array(Math.floor(text.length / 5 * 4));
+  for (let i = 0, at = 0; at < bytes.length; i += 5) {
+    let value = 0;
+    for (let j = i; j < i + 5; j++) value = 85 * value + (j < text.length ? digits[text.charCodeAt(j)] : 84);
+    for (let shift = 24; shift >= 0 && at < bytes.length; shift -= 8) bytes[at++] = value / 2 ** shift & 255;
+  }
+  return bytes;
+}
+
 /** The module from its compressed form as a text. */
 function compiledFrom(text) {
-  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const stream = new Blob([bytesFrom(text)]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer().then((plain) => WebAssembly.compile(plain));
 }
 

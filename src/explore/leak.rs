@@ -13,13 +13,11 @@ pub const CONDUCTANCE: &str = "conductance";
 /// The most rows and columns of a map of the flux.
 const MOST: usize = 256;
 
-/// The leakage of a contact of a surface along both axes, and its conductance.
+/// The leakage of a contact of a surface along both axes.
 #[derive(Serialize)]
 pub struct Leak {
     /// The leakage along x and along y.
     axes: [LeakAlong; 2],
-    /// The [`conductance`].
-    conductance: Option<f64>,
 }
 
 /// The leakage along an axis.
@@ -42,7 +40,7 @@ impl Leak {
             return None;
         }
         let along = |axis| Some(LeakAlong::new(&Leakage::from_contact(contact, axis, Leakage::TOLERANCE).ok()?));
-        Some(Self { axes: [along(FlowAxis::X)?, along(FlowAxis::Y)?], conductance: conductance(contact) })
+        Some(Self { axes: [along(FlowAxis::X)?, along(FlowAxis::Y)?] })
     }
 }
 

@@ -66,14 +66,16 @@ const OFFLINE: &str = include_str!("../../assets/explore/offline.js");
 fn script() -> String {
     let worker = serde_json::Value::from(WORKER);
     format!(
-        "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{TEXTS}{}}})();\n",
+        "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{}{}}})();\n",
         explore::schema_script(),
-        without_comments(SCRIPTS)
+        compact(TEXTS),
+        compact(SCRIPTS)
     )
 }
 
-/// Scripts without the comments that have lines of their own: they are a tenth of all, and are to be read where the scripts are written.
-fn without_comments(scripts: &str) -> String {
+/// Scripts without indentation, and without the comments that have lines of their own: they are an eighth of all, and are to be read where the
+/// scripts are written.
+fn compact(scripts: &str) -> String {
     let mut is_inside = false;
     let is_code = |line: &&str| {
         let line = line.trim_start();
@@ -82,7 +84,7 @@ fn without_comments(scripts: &str) -> String {
         is_inside = (is_inside || is_comment) && !line.ends_with("*/");
         !is_left_out
     };
-    scripts.lines().filter(is_code).fold(String::new(), |all, line| all + line + "\n")
+    scripts.lines().filter(is_code).fold(String::new(), |all, line| all + line.trim_start() + "\n")
 }
 
 /// Answers to the paths of the page.

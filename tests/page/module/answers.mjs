@@ -2,12 +2,11 @@
 // answers, a list of [status, text, latest news]. A body is a text or, for a file, { base64 }; files in answers are base64.
 
 import { readFileSync } from "node:fs";
-import { gzipSync } from "node:zlib";
 import vm from "node:vm";
 
 const [, , modulePath, workerPath] = process.argv;
 const bytes = readFileSync(modulePath);
-const compressed = modulePath.endsWith(".js") ? /"([^"]*)"/.exec(bytes.toString())[1] : gzipSync(bytes).toString("base64");
+const given = modulePath.endsWith(".js") ? { compressed: /"([^"]*)"/.exec(bytes.toString())[1] } : { module: new WebAssembly.Module(bytes) };
 
 let heard = null;
 const answers = new Map();
@@ -19,7 +18,7 @@ const post = (message) => {
   answers.get(message.number)(message);
 };
 class XMLHttpRequest { open() {} send() {} }
-const names = { postMessage: post, addEventListener: listen, XMLHttpRequest, performance, WebAssembly, TextDecoder, TextEncoder, Uint8Array, Blob, DecompressionStream, Response, atob };
+const names = { postMessage: post, addEventListener: listen, XMLHttpRequest, performance, WebAssembly, TextDecoder, TextEncoder, Uint8Array, Blob, DecompressionStream, Response };
 vm.runInContext(readFileSync(workerPath, "utf8"), vm.createContext(names));
 
 let asked = 0;
@@ -30,7 +29,7 @@ function send(message) {
   return answered;
 }
 
-await send({ begin: { compressed, after: 0 } });
+await send({ begin: { ...given, after: 0 } });
 const results = [];
 for (const [method, path, body] of JSON.parse(readFileSync(0))) {
   const content = body?.base64 === undefined ? body : Uint8Array.from(Buffer.from(body.base64, "base64")).buffer;
