@@ -38,6 +38,7 @@ async function openLesson(name, at = 0) {
 function endLesson() {
   const wasAsked = document.body.dataset.asked === "true";
   document.body.dataset.asked = "false";
+  uncover();
   if (runOf(suspended.pinned)) setPin(suspended.pinned);
   chooseMap(suspended.map);
   if (suspended.isInViewer) putView("viewer");
@@ -122,7 +123,7 @@ function takeKnobs(wanted) {
 function showStep(verdict) {
   const shown = lesson.steps[lesson.at];
   const { knobs: own, solution, text, sweep: sweeps } = shown;
-  if (moment?.isAsked) moment = { ...moment, isAsked: false };
+  uncover();
   showMapOf(shown);
   takeKnobs(solution ?? own);
   putText(text, verdict);

@@ -40,6 +40,11 @@ function isWhole() {
 /** Whether a question hides what is solved. */
 const isHidden = () => Boolean(moment?.isAsked);
 
+/** Lets what is solved take the place of a surface that was asked about. */
+function uncover() {
+  if (moment?.isAsked) moment = { ...moment, isAsked: false };
+}
+
 const isSolving = () => posting || holding || report.busy;
 
 /** Greys what is shown while it is not what the knobs ask for, and says so if that lasts. */

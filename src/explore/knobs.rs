@@ -5,6 +5,7 @@ mod surface;
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, RefusalRule};
+use super::scale::{MODULUS, RETARDATION_TIME};
 use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Friction, Law, Load, Stop};
@@ -15,11 +16,6 @@ use crate::surface::RolloffForm;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-/// Length of the cell (metres) and contact modulus (pascals): results depend only on ratios to them.
-pub(super) const CELL: f64 = 160e-6;
-pub(super) const MODULUS: f64 = 1e9;
-/// Retardation time of a solid that creeps: the unit of time.
-const RETARDATION_TIME: f64 = 1.0;
 /// Kurtosis of Gaussian heights.
 const GAUSSIAN_KURTOSIS: f64 = 3.0;
 /// Poisson's ratio of a layer.

@@ -26,6 +26,7 @@ mod point;
 mod question;
 mod refusal;
 mod report;
+mod scale;
 mod schema;
 mod section;
 mod session;

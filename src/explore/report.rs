@@ -1,7 +1,8 @@
 //! The state of a session, as the page gets it.
 
-use super::knobs::{Knobs, MODULUS};
+use super::knobs::Knobs;
 use super::refusal::KnownFault;
+use super::scale::MODULUS;
 use super::section::Section;
 use crate::contact::{Contact, Failure, Observables, Quantity, Reading, State, Step, Work};
 use crate::error::{ProblemError, SetupError};

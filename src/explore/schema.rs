@@ -1,8 +1,8 @@
 //! The schema of the knobs: names, kinds, ranges, units, defaults and the states that have them, written once for page, lessons, links and
 //! documents.
 
-use super::knobs::{CELL, MODULUS};
 use super::refusal::{Refusal, RefusalRule};
+use super::scale::{CELL, MODULUS};
 use crate::quantity::number_in_words;
 use KnobGroup::{File, Load, Recording, Solid, Solver, Surface};
 use KnobKind::{Choice, Choices, Length, Nodes, Number, Switch};

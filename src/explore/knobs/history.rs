@@ -1,7 +1,8 @@
 //! What the knobs describe beside one elastic contact at rest: sliding, creep in time, and adhesion.
 
-use super::{Knobs, MODULUS, RETARDATION_TIME};
+use super::Knobs;
 use crate::explore::refusal::{Refusal, RefusalRule};
+use crate::explore::scale::{MODULUS, RETARDATION_TIME};
 use crate::grid::Grid;
 use crate::setup::{Adhesion, LoadPath, Method, RollingMotion};
 

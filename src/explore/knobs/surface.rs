@@ -1,7 +1,8 @@
 //! The surface that the knobs make.
 
-use super::{CELL, Domain, GAUSSIAN_KURTOSIS, Knobs, SmoothBody};
+use super::{Domain, GAUSSIAN_KURTOSIS, Knobs, SmoothBody};
 use crate::explore::refusal::{Refusal, RefusalRule};
+use crate::explore::scale::CELL;
 use crate::explore::source::SurfaceSource;
 use crate::setup::{Cell, Recipe};
 use crate::surface::{
