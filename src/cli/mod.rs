@@ -187,6 +187,9 @@ fn is_unheard(error: &anyhow::Error) -> bool {
 
 fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
     style.apply()?;
+    if !matches!(command, Command::Explore(_) | Command::View(_)) {
+        interrupt::listen()?;
+    }
     match command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
