@@ -139,15 +139,14 @@ impl OwnTracker {
                 .map(|((name, label), _)| (*name, *label))
         };
         let named: BTreeSet<usize> = partners.values().copied().collect();
-        for &label in &now {
-            if !partners.contains_key(&label) {
-                self.given += 1;
-                partners.insert(label, self.given);
-                if self.states > 1 {
-                    let other = closest(&|_, its| its == label).map(|(name, _)| name);
-                    let word = if other.is_some() { "split" } else { "born" };
-                    self.events.insert((self.states, word, self.given, other));
-                }
+        let known: BTreeSet<usize> = partners.keys().copied().collect();
+        for &label in now.difference(&known) {
+            self.given += 1;
+            partners.insert(label, self.given);
+            if self.states > 1 {
+                let other = closest(&|_, its| its == label).map(|(name, _)| name);
+                let word = if other.is_some() { "split" } else { "born" };
+                self.events.insert((self.states, word, self.given, other));
             }
         }
         for &name in before.difference(&named) {
