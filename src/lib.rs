@@ -59,7 +59,7 @@
 //! | 2 | [`surface`] | indenters, random roughness, statistics; measured heights: read, described, prepared, written | (`instruments`) |
 //! | 2 | [`elastic`] | solids: half-space, layer, free boundaries; the stress in the solid | |
 //! | 2 | [`theory`] | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood and Williamson, Bush, Gibson and Thomas | |
-//! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures and patches | |
+//! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures, and patches from state to state | |
 //! | 4 | [`adhesion`] | contacts with an attraction between the surfaces: their states, and whether these are stable | |
 //! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
 //! | 4 | [`flow`] | what flows through a contact: whether it seals, its leakage, its electrical and thermal conductance | |

@@ -3,10 +3,11 @@
 use crate::arrays::{in_parentheses, owned, vector, view};
 use crate::certificate::{Certificate, Work};
 use crate::error::{NotConverged, bail};
+use crate::patches;
 use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::shared_state::SharedState;
-use asperity::contact::{self, Distribution, PartialSlip, Patch};
+use asperity::contact::{self, Distribution, PartialSlip};
 use asperity::setup::{self, FlowFound};
 use asperity::surface::{Field, PowerSpectrum};
 use numpy::{PyArray1, PyArrayDyn};
@@ -36,9 +37,6 @@ pub struct Contact {
     /// What flows through the contact, after it was found.
     pub flow: OnceLock<FlowFound>,
 }
-
-/// A number of each patch.
-type PatchColumn = fn(&Patch) -> f64;
 
 /// Two arrays, such as the edges of bins and densities.
 type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
@@ -201,22 +199,10 @@ impl Contact {
     }
 
     /// Contact patches, the largest first, as arrays by name: number of nodes (nodes), node of the largest pressure (peak), area (the length
-    /// in a line), load (a force, per length in a line), kappa_r and curvature (1/length).
+    /// in a line), load (a force, per length in a line), kappa_r, curvature (1/length) and centre (x, y; lengths from the first node on). Of heights
+    /// that were mirrored, patches are those of the part without images.
     fn patches<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let patches = py.detach(|| Patch::all(&self.contact.problem, self.pressures()));
-        let table = PyDict::new(py);
-        table.set_item("nodes", PyArray1::from_iter(py, patches.iter().map(|it| it.nodes as i64)))?;
-        table.set_item("peak", PyArray1::from_iter(py, patches.iter().map(|it| it.peak as i64)))?;
-        let columns: [(&str, PatchColumn); 4] = [
-            ("area", |it| it.area),
-            ("load", |it| it.load),
-            ("kappa_r", |it| it.kappa_r),
-            ("curvature", |it| it.curvature),
-        ];
-        columns
-            .into_iter()
-            .try_for_each(|(name, of)| table.set_item(name, vector(py, patches.iter().map(of).collect())))?;
-        Ok(table)
+        patches::of_contact(py, self)
     }
 
     /// Edges of the contact between the nodes, as arrays by name: the node in contact (node), the step to the neighbour without contact

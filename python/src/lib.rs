@@ -34,6 +34,7 @@ mod measures;
 mod operator;
 mod output;
 mod own_solver;
+mod patches;
 mod prepared_array;
 mod problem;
 mod recorder;

@@ -2,9 +2,10 @@
 
 use crate::contact::Contact;
 use crate::output::check_not_read;
+use crate::patches;
 use crate::setup::Setup;
 use pyo3::prelude::*;
-use pyo3::types::{PyIterator, PyTuple};
+use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::path::PathBuf;
 
 /// Contacts one after the other, whatever makes them: a sequence of Contact. A LoadCurve and a History are such sequences.
@@ -44,6 +45,18 @@ impl States {
     #[getter]
     fn setup(&self) -> Setup {
         self.setup.clone()
+    }
+
+    /// The contact patches of all states as arrays by name, a row for each patch in each state: the index of the state (state), the number of the patch,
+    /// which it keeps from state to state (patch), nodes, area, load, load_share (of the load of all patches), kappa_r, x and y. See Contact.patches.
+    fn patches<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
+        patches::of_states(slf.py(), slf.get())
+    }
+
+    /// What happened to the contact patches, as a list of tuples: the index of the first state that shows it, "born", "died", "merged" or "split", the
+    /// number of the patch, and the number of the patch that it merged into or was split from, or None.
+    fn patch_events(&self, py: Python<'_>) -> PyResult<Vec<(usize, &'static str, usize, Option<usize>)>> {
+        patches::events(py, self)
     }
 
     /// Writes the Dataset of to_xarray to a NetCDF file.

@@ -86,6 +86,17 @@ impl Extent for OfSealing {
     }
 }
 
+/// A setup whose contact patches are followed: all but what is written of it.
+pub struct OfPatches;
+
+impl Extent for OfPatches {
+    const LOAD: &'static str = LOAD;
+
+    fn takes(flag: &Flag) -> bool {
+        !["record", "flow"].contains(&flag.section())
+    }
+}
+
 /// Sections that describe how a contact is solved, or what follows it.
 const OF_A_SOLVE: [&str; 9] =
     ["friction", "adhesion", "viscoelastic", "sliding", "rolling", "path", "flow", "solver", "stop"];
@@ -102,6 +113,13 @@ impl<E: Extent> SceneArgs<E> {
     /// A scene as it is in its file.
     pub fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
+    }
+
+    /// The file of a result that is not solved again: an archive, or the folder of a run that was killed, without flags.
+    pub fn result(&self) -> Option<&Path> {
+        let is_archive =
+            |path: &&Path| path.is_dir() || path.extension().is_some_and(|it| it.eq_ignore_ascii_case("npz"));
+        self.file.as_deref().filter(|_| self.given.is_empty()).filter(is_archive)
     }
 
     /// All files that are read for the setup in `table`, and its own.

@@ -1,12 +1,14 @@
 //! Ctrl-C as a request to end early.
 
+use super::warnings;
 use asperity::contact::{Observer, Step, Wish};
+use asperity::files::abandon_drafts;
 #[cfg(unix)]
 use std::future::poll_fn;
 use std::io;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 #[cfg(unix)]
 use std::task::Poll;
 use std::thread;
@@ -14,23 +16,47 @@ use tokio::runtime::Builder;
 #[cfg(unix)]
 use tokio::signal::unix::{Signal, SignalKind, signal};
 
-/// Handles Ctrl-C and termination requests from now on. The returned flag shows whether one came. The second one ends
-/// the process.
-pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
-    let is_over = Arc::new(AtomicBool::new(false));
+/// The request to end this process, from the moment that it is listened to.
+static END: OnceLock<EndRequest> = OnceLock::new();
+
+/// A request to end, and whether a command takes it.
+#[derive(Default)]
+struct EndRequest {
+    came: Arc<AtomicBool>,
+    is_taken: AtomicBool,
+}
+
+/// Handles Ctrl-C and termination requests from now on: they end the process and leave no draft but those that grow, which are named.
+pub fn listen() -> io::Result<()> {
+    if END.get().is_some() {
+        return Ok(());
+    }
     let runtime = Builder::new_current_thread().enable_io().build()?;
     let mut requests = {
         let _inside = runtime.enter();
         Requests::new()?
     };
-    let flag = is_over.clone();
+    let end = END.get_or_init(EndRequest::default);
     thread::spawn(move || {
         runtime.block_on(requests.next());
-        flag.store(true, Ordering::Relaxed);
-        runtime.block_on(requests.next());
+        end.came.store(true, Ordering::Relaxed);
+        if end.is_taken.load(Ordering::Relaxed) {
+            runtime.block_on(requests.next());
+        }
+        for draft in abandon_drafts() {
+            warnings::print(&[format!("interrupted: {} has what was written until then", draft.display())]);
+        }
         std::process::exit(130);
     });
-    Ok(is_over)
+    Ok(())
+}
+
+/// The command takes Ctrl-C and termination requests itself from now on. The returned flag shows whether one came. The second one ends the process.
+pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
+    listen()?;
+    let end = END.get_or_init(EndRequest::default);
+    end.is_taken.store(true, Ordering::Relaxed);
+    Ok(end.came.clone())
 }
 
 /// Ctrl-C, and on Unix the request of the system to end. Both are taken from the moment that this is made.

@@ -27,6 +27,8 @@ mod man;
 mod output;
 mod outputs;
 mod paper;
+mod patch_report;
+mod patches;
 mod picture;
 mod problem_summary;
 mod progress;
@@ -128,6 +130,12 @@ enum Command {
     /// and sizes give a study of your own. Lengths are those of the paper: a roll-off wavelength of 20 um; a line has 8
     /// of them, a surface 4 per side.
     Paper(Box<paper::PaperCommand>),
+    /// Show the contact patches: sizes, loads, and which merged when
+    ///
+    /// A patch is a set of nodes in contact that are connected along rows or columns. Under several loads, or in a history,
+    /// it keeps its number as long as it lives, and births, deaths, mergers and splits are told. A result (.npz) is read, a
+    /// scene is solved. Of heights that were mirrored, patches are counted without their images.
+    Patches(Box<patches::PatchesCommand>),
     /// Find the load at which a surface seals
     ///
     /// A contact seals if no open path leads from one side of the cell to the other. The load is found by bisection,
@@ -187,6 +195,9 @@ fn is_unheard(error: &anyhow::Error) -> bool {
 
 fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
     style.apply()?;
+    if !matches!(command, Command::Explore(_) | Command::View(_)) {
+        interrupt::listen()?;
+    }
     match command {
         Command::Accuracy(accuracy) => accuracy.run(),
         Command::Bench(bench) => bench.run(),
@@ -199,6 +210,7 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Man(man) => man.run(Cli::command()),
         Command::Merge(merge) => merge.run(),
         Command::Paper(paper) => paper.run(),
+        Command::Patches(patches) => patches.run(),
         Command::Seal(seal) => seal.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),

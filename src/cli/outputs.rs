@@ -20,8 +20,8 @@ const STRESS: &[&str] = &["npz"];
 #[command(next_help_heading = "Output")]
 #[command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true))]
 pub struct Outputs {
-    /// Record every step of the solver, or the contact under each of several loads, for the Rerun viewer; an existing
-    /// recording with this name is replaced at the end
+    /// Record every step of the solver, or the contact under each of several loads, for the Rerun viewer. It
+    /// grows in NAME.part-XXXXXX.rrd, and has its name at the end, when it replaces an existing recording
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,
     /// Show the steps live in the installed Rerun viewer
@@ -132,25 +132,12 @@ impl Outputs {
         })
     }
 
-    /// Refuses a run whose states would grow where something is already: the states of a run that was killed, or files of the user.
-    pub fn check_parts(&self) -> Result<()> {
-        let parts = [self.table().map(StateTable::part), self.archive().map(StateArchive::folder)];
-        match parts.into_iter().flatten().find(|part| part.exists()) {
-            Some(part) => {
-                let part = part.display();
-                usage(format!(
-                    "{part} exists, where the states of this run would grow; it may hold those of a run that was killed: read it (asperity view, \
-                     asp.load), and move it or remove it, or give another name"
-                ))
-            }
-            None => Ok(()),
+    /// What grows beside table and archive while the states of a run come.
+    pub fn growing(&self) -> GrowingOutputs {
+        GrowingOutputs {
+            table: self.table().map(StateTable::beside),
+            archive: self.archive().map(StateArchive::beside),
         }
-    }
-
-    /// Removes what grew beside the files that are written at the end.
-    pub fn discard_parts(&self) {
-        self.table().map(StateTable::discard);
-        self.archive().map(StateArchive::discard);
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.
@@ -158,6 +145,20 @@ impl Outputs {
         let (out, stress, setup) = (self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref());
         let named = [(self.recording(), RECORDING), (out, RESULT), (stress, STRESS), (setup, SCENE)];
         named.into_iter().try_for_each(|(path, endings)| path.map_or(Ok(()), |path| check_named(path, endings)))
+    }
+}
+
+/// The files that grow state by state. A run that is killed leaves them.
+pub struct GrowingOutputs {
+    pub table: Option<StateTable>,
+    pub archive: Option<StateArchive>,
+}
+
+impl GrowingOutputs {
+    /// Removes them, once the files beside them are written.
+    pub fn discard(self) {
+        self.table.into_iter().for_each(StateTable::discard);
+        self.archive.into_iter().for_each(StateArchive::discard);
     }
 }
 

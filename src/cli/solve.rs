@@ -7,7 +7,7 @@ use super::flow::FlowFinding;
 use super::history;
 use super::load_curve;
 use super::output::{Summary, write_json};
-use super::outputs::Outputs;
+use super::outputs::{GrowingOutputs, Outputs};
 use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
@@ -25,7 +25,7 @@ use asperity::diagnosis::Findings;
 use asperity::error::{FileError, HistoryError, SetupError};
 use asperity::files::{check_apart, write_beside};
 use asperity::flow::Leakage;
-use asperity::job::{Job, JobRun, Solved, StateArchive, StateTable, write_nodes};
+use asperity::job::{Job, JobRun, Solved, write_nodes};
 use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable};
 use asperity::study::LoadCurve;
 use clap::Args;
@@ -103,7 +103,8 @@ impl Solve {
         let Self { outputs, .. } = self;
         let (kind, loads) = (run.kind()?, run.loads.clone());
         kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
-        let job = self.job(run, kind, auto).with_extras(outputs.extras(loads.len().max(1)));
+        let mut growing = outputs.growing();
+        let job = self.job(run, kind, auto, &mut growing).with_extras(outputs.extras(loads.len().max(1)));
         let cost = job.cost()?;
         outputs.check()?;
         if kind.is_none() {
@@ -113,9 +114,6 @@ impl Solve {
             return self.plan(&job, &cost, kind, loads.len());
         }
         cost.check(job.setup().solver.name())?;
-        if kind.is_some() {
-            outputs.check_parts()?;
-        }
         let ready = job.prepare()?;
         if outputs.strict {
             warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;
@@ -138,7 +136,7 @@ impl Solve {
         };
         // where the end cannot be written, what grew beside it is kept
         if !written.as_ref().is_err_and(|error| error.is::<FileError>()) {
-            outputs.discard_parts();
+            growing.discard();
         }
         written
     }
@@ -176,7 +174,13 @@ impl Solve {
     }
 
     /// The job that the flags ask for. States go to a table and an archive as they come.
-    fn job(&self, run: JobRun<'static>, kind: Option<ProcessKind>, auto: Option<Auto>) -> Job<'static> {
+    fn job<'a>(
+        &self,
+        run: JobRun<'static>,
+        kind: Option<ProcessKind>,
+        auto: Option<Auto>,
+        growing: &'a mut GrowingOutputs,
+    ) -> Job<'a> {
         let Self { outputs, .. } = self;
         let job = Job::from_run(run).diagnosed(self.diagnose);
         let job = match auto {
@@ -189,12 +193,12 @@ impl Solve {
         };
         let Some(kind) = kind else { return job };
         let job = job.keeping_last(kind == ProcessKind::Loads && outputs.archive().is_none());
-        let job = match outputs.table() {
-            Some(path) => job.with_sink(StateTable::beside(path)),
+        let job = match &mut growing.table {
+            Some(table) => job.with_sink(table),
             None => job,
         };
-        match outputs.archive() {
-            Some(path) => job.with_sink(StateArchive::beside(path)),
+        match &mut growing.archive {
+            Some(archive) => job.with_sink(archive),
             None => job,
         }
     }
@@ -258,7 +262,7 @@ impl Solve {
 }
 
 /// Refuses a setup with lists of values, which is a study.
-fn refuse_study(table: &SetupTable) -> Result<()> {
+pub fn refuse_study(table: &SetupTable) -> Result<()> {
     match table.clone().take_axes()?.first() {
         Some(axis) => usage(format!(
             "`{}` has {} values, so this scene is a study: run `asperity study`, or give one value",

@@ -199,10 +199,12 @@ impl Merge {
         }
         let tables: Vec<Table> = self.shares.iter().map(Table::new).collect();
         let named = [self.study.as_path()].into_iter().chain(plan.files()).map(Path::to_path_buf);
-        check_outputs(&Table::new(&path), named.chain(tables.iter().flat_map(Table::files)))?;
+        let merged = Table::new(&path);
+        check_outputs(&merged, named.chain(tables.iter().flat_map(Table::files)))?;
+        merged.read()?; // what is no table of a study is not ours to replace
         let points = plan.merge(&tables)?;
         let all: Vec<usize> = (0..plan.realisations()).collect();
-        plan.finish(&Table::new(&path), &all, &points)?;
+        plan.finish(&merged, &all, &points)?;
         write_all(&plan, &path, &points)?;
         wrote(&path);
         settled(&points, Point::is_resolved)

@@ -4,6 +4,7 @@ use crate::chunks;
 use crate::contact::Problem;
 use crate::forest::Forest;
 use crate::grid::Grid;
+use serde::Serialize;
 use std::ops::Range;
 
 /// The contact patches of a pressure field: sets of nodes with `p > 0` that are connected along rows or columns, across
@@ -17,7 +18,7 @@ impl Patches {
     /// Finds the patches of `pressure` (row by row) on a grid.
     pub fn new(pressure: &[f64], grid: &Grid) -> Self {
         let mut sizes: Vec<usize> =
-            members(pressure, grid).iter().map(|runs| runs.iter().map(Range::len).sum()).collect();
+            members(pressure, grid, grid.shape()).iter().map(|runs| runs.iter().map(Range::len).sum()).collect();
         sizes.sort_unstable_by(|a, b| b.cmp(a));
         Self { sizes }
     }
@@ -33,13 +34,15 @@ impl Patches {
     }
 }
 
-/// The nodes of each patch as runs along rows, by their numbers on the grid.
+/// The nodes of each patch as runs along rows, by their numbers on the grid, within its first rows and columns. Where these are not all, no patch
+/// goes on across the period.
 ///
 /// Runs of contact along rows are joined with overlapping runs of the next row. The cost is one pass over the nodes,
 /// and the work for the runs.
-fn members(pressure: &[f64], grid: &Grid) -> Vec<Vec<Range<usize>>> {
-    let ([ny, nx], [round_y, round_x]) = (grid.shape(), grid.periodic());
-    let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * nx..][..nx]));
+fn members(pressure: &[f64], grid: &Grid, [ny, nx]: [usize; 2]) -> Vec<Vec<Range<usize>>> {
+    let ([whole_y, width], [periodic_y, periodic_x]) = (grid.shape(), grid.periodic());
+    let [round_y, round_x] = [periodic_y && ny == whole_y, periodic_x && nx == width];
+    let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * width..][..nx]));
     let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
         *count += row.len();
         Some(*count - row.len())
@@ -72,14 +75,14 @@ fn members(pressure: &[f64], grid: &Grid) -> Vec<Vec<Range<usize>>> {
     let runs = rows
         .into_iter()
         .enumerate()
-        .flat_map(|(y, row)| row.into_iter().map(move |run| y * nx + run.start..y * nx + run.end));
+        .flat_map(|(y, row)| row.into_iter().map(move |run| y * width + run.start..y * width + run.end));
     runs.enumerate().for_each(|(run, nodes)| patches[forest.root(run)].push(nodes));
     patches.retain(|runs| !runs.is_empty());
     patches
 }
 
 /// One contact patch, measured by its own nodes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Patch {
     /// Nodes in contact.
     pub nodes: usize,
@@ -91,6 +94,9 @@ pub struct Patch {
     pub load: f64,
     /// `kappa_r = gbar_r E* area / load` with the gradient of its own nodes.
     pub kappa_r: f64,
+    /// Mean position of its nodes along y and x, lengths from the first node on. Across a period, nodes are taken where they are nearest to the
+    /// peak.
+    pub centre: [f64; 2],
     /// Mean curvature of the surface over its nodes, an inverse length, positive where it bulges towards the solid, see
     /// [`Surface::curvature`](crate::Surface::curvature).
     pub curvature: f64,
@@ -105,6 +111,11 @@ impl Patch {
     /// The patches of nodes with `pressure > 0` (row by row), the largest first, each with its nodes as runs along rows, by their numbers on
     /// the grid.
     pub fn with_nodes(problem: &Problem, pressure: &[f64]) -> Vec<(Self, Vec<Range<usize>>)> {
+        Self::within(problem, pressure, problem.surface().grid().shape())
+    }
+
+    /// The same of the first rows and columns of the grid, such as those of which the others are mirror images. A patch ends where they end.
+    pub fn within(problem: &Problem, pressure: &[f64], part: [usize; 2]) -> Vec<(Self, Vec<Range<usize>>)> {
         let (surface, grid) = (problem.surface(), problem.surface().grid());
         let [dy, dx] = grid.spacing();
         let cell = if grid.is_line() { dx } else { dy * dx };
@@ -118,13 +129,30 @@ impl Patch {
             let area = cell * count as f64;
             let peak = nodes().max_by(|&a, &b| pressure[a].total_cmp(&pressure[b])).unwrap_or_default();
             let kappa_r = gradient * modulus * area / load;
+            let centre = centre(grid, peak, nodes());
             let curvature = nodes().map(&curvature).sum::<f64>() / count as f64;
-            (Self { nodes: count, peak, area, load, kappa_r, curvature }, runs)
+            (Self { nodes: count, peak, area, load, kappa_r, centre, curvature }, runs)
         };
-        let mut patches: Vec<_> = members(pressure, grid).into_iter().map(measure).collect();
+        let mut patches: Vec<_> = members(pressure, grid, part).into_iter().map(measure).collect();
         patches.sort_by_key(|(patch, _)| std::cmp::Reverse(patch.nodes));
         patches
     }
+}
+
+/// The mean position of some nodes, each taken where it is nearest to the `peak`.
+fn centre(grid: &Grid, peak: usize, nodes: impl Iterator<Item = usize>) -> [f64; 2] {
+    let (shape, spacing, periodic) = (grid.shape(), grid.spacing(), grid.periodic());
+    let place = |node: usize| [node / shape[1], node % shape[1]].map(|it| it as f64);
+    let (from, mut sum, mut count) = (place(peak), [0.0; 2], 0.0);
+    for at in nodes.map(place) {
+        count += 1.0;
+        for axis in 0..2 {
+            let (apart, period) = (at[axis] - from[axis], shape[axis] as f64);
+            sum[axis] += if periodic[axis] { apart - period * (apart / period).round() } else { apart };
+        }
+    }
+    let mean = |axis: usize| spacing[axis] * (from[axis] + sum[axis] / count).rem_euclid(shape[axis] as f64);
+    [mean(0), mean(1)]
 }
 
 /// Runs of positive values.

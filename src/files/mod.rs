@@ -1,24 +1,25 @@
 //! Input files, and output files that appear completely or not at all.
 
 mod apart;
+mod draft;
 mod input_file;
 
 pub use apart::check_apart;
+pub use draft::{Draft, abandon_drafts};
 pub use input_file::{InputFile, open_regular, path_in_text, read_bytes};
 
-use crate::error::{Failure, FileError, reason};
+use crate::error::{Failure, FileError};
 use serde::Serialize;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
-use tempfile::{Builder, NamedTempFile};
 
 /// Checks that a file can be created at `path`, so that a long computation is not lost.
 ///
 /// # Errors
 /// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
 pub fn check_target(path: &Path) -> Result<(), FileError> {
-    draft_beside(path).map(drop)
+    Draft::hidden(path).map(drop)
 }
 
 /// Checks that a file can be created at `path`, and that its name has one of the `endings`, such as `npz`.
@@ -53,8 +54,8 @@ pub fn write_beside(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
-    let mut draft = draft_beside(path)?;
-    let written = fill(draft.as_file_mut(), write).and_then(|()| Ok(draft.persist(path).map(drop)?));
+    let (draft, mut file) = Draft::hidden(path)?;
+    let written = fill(&mut file, write).and_then(|()| draft.finish());
     written.map_err(|source| FileError::Write { path: path.into(), source })
 }
 
@@ -103,7 +104,7 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 ///
 /// # Errors
 /// [`FileError::Target`] for a folder that is there and not empty, or cannot be made; the errors of `fill`, and [`FileError::Write`]
-/// for the rest. None leaves anything behind. The draft of a process that was killed is removed by the next one that fills the folder.
+/// for the rest. None leaves anything behind.
 ///
 /// ```
 /// use asperity::files::fill_folder;
@@ -117,43 +118,12 @@ fn check_folder(path: &Path) -> Result<(), FileError> {
 pub fn fill_folder(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
     check_folder(path)?;
     let failed = |source| FileError::Write { path: path.into(), source };
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let draft = path.with_file_name(format!(".{name}.unfinished"));
-    if draft.is_dir() {
-        std::fs::remove_dir_all(&draft).map_err(failed)?;
+    let draft = Draft::hidden_folder(path)?;
+    fill(draft.path())?;
+    if path.is_dir() {
+        std::fs::remove_dir(path).map_err(failed)?;
     }
-    std::fs::create_dir(&draft).map_err(failed)?;
-    let filled = fill(&draft).and_then(|()| {
-        if path.is_dir() {
-            std::fs::remove_dir(path).map_err(failed)?;
-        }
-        Ok(std::fs::rename(&draft, path).map_err(failed)?)
-    });
-    if filled.is_err() {
-        let _ = std::fs::remove_dir_all(&draft); // what cannot be removed is of no use to anybody
-    }
-    filled
-}
-
-/// A temporary file in the folder of `path`, removed unless it is renamed, if a file can be made there.
-fn draft_beside(path: &Path) -> Result<NamedTempFile<File>, FileError> {
-    let unfit = |reason: String| FileError::Target { path: path.into(), reason };
-    if path.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir() {
-        return Err(unfit("it is a directory: give the name of a file".into()));
-    }
-    if path.exists() && !path.is_file() {
-        return Err(unfit("it is not a regular file: give another name".into()));
-    }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        return Err(unfit(format!("the folder {} does not exist: create it first", folder.display())));
-    }
-    // `File::create_new` gives the usual permissions; files that tempfile creates can be read by their owner alone
-    let draft = Builder::new().prefix(".asperity-").make_in(folder, |draft| File::create_new(draft));
-    draft.map_err(|error| unfit(format!("nothing can be created in {}: {}", folder.display(), reason(&error))))
+    Ok(draft.finish().map_err(failed)?)
 }
 
 fn fill(file: &mut File, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> io::Result<()> {

@@ -23,6 +23,7 @@ mod doubts;
 mod follow;
 mod history;
 mod outcome;
+mod patches;
 mod posed;
 mod ready;
 mod run;

@@ -150,7 +150,14 @@ impl Ready<'_> {
         watch: &mut dyn Watcher,
     ) -> Result<Vec<Found>, SetupError> {
         let solve = |i| self.solve_run(i, &mut recording.recorder(i), diagnosis, watch);
-        let mut found = (0..self.job.runs.len()).map(solve).collect::<Result<Vec<_>, _>>()?;
+        let found = (0..self.job.runs.len()).map(solve).collect::<Result<Vec<_>, _>>();
+        let mut found = match found {
+            Ok(found) => found,
+            Err(error) => {
+                recording.discard();
+                return Err(error);
+            }
+        };
         if let (Err(failure), Some(Found::Contact(last))) = (recording.finish(), found.last_mut()) {
             last.fail(failure);
         }

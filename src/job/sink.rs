@@ -21,3 +21,13 @@ pub trait StateSink {
         Ok(())
     }
 }
+
+impl<S: StateSink + ?Sized> StateSink for &mut S {
+    fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError> {
+        (**self).state(posed, number, state)
+    }
+
+    fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
+        (**self).end(posed, outcome)
+    }
+}

@@ -4,14 +4,15 @@ use super::posed::Posed;
 use super::sink::StateSink;
 use crate::contact::{State, archive_of_part};
 use crate::error::FileError;
-use crate::files::write_beside;
+use crate::files::{Draft, write_beside};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// The states so far, each an archive of its own in a folder `NAME.part` beside the archive that is written at the end. A killed run leaves the folder,
-/// which is read like the archive.
+/// The states so far, each an archive of its own in a folder `NAME.part-XXXXXX` beside the archive that is written at the end, see [`Draft`]. A killed
+/// run leaves the folder, which is read like the archive.
 pub struct StateArchive {
-    folder: PathBuf,
+    archive: PathBuf,
+    folder: Option<Draft>,
     /// The text of the setup of the run, after its first state.
     setup: String,
     /// The number of axes of its arrays.
@@ -20,21 +21,13 @@ pub struct StateArchive {
 
 impl StateArchive {
     /// The folder beside an archive.
-    pub fn beside(archive: &Path) -> Self {
-        Self { folder: Self::folder(archive), setup: String::new(), rank: 0 }
+    pub fn beside(archive: impl Into<PathBuf>) -> Self {
+        Self { archive: archive.into(), folder: None, setup: String::new(), rank: 0 }
     }
 
-    /// The folder that grows beside an archive.
-    pub fn folder(archive: &Path) -> PathBuf {
-        archive.with_extension("part")
-    }
-
-    /// Removes the archives of states beside an archive, and their folder if there is nothing else in it.
-    pub fn discard(archive: &Path) {
-        let folder = Self::folder(archive);
-        let mut numbers = 1..;
-        while numbers.next().is_some_and(|number| std::fs::remove_file(part(&folder, number)).is_ok()) {}
-        std::fs::remove_dir(folder).ok();
+    /// Removes the folder, once the archive is written.
+    pub fn discard(self) {
+        self.folder.into_iter().for_each(Draft::discard);
     }
 }
 
@@ -43,18 +36,15 @@ impl StateSink for StateArchive {
         if posed.run > 0 {
             return Ok(());
         }
-        if number == 0 {
-            let made = std::fs::create_dir(&self.folder);
-            made.map_err(|source| FileError::Write { path: self.folder.clone(), source })?;
-            (self.setup, self.rank) = (posed.text(), posed.rank());
-        }
+        let folder = match &mut self.folder {
+            Some(folder) => folder,
+            none => {
+                (self.setup, self.rank) = (posed.text(), posed.rank());
+                none.insert(Draft::growing_folder(&self.archive)?)
+            }
+        };
+        let path = folder.path().join(format!("{:06}.npz", number + 1));
         let bytes = archive_of_part(state, self.rank, &self.setup);
-        let path = part(&self.folder, number + 1);
         write_beside(&path, |file| file.write_all(&bytes.map_err(io::Error::other)?))
     }
-}
-
-/// The archive of a state by its number, from 1.
-fn part(folder: &Path, number: usize) -> PathBuf {
-    folder.join(format!("{number:06}.npz"))
 }

@@ -5,49 +5,45 @@ use super::sink::StateSink;
 use super::tables::cell;
 use crate::contact::{Quantity, State};
 use crate::error::FileError;
-use std::fs::{File, OpenOptions};
+use crate::files::Draft;
+use std::fs::File;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// The table of the states so far, `NAME.part.csv` beside the table that is written at the end. A killed run leaves it.
+/// The table of the states so far, `NAME.part-XXXXXX.csv` beside the table that is written at the end, see [`Draft`]. A killed run leaves it.
 pub struct StateTable {
-    path: PathBuf,
-    file: Option<File>,
+    table: PathBuf,
+    growing: Option<(Draft, File)>,
     columns: Vec<Quantity>,
 }
 
 impl StateTable {
     /// The table beside the one that is written at the end.
-    pub fn beside(table: &Path) -> Self {
-        Self { path: Self::part(table), file: None, columns: Vec::new() }
+    pub fn beside(table: impl Into<PathBuf>) -> Self {
+        Self { table: table.into(), growing: None, columns: Vec::new() }
     }
 
-    /// The table that grows beside another one.
-    pub fn part(table: &Path) -> PathBuf {
-        table.with_extension("part.csv")
+    /// Removes it, once the other one is written.
+    pub fn discard(self) {
+        self.growing.into_iter().for_each(|(draft, _)| draft.discard());
     }
 
-    /// Removes the table that grew beside another one.
-    pub fn discard(table: &Path) {
-        std::fs::remove_file(Self::part(table)).ok();
+    /// Begins it with the names of its columns.
+    fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
+        let known = first.numbers().iter().map(|(quantity, _)| *quantity);
+        self.columns = known.chain(posed.kind.row().columns.iter().copied()).collect();
+        self.columns.sort_unstable();
+        self.columns.dedup();
+        self.growing = Some(Draft::growing(&self.table)?);
+        let names = self.columns.iter().map(|it| it.name().to_owned());
+        self.write(["state", "status", "claim"].map(str::to_owned).into_iter().chain(names).collect())
     }
 
-    fn write(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> std::io::Result<()> {
-        if self.file.is_none() {
-            let known = state.numbers().iter().map(|(quantity, _)| *quantity);
-            self.columns = known.chain(posed.kind.row().columns.iter().copied()).collect();
-            self.columns.sort_unstable();
-            self.columns.dedup();
-            let mut file = OpenOptions::new().create(true).write(true).truncate(true).open(&self.path)?;
-            let names = ["state", "status", "claim"].into_iter().chain(self.columns.iter().map(|it| it.name()));
-            writeln!(file, "{}", names.collect::<Vec<_>>().join(","))?;
-            self.file = Some(file);
-        }
-        let Some(file) = &mut self.file else { return Ok(()) };
-        let values = self.columns.iter().map(|it| cell(*it, state));
-        let claim = <&str>::from(state.claim).to_owned();
-        let first = [(number + 1).to_string(), state.contact.status.name().to_owned(), claim];
-        writeln!(file, "{}", first.into_iter().chain(values).collect::<Vec<_>>().join(","))
+    /// Writes a row.
+    fn write(&mut self, words: Vec<String>) -> Result<(), FileError> {
+        let Some((draft, file)) = &mut self.growing else { return Ok(()) };
+        let written = writeln!(file, "{}", words.join(","));
+        written.map_err(|source| FileError::Write { path: draft.path().into(), source })
     }
 }
 
@@ -56,7 +52,12 @@ impl StateSink for StateTable {
         if posed.run > 0 {
             return Ok(());
         }
-        let written = self.write(posed, number, state);
-        written.map_err(|source| FileError::Write { path: self.path.clone(), source })
+        if self.growing.is_none() {
+            self.begin(posed, state)?;
+        }
+        let claim = <&str>::from(state.claim).to_owned();
+        let first = [(number + 1).to_string(), state.contact.status.name().to_owned(), claim];
+        let values = self.columns.iter().map(|it| cell(*it, state));
+        self.write(first.into_iter().chain(values).collect())
     }
 }

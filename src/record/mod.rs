@@ -38,6 +38,7 @@ mod description;
 mod draw;
 mod file;
 mod layout;
+mod lengths;
 mod options;
 mod parts;
 mod playback;
@@ -46,6 +47,7 @@ mod scene;
 mod sdk;
 mod setups;
 mod size;
+mod stores;
 
 pub use draw::{CurveKind, Ghost, LoadAxis, RecordedCurve};
 pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, Target, Timeline, compare, record_survey};

@@ -2,13 +2,12 @@
 
 use super::file::VALUE;
 use super::setups::{SETUP, is_recording};
+use super::stores;
 use crate::error::FileError;
 use crate::setup::Setup;
 use rerun::log::Chunk;
-use rerun::{ChunkStore, ChunkStoreConfig, Scalars, StoreKind, TextDocument};
+use rerun::{ChunkStore, Scalars, StoreKind, TextDocument};
 use std::collections::BTreeSet;
-use std::fs::File;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -32,14 +31,11 @@ impl Playback {
     /// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
     /// recording or has no traces.
     pub fn read(path: &Path) -> Result<Self, FileError> {
-        let unreadable = |source| FileError::Read { path: path.into(), source };
         let useless = |reason: &str| FileError::Incomparable { path: path.into(), reason: reason.into() };
         if !is_recording(path)? {
             return Err(useless("it is not a recording: give a file written by `asperity solve --record`"));
         }
-        let mut file = File::open(path).map_err(unreadable)?;
-        let damaged = |error| unreadable(io::Error::other(format!("the recording is damaged: {error}")));
-        let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut file).map_err(damaged)?;
+        let stores = stores::read(path)?;
         let mut playback = Self { path: path.into(), chunks: Vec::new(), blueprint: None, name: String::new() };
         for (id, store) in stores {
             match id.kind() {

@@ -1,21 +1,15 @@
 //! Setups out of recordings.
 
+use super::stores;
 use crate::error::FileError;
 use crate::files::open_regular;
-use rerun::{ChunkStore, ChunkStoreConfig, StoreKind, TextDocument};
+use rerun::{StoreKind, TextDocument};
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom};
+use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// First bytes of a recording.
 const MAGIC: &[u8] = b"RRF";
-
-/// The mark at the end of a recording that is whole, and the bytes that follow it: the number of its indices.
-///
-/// # Source
-/// `StreamFooter` of the crate `re_log_encoding`.
-const END: &[u8] = b"RRF2FOOT";
-const AFTER_END: usize = 4;
 
 /// Name of the entities that hold the setups, below the roots of the scenes.
 pub(super) const SETUP: &str = "setup";
@@ -25,13 +19,10 @@ pub(super) const SETUP: &str = "setup";
 /// # Errors
 /// [`FileError::Read`] for a file that is missing or unreadable, or a recording that is damaged.
 pub fn setups(path: &Path) -> Result<Option<Vec<String>>, FileError> {
-    let unreadable = |source| FileError::Read { path: path.into(), source };
     if !is_recording(path)? {
         return Ok(None);
     }
-    let mut file = File::open(path).map_err(unreadable)?;
-    let damaged = |error| unreadable(io::Error::other(format!("the recording is damaged: {error}")));
-    let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut file).map_err(damaged)?;
+    let stores = stores::read(path)?;
     let component = TextDocument::descriptor_text().component;
     let mut setups = Vec::new();
     for (_, store) in stores.iter().filter(|(id, _)| id.kind() == StoreKind::Recording) {
@@ -64,10 +55,10 @@ pub fn is_cut_off(path: &Path) -> Result<bool, FileError> {
     let end = || {
         let mut file = File::open(path)?;
         let length = file.seek(SeekFrom::End(0))?;
-        file.seek(SeekFrom::Start(length.saturating_sub((END.len() + AFTER_END) as u64)))?;
+        file.seek(SeekFrom::Start(length.saturating_sub(stores::END_BYTES)))?;
         let mut end = Vec::new();
         file.read_to_end(&mut end).map(|_| end)
     };
     let end = end().map_err(|source| FileError::Read { path: path.into(), source })?;
-    Ok(is_recording(path)? && !end.starts_with(END))
+    Ok(is_recording(path)? && !stores::has_end(&end))
 }

@@ -100,6 +100,11 @@ impl Recipe {
         self.height.is_some() || self.against.is_some()
     }
 
+    /// Rows and columns of its own part of heights of some shape: all, or those of which the rest is mirror images.
+    pub fn own_shape(&self, shape: [usize; 2]) -> [usize; 2] {
+        self.prepare.mirror.map_or(shape, |mirror| mirror.original_shape(shape))
+    }
+
     /// The files of heights.
     pub fn files(&self) -> impl Iterator<Item = &HeightFile> {
         [&self.height, &self.against].into_iter().flatten()

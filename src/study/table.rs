@@ -7,9 +7,10 @@ use crate::error::FileError;
 use crate::files::{check_target, write_beside, write_csv};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
-use std::fs::OpenOptions;
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The points of a study in files.
 ///
@@ -21,10 +22,18 @@ use std::path::{Path, PathBuf};
 ///
 /// The last column of a row of points is its check sum, which covers the names of the columns: a row that was changed after it was written is
 /// treated as missing, and is solved again, and so are all rows if names were changed.
+///
+/// The unfinished table has a fixed name, so that the next run finds it, and belongs to one process at a time. A file of that name that is something
+/// else is refused.
 #[derive(Debug, Clone)]
 pub struct Table {
     path: PathBuf,
+    /// The unfinished table, once this process adds to it.
+    unfinished: Arc<Mutex<Option<File>>>,
 }
+
+/// First line of an unfinished table.
+const HEAD: &str = "# Points of a study that is not finished, as asperity writes them\n";
 
 /// A row of the seconds.
 #[derive(Serialize, Deserialize)]
@@ -48,7 +57,7 @@ impl Seconds {
 impl Table {
     /// The table `path`, which ends in `.csv` and need not exist.
     pub fn new(path: impl Into<PathBuf>) -> Self {
-        Self { path: path.into() }
+        Self { path: path.into(), unfinished: Arc::default() }
     }
 
     /// The path of the finished table.
@@ -62,14 +71,14 @@ impl Table {
     /// [`FileError::Read`] for files that are there and cannot be read, [`FileError::Target`] for a finished table that holds
     /// anything else than points: it is not ours to replace.
     pub fn read(&self) -> Result<Vec<Point>, FileError> {
-        let seconds = finished(&self.seconds_path(), |record, names| record.deserialize(Some(names)))?;
+        let seconds = finished(&self.seconds_path(), "seconds", |record, names| record.deserialize(Some(names)))?;
         let mut seconds = seconds.into_iter().map(|Seconds { seconds, .. }| seconds);
-        let points = finished(&self.path, |record, names| {
+        let points = finished(&self.path, "setup", |record, names| {
             let seconds = seconds.next().unwrap_or(f64::NAN);
             Ok(Point::from_named(record, names)?.map(|point| Point { seconds, ..point }))
         })?;
         let mut points: Vec<Point> = points.into_iter().flatten().collect();
-        points.extend(Point::from_lines(&bytes(&self.unfinished_path())?));
+        points.extend(self.read_unfinished()?);
         Ok(points)
     }
 
@@ -79,11 +88,43 @@ impl Table {
     /// # Errors
     /// [`FileError::Target`] or [`FileError::Write`].
     pub fn append<'a>(&self, points: impl IntoIterator<Item = &'a Point>) -> Result<(), FileError> {
+        let failed = |source| FileError::Write { path: self.unfinished_path(), source };
+        let mut unfinished = self.unfinished.lock().unwrap_or_else(PoisonError::into_inner);
+        let file = match &mut *unfinished {
+            Some(file) => file,
+            none => none.insert(self.open_unfinished()?),
+        };
+        let head = if file.metadata().map_err(failed)?.len() == 0 { HEAD } else { "" };
+        file.write_all(format!("{head}{}", Point::to_lines(points)).as_bytes()).map_err(failed)
+    }
+
+    /// The points of the unfinished table.
+    fn read_unfinished(&self) -> Result<Vec<Point>, FileError> {
+        let path = self.unfinished_path();
+        let (text, is_link) = (bytes(&path)?, path.is_symlink());
+        let points = Point::from_lines(&text);
+        let is_own = text.starts_with(HEAD.as_bytes()) || HEAD.as_bytes().starts_with(&text) || !points.is_empty();
+        match is_own && !is_link {
+            true => Ok(points),
+            false => Err(not_ours(&path)),
+        }
+    }
+
+    /// Opens the unfinished table, which belongs to this process until it is closed.
+    fn open_unfinished(&self) -> Result<File, FileError> {
+        self.read_unfinished()?;
         let path = self.unfinished_path();
         check_target(&path)?;
-        let failed = |source| FileError::Write { path: path.clone(), source };
-        let mut file = OpenOptions::new().create(true).append(true).open(&path).map_err(failed)?;
-        file.write_all(Point::to_lines(points).as_bytes()).map_err(failed)
+        let opened = OpenOptions::new().create(true).append(true).open(&path);
+        let file = opened.map_err(|source| FileError::Write { path: path.clone(), source })?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                let reason = "another process solves this study: wait until it ends, or give another table".into();
+                Err(FileError::Target { path, reason })
+            }
+            // a file system without locks is used as it is
+            Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
+        }
     }
 
     /// Writes the finished table and removes the unfinished one.
@@ -115,16 +156,26 @@ impl Table {
     /// [`FileError::Target`] or [`FileError::Write`].
     pub(super) fn settle(&self, points: &[Point]) -> Result<(), FileError> {
         write_csv(&self.seconds_path(), points.iter().map(Seconds::from_point))?;
+        self.close_unfinished();
         remove(self.unfinished_path())
     }
 
     /// Removes all files of the table, and what was drawn or written of it beside it: `NAME.parquet`, `NAME.svg` and `NAME.png`.
     ///
     /// # Errors
-    /// [`FileError::Write`].
+    /// [`FileError::Write`]; [`FileError::Target`] for a table that another process fills.
     pub fn clear(&self) -> Result<(), FileError> {
+        self.close_unfinished();
+        if self.unfinished_path().exists() {
+            self.open_unfinished()?;
+        }
         let views = self.views().into_iter();
         self.files().into_iter().chain(views).try_for_each(remove)
+    }
+
+    /// Leaves the unfinished table to others.
+    fn close_unfinished(&self) {
+        self.unfinished.lock().unwrap_or_else(PoisonError::into_inner).take();
     }
 
     /// The paths of the files beside the table of a whole study.
@@ -162,15 +213,22 @@ fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
     }
 }
 
-/// The records of a table that is whole, each read by `read` under the names of the columns.
+/// The records of a table that is whole, each read by `read` under the names of the columns, one of which is `column`.
 fn finished<T>(
     path: &Path,
+    column: &str,
     mut read: impl FnMut(&StringRecord, &StringRecord) -> csv::Result<T>,
 ) -> Result<Vec<T>, FileError> {
-    let reason = "it is not a table of a study: give another name, or remove it";
-    let refuse = |_| FileError::Target { path: path.into(), reason: reason.into() };
     let text = bytes(path)?;
     let mut csv = csv::Reader::from_reader(text.as_slice());
-    let names = csv.headers().map_err(refuse)?.clone();
-    csv.records().map(|record| read(&record?, &names)).collect::<csv::Result<_>>().map_err(refuse)
+    let names = csv.headers().map_err(|_| not_ours(path))?.clone();
+    if !(text.is_empty() || names.iter().any(|name| name == column)) {
+        return Err(not_ours(path));
+    }
+    csv.records().map(|record| read(&record?, &names)).collect::<csv::Result<_>>().map_err(|_| not_ours(path))
+}
+
+fn not_ours(path: &Path) -> FileError {
+    let reason = "it is not a table of a study: give another name, or remove it";
+    FileError::Target { path: path.into(), reason: reason.into() }
 }

@@ -1,7 +1,6 @@
 //! Recordings made of several others.
 
-use super::output::Output;
-use super::recording::{Name, stream};
+use super::recording::{Name, write_whole};
 use crate::contact::Quantity;
 use crate::error::FileError;
 use crate::record::draw::{COMPARED, drawn, log_run_style, title, traced};
@@ -10,7 +9,6 @@ use crate::record::playback::Playback;
 use crate::setup::differences;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 use std::collections::BTreeSet;
-use std::io;
 use std::path::Path;
 
 /// Entity of the text about the runs.
@@ -34,15 +32,10 @@ const ROOM: f64 = 1.8;
 pub fn compare<P: AsRef<Path>>(recordings: &[P], out: &Path) -> Result<(), FileError> {
     let recordings = recordings.iter().map(|path| Playback::read(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
     let runs = runs(&recordings);
-    let output = Output::create(out)?;
-    let failure = |failure| output.error(io::Error::other(failure));
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
     let identities: Vec<String> = recordings.iter().map(|playback| playback.name.clone()).collect();
     let name = Name::made_of(format!("Comparison: {}", names.join("; ")), &identities);
-    let stream = stream(output.clone(), &name).map_err(failure)?;
-    log(&stream, &recordings, &runs).map_err(failure)?;
-    stream.flush_blocking().map_err(|failure| output.error(io::Error::other(failure)))?;
-    output.finish()
+    write_whole(out, &name, |stream| log(stream, &recordings, &runs))
 }
 
 /// A scene of a recording.

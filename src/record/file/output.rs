@@ -2,7 +2,7 @@
 
 use super::pace::FlushPace;
 use crate::error::{FileError, reason};
-use crate::files::check_target;
+use crate::files::{Draft, check_target};
 use rerun::SpawnOptions;
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::log::{ChunkBatcherConfig, LogMsg};
@@ -15,21 +15,17 @@ use std::time::Duration;
 
 /// Longest time to wait for a viewer that does not answer at the end of a recording.
 const VIEWER_TIMEOUT: Duration = Duration::from_secs(5);
-/// Ending of the name of an unfinished recording, if an older recording has its final name.
-const PART: &str = "part.rrd";
 /// The file of a recording that is shown only.
 const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 
 /// The file behind a recording, which can be read while it is written.
 ///
-/// If an older file has its name, the new file is written beside it, and replaces it at the end. Each message is
-/// written at once. After the first failure nothing more is written. (The file sink of the SDK waits forever if the
-/// disk is full.)
+/// It is a [`Draft`] that grows, and has its name at the end. Each message is written at once. After the first failure nothing
+/// more is written, and the draft stays. (The file sink of the SDK waits forever if the disk is full.)
 #[derive(Clone)]
 pub struct Output {
-    path: Arc<Path>,
     /// The path of the file until it is complete.
-    grown_at: Arc<Path>,
+    path: Arc<Path>,
     pace: FlushPace,
     /// The first failure. It has its own lock, so that reading it does not wait for a write.
     failure: Arc<OnceLock<io::Error>>,
@@ -43,68 +39,67 @@ struct OutputState {
     /// Bytes of whole messages in the file.
     written: u64,
     is_finished: bool,
+    /// The name of the file, if it has one, until it is complete.
+    draft: Option<Draft>,
     /// The viewer, which also gets each message.
     viewer: Option<Box<dyn LogSink>>,
 }
 
 impl Output {
-    /// Makes the file at `path`, or beside an older one there.
+    /// Makes the file that becomes the one at `path`.
     pub(super) fn create(path: &Path) -> Result<Self, FileError> {
-        check_target(path)?;
-        Self::named(path, FlushPace::Filed, None)
+        Self::new(Some(path), FlushPace::Filed, None)
     }
 
     /// A temporary file. It has no name where the system allows that, and goes with its last `Output`, or with the process.
     pub(super) fn temporary() -> Result<Self, FileError> {
-        Self::new(&std::env::temp_dir(), tempfile::tempfile(), FlushPace::LIVE, None)
+        let folder = std::env::temp_dir();
+        let file = tempfile::tempfile().map_err(|failure| not_made(&folder, &failure))?;
+        Self::begin(&folder, (file, None), FlushPace::LIVE, None)
     }
 
-    /// Makes the file at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs.
+    /// Makes the file that becomes the one at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs.
     pub(super) fn shown(path: Option<&Path>) -> Result<Self, FileError> {
         path.map_or(Ok(()), check_target)?;
         Self::seen(path, Box::new(start_viewer()?))
     }
 
-    /// Makes the file at `path`, if there is one; `viewer` gets each message as well.
+    /// Makes the file that becomes the one at `path`, if there is one; `viewer` gets each message as well.
     pub(super) fn seen(path: Option<&Path>, viewer: Box<dyn LogSink>) -> Result<Self, FileError> {
-        path.map_or(Ok(()), check_target)?;
-        Self::named(path.unwrap_or(Path::new(NOWHERE)), FlushPace::SHOWN, Some(viewer))
+        Self::new(path, FlushPace::SHOWN, Some(viewer))
     }
 
-    fn named(path: &Path, pace: FlushPace, viewer: Option<Box<dyn LogSink>>) -> Result<Self, FileError> {
-        let is_taken = path.metadata().is_ok_and(|file| file.is_file() && file.len() > 0);
-        let grown_at = if is_taken { path.with_extension(PART) } else { path.to_owned() };
-        let output = Self::new(path, File::create(&grown_at), pace, viewer)?;
-        Ok(Self { grown_at: grown_at.into(), ..output })
+    fn new(path: Option<&Path>, pace: FlushPace, viewer: Option<Box<dyn LogSink>>) -> Result<Self, FileError> {
+        let Some(path) = path else {
+            let nowhere = Path::new(NOWHERE);
+            let file = File::create(nowhere).map_err(|failure| not_made(nowhere, &failure))?;
+            return Self::begin(nowhere, (file, None), pace, viewer);
+        };
+        let (draft, file) = Draft::growing(path)?;
+        let grown_at = draft.path().to_owned();
+        Self::begin(&grown_at, (file, Some(draft)), pace, viewer)
     }
 
-    fn new(
+    fn begin(
         path: &Path,
-        file: io::Result<File>,
+        (file, draft): (File, Option<Draft>),
         pace: FlushPace,
         viewer: Option<Box<dyn LogSink>>,
     ) -> Result<Self, FileError> {
-        let begin = |file: File| {
+        let begin = || {
             let (version, mut end) = (rerun::build_info().version, file.try_clone()?);
             let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
             let written = end.stream_position()?;
-            Ok(OutputState { encoder, file: end, written, is_finished: false, viewer })
+            Ok(OutputState { encoder, file: end, written, is_finished: false, draft, viewer })
         };
-        let error = |failure: io::Error| FileError::Target { path: path.into(), reason: reason(&failure) };
-        let state = file.and_then(begin).map_err(error)?;
-        Ok(Self {
-            path: path.into(),
-            grown_at: path.into(),
-            pace,
-            failure: Arc::default(),
-            state: Arc::new(Mutex::new(state)),
-        })
+        let state = begin().map_err(|failure: io::Error| not_made(path, &failure))?;
+        Ok(Self { path: path.into(), pace, failure: Arc::default(), state: Arc::new(Mutex::new(state)) })
     }
 
     /// Removes the file, if it has a name of its own.
     pub(super) fn discard(&self) {
-        if self.grown_at.is_file() {
-            std::fs::remove_file(&self.grown_at).ok();
+        if let Some(draft) = self.state().draft.take() {
+            draft.discard();
         }
     }
 
@@ -143,7 +138,7 @@ impl Output {
         self.failure.set(failure).ok(); // the first one counts
     }
 
-    /// Ends the file with its index, and gives it the name of an older one.
+    /// Ends the file with its index, and gives it its final name.
     pub(super) fn finish(&self) -> Result<(), FileError> {
         self.check()?;
         let mut state = self.state();
@@ -152,8 +147,8 @@ impl Output {
         if let Some(viewer) = state.viewer.take() {
             viewer.flush_blocking(VIEWER_TIMEOUT).ok(); // a viewer that was closed is none of the file's business
         }
-        let named = || if self.grown_at == self.path { Ok(()) } else { std::fs::rename(&self.grown_at, &self.path) };
-        ended.and_then(|()| named()).map_err(|failure| self.error(failure))
+        let draft = state.draft.take();
+        ended.and_then(|()| draft.map_or(Ok(()), Draft::finish)).map_err(|failure| self.error(failure))
     }
 
     /// The error of a file that could not be written.
@@ -194,6 +189,10 @@ pub(super) fn io_error(failure: EncodeError) -> io::Error {
         EncodeError::Write(failure) => failure,
         other => io::Error::other(other),
     }
+}
+
+fn not_made(path: &Path, failure: &io::Error) -> FileError {
+    FileError::Target { path: path.into(), reason: reason(failure) }
 }
 
 /// The installed viewer, bound to its port so that what is sent does not wait for it.

@@ -27,9 +27,9 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Opens the file, which grows as `NAME.part.rrd` beside an older one of that name until it is whole, writes into
-    /// it the layout of `scenes`, so that a viewer has it before anything else, and begins to write all that does not
-    /// change from step to step, while the caller continues.
+    /// Opens the file, which grows as a [`Draft`](crate::files::Draft) until it is whole, writes into it the layout of
+    /// `scenes`, so that a viewer has it before anything else, and begins to write all that does not change from step to
+    /// step, while the caller continues.
     ///
     /// # Errors
     /// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
@@ -80,6 +80,11 @@ impl Recording {
         self.wait_for_statics();
         self.flush()?;
         self.output.finish()
+    }
+
+    /// Removes the file, as nothing came of the run.
+    pub fn discard(self) {
+        self.output.discard();
     }
 
     /// Records by `log`.
@@ -160,6 +165,22 @@ pub(super) fn stream(output: Output, name: &Name) -> RecordingStreamResult<Recor
     let stream = sdk::recording(&name.application, &name.title, name.id.as_deref())?;
     stream.set_sink(Box::new(output));
     Ok(stream)
+}
+
+/// Writes a recording that is known as a whole; if that fails, no file is left.
+///
+/// # Errors
+/// [`FileError::Target`] if no file can be made at `path`, [`FileError::Write`] if writing to it fails.
+pub(super) fn write_whole(
+    path: &Path,
+    name: &Name,
+    log: impl FnOnce(&RecordingStream) -> RecordingStreamResult<()>,
+) -> Result<(), FileError> {
+    let output = Output::create(path)?;
+    let failed = |failure| output.error(io::Error::other(failure));
+    let logged = stream(output.clone(), name).and_then(|stream| log(&stream).map(|()| stream)).map_err(failed);
+    let flushed = logged.and_then(|it| it.flush_blocking().map_err(|failure| output.error(io::Error::other(failure))));
+    flushed.and_then(|()| output.finish()).inspect_err(|_| output.discard())
 }
 
 /// The scenes, prepared to be recorded under `above`, each under a root of its own of safe characters only.

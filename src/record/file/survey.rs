@@ -1,7 +1,6 @@
 //! Recordings of surveys of heights.
 
-use super::output::Output;
-use super::recording::{Name, stream};
+use super::recording::{Name, write_whole};
 use crate::error::FileError;
 use crate::record::draw::{FigurePicture, Palette, SurfaceRelief, survey_figure};
 use crate::record::layout::{fit_survey, send_survey};
@@ -9,7 +8,6 @@ use crate::record::options::WINDOW;
 use crate::setup::Theme;
 use crate::surface::{Surface, Survey};
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
-use std::io;
 use std::path::Path;
 
 /// Entity of the text.
@@ -34,13 +32,8 @@ pub fn record_survey(
     let mut relief = (!surface.grid().is_line()).then(|| SurfaceRelief::new(surface, palette, RELIEF, unit));
     let mut figure = FigurePicture::new(&survey_figure(surface, survey, unit), Vec::new(), palette);
     fit_survey(relief.as_mut(), &mut figure, TEXT, WINDOW);
-    let output = Output::create(out)?;
-    let failure = |failure| output.error(io::Error::other(failure));
     let name = Name::made_of(title.into(), &[title.to_owned(), text.to_owned()]);
-    let stream = stream(output.clone(), &name).map_err(failure)?;
-    log(&stream, relief.as_ref(), &figure, text).map_err(failure)?;
-    stream.flush_blocking().map_err(|failure| output.error(io::Error::other(failure)))?;
-    output.finish()
+    write_whole(out, &name, |stream| log(stream, relief.as_ref(), &figure, text))
 }
 
 fn log(

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Where a recording goes.
 pub enum Target<'a> {
-    /// Into a file, which grows as `NAME.part.rrd` beside an older one of that name until it is whole.
+    /// Into a file, which grows as a [`Draft`](crate::files::Draft) until it is whole.
     File(PathBuf),
     /// Into the installed viewer, or the one that runs, and into a file, if there is one.
     Viewer(Option<PathBuf>),

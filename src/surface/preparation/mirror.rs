@@ -25,11 +25,15 @@ impl Mirror {
         [twice(ny, self != Self::X), twice(nx, self != Self::Y)]
     }
 
+    /// Rows and columns of the heights without their images, of which there are some.
+    pub fn original_shape(self, [ny, nx]: [usize; 2]) -> [usize; 2] {
+        let once = |n: usize, is_mirrored: bool| if is_mirrored && n > 2 { n / 2 + 1 } else { n };
+        [once(ny, self != Self::X && ny > 1), once(nx, self != Self::Y)]
+    }
+
     /// The heights without their images, of which there are some.
     pub fn original(self, scan: &Scan) -> Scan {
-        let once = |n: usize, is_mirrored: bool| if is_mirrored && n > 2 { n / 2 + 1 } else { n };
-        let [ny, nx] = scan.shape();
-        let shape = [once(ny, self != Self::X && ny > 1), once(nx, self != Self::Y)];
+        let shape = self.original_shape(scan.shape());
         Scan { height: Field::from_shape_fn(shape, |node| scan.height[node]), ..*scan }
     }
 

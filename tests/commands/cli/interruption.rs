@@ -1,7 +1,7 @@
 //! Ctrl-C, and the request of the system to end.
 
 use super::*;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command as Process, Stdio};
 use std::time::Duration;
 
@@ -19,6 +19,16 @@ fn signalled(folder: &Folder, line: &str, signal: &str, is_time: impl Fn() -> bo
     (text(&output.stderr).to_owned(), output.status.code())
 }
 
+/// The file, or folder, in which an output of some name and ending grows.
+fn growing(folder: &Folder, name: &str, ending: &str) -> Option<PathBuf> {
+    let entries = std::fs::read_dir(folder.join("")).unwrap().map(|entry| entry.unwrap().path());
+    let is_it = |path: &PathBuf| {
+        let found = path.file_name().unwrap().to_str().unwrap();
+        found.starts_with(&format!("{name}.part-")) && found.ends_with(ending)
+    };
+    entries.into_iter().find(is_it)
+}
+
 fn size(path: &Path) -> u64 {
     std::fs::metadata(path).map_or(0, |file| file.len())
 }
@@ -27,9 +37,8 @@ fn size(path: &Path) -> u64 {
 #[test]
 fn loads_that_are_solved_are_written_when_the_rest_is_interrupted() {
     let folder = Folder::new();
-    let path = folder.join("curve.rrd");
     // the recording grows with every load, by some 150 kB from 260 kB on
-    let has_grown = || size(&path) > 700_000;
+    let has_grown = || growing(&folder, "curve", "rrd").is_some_and(|it| size(&it) > 700_000);
     let line = "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.004 --rms-gradient 0.1 --points 4096 --size 1 --modulus 1";
     let run = format!(
         "solve {line} --solver gfmd --reduced-pressure 1e-3..1:1000 --record curve.rrd --out curve.csv --save-setup done.toml"
@@ -41,6 +50,7 @@ fn loads_that_are_solved_are_written_when_the_rest_is_interrupted() {
     assert!((1..1000).contains(&solved) && table.matches(",converged,").count() == solved, "{table}");
     assert!(said.contains(&format!("interrupted: {solved} of 1000 loads were solved and written")), "{said}");
     assert_is_recording(&folder, "curve.rrd");
+    assert_eq!(growing(&folder, "curve", ""), None);
     let setup = std::fs::read_to_string(folder.join("done.toml")).unwrap();
     assert_eq!(
         setup.split_once("reduced-pressure = ").unwrap().1.lines().next().unwrap().matches(',').count() + 1,
@@ -52,22 +62,70 @@ fn loads_that_are_solved_are_written_when_the_rest_is_interrupted() {
 #[test]
 fn a_recording_that_was_cut_off_says_so() {
     let folder = Folder::new();
-    let path = folder.join("run.rrd");
     let line =
         "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.002 --rms-gradient 0.1 --points 16384 --size 1 --solver gfmd";
     let run = format!("solve {line} --reduced-pressure 0.05 --tolerance 1e-14 --record run.rrd");
-    signalled(&folder, &run, "-KILL", || size(&path) > 1_000_000);
-    let cut = folder.run("solve --setup-of run.rrd --dry-run");
+    let has_grown = || growing(&folder, "run", "rrd").is_some_and(|it| size(&it) > 1_000_000);
+    signalled(&folder, &run, "-KILL", has_grown);
+    let left = growing(&folder, "run", "rrd").unwrap();
+    let name = left.file_name().unwrap().to_str().unwrap();
+    assert!(!folder.join("run.rrd").exists());
+    let cut = folder.run(&format!("solve --setup-of {name} --dry-run"));
     assert_eq!(cut.status.code(), Some(0), "{}", text(&cut.stderr));
-    assert!(text(&cut.stderr).contains("warning: run.rrd is incomplete: it was cut off"), "{}", text(&cut.stderr));
-    let whole = folder.run(&format!("solve {CYLINDER} --reduced-pressure 0.01 --record whole.rrd"));
+    let warning = format!("warning: {name} is incomplete: it was cut off");
+    assert!(text(&cut.stderr).contains(&warning), "{}", text(&cut.stderr));
+    std::fs::remove_file(left).unwrap();
+    let whole = folder.run(&format!("solve {CYLINDER} --reduced-pressure 0.01 --record run.rrd"));
     assert_eq!(whole.status.code(), Some(0));
-    assert!(!text(&folder.run("solve --setup-of whole.rrd --dry-run").stderr).contains("cut off"));
-    // a recording that is begun anew leaves the whole one alone until it is whole itself
-    let before = std::fs::read(folder.join("whole.rrd")).unwrap();
-    let part = folder.join("whole.part.rrd");
-    signalled(&folder, &run.replace("run.rrd", "whole.rrd"), "-KILL", || size(&part) > 1_000_000);
-    assert!(std::fs::read(folder.join("whole.rrd")).unwrap() == before);
+    assert!(!text(&folder.run("solve --setup-of run.rrd --dry-run").stderr).contains("cut off"));
+    // a recording that is begun anew leaves the whole one alone until it is whole itself, and says where it was
+    let before = std::fs::read(folder.join("run.rrd")).unwrap();
+    let (said, code) = signalled(&folder, &run, "-TERM", has_grown);
+    let left = growing(&folder, "run", "rrd").unwrap();
+    assert!(said.contains(left.file_name().unwrap().to_str().unwrap()) && code == Some(130), "{code:?}: {said}");
+    assert!(std::fs::read(folder.join("run.rrd")).unwrap() == before);
+}
+
+/// Outputs grow in files that no one else has: not in a file of the user, not behind a link, and not in that of another process.
+#[cfg(all(unix, feature = "record"))]
+#[test]
+fn no_other_file_is_touched_while_outputs_grow() {
+    let folder = Folder::new();
+    let others = ["run.part.rrd", "run.part.csv", "run.part", "precious", ".asperity-"];
+    others.iter().for_each(|name| std::fs::write(folder.join(name), "precious").unwrap());
+    std::os::unix::fs::symlink("precious", folder.join("run.rrd")).unwrap();
+    let line =
+        "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.004 --rms-gradient 0.1 --points 8192 --size 1 --creep 9,1";
+    let run = format!("{line} --reduced-pressure 0.05 --path-time 1 --path-steps 9 --record run.rrd --out run");
+    let together: Vec<Child> = ["csv", "npz"]
+        .iter()
+        .map(|end| {
+            let mut command = Process::new(env!("CARGO_BIN_EXE_asperity"));
+            let command = command.args(format!("{run}.{end}").split_whitespace()).current_dir(folder.join(""));
+            command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+        })
+        .collect();
+    for mut child in together {
+        assert!(child.wait().unwrap().success());
+    }
+    others.iter().for_each(|name| assert_eq!(std::fs::read(folder.join(name)).unwrap(), b"precious", "{name}"));
+    assert!(!folder.join("run.rrd").is_symlink());
+    assert_is_recording(&folder, "run.rrd");
+    let names: Vec<_> =
+        std::fs::read_dir(folder.join("")).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap()).collect();
+    assert_eq!(names.len(), others.len() + 3, "{names:?}");
+}
+
+/// What is written at the end grows as well, in a hidden file, which a request to end removes.
+#[cfg(unix)]
+#[test]
+fn a_command_that_is_ended_leaves_no_hidden_draft() {
+    let folder = Folder::new();
+    let names = || std::fs::read_dir(folder.join("")).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap());
+    let line = "surface --hurst 0.8 --rolloff 0.125 --short-cutoff 0.001 --rms-gradient 0.1 --points 4096,4096 --size 1 --out h.npy";
+    let is_writing = || names().any(|name| name.starts_with(".asperity-") && size(&folder.join(&name)) > 0);
+    let (said, code) = signalled(&folder, line, "-TERM", is_writing);
+    assert_eq!((code, names().collect::<Vec<_>>()), (Some(130), Vec::new()), "{said}");
 }
 
 /// Drawings of a study that is solved afresh would contradict the table that is not there yet.
@@ -101,12 +159,6 @@ fn a_course_that_is_ended_leaves_no_folder() {
         assert_eq!(found, code, "{signal}: {said}");
         assert_eq!(entries(), usize::from(signal == "-KILL"), "{signal}");
     }
-    // what was killed cannot clean up, but the next export does: it makes its draft anew, without what is in the old one
-    let stale = std::fs::read_dir(folder.join("")).unwrap().next().unwrap().unwrap().path().join("stale");
-    std::fs::write(&stale, "").unwrap();
-    let is_anew = || stale.parent().unwrap().join("run").is_dir() && !stale.exists();
-    let (_, code) = signalled(&folder, "explore --export course", "-TERM", is_anew);
-    assert_eq!((code, entries()), (Some(1), 0));
 }
 
 /// The number of states in the table that grows.
@@ -121,13 +173,15 @@ fn a_history_that_is_killed_leaves_the_states_that_it_reached() {
     let line =
         "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.002 --rms-gradient 0.1 --points 16384 --size 1 --creep 9,1";
     let run = |steps: usize| format!("{line} --reduced-pressure 0.05 --path-time 3 --path-steps {steps}");
-    let table = folder.join("all.part.csv");
+    let folder_of_states = || growing(&folder, "all", "").filter(|it| it.is_dir());
     let killed = format!("{} --out all.npz --record all.rrd", run(300));
-    signalled(&folder, &killed, "-KILL", || std::fs::read_dir(folder.join("all.part")).is_ok_and(|it| it.count() > 40));
-    assert!(!folder.join("all.npz").exists());
-    let parts = std::fs::read_dir(folder.join("all.part")).unwrap().count();
+    let is_time = || folder_of_states().is_some_and(|it| std::fs::read_dir(it).unwrap().count() > 40);
+    signalled(&folder, &killed, "-KILL", is_time);
+    assert!(!folder.join("all.npz").exists() && !folder.join("all.rrd").exists());
+    let left = folder_of_states().unwrap();
+    let parts = std::fs::read_dir(&left).unwrap().count();
     // what was reached is read like an archive, and certified again
-    let saved = asperity::job::SavedResult::read(&folder.join("all.part")).unwrap();
+    let saved = asperity::job::SavedResult::read(&left).unwrap();
     assert!(saved.doubts.is_empty(), "{:?}", saved.doubts);
     let asperity::job::SavedFound::History(history) = saved.found else { panic!("it is a history") };
     let states = history.states.len();
@@ -135,30 +189,24 @@ fn a_history_that_is_killed_leaves_the_states_that_it_reached() {
     let times = history.values(asperity::contact::Quantity::Time);
     assert!(times.windows(2).all(|pair| pair[0] < pair[1]) && times[states - 1] < 3.0, "{times:?}");
     // the recording has them as well
-    let mut file = std::fs::File::open(folder.join("all.rrd")).unwrap();
+    let mut file = std::fs::File::open(growing(&folder, "all", "rrd").unwrap()).unwrap();
     let stores = rerun::ChunkStore::from_rrd_reader(&rerun::ChunkStoreConfig::ALL_DISABLED, &mut file).unwrap();
     let chunks = stores.values().flat_map(|store| store.iter_physical_chunks());
     let values = chunks.filter(|chunk| chunk.entity_path().to_string() == "/load/value");
     let recorded: usize = values.map(|chunk| chunk.num_rows()).sum();
     assert!(recorded + 2 >= states, "{recorded} of {states}");
-    // a new run does not destroy them
-    let again = folder.run(&format!("{} --out all.npz", run(3)));
-    assert!(
-        again.status.code() == Some(2) && text(&again.stderr).contains("all.part exists"),
-        "{}",
-        text(&again.stderr)
-    );
-    assert_eq!(std::fs::read_dir(folder.join("all.part")).unwrap().count(), parts);
-    let setup = folder.run("solve --setup-of all.part --dry-run");
-    assert!(text(&setup.stdout).contains("about 300"), "{}{}", text(&setup.stdout), text(&setup.stderr));
-    std::fs::remove_dir_all(folder.join("all.part")).unwrap();
-    // and so has a table; a run that comes to its end leaves neither
-    signalled(&folder, &format!("{} --out all.csv", run(300)), "-KILL", || rows(&table) > 30);
-    assert!(std::fs::read_to_string(&table).unwrap().starts_with("state,status,claim,time,"));
-    std::fs::remove_file(&table).unwrap();
+    // a new run does not touch them, and leaves nothing beside its outputs
+    let before = std::fs::read_dir(folder.join("")).unwrap().count();
     for end in ["csv", "npz"] {
         assert_eq!(folder.run(&format!("{} --out all.{end}", run(3))).status.code(), Some(0));
         assert!(folder.join(&format!("all.{end}")).exists());
     }
-    assert!(!table.exists() && !folder.join("all.part").exists());
+    assert_eq!(std::fs::read_dir(folder.join("")).unwrap().count(), before + 2);
+    assert_eq!(std::fs::read_dir(&left).unwrap().count(), parts);
+    let setup = folder.run(&format!("solve --setup-of {} --dry-run", left.display()));
+    assert!(text(&setup.stdout).contains("about 300"), "{}{}", text(&setup.stdout), text(&setup.stderr));
+    // and so has a table
+    let table = || growing(&folder, "all", "csv");
+    signalled(&folder, &format!("{} --out all.csv", run(300)), "-KILL", || table().is_some_and(|it| rows(&it) > 30));
+    assert!(std::fs::read_to_string(table().unwrap()).unwrap().starts_with("state,status,claim,time,"));
 }

@@ -11,6 +11,7 @@ mod measured;
 mod memory;
 mod negative;
 mod overwriting;
+mod patches;
 mod pictures;
 mod plain_names;
 mod refine;

@@ -13,7 +13,7 @@ use ndarray::Array2;
 use rerun::{ChunkStore, ChunkStoreConfig, Component, ComponentDescriptor, StoreKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use strum::IntoEnumIterator;
@@ -22,6 +22,8 @@ mod axes;
 mod below;
 mod bodies;
 mod comparison;
+#[cfg(feature = "cli")]
+mod damaged;
 mod ghost;
 mod histories;
 mod instruments;
@@ -566,15 +568,16 @@ fn a_recording_that_cannot_grow_ends_the_run() {
         .unwrap();
     let complaint = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{complaint}");
-    assert!(complaint.contains("short.rrd"), "{complaint}");
-    assert!(trace(&path, "/contact/trace/kappa_r_counted", "step").len() > 100);
+    let draft = draft_of(&path).unwrap();
+    assert!(complaint.contains(draft.file_name().unwrap().to_str().unwrap()) && !path.exists(), "{complaint}");
+    assert!(trace(&draft, "/contact/trace/kappa_r_counted", "step").len() > 100);
 }
 
 /// An older recording stays as it is until the new one is whole, which has its name then.
 #[test]
 fn an_older_recording_stays_until_the_new_one_is_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let [path, part] = ["it.rrd", "it.part.rrd"].map(|name| folder.path().join(name));
+    let path = folder.path().join("it.rrd");
     let problem = rough(Grid::line(64, 1.0).unwrap());
     let write = || {
         let recording = Recording::create(&path, &[Scene::new("it", &problem)], Options::default()).unwrap();
@@ -582,16 +585,27 @@ fn an_older_recording_stays_until_the_new_one_is_whole() {
         recording
     };
     write().finish().unwrap();
-    assert!(!part.exists());
+    assert_eq!(draft_of(&path), None);
     let old = std::fs::read(&path).unwrap();
     let recording = write();
     assert_eq!(std::fs::read(&path).unwrap(), old, "the old one is whole");
-    assert!(!steps(&part, "/it/pressure/curves/pressure").is_empty(), "the new one can be opened as it grows");
+    assert!(
+        !steps(&draft_of(&path).unwrap(), "/it/pressure/curves/pressure").is_empty(),
+        "the new one can be opened as it grows"
+    );
     drop(recording);
     assert_eq!(std::fs::read(&path).unwrap(), old, "a run that ends before its time leaves the old one");
+    let left = draft_of(&path).unwrap();
     write().finish().unwrap();
     assert_ne!(std::fs::read(&path).unwrap(), old);
-    assert!(!part.exists());
+    assert_eq!(draft_of(&path), Some(left), "what an earlier run left is not touched");
+}
+
+/// The file in which a recording grows, or has grown until it was killed.
+fn draft_of(path: &Path) -> Option<PathBuf> {
+    let begin = format!("{}.part-", path.file_stem().unwrap().to_str().unwrap());
+    let entries = std::fs::read_dir(path.parent().unwrap()).unwrap().map(|entry| entry.unwrap().path());
+    entries.into_iter().find(|it| it.file_name().unwrap().to_str().unwrap().starts_with(&begin))
 }
 
 /// A run that would take for ever, less the name of its recording.
@@ -613,7 +627,7 @@ fn a_killed_run_leaves_a_recording_that_opens() {
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    let size = || std::fs::metadata(&path).map_or(0, |file| file.len());
+    let size = || draft_of(&path).map_or(0, |draft| std::fs::metadata(draft).unwrap().len());
     let deadline = Instant::now() + Duration::from_secs(60);
     while size() < 4_000_000 && run.try_wait().unwrap().is_none() && Instant::now() < deadline {
         std::thread::sleep(Duration::from_millis(20));
@@ -621,6 +635,9 @@ fn a_killed_run_leaves_a_recording_that_opens() {
     assert!(run.try_wait().unwrap().is_none(), "the run ended by itself");
     run.kill().unwrap();
     run.wait().unwrap();
+    assert!(!path.exists());
+    let path = draft_of(&path).unwrap();
+    let size = || std::fs::metadata(&path).unwrap().len();
     let entity = "/contact/profile/solid";
     assert!(steps(&path, entity).len() > 10, "{} frames in {} bytes", steps(&path, entity).len(), size());
     assert_eq!(stores(&path, StoreKind::Blueprint).len(), 1);

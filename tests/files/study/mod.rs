@@ -244,6 +244,39 @@ fn the_points_of_another_study_are_not_replaced() {
     assert_eq!(fs::read(&path).unwrap(), b"a,b\n1,2\n");
 }
 
+#[test]
+fn files_of_others_beside_a_table_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, unfinished] = paths(folder.path(), "x");
+    let (seconds, table) = (folder.path().join("x.seconds.csv"), Table::new(&path));
+    let points = sweep(1).run(&Table::new(folder.path().join("other.csv")), &|_| ()).unwrap();
+    for (name, content) in [(&unfinished, "my notes\n1,2\n"), (&seconds, "my notes\n"), (&path, "my notes\n")] {
+        fs::write(name, content).unwrap();
+        for refused in [sweep(1).run(&table, &|_| ()).map(drop), table.read().map(drop).map_err(StudyError::from)] {
+            assert!(refused.unwrap_err().to_string().contains("it is not a table of a study"), "{content}");
+        }
+        assert_eq!(fs::read_to_string(name).unwrap(), content);
+        fs::remove_file(name).unwrap();
+    }
+    // a link is not followed, and the unfinished table of another process is left alone
+    #[cfg(unix)]
+    {
+        fs::write(folder.path().join("precious"), "").unwrap();
+        std::os::unix::fs::symlink("precious", &unfinished).unwrap();
+        assert!(table.append(&points).unwrap_err().to_string().contains("it is not a table of a study"));
+        assert_eq!(fs::read(folder.path().join("precious")).unwrap(), b"");
+        fs::remove_file(&unfinished).unwrap();
+    }
+    table.append(&points[..8]).unwrap();
+    let other = Table::new(&path);
+    let refused = [other.append(&points[8..]), other.clear()].map(|it| it.unwrap_err().to_string());
+    assert!(refused.iter().all(|it| it.contains("another process solves this study")), "{refused:?}");
+    assert_eq!(Table::new(&path).read().unwrap().len(), 8);
+    drop((table, other));
+    assert_eq!(table_of(&sweep(1), &path), fs::read(folder.path().join("other.csv")).unwrap());
+    assert!(!unfinished.exists());
+}
+
 const ROUGHNESS: Spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.25, rms_gradient: 1e-2 };
 
 /// A small surface of an indenter with roughness.

@@ -1,0 +1,29 @@
+//! The contact patches of runs and results.
+
+use super::posed::Posed;
+use super::saved::{SavedFound, SavedResult};
+use super::sink::StateSink;
+use crate::contact::{PatchHistory, State};
+use crate::error::FileError;
+
+impl StateSink for PatchHistory {
+    fn state(&mut self, posed: &Posed<'_>, _: usize, state: &State) -> Result<(), FileError> {
+        if posed.run == 0 {
+            self.add(&state.contact);
+        }
+        Ok(())
+    }
+}
+
+impl SavedResult {
+    /// The contact patches of all states.
+    pub fn patches(&self) -> PatchHistory {
+        let mut patches = PatchHistory::new(self.setup.surface.own_shape(self.surface.grid().shape()));
+        match &self.found {
+            SavedFound::Contact(contact, _) => patches.add(contact),
+            SavedFound::Curve(contacts) => contacts.iter().for_each(|contact| patches.add(contact)),
+            SavedFound::History(history) => history.states.iter().for_each(|state| patches.add(&state.contact)),
+        }
+        patches
+    }
+}
