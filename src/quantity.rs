@@ -164,6 +164,31 @@ fn in_words(value: f64, units: &[(&str, f64); 4], base: &str) -> String {
     format!("{} {name}", number_in_words(value / unit))
 }
 
+/// What a force with a unit acts on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ForceUnit {
+    /// A surface: newtons.
+    Surface,
+    /// A line: newtons per metre across it.
+    Line,
+}
+
+/// What the force in a text with a unit acts on, if it is a force.
+///
+/// ```
+/// # #[cfg(feature = "units")] {
+/// use asperity::quantity::{ForceUnit, force_unit};
+/// let found = ["1 N", "10mN/m", "1 MPa", "3"].map(force_unit);
+/// assert_eq!(found, [Some(ForceUnit::Surface), Some(ForceUnit::Line), None, None]);
+/// # }
+/// ```
+pub fn force_unit(text: &str) -> Option<ForceUnit> {
+    match units::force_per_length(text) {
+        Some(_) => Some(ForceUnit::Line),
+        None => units::force(text).map(|_| ForceUnit::Surface),
+    }
+}
+
 /// Whether a text is a length with its unit, such as `160 um`.
 pub fn has_length_unit(text: &str) -> bool {
     units::length(text).is_some()
@@ -264,9 +289,12 @@ mod units {
     }
 
     pub fn force(text: &str) -> Option<f64> {
-        let per_length = |unit: &str| unit.parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>());
-        let force = |unit: &str| unit.parse::<Force>().ok().map(|one| one.get::<newton>());
-        read(text, |unit| force(unit).or_else(|| per_length(unit)))
+        let force = read(text, |unit| unit.parse::<Force>().ok().map(|one| one.get::<newton>()));
+        force.or_else(|| force_per_length(text))
+    }
+
+    pub fn force_per_length(text: &str) -> Option<f64> {
+        read(text, |unit| unit.parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>()))
     }
 
     /// A joule per square metre is a newton per metre.
@@ -348,8 +376,8 @@ mod units {
 #[cfg(not(feature = "units"))]
 mod units {
     pub use {
-        length as conductivity, length as energy_per_area, length as force, length as pressure, length as resistivity,
-        length as speed, length as time,
+        length as conductivity, length as energy_per_area, length as force, length as force_per_length,
+        length as pressure, length as resistivity, length as speed, length as time,
     };
 
     pub fn conductance(_: &str) -> Option<&'static str> {

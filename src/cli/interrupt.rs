@@ -18,19 +18,25 @@ use tokio::signal::unix::{Signal, SignalKind, signal};
 /// the process.
 pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
     let is_over = Arc::new(AtomicBool::new(false));
+    let flag = is_over.clone();
+    when_interrupted(move || flag.store(true, Ordering::Relaxed))?;
+    Ok(is_over)
+}
+
+/// Does something when Ctrl-C or a termination request comes, from now on. The second one ends the process.
+pub fn when_interrupted(act: impl FnOnce() + Send + 'static) -> io::Result<()> {
     let runtime = Builder::new_current_thread().enable_io().build()?;
     let mut requests = {
         let _inside = runtime.enter();
         Requests::new()?
     };
-    let flag = is_over.clone();
     thread::spawn(move || {
         runtime.block_on(requests.next());
-        flag.store(true, Ordering::Relaxed);
+        act();
         runtime.block_on(requests.next());
         std::process::exit(130);
     });
-    Ok(is_over)
+    Ok(())
 }
 
 /// Ctrl-C, and on Unix the request of the system to end. Both are taken from the moment that this is made.

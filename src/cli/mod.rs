@@ -40,6 +40,7 @@ mod state_watch;
 mod stress;
 mod study;
 mod study_row;
+mod study_summary;
 mod study_table;
 mod surface;
 mod survey;

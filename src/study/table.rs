@@ -141,7 +141,8 @@ impl Table {
         self.path.with_extension("seconds.csv")
     }
 
-    fn unfinished_path(&self) -> PathBuf {
+    /// The path of the points of a study that runs, or was stopped.
+    pub fn unfinished_path(&self) -> PathBuf {
         self.path.with_extension("unfinished")
     }
 }
