@@ -39,6 +39,35 @@ pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(QuantityVisitor { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
 }
 
+/// Reads an optional angle in degrees.
+///
+/// # Errors
+/// For anything that is neither a number nor an angle with a unit.
+pub fn some_angle<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    from.deserialize_any(QuantityVisitor { kind: "an angle", example: "\"30 deg\"", parse: degrees }).map(Some)
+}
+
+/// Reads a slope: a length per length, or the angle of the flank.
+///
+/// # Errors
+/// For anything that is neither a number nor an angle with a unit below 90 degrees.
+pub fn slope<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    let parse = |text: &str| degrees(text).filter(|angle| angle.abs() < 90.0).map(|angle| angle.to_radians().tan());
+    from.deserialize_any(QuantityVisitor { kind: "a slope", example: "\"5 deg\"", parse })
+}
+
+/// The degrees of an angle with its unit, such as `30 deg`.
+///
+/// ```
+/// use asperity::quantity::degrees;
+/// assert_eq!(["30deg", "-5 °", "30", "3 m"].map(degrees), [Some(30.0), Some(-5.0), None, None]);
+/// assert!((degrees("0.5 rad").unwrap() - 28.64789).abs() < 1e-5);
+/// ```
+pub fn degrees(text: &str) -> Option<f64> {
+    let number = |unit: &str| text.trim().strip_suffix(unit)?.trim().parse::<f64>().ok();
+    number("deg").or_else(|| number("°")).or_else(|| number("rad").map(f64::to_degrees))
+}
+
 /// Reads a time.
 ///
 /// # Errors
@@ -174,14 +203,6 @@ pub enum ForceUnit {
 }
 
 /// What the force in a text with a unit acts on, if it is a force.
-///
-/// ```
-/// # #[cfg(feature = "units")] {
-/// use asperity::quantity::{ForceUnit, force_unit};
-/// let found = ["1 N", "10mN/m", "1 MPa", "3"].map(force_unit);
-/// assert_eq!(found, [Some(ForceUnit::Surface), Some(ForceUnit::Line), None, None]);
-/// # }
-/// ```
 pub fn force_unit(text: &str) -> Option<ForceUnit> {
     match units::force_per_length(text) {
         Some(_) => Some(ForceUnit::Line),

@@ -50,7 +50,7 @@ impl StudySummary {
             rows: points.len(),
             converged: points.iter().filter(|point| point.is_converged()).count(),
             means: None,
-            warnings: warnings::in_flags(&plan.warnings(points)),
+            warnings: plan.warnings(points).iter().map(ToString::to_string).collect(),
         }
     }
 

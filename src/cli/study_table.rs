@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::quantity::bytes_in_words;
-use asperity::study::{AdhesionMeans, Campaign, LoadMeans, Mean, Plan};
+use asperity::study::{AdhesionMeans, Campaign, LoadMeans, Plan, SeedMean};
 use indicatif::HumanDuration;
 use std::io::Write;
 use std::time::Duration;
@@ -99,7 +99,7 @@ pub fn write_adhesion_means(plan: &Plan, rows: usize, means: &[AdhesionMeans], o
 }
 
 /// Mean and standard deviation with four and two digits.
-fn short_words(mean: &Mean) -> [String; 2] {
+fn short_words(mean: &SeedMean) -> [String; 2] {
     let known = |value: f64, words: String| if value.is_finite() { words } else { NONE.into() };
     [
         known(mean.mean, format!("{:.3e}", mean.mean)),
@@ -111,7 +111,7 @@ fn short_words(mean: &Mean) -> [String; 2] {
 const NONE: &str = "-";
 
 /// A mean with some digits, and the columns of its errors.
-fn words(mean: &Mean, digits: usize) -> [String; 2] {
+fn words(mean: &SeedMean, digits: usize) -> [String; 2] {
     let word = |value: f64| if value.is_finite() { format!("{value:.digits$}") } else { NONE.into() };
     let errors = [mean.standard_deviation, mean.standard_error, mean.grid_error].map(word);
     [word(mean.mean), errors.map(|error| format!("{error:>8}")).join(" ")]

@@ -283,6 +283,7 @@ impl InputError for StudyError {
             | Self::Memory { .. }
             | Self::OtherPoints { .. }
             | Self::Missing { .. }
+            | Self::Damaged { .. }
             | Self::Overlap { .. }
             | Self::OtherStudy { .. }
             | Self::OtherShare { .. } => true,

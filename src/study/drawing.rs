@@ -1,6 +1,6 @@
 //! The figure of a study: area and `kappa_r` against the load, for each combination of values.
 
-use super::means::{LoadMeans, Mean};
+use super::means::{LoadMeans, SeedMean};
 use super::plan::Plan;
 use super::point::Point;
 use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
@@ -47,7 +47,7 @@ impl Plan {
 fn panel(
     title: &str,
     curves: &[&[LoadMeans]],
-    of: fn(&LoadMeans) -> Mean,
+    of: fn(&LoadMeans) -> SeedMean,
     axis: impl FnOnce([f64; 2]) -> Axis,
 ) -> Panel {
     let means = || curves.iter().copied().flatten();

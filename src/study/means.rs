@@ -8,7 +8,7 @@ use serde::Serialize;
 
 /// A mean over the seeds, with its errors, all in the unit of the quantity. A number that is not known is NaN.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Mean {
+pub struct SeedMean {
     /// Mean.
     pub mean: f64,
     /// Standard deviation of single realisations, of a sample; not known for a single one.
@@ -21,12 +21,12 @@ pub struct Mean {
     pub count: usize,
 }
 
-impl Mean {
+impl SeedMean {
     /// The mean of values, each with the error of its grid.
     ///
     /// ```
-    /// use asperity::study::Mean;
-    /// let mean = Mean::from_values([(1.0, 0.1), (3.0, 0.3)]);
+    /// use asperity::study::SeedMean;
+    /// let mean = SeedMean::from_values([(1.0, 0.1), (3.0, 0.3)]);
     /// assert_eq!((mean.mean, mean.standard_deviation, mean.standard_error, mean.count), (2.0, 2f64.sqrt(), 1.0, 2));
     /// assert_eq!((mean.grid_error, mean.bar()), (0.2, 2f64.sqrt() + 0.2));
     /// ```
@@ -63,9 +63,9 @@ pub struct LoadMeans {
     /// Mean of the reduced pressures.
     pub reduced_pressure: f64,
     /// The relative area, of rows whose contact is resolved.
-    pub relative_area: Mean,
+    pub relative_area: SeedMean,
     /// `kappa_r`, of rows whose contact is resolved.
-    pub kappa_r: Mean,
+    pub kappa_r: SeedMean,
 }
 
 /// The means of histories with adhesion, for one combination of values from the lists. Only those that were followed to their ends count.
@@ -74,13 +74,13 @@ pub struct AdhesionMeans {
     /// The combination in words, without the seed.
     pub values: String,
     /// The pull-off pressure.
-    pub pull_off: Mean,
+    pub pull_off: SeedMean,
     /// Energy lost in jumps, of histories that did not part under the load.
-    pub lost_in_jumps: Mean,
+    pub lost_in_jumps: SeedMean,
     /// The largest relative area.
-    pub largest_area: Mean,
+    pub largest_area: SeedMean,
     /// The number of jumps.
-    pub jumps: Mean,
+    pub jumps: SeedMean,
     /// Number of histories whose surfaces parted.
     pub separated: usize,
 }
@@ -108,7 +108,7 @@ impl Plan {
         let seeds = self.seeds();
         let group = |(group, points): (usize, &[Point])| {
             let mean = |of: fn(&Point) -> Option<f64>| {
-                Mean::without_grid(points.iter().filter(|it| it.is_converged()).filter_map(of))
+                SeedMean::without_grid(points.iter().filter(|it| it.is_converged()).filter_map(of))
             };
             AdhesionMeans {
                 values: self.words_but_seed(group * seeds),
@@ -128,6 +128,6 @@ fn resolved<'a>(
     points: impl Iterator<Item = &'a Point>,
     value: fn(&Point) -> Option<f64>,
     error: fn(&Observables) -> f64,
-) -> Mean {
-    Mean::from_values(points.filter_map(|it| value(it).map(|value| (value, value * error(&it.observables)))))
+) -> SeedMean {
+    SeedMean::from_values(points.filter_map(|it| value(it).map(|value| (value, value * error(&it.observables)))))
 }

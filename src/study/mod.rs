@@ -4,7 +4,7 @@
 //! ```text
 //! LoadCurve { setup, loads } --> Contacts
 //! Refinement { setup, tolerance } --> Settled { setup, contact }
-//! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Mean, Spread, Estimate, Limit
+//! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> SeedMean, Spread, Estimate, Limit
 //! Plan, a setup with lists --> Realisations, in one Sweep or in Shards on many machines --> Table, columns, Parquet, figure
 //!                              in Batches by workers elsewhere --> Ledger --> the same
 //! ```
@@ -51,7 +51,7 @@ pub use identity::NUMERICS;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
-pub use means::{AdhesionMeans, LoadMeans, Mean};
+pub use means::{AdhesionMeans, LoadMeans, SeedMean};
 pub use plan::{Plan, StudyRow};
 pub use point::Point;
 pub use realisation::Realisation;

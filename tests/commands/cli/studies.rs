@@ -131,7 +131,8 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
         bash.arg(&script).arg("study.toml").env("PATH", &path).env("SLURM_ARRAY_TASK_COUNT", "5");
         let output =
             folder.finish(bash.env("SLURM_ARRAY_TASK_ID", share.to_string()).env("SLURM_MEM_PER_NODE", "2048"));
-        assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+        let is_told = text(&output.stderr).lines().all(|line| line.starts_with("warning: The grid is too coarse for "));
+        assert!(output.status.success() && is_told, "{}", text(&output.stderr));
     }
     let mut count: Vec<usize> = shares.iter().map(|share| rows(&folder.join(share)).len()).collect();
     count.sort_unstable();
@@ -149,15 +150,15 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
     std::fs::write(folder.join("edited.csv"), share.replacen(number, "0.25", 1)).unwrap();
     let others = [0, 1, 3, 4].map(|i| shares[i].as_str()).join(" ");
     let edited = refused(&folder, &format!("merge study.toml {others} edited.csv --out no.csv"));
-    assert!(
-        edited.contains("2 of 24 rows are missing in the tables, or were changed after they were solved"),
-        "{edited}"
-    );
+    assert!(edited.contains("edited.csv is damaged: row 1 fails its check sum: solve this share again"), "{edited}");
+    std::fs::write(folder.join("other.csv"), "a,b\n1,2\n").unwrap();
+    let other = refused(&folder, &format!("merge study.toml {others} other.csv --out no.csv"));
+    assert!(other.contains("other.csv is not a valid study file: it is not the table of a share"), "{other}");
     let twice = refused(&folder, &format!("merge study.toml {} study.csv --out no.csv", shares.join(" ")));
     assert!(twice.contains(" is in study.") && twice.contains(" and also in study.csv: give"), "{twice}");
     std::fs::write(folder.join("other.toml"), STUDY.replace("0.8", "0.7")).unwrap();
     let foreign = refused(&folder, &format!("merge other.toml {} --out no.csv", shares.join(" ")));
-    assert!(foreign.contains("points of other setups, loads or versions: solve this share again"), "{foreign}");
+    assert!(foreign.contains("rows of another study, or of another version: solve this share again"), "{foreign}");
     let own = refused(&folder, "merge study.toml study.1-of-5.csv --out study.1-of-5.csv");
     assert!(own.contains("study.1-of-5.csv: it is also an input file"), "{own}");
     let absent = refused(&folder, "merge study.toml study.9-of-9.csv --out no.csv");
