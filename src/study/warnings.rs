@@ -45,7 +45,8 @@ fn unresolved(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Option<Warn
 /// The warning that `kappa_r` of many rows is not known well on their grid.
 fn coarse(points: &[Point]) -> Option<Warning> {
     let rows = points.iter().filter(|it| !it.has_adhesion() && it.has_contact());
-    let errors: Vec<f64> = rows.map(|it| it.observables.kappa_r_error).filter(|it| !(*it <= LARGEST_ERROR)).collect();
+    let errors: Vec<f64> =
+        rows.map(|it| it.observables.kappa_r_error).filter(|it| it.is_nan() || *it > LARGEST_ERROR).collect();
     let largest = errors.iter().copied().reduce(f64::max)?;
     let amount = match largest.is_finite() {
         true => format!("{:.0} %", 100.0 * largest),
