@@ -39,6 +39,35 @@ pub fn force<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     from.deserialize_any(QuantityVisitor { kind: "a force", example: "\"1 N\" or \"1 N/m\"", parse: units::force })
 }
 
+/// Reads an optional angle in degrees.
+///
+/// # Errors
+/// For anything that is neither a number nor an angle with a unit.
+pub fn some_angle<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    from.deserialize_any(QuantityVisitor { kind: "an angle", example: "\"30 deg\"", parse: degrees }).map(Some)
+}
+
+/// Reads a slope: a length per length, or the angle of the flank.
+///
+/// # Errors
+/// For anything that is neither a number nor an angle with a unit below 90 degrees.
+pub fn slope<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    let parse = |text: &str| degrees(text).filter(|angle| angle.abs() < 90.0).map(|angle| angle.to_radians().tan());
+    from.deserialize_any(QuantityVisitor { kind: "a slope", example: "\"5 deg\"", parse })
+}
+
+/// The degrees of an angle with its unit, such as `30 deg`.
+///
+/// ```
+/// use asperity::quantity::degrees;
+/// assert_eq!(["30deg", "-5 °", "30", "3 m"].map(degrees), [Some(30.0), Some(-5.0), None, None]);
+/// assert!((degrees("0.5 rad").unwrap() - 28.64789).abs() < 1e-5);
+/// ```
+pub fn degrees(text: &str) -> Option<f64> {
+    let number = |unit: &str| text.trim().strip_suffix(unit)?.trim().parse::<f64>().ok();
+    number("deg").or_else(|| number("°")).or_else(|| number("rad").map(f64::to_degrees))
+}
+
 /// Reads a time.
 ///
 /// # Errors
@@ -164,6 +193,23 @@ fn in_words(value: f64, units: &[(&str, f64); 4], base: &str) -> String {
     format!("{} {name}", number_in_words(value / unit))
 }
 
+/// What a force with a unit acts on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ForceUnit {
+    /// A surface: newtons.
+    Surface,
+    /// A line: newtons per metre across it.
+    Line,
+}
+
+/// What the force in a text with a unit acts on, if it is a force.
+pub fn force_unit(text: &str) -> Option<ForceUnit> {
+    match units::force_per_length(text) {
+        Some(_) => Some(ForceUnit::Line),
+        None => units::force(text).map(|_| ForceUnit::Surface),
+    }
+}
+
 /// Whether a text is a length with its unit, such as `160 um`.
 pub fn has_length_unit(text: &str) -> bool {
     units::length(text).is_some()
@@ -264,9 +310,12 @@ mod units {
     }
 
     pub fn force(text: &str) -> Option<f64> {
-        let per_length = |unit: &str| unit.parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>());
-        let force = |unit: &str| unit.parse::<Force>().ok().map(|one| one.get::<newton>());
-        read(text, |unit| force(unit).or_else(|| per_length(unit)))
+        let force = read(text, |unit| unit.parse::<Force>().ok().map(|one| one.get::<newton>()));
+        force.or_else(|| force_per_length(text))
+    }
+
+    pub fn force_per_length(text: &str) -> Option<f64> {
+        read(text, |unit| unit.parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>()))
     }
 
     /// A joule per square metre is a newton per metre.
@@ -348,8 +397,8 @@ mod units {
 #[cfg(not(feature = "units"))]
 mod units {
     pub use {
-        length as conductivity, length as energy_per_area, length as force, length as pressure, length as resistivity,
-        length as speed, length as time,
+        length as conductivity, length as energy_per_area, length as force, length as force_per_length,
+        length as pressure, length as resistivity, length as speed, length as time,
     };
 
     pub fn conductance(_: &str) -> Option<&'static str> {

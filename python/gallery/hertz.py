@@ -11,7 +11,7 @@ import asperity as asp
 
 RADIUS, FORCE = 1e-3, 1.0
 sphere = asp.Surface.indenter("sphere", [257, 257], 160e-6, radius=RADIUS, boundary="free")
-contact = asp.solve(sphere, solid={"young": "210 GPa", "poisson": 0.3}, force=FORCE)
+contact = asp.solve(sphere, solid={"young": "210 GPa", "poisson": 0.3}, force=f"{FORCE} N")
 
 hertz = asp.theory.sphere(RADIUS, contact.problem.contact_modulus)
 a = hertz.half_width(FORCE)

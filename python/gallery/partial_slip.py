@@ -15,7 +15,7 @@ cylinder = asp.Surface.indenter("cylinder", 4096, 2e-3, radius=RADIUS, boundary=
 history = asp.solve(
     cylinder,
     solid={"young": ["210 GPa", "210 GPa"], "poisson": [0.3, 0.3]},
-    force=FORCE,
+    force=f"{FORCE} N/m",
     friction={"coefficient": FRICTION},
     path={"tangential": [share * FRICTION * FORCE for share in SHARES]},
 )

@@ -175,7 +175,7 @@ fn sentence(error: &BoxedError) -> String {
         }
         Some(StudyError::OtherStudy { path, points }) => {
             return format!(
-                "{} holds {points} rows of other setups, loads or versions: give another file, or delete this one",
+                "{} holds {points} rows of another study, or of another version: give another file, or delete this one",
                 path.display()
             );
         }

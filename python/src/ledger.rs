@@ -3,6 +3,7 @@
 use crate::error::{bail, py_error};
 use crate::study::Study;
 use crate::table::Table;
+use crate::warnings::warn;
 use asperity::files::{check_apart, check_named, check_target};
 use asperity::study::{self, Plan, Point};
 use pyo3::prelude::*;
@@ -78,15 +79,18 @@ impl Ledger {
         .map_err(py_error)
     }
 
-    /// The table of all rows. With `out` it is written there, and beside it as NAME.parquet, NAME.svg and NAME.png.
+    /// The table of all rows. With `out` it is written there, and beside it as NAME.parquet, NAME.svg and NAME.png. An AsperityWarning says
+    /// how many rows did not converge, are not resolved, or are on a grid that is too coarse.
     fn finish(&self, py: Python<'_>) -> PyResult<Table> {
-        py.detach(|| {
+        let (table, warnings) = py.detach(|| {
             let points = self.ledger().finish().map_err(py_error)?;
             if let Some(out) = &self.out {
                 self.plan.write_views(out, &points).map_err(py_error)?;
             }
-            Table::new(&self.plan, &points)
-        })
+            Ok::<_, PyErr>((Table::new(&self.plan, &points)?, self.plan.warnings(&points)))
+        })?;
+        warn(py, &warnings)?;
+        Ok(table)
     }
 }
 

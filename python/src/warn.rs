@@ -14,5 +14,5 @@ pub fn warn_sentence(py: Python<'_>, sentence: &str) -> PyResult<()> {
 fn stack_level(py: Python<'_>) -> PyResult<i32> {
     let frame = py.import("sys")?.call_method1("_getframe", (0,))?;
     let module = frame.getattr("f_globals")?.get_item("__name__")?;
-    Ok(if module.extract::<String>()? == "asperity" { 2 } else { 1 })
+    Ok(if module.extract::<String>()?.split('.').next() == Some("asperity") { 2 } else { 1 })
 }

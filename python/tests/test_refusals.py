@@ -374,3 +374,19 @@ def test_depths_have_units() -> None:
 def test_a_recorder_without_a_reference_has_no_diagnosis() -> None:
     recorder = with_steps((np.full(64, 0.01), 0.0), (np.full(64, 0.01), 1.0), reference=False)
     assert recorder.diagnosis is None and recorder.contact.diagnosis is None
+
+
+def test_forces_have_the_unit_of_their_surface() -> None:
+    line = asp.Surface.indenter("cylinder", 64, "1 mm", radius="1 mm")
+    surface = asp.Surface.indenter("sphere", [16, 16], "1 mm", radius="1 mm")
+    for heights, force, sentence in (
+        (line, "1 N", "the force 1 N is not per length, .* did you mean 1 N/m"),
+        (surface, "10mN/m", "the force 10mN/m is per length, .* did you mean 10mN"),
+        (line, 5, "the force 5 has no unit, but the contact modulus 1 GPa has one: .* such as 5N/m"),
+        (surface, 0.5, "the force 0.5 has no unit, .* such as 0.5N$"),
+    ):
+        with pytest.raises(asp.AsperityError, match=sentence):
+            asp.solve(heights, solid="1 GPa", force=force)
+    for heights, force in (line, "1 N/m"), (surface, "10mN"):
+        assert asp.solve(heights, solid="1 GPa", force=force).converged
+    assert asp.solve(line, solid=1e9, force=5.0).converged

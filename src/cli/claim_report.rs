@@ -13,6 +13,10 @@ use std::path::PathBuf;
 
 /// Rows on the contact that do not apply to the result of another code, or that are shown in another form.
 const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
+/// The name of the mistake that is a wrong load.
+const LOAD: &str = "load";
+/// Relative errors of a load that are told.
+const LARGEST_LOAD_ERROR: f64 = 1e-6;
 /// Errors of a load, and shares of tension, that are rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -36,6 +40,13 @@ pub struct ClaimReport {
     pub setup: Setup,
     #[serde(skip)]
     pub grid: Grid,
+    /// The mean of the field, and the mean pressure that is prescribed, if one is.
+    #[serde(skip)]
+    pub mean: f64,
+    #[serde(skip)]
+    pub mean_pressure: Option<f64>,
+    #[serde(skip)]
+    pub units: Units,
 }
 
 impl ClaimReport {
@@ -45,17 +56,25 @@ impl ClaimReport {
         let Self { quantity, file, setup, .. } = self;
         let title = setup.surface.title(&self.grid);
         writeln!(out, "{title}, {}: the {quantity} of {} is {holds}", points(&self.grid), file.display())?;
-        let mistakes = self.findings.iter().map(|mistake| ("finding", mistake.sentence.clone()));
-        let unexplained = (!self.holds && self.findings.is_empty()).then(|| {
-            (
-                "finding",
-                "no common mistake explains it: the result is not converged, or it solves another problem".into(),
-            )
-        });
-        let own = mistakes.chain(unexplained).chain(self.own());
-        let numbers =
-            self.finding.rows(Units::default()).into_iter().filter(|(name, _)| !LEFT_OUT.contains(&name.as_str()));
+        let is_load = |mistake: &&Mistake| mistake.errors == [LOAD];
+        let others =
+            self.findings.iter().filter(|it| !is_load(it)).map(|mistake| ("finding", mistake.sentence.clone()));
+        let has_other_load = self.findings.is_empty() || self.findings.iter().any(|it| is_load(&it));
+        let load = self.other_load().filter(|_| !self.holds && has_other_load);
+        let unexplained = (!self.holds && self.findings.is_empty() && load.is_none())
+            .then(|| "no common mistake explains it: the result is not converged, or it solves another problem".into());
+        let mistakes = others.chain([load, unexplained].into_iter().flatten().map(|words| ("finding", words)));
+        let own = mistakes.chain(self.own());
+        let found = self.finding.rows(self.units).into_iter().chain(self.finding.details(self.units));
+        let numbers = found.filter(|(name, _)| !LEFT_OUT.contains(&name.as_str()));
         write_rows(own.map(|(name, value)| (name.to_owned(), value)).chain(numbers), out)
+    }
+
+    /// The load that the pressures carry, where another one is prescribed.
+    fn other_load(&self) -> Option<String> {
+        let is_missed = self.quantity == GivenField::Pressure && self.assessment.load_error > LARGEST_LOAD_ERROR;
+        let [found, prescribed] = [self.mean, self.mean_pressure?].map(|pressure| self.units.pressure(pressure));
+        is_missed.then(|| format!("the pressures carry {found}, but {prescribed} is prescribed"))
     }
 
     /// What is wrong with the result, and where.
@@ -65,7 +84,7 @@ impl ClaimReport {
         let place = |node| place(&self.grid, node);
         let mut rows = vec![
             ("source", self.source.clone()),
-            ("contact modulus E*", format!("{:.6e}", self.contact_modulus)),
+            ("contact modulus E*", self.units.pressure(self.contact_modulus)),
             (
                 "prescribed",
                 match self.prescribed {

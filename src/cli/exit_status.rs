@@ -32,14 +32,22 @@ impl ExitStatus {
 
 /// The exit status of a solve. If it has not converged, a warning is printed; the failure of an observer is an error.
 pub fn settle(contact: &Contact) -> Result<ExitStatus> {
+    shortfall(contact).iter().for_each(|fault| drop(writeln!(stderr(), "warning: {fault}")));
+    status_of(contact)
+}
+
+/// The exit status of a solve whose shortfall is told elsewhere. The failure of an observer is an error.
+pub fn status_of(contact: &Contact) -> Result<ExitStatus> {
     match contact.fault() {
         None => Ok(ExitStatus::Done),
         Some(fault) if contact.failure.is_some() => Err(fault.into()),
-        Some(fault) => {
-            writeln!(stderr(), "warning: {fault}").ok();
-            Ok(ExitStatus::NotConverged)
-        }
+        Some(_) => Ok(ExitStatus::NotConverged),
     }
+}
+
+/// The warning of a contact that has not converged.
+pub fn shortfall(contact: &Contact) -> Option<String> {
+    contact.fault().filter(|_| contact.failure.is_none()).map(|fault| fault.to_string())
 }
 
 /// A failure as an error. A file error keeps its type, since it decides the exit code.

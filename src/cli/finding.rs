@@ -11,6 +11,9 @@ use serde::Serialize;
 const OTHERS: [Quantity; 4] =
     [Quantity::RmsHeight, Quantity::MaxPressureOverModulus, Quantity::Penetration, Quantity::LoadError];
 
+/// Values below this one are written with powers of ten.
+const SMALL: f64 = 1e-3;
+
 /// The share of edges given by the shape is reported above this value.
 const MANY_OF_SHAPE: f64 = 0.05;
 
@@ -47,9 +50,8 @@ impl Finding {
         }
     }
 
-    /// Names and values for reading.
+    /// Names and values for reading, the results first: each with its error.
     pub fn rows(&self, units: Units) -> Vec<(String, String)> {
-        let rows = self.contact().into_iter().chain(self.solution(units));
         let stiffness = Some(&self.observables).filter(|it| !it.stiffness.is_nan()).map(|it| {
             let load = plus_or_minus(", mean pressure", it.mean_pressure_error);
             ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
@@ -62,8 +64,6 @@ impl Finding {
         let friction = friction.map(|it| ("friction coefficient", format!("{it:.6e} (by the loss in the solid)")));
         let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
         let approach = approach.map(|approach| ("approach", units.length(approach)));
-        let energy = Some(self.observables.elastic_energy).filter(|it| !it.is_nan());
-        let energy = energy.map(|energy| ("elastic energy per area", units.energy_per_area(energy)));
         let plasticity = self.plasticity.iter().flat_map(|it| {
             [
                 ("plastic area", format!("{} ({} of the load)", significant(it.area), percent(it.load_share))),
@@ -71,57 +71,18 @@ impl Finding {
             ]
         });
         let claim = (self.claim != ResultClaim::Solution).then(|| ("claim", self.claim.words().to_owned()));
-        let rows = rows
-            .chain(friction)
-            .chain(modulus)
-            .chain(claim)
-            .chain(approach)
-            .chain(energy)
-            .chain(plasticity)
-            .chain(stiffness)
-            .chain(exact)
-            .map(|(name, value)| (name.to_owned(), value));
+        let results = self.results(units).into_iter().chain(claim).chain(friction).chain(modulus).chain(approach);
+        let results = results.chain(plasticity).chain(stiffness).chain(exact);
         let flow = self.flow.iter().flat_map(|it| it.rows(units));
-        rows.chain(flow).chain(self.others(units)).collect()
+        results.map(|(name, value)| (name.to_owned(), value)).chain(flow).collect()
     }
 
-    /// Area, gradient and derived values (resolved edges first), and the error of the grid.
-    fn contact(&self) -> [(&'static str, String); 7] {
+    /// Area, `kappa_r`, gap and pressures, and the certificate.
+    fn results(&self, units: Units) -> [(&'static str, String); 6] {
         let it = &self.observables;
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {}", significant(v)));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
-        let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
-            true => format!(", {} of the edges given by the shape", percent(it.edges_of_shape)),
-            false => String::new(),
-        };
-        let small = match it.unresolved_share > 0.0 {
-            true => format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share)),
-            false => String::new(),
-        };
-        [
-            (
-                "reduced pressure p*",
-                format!("{:.6e}, in contact {:.6e}", it.reduced_pressure, it.reduced_pressure_contact),
-            ),
-            (
-                "relative area",
-                resolved(it.resolved_area(), it.relative_area_counted, it.relative_area_corrected) + &area,
-            ),
-            ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact)),
-            ("kappa", resolved(it.resolved_kappa(), it.kappa_counted, it.kappa_corrected)),
-            ("kappa_r", resolved(it.resolved_kappa_r(), it.kappa_r_counted, it.kappa_r_corrected) + &kappa_r),
-            (
-                "grid error, estimated",
-                format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
-            ),
-            ("contact patches", format!("{} ({:.2} nodes each{small}){of_shape}", it.patches, it.nodes_per_patch)),
-        ]
-    }
-
-    /// Gap and pressure with their bounds, and the work.
-    fn solution(&self, units: Units) -> [(&'static str, String); 5] {
-        let it = &self.observables;
         let error = plus_or_minus("", it.mean_gap_error_bound);
         let gap = format!("{} ({:.4}{error} rms heights)", units.length(it.mean_gap), it.mean_gap_over_rms_height);
         let left = match it.certificate_gap > 0.0 {
@@ -130,12 +91,48 @@ impl Finding {
         };
         let bound = format!("relative error of the pressure at most {:.1e}", it.pressure_error_bound);
         [
+            ("relative area", with_error(it.resolved_area(), it.relative_area_error) + &area),
+            ("kappa_r", with_error(it.resolved_kappa_r(), it.kappa_r_error) + &kappa_r),
             ("mean gap", gap),
             ("mean pressure", units.pressure(it.mean_pressure)),
             ("largest pressure", units.pressure(it.max_pressure)),
             ("certificate", format!("{:.2e} ({bound}{left})", it.certificate)),
-            ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ]
+    }
+
+    /// Further names and values, for who wants to know more of the contact, or of the solver.
+    pub fn details(&self, units: Units) -> Vec<(String, String)> {
+        let it = &self.observables;
+        let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
+            true => format!(", {} of the edges given by the shape", percent(it.edges_of_shape)),
+            false => String::new(),
+        };
+        let small = match it.unresolved_share > 0.0 {
+            true => format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share)),
+            false => String::new(),
+        };
+        let in_contact = match it.reduced_pressure_contact.is_finite() {
+            true => format!("in contact {:.6e}", it.reduced_pressure_contact),
+            false => "in contact not known, since there is no gradient".into(),
+        };
+        let energy = Some(it.elastic_energy).filter(|energy| !energy.is_nan());
+        let energy = energy.map(|energy| ("elastic energy per area", units.energy_per_area(energy)));
+        let rows = [
+            ("reduced pressure p*", format!("{:.6e}, {in_contact}", it.reduced_pressure)),
+            ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact)),
+            ("kappa", with_error(it.resolved_kappa(), it.relative_area_error)),
+            ("relative area, counted", counted(it.relative_area_counted, it.relative_area_corrected)),
+            ("kappa, counted", counted(it.kappa_counted, it.kappa_corrected)),
+            ("kappa_r, counted", counted(it.kappa_r_counted, it.kappa_r_corrected)),
+            (
+                "grid error, estimated",
+                format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
+            ),
+            ("contact patches", format!("{} ({:.2} nodes each{small}){of_shape}", it.patches, it.nodes_per_patch)),
+            ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
+        ];
+        let rows = rows.into_iter().chain(energy).map(|(name, value)| (name.to_owned(), value));
+        rows.chain(self.others(units)).collect()
     }
 
     /// The observables that no other row holds.
@@ -149,17 +146,25 @@ impl Finding {
     }
 }
 
-/// A quantity with resolved edges, and beside it that of counted nodes.
-fn resolved(resolved: Option<f64>, counted: f64, corrected: f64) -> String {
-    match resolved {
-        None => format!("not resolved (counted {})", significant(counted)),
-        Some(resolved) => format!(
-            "{} (counted {}, corrected {})",
-            significant(resolved),
-            significant(counted),
-            significant(corrected)
-        ),
+/// A quantity with resolved edges, and its error by the grid: as many digits as mean something.
+fn with_error(resolved: Option<f64>, relative_error: f64) -> String {
+    let Some(value) = resolved else { return "not resolved on this grid".into() };
+    let error = value * relative_error;
+    if !(error.is_finite() && error > 0.0) {
+        return significant(value);
     }
+    // one digit of the error, of a small one two
+    let place = error.log10().floor();
+    let places = -place + f64::from(u8::from(error < 2.0 * 10f64.powf(place)));
+    match value >= SMALL {
+        true => format!("{value:.0$} ± {error:.0$}", places.clamp(0.0, 12.0) as usize),
+        false => format!("{value:.0$e} ± {error:.1e}", (places + value.log10().floor()).clamp(0.0, 12.0) as usize),
+    }
+}
+
+/// A quantity by counting nodes, and without the mean excess of the nodes at the edges.
+fn counted(counted: f64, corrected: f64) -> String {
+    format!("{}, corrected {}", significant(counted), significant(corrected))
 }
 
 /// Words and a relative error behind its sign; nothing where there is no error.

@@ -138,6 +138,7 @@ impl<E: Extent> SceneArgs<E> {
         lay(&self.given, &mut table);
         table.check_idle()?;
         warnings::print_reasons(&table.choose_preparation()?);
+        table.check_force_units()?;
         Ok(table)
     }
 

@@ -11,7 +11,7 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Problem, Quantity, QuantityKind, State, Status, Unit, archive_of_states};
+use asperity::contact::{Problem, Quantity, QuantityKind, ResultClaim, State, Status, Unit, archive_of_states};
 use asperity::error::{HistoryError, SlipError};
 use asperity::files::write_beside;
 use asperity::job::{AdhesionOutcome, HistoryOutcome, Solved};
@@ -21,6 +21,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Columns of what flows, where it was asked for.
 const OF_FLOW: [Quantity; 3] = [Quantity::HydraulicGapX, Quantity::HydraulicGapY, Quantity::ConductancePerArea];
@@ -102,7 +103,7 @@ fn write_files(
         process: outcome.kind.into(),
         claim: match has_claims {
             true => "each state has a claim of its own",
-            false => outcome.states.first().map_or("", |state| state.claim.words()),
+            false => claim_of(&outcome.states),
         },
         adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
@@ -115,7 +116,7 @@ fn write_files(
     if outputs.json {
         write_json(&summary, &mut stdout())?;
     } else {
-        summary.write_text(&outcome, units, &mut stdout())?;
+        summary.write_text(&outcome, (units, outputs.verbose), &mut stdout())?;
     }
     warnings::print(&summary.warnings);
     if let Some(path) = outputs.archive() {
@@ -123,6 +124,12 @@ fn write_files(
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     Ok(())
+}
+
+/// What is claimed of all states, in words: nothing, where one of them is not converged.
+fn claim_of(states: &[Arc<State>]) -> &'static str {
+    let missed = states.iter().find(|state| state.claim == ResultClaim::NotConverged);
+    missed.or(states.first()).map_or("", |state| state.claim.words())
 }
 
 /// The numbers of a state, by their names.
@@ -150,12 +157,17 @@ fn word(status: Status) -> Value {
 
 impl HistorySummary {
     /// Writes the summary for reading.
-    fn write_text(&self, outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+    fn write_text(
+        &self,
+        outcome: &HistoryOutcome,
+        (units, is_verbose): (Units, bool),
+        out: &mut impl Write,
+    ) -> io::Result<()> {
         let (states, process) = (counted(outcome.states.len()), self.process);
         writeln!(out, "{}: {process}, {states}", self.subject.line())?;
         let claim = self.adhesion.is_none().then(|| ("claim".to_owned(), self.claim.to_owned()));
         let of_adhesion = self.adhesion.iter().flat_map(|it| adhesion::rows(it, units));
-        write_rows(self.subject.rows(units).into_iter().chain(claim).chain(of_adhesion), out)?;
+        write_rows(self.subject.rows(units, is_verbose).into_iter().chain(claim).chain(of_adhesion), out)?;
         let has = |it: &Quantity| outcome.states.iter().any(|state| state.get(*it).is_some());
         let columns: Vec<Quantity> = outcome.kind.row().columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
         writeln!(out)?;

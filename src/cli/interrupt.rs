@@ -8,7 +8,7 @@ use std::future::poll_fn;
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 #[cfg(unix)]
 use std::task::Poll;
 use std::thread;
@@ -24,7 +24,12 @@ static END: OnceLock<EndRequest> = OnceLock::new();
 struct EndRequest {
     came: Arc<AtomicBool>,
     is_taken: AtomicBool,
+    /// What is done before the process ends.
+    last_act: Mutex<Option<LastAct>>,
 }
+
+/// Something that is done once.
+type LastAct = Box<dyn FnOnce() + Send>;
 
 /// Handles Ctrl-C and termination requests from now on: they end the process and leave no draft but those that grow, which are named.
 pub fn listen() -> io::Result<()> {
@@ -43,11 +48,21 @@ pub fn listen() -> io::Result<()> {
         if end.is_taken.load(Ordering::Relaxed) {
             runtime.block_on(requests.next());
         }
+        let last_act = end.last_act.lock().unwrap_or_else(PoisonError::into_inner).take();
+        last_act.into_iter().for_each(|act| act());
         for draft in abandon_drafts() {
             warnings::print(&[format!("interrupted: {} has what was written until then", draft.display())]);
         }
         std::process::exit(130);
     });
+    Ok(())
+}
+
+/// Does something when Ctrl-C or a termination request ends the process, from now on.
+pub fn when_interrupted(act: impl FnOnce() + Send + 'static) -> io::Result<()> {
+    listen()?;
+    let end = END.get_or_init(EndRequest::default);
+    *end.last_act.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(act));
     Ok(())
 }
 

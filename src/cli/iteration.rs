@@ -32,6 +32,8 @@ pub struct Iteration {
     pub setup: Setup,
     #[serde(skip)]
     pub grid: Grid,
+    #[serde(skip)]
+    pub units: Units,
 }
 
 impl Iteration {
@@ -55,7 +57,8 @@ impl Iteration {
             writeln!(out, "  {:>8}{}{numbers}", it.step, seconds(format!("{:.3}", it.seconds)))?;
         }
         writeln!(out, "the last step")?;
-        write_rows(self.last.rows(Units::default()).into_iter().filter(|(name, _)| name != "work"), out)?;
+        let rows = self.last.rows(self.units).into_iter().chain(self.last.details(self.units));
+        write_rows(rows.filter(|(name, _)| name != "work"), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 

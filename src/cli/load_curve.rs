@@ -35,6 +35,8 @@ struct LoadCurveSummary {
     setup: SetupTable,
     #[serde(skip)]
     units: Units,
+    #[serde(skip)]
+    is_verbose: bool,
 }
 
 /// Writes and prints what came out under a list of loads.
@@ -45,7 +47,7 @@ pub fn write(
     watch: StateWatch<'_>,
     (outputs, units): (&Outputs, Units),
 ) -> Result<ExitStatus> {
-    let StateWatch { findings, status, .. } = watch;
+    let StateWatch { findings, status, shortfalls, .. } = watch;
     let Some(mut history) = solved.history else { return Ok(status) };
     let is_stopped = matches!(history.ended, Some(HistoryError::Stopped));
     if let Some(error) = history.ended.take_if(|error| is_input(error)) {
@@ -58,7 +60,7 @@ pub fn write(
     let curve = LoadCurve { setup: solved.setup, loads: loads[..findings.len()].into() };
     let failure = history.failure.take();
     let written = (outputs, units);
-    write_files(&curve, problem, findings, &history, written)?;
+    write_files(&curve, problem, (findings, shortfalls), &history, written)?;
     let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
     outputs.files().filter(is_whole).for_each(wrote);
     let (solved, all) = (curve.loads.len(), loads.len());
@@ -77,7 +79,7 @@ pub fn write(
 fn write_files(
     curve: &LoadCurve,
     problem: &Problem,
-    findings: Vec<Finding>,
+    (findings, shortfalls): (Vec<Finding>, Vec<String>),
     history: &HistoryOutcome,
     (outputs, units): (&Outputs, Units),
 ) -> Result<()> {
@@ -88,8 +90,9 @@ fn write_files(
     // a grid is found under one load only: several take a number
     let refinements = warnings.iter_mut().flat_map(|it| &mut it.remedies).filter(|it| it.key == "grid.refine");
     refinements.for_each(|it| it.value = None);
-    let warnings = warnings::in_flags(&warnings);
+    let mut warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
+    warnings.extend(shortfalls);
     if let Some(path) = outputs.archive() {
         let bytes = archive_of_states(&history.states, subject.rank, &setup.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
@@ -104,7 +107,8 @@ fn write_files(
         setup.write(path)?;
     }
     let ended = history.ended.as_ref().map(HistoryError::to_string);
-    let summary = LoadCurveSummary { subject, loads: findings, ended, warnings, setup, units };
+    let summary =
+        LoadCurveSummary { subject, loads: findings, ended, warnings, setup, units, is_verbose: outputs.verbose };
     if outputs.json {
         write_json(&summary, &mut stdout())?
     } else {
@@ -125,7 +129,7 @@ impl LoadCurveSummary {
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let loads = self.loads.len();
         writeln!(out, "{}: {loads} loads, area, kappa and kappa_r with resolved edges", self.subject.line())?;
-        write_rows(self.subject.rows(self.units), out)?;
+        write_rows(self.subject.rows(self.units, self.is_verbose), out)?;
         writeln!(
             out,
             "\n{:>12} {:>12} {:>12} {:>9} {:>9} {:>8} {:>8} {:>8} {:>9}",

@@ -42,6 +42,7 @@ mod state_watch;
 mod stress;
 mod study;
 mod study_row;
+mod study_summary;
 mod study_table;
 mod surface;
 mod survey;
@@ -55,7 +56,7 @@ mod words;
 mod wrote;
 
 use asperity::seen::plain;
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use exit_status::{ExitStatus, exit_code, remedy};
 use std::ffi::OsString;
@@ -175,8 +176,22 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
+/// Flags that there are not, and what to give in their place.
+const NO_FLAGS: [(&str, &str); 4] = [
+    ("--load", "name the kind of the load, such as --reduced-pressure 0.1 or --mean-gap 1um"),
+    ("--leakage", "give --flow"),
+    ("--nu", "give --poisson"),
+    ("--e", "give --young"),
+];
+
 /// Prints help that is asked for, or why words are not understood, and returns the exit code.
 fn misunderstood(error: &clap::Error, words: &[OsString]) -> u8 {
+    let unknown = error.get(ContextKind::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument);
+    let unknown = unknown.map(ToString::to_string);
+    if let Some((flag, instead)) = NO_FLAGS.iter().find(|(flag, _)| unknown.as_deref() == Some(*flag)) {
+        writeln!(stderr(), "error: there is no flag {flag}: {instead}").ok();
+        return error.exit_code() as u8;
+    }
     let is_seen = |word: &OsString| word.to_str().is_some_and(|word| plain(word) == word);
     let wrong = words.iter().find(|word| word.to_str().is_none());
     match wrong.filter(|_| error.kind() == ErrorKind::InvalidUtf8) {

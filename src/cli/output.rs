@@ -27,15 +27,20 @@ pub struct Summary {
     pub setup: Setup,
     #[serde(skip)]
     pub units: Units,
+    /// Whether all numbers are written for reading.
+    #[serde(skip)]
+    pub is_verbose: bool,
 }
 
 impl Summary {
     /// Writes the summary for reading.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
-        let slip = self.slip.iter().flat_map(|it| it.rows(self.units));
-        let found = self.finding.rows(self.units);
-        write_rows(self.subject.rows(self.units).into_iter().chain(self.size()).chain(found).chain(slip), out)?;
+        let units = self.units;
+        let slip = self.slip.iter().flat_map(|it| it.rows(units));
+        let results = self.finding.rows(units).into_iter().chain(self.size()).chain(slip);
+        let details = if self.is_verbose { self.finding.details(units) } else { Vec::new() };
+        write_rows(results.chain(self.subject.rows(units, self.is_verbose)).chain(details), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 

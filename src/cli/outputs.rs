@@ -48,6 +48,9 @@ pub struct Outputs {
     /// Print one JSON object instead of a summary
     #[arg(long)]
     pub json: bool,
+    /// Print all numbers: also counted areas, gradients, patches and energies, and the solver and its work
+    #[arg(long, conflicts_with = "json")]
+    pub verbose: bool,
     /// Treat warnings as errors: warnings about the heights stop the program before the solve; with warnings about the
     /// contact, only a recording is written
     #[arg(long)]

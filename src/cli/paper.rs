@@ -3,12 +3,12 @@
 use super::choice::count;
 use super::exit_status::ExitStatus;
 use super::progress::blank;
-use super::study::settled;
 use super::terminal::stdout;
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::paper::{self, Effort, Event, Item};
-use asperity::study::Point;
+use asperity::study::{Point, warnings_of_extrapolated_rows};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use indicatif::ProgressBar;
@@ -91,7 +91,9 @@ impl PaperCommand {
         let points = paper.all_points(&items)?;
         points.iter().filter(|point| !point.is_converged()).try_for_each(warn)?;
         wrote(&self.out);
-        settled(&points, Point::has_contact)
+        warnings::print(&warnings::in_flags(&warnings_of_extrapolated_rows(&points)));
+        let is_converged = points.iter().all(Point::is_converged);
+        Ok(if is_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
     /// The requested items, each once.

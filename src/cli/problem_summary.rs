@@ -7,6 +7,11 @@ use asperity::setup::{Setup, Solid};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+const JUMP: &str = "jump across the period";
+const SOLVER: &str = "solver";
+/// Rows that are written on request only.
+const DETAILS: [&str; 2] = [JUMP, SOLVER];
+
 /// Surface, grid, solid and solver of a solve, as text and as JSON.
 #[derive(Serialize)]
 pub struct ProblemSummary {
@@ -74,23 +79,22 @@ impl ProblemSummary {
         format!("{}, {} points, by {}", self.title, points.join(" x "), self.name)
     }
 
-    /// Names and values for reading.
-    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+    /// Names and values for reading, with the jumps across the period and the settings of the solver if `is_verbose`.
+    pub fn rows(&self, units: Units, is_verbose: bool) -> Vec<(String, String)> {
         let hardness = self
             .hardness
             .map(|hardness| ("hardness H_c", format!("{}, the highest pressure", units.pressure(hardness))));
         let rows = [
             ("source", self.source.clone()),
             ("spacing", along_axes(&self.spacing, |length| units.length(length))),
-            (
-                "jump across the period",
-                format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"))),
-            ),
+            (JUMP, format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}")))),
             ("contact modulus E*", format!("{} ({})", units.pressure(self.contact_modulus), self.solid)),
-            ("solver", self.settings.clone()),
+            (SOLVER, self.settings.clone()),
             ("prescribed", self.prescribed.to_owned()),
         ];
+        let is_written = |(name, _): &(&str, String)| is_verbose || !DETAILS.contains(name);
         rows.into_iter()
+            .filter(is_written)
             .chain(self.others.clone())
             .chain(hardness)
             .map(|(name, value)| (name.to_owned(), value))

@@ -81,7 +81,7 @@ impl SealSummary {
     /// Writes the summary for reading.
     fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: the loads at which it seals", self.subject.line())?;
-        let rows = self.subject.rows(self.units).into_iter();
+        let rows = self.subject.rows(self.units, true).into_iter();
         // the load is what is found
         write_rows(rows.filter(|(name, _)| name != "prescribed"), out)?;
         writeln!(

@@ -1,6 +1,6 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
-use super::exit_status::{ExitStatus, Interrupted, settle, usage};
+use super::exit_status::{ExitStatus, Interrupted, shortfall, status_of, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
 use super::flow::FlowFinding;
@@ -20,7 +20,7 @@ use super::terminal::stdout;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{PartialSlip, State, archive_of_slip, archive_of_state};
+use asperity::contact::{State, archive_of_slip, archive_of_state};
 use asperity::diagnosis::Findings;
 use asperity::error::{FileError, HistoryError, SetupError};
 use asperity::files::{check_apart, write_beside};
@@ -216,8 +216,10 @@ impl Solve {
         let state = State::from_contact(contact, None).with_fields(fields);
         let contact = &state.contact;
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
-        let warnings = warnings::in_flags(&warnings);
+        let mut warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
+        let contacts = || [contact].into_iter().chain(slip.as_ref().map(|it| &it.stuck));
+        warnings.extend(contacts().filter_map(shortfall));
         if let Some(path) = outputs.archive() {
             let text = full.to_toml();
             let bytes = match &slip {
@@ -247,6 +249,7 @@ impl Solve {
             warnings,
             setup: full,
             units,
+            is_verbose: outputs.verbose,
         };
         if outputs.json {
             write_json(&summary, &mut stdout())?
@@ -256,8 +259,7 @@ impl Solve {
         warnings::print(&summary.warnings);
         let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
         outputs.files().filter(is_whole).for_each(wrote);
-        let stuck = slip.map_or(Ok(ExitStatus::Done), |PartialSlip { stuck, .. }| settle(&stuck))?;
-        Ok(settle(contact)?.max(stuck))
+        contacts().try_fold(ExitStatus::Done, |status, it| Ok(status.max(status_of(it)?)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The watcher by which the command line follows the states of a run, one after the other.
 
-use super::exit_status::{ExitStatus, settle};
+use super::exit_status::{ExitStatus, shortfall, status_of};
 use super::finding::Finding;
 use super::flow::FlowFinding;
 use super::interrupt::interrupted;
@@ -21,13 +21,15 @@ pub struct StateWatch<'a> {
     pub findings: Vec<Finding>,
     /// How the solves ended, of a list of loads.
     pub status: ExitStatus,
+    /// The warnings of those that did not converge.
+    pub shortfalls: Vec<String>,
 }
 
 impl<'a> StateWatch<'a> {
     /// A watch of the states of a setup, which Ctrl-C ends.
     pub fn new(setup: &'a Setup, outputs: &'a Outputs, kind: ProcessKind) -> Result<Self> {
         let bars = Bars::until(interrupted()?);
-        Ok(Self { bars, setup, outputs, kind, findings: Vec::new(), status: ExitStatus::Done })
+        Ok(Self { bars, setup, outputs, kind, findings: Vec::new(), status: ExitStatus::Done, shortfalls: Vec::new() })
     }
 }
 
@@ -43,6 +45,7 @@ impl Watcher for StateWatch<'_> {
         self.outputs.complete(&state.contact);
         let flow = FlowFinding::from_numbers(state.contact.values().numbers());
         self.findings.push(Finding { flow, ..Finding::new(self.setup, &state.contact) });
-        self.status = self.status.max(settle(&state.contact).unwrap_or(ExitStatus::NotConverged));
+        self.shortfalls.extend(shortfall(&state.contact));
+        self.status = self.status.max(status_of(&state.contact).unwrap_or(ExitStatus::NotConverged));
     }
 }

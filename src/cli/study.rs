@@ -2,15 +2,18 @@
 
 use super::choice::{bytes, count};
 use super::exit_status::{ExitStatus, Usage, usage};
+use super::interrupt::when_interrupted;
 use super::progress::blank;
 use super::study_row;
-use super::study_table::{write_expenses, write_means};
+use super::study_summary::{StudyOutput, StudySummary};
+use super::study_table::write_expenses;
 use super::terminal::stdout;
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::files::{check_apart, check_named, check_target};
 use asperity::setup::available_bytes;
-use asperity::study::{Campaign, Plan, Point, Shard, Table};
+use asperity::study::{Campaign, Plan, Shard, Table};
 use clap::Args;
 use indicatif::ProgressBar;
 use std::num::NonZeroUsize;
@@ -55,10 +58,12 @@ pub struct Study {
     #[arg(long)]
     fresh: bool,
     /// Print the number of rows and the estimated time and memory, and do not solve
-    #[arg(long)]
+    #[arg(long, conflicts_with = "json")]
     dry_run: bool,
+    #[command(flatten)]
+    output: StudyOutput,
     /// Record the steps of the row with this number, instead of solving the study
-    #[arg(long, value_name = "ROW", requires = "record", conflicts_with_all = ["shard", "out", "dry_run", "fresh"])]
+    #[arg(long, value_name = "ROW", requires = "record", conflicts_with_all = ["shard", "out", "dry_run", "fresh", "json", "strict"])]
     record_row: Option<usize>,
     /// The recording of that row
     #[arg(long, value_name = "FILE.rrd", requires = "record_row")]
@@ -85,13 +90,18 @@ impl Study {
             table.clear()?;
         }
         let bar = bar(&plan, campaign.shard)?;
+        end_when_interrupted(&table, &bar)?;
         let points = plan.run(&campaign, &table, &|_| bar.inc(1))?;
         bar.finish_and_clear();
+        let summary = match campaign.shard == Shard::WHOLE {
+            true => StudySummary::of_all(&plan, table.path(), &points),
+            false => StudySummary::of_share(&plan, table.path(), &points),
+        };
         if campaign.shard == Shard::WHOLE {
-            write_all(&plan, table.path(), &points)?;
+            plan.write_views(table.path(), &points)?.iter().for_each(|path| wrote(path));
         }
         wrote(table.path());
-        settled(&points, Point::is_resolved)
+        summary.finish(&plan, &self.output)
     }
 
     /// How the study is solved.
@@ -130,31 +140,20 @@ fn check_outputs<R: AsRef<Path>>(table: &Table, read: impl IntoIterator<Item = R
     Ok(check_apart(table.files().into_iter().chain(table.views()), read)?)
 }
 
-/// Writes the files of a whole study except its table, and prints the means.
-pub fn write_all(plan: &Plan, table: &Path, points: &[Point]) -> Result<()> {
-    let views = plan.write_views(table, points)?;
-    write_means(plan, points, &mut stdout())?;
-    views.iter().for_each(|path| wrote(path));
+/// Ends the program on Ctrl-C, and says where the rows are that were solved.
+fn end_when_interrupted(table: &Table, bar: &ProgressBar) -> Result<()> {
+    let (bar, files) = (bar.clone(), [table.unfinished_path(), table.path().to_path_buf()]);
+    when_interrupted(move || {
+        bar.finish_and_clear();
+        let rows_are = match files.iter().find(|path| path.is_file()) {
+            Some(path) => {
+                format!("the rows that were solved are in {}. Run the same command again to go on", path.display())
+            }
+            None => "no row was solved".into(),
+        };
+        warnings::print(&[format!("Interrupted: {rows_are}.")]);
+    })?;
     Ok(())
-}
-
-/// Says how many rows are not resolved, and how many did not converge, if any.
-pub fn settled(points: &[Point], is_used: impl Fn(&Point) -> bool) -> Result<ExitStatus> {
-    let unresolved = points.iter().filter(|point| point.is_converged() && !point.is_apart() && !is_used(point)).count();
-    if unresolved > 0 {
-        super::warnings::print(&[format!(
-            "{unresolved} of {} rows are not resolved, since their contact has too few nodes. They are left out of means and figures. Use more \
-             points or larger loads.",
-            points.len()
-        )]);
-    }
-    match points.iter().filter(|point| !point.is_converged()).count() {
-        0 => Ok(ExitStatus::Done),
-        rows => {
-            super::warnings::print(&[format!("{rows} of {} rows did not converge. See their status.", points.len())]);
-            Ok(ExitStatus::NotConverged)
-        }
-    }
 }
 
 /// A bar of the rows of a share.
@@ -184,6 +183,8 @@ pub struct Merge {
     /// this folder]
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    output: StudyOutput,
 }
 
 impl Merge {
@@ -205,8 +206,8 @@ impl Merge {
         let points = plan.merge(&tables)?;
         let all: Vec<usize> = (0..plan.realisations()).collect();
         plan.finish(&merged, &all, &points)?;
-        write_all(&plan, &path, &points)?;
+        plan.write_views(&path, &points)?.iter().for_each(|path| wrote(path));
         wrote(&path);
-        settled(&points, Point::is_resolved)
+        StudySummary::of_all(&plan, &path, &points).finish(&plan, &self.output)
     }
 }

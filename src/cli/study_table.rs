@@ -1,9 +1,8 @@
 //! The printed tables of a study: its cost, and its means.
 
 use anyhow::Result;
-use asperity::contact::Quantity;
 use asperity::quantity::bytes_in_words;
-use asperity::study::{Campaign, Plan, Point, Spread};
+use asperity::study::{AdhesionMeans, Campaign, LoadMeans, Plan, SeedMean};
 use indicatif::HumanDuration;
 use std::io::Write;
 use std::time::Duration;
@@ -58,72 +57,64 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 
 /// Writes the means over the seeds under each load, for each combination of values. Only points that converged and are
 /// resolved count.
-pub fn write_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
-    if points.iter().any(Point::has_adhesion) {
-        return write_adhesion_means(plan, points, out);
+pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl Write) -> Result<()> {
+    writeln!(
+        out,
+        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid)",
+        plan.seeds()
+    )?;
+    let errors = format!("{:>8} {:>8} {:>8}", "std", "sem", "grid");
+    writeln!(out, "\n{:>11} {:>9} {errors} {:>8} {errors}", "p*", "area", "kappa_r")?;
+    for LoadMeans { values, reduced_pressure, relative_area, kappa_r, .. } in means.iter().take(LINES) {
+        let [area, area_errors] = words(relative_area, 6);
+        let [kappa_r, kappa_r_errors] = words(kappa_r, 4);
+        writeln!(out, "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors}  {values}")?;
     }
-    let (loads, seeds) = (plan.loads().len(), plan.seeds());
-    writeln!(out, "{} rows, mean and standard deviation over {seeds} seeds, resolved", points.len())?;
-    writeln!(out, "\n{:>11} {:>9} {:>9} {:>8} {:>8}", "p*", "area", "std", "kappa_r", "std")?;
-    let groups = points.chunks(loads * seeds).enumerate();
-    let rows = groups.flat_map(|(group, points)| (0..loads).map(move |load| (group, load, points)));
-    for (group, load, points) in rows.take(LINES) {
-        let found = || points.iter().skip(load).step_by(loads);
-        let spread = |of: fn(&Point) -> Option<f64>| Spread::from_values(found().filter_map(of));
-        let pressure = spread(|it| Some(it.observables.reduced_pressure)).mean;
-        let [area, area_std] = words(spread(Point::relative_area), 6);
-        let [kappa, kappa_std] = words(spread(Point::kappa_r), 4);
-        let choice = plan.words_but_seed(group * seeds);
-        writeln!(out, "{pressure:>11.4e} {area:>9} {area_std:>9} {kappa:>8} {kappa_std:>8}  {choice}")?;
-    }
-    write_rest(plan.rows() / seeds, "lines", out)
+    write_rest(means.len(), "lines", out)
 }
 
 /// Writes the means over the seeds of a study with adhesion, for each combination of values. Only histories that were followed to their ends
 /// count.
-fn write_adhesion_means(plan: &Plan, points: &[Point], out: &mut impl Write) -> Result<()> {
-    let seeds = plan.seeds();
+pub fn write_adhesion_means(plan: &Plan, rows: usize, means: &[AdhesionMeans], out: &mut impl Write) -> Result<()> {
     writeln!(
         out,
-        "{} rows, mean and standard deviation over {seeds} seeds, pressures and energies in units of the scene",
-        points.len()
+        "{rows} rows, mean and standard deviation over {} seeds, pressures and energies in units of the scene",
+        plan.seeds()
     )?;
     writeln!(
         out,
         "\n{:>10} {:>9} {:>10} {:>9} {:>9} {:>6} {:>6}",
         "pull-off", "std", "lost", "std", "area", "jumps", "parted"
     )?;
-    for (group, points) in points.chunks(seeds).enumerate().take(LINES) {
-        let spread = |of: fn(&Point) -> Option<f64>| {
-            Spread::from_values(points.iter().filter(|it| it.is_converged()).filter_map(of))
-        };
-        let [pull_off, pull_off_std] = short_words(spread(|it| it.pull_off()));
-        let [lost, lost_std] = short_words(spread(|it| it.lost()));
-        let [area, _] = words(spread(|it| it.get(Quantity::LargestArea)), 5);
-        let [jumps, _] = words(spread(|it| it.get(Quantity::Jumps)), 1);
-        let parted = points.iter().filter(|it| it.get(Quantity::Separated) == Some(1.0)).count();
-        let choice = plan.words_but_seed(group * seeds);
+    for AdhesionMeans { values, pull_off, lost_in_jumps, largest_area, jumps, separated } in means.iter().take(LINES) {
+        let [pull_off, pull_off_std] = short_words(pull_off);
+        let [lost, lost_std] = short_words(lost_in_jumps);
+        let ([area, _], [jumps, _]) = (words(largest_area, 5), words(jumps, 1));
         writeln!(
             out,
-            "{pull_off:>10} {pull_off_std:>9} {lost:>10} {lost_std:>9} {area:>9} {jumps:>6} {parted:>6}  {choice}"
+            "{pull_off:>10} {pull_off_std:>9} {lost:>10} {lost_std:>9} {area:>9} {jumps:>6} {separated:>6}  {values}"
         )?;
     }
-    write_rest(plan.realisations() / seeds, "lines", out)
+    write_rest(means.len(), "lines", out)
 }
 
 /// Mean and standard deviation with four and two digits.
-fn short_words(spread: Spread) -> [String; 2] {
-    let mean = if spread.count > 0 { format!("{:.3e}", spread.mean) } else { NONE.into() };
-    [mean, if spread.count > 1 { format!("{:.1e}", spread.deviation) } else { NONE.into() }]
+fn short_words(mean: &SeedMean) -> [String; 2] {
+    let known = |value: f64, words: String| if value.is_finite() { words } else { NONE.into() };
+    [
+        known(mean.mean, format!("{:.3e}", mean.mean)),
+        known(mean.standard_deviation, format!("{:.1e}", mean.standard_deviation)),
+    ]
 }
 
 /// Placeholder for an unknown number.
 const NONE: &str = "-";
 
-/// Mean and standard deviation with some digits; the mean needs one value, the deviation two.
-fn words(spread: Spread, digits: usize) -> [String; 2] {
-    let word = |value: f64, least: usize| if spread.count >= least { format!("{value:.digits$}") } else { NONE.into() };
-    [word(spread.mean, 1), word(spread.deviation, 2)]
+/// A mean with some digits, and the columns of its errors.
+fn words(mean: &SeedMean, digits: usize) -> [String; 2] {
+    let word = |value: f64| if value.is_finite() { format!("{value:.digits$}") } else { NONE.into() };
+    let errors = [mean.standard_deviation, mean.standard_error, mean.grid_error].map(word);
+    [word(mean.mean), errors.map(|error| format!("{error:>8}")).join(" ")]
 }
 
 fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {

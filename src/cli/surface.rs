@@ -125,6 +125,9 @@ struct HeightStatistics {
     /// How random heights got a distribution that is not Gaussian.
     #[serde(skip_serializing_if = "Option::is_none")]
     rank_map: Option<RankMap>,
+    /// Whether the gradient is that of heights which jump across the period.
+    #[serde(skip)]
+    has_cliffs: bool,
 }
 
 impl Describe {
@@ -393,16 +396,19 @@ impl HeightStatistics {
             roughness,
             texture,
             rank_map: surface.rank_map().copied(),
+            has_cliffs: surface.grid().is_periodic() && surface.ends().contains(&true),
         }
     }
 
     fn rows(&self, units: Units) -> Vec<(String, String)> {
         let Roughness { rms_height, rms_gradient, rms_curvature, peak, valley, skewness, kurtosis } = self.roughness;
         let jumps = along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}"));
+        let cliffs =
+            if self.has_cliffs { " (with the cliffs across the period, without which the texture is)" } else { "" };
         let rows = [
             ("jump across the period", format!("{jumps} rms steps")),
             ("rms height", units.length(rms_height)),
-            ("rms gradient", significant(rms_gradient)),
+            ("rms gradient", format!("{}{cliffs}", significant(rms_gradient))),
             (
                 "rms curvature",
                 if units.metres { format!("{rms_curvature:.6e} 1/m") } else { format!("{rms_curvature:.6e}") },

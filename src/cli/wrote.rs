@@ -16,7 +16,8 @@ fn opened(path: &Path) -> String {
         Some("sdf" | "x3p" | "xyz") => format!("asperity surface {word}"),
         Some("toml") => format!("asperity solve {word}"),
         Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
-        Some("png" | "svg") => "any viewer of pictures".into(),
+        Some("png" | "svg") => "a picture".into(),
+        Some("parquet") => format!("pandas.read_parquet({name:?}) in Python"),
         Some("csv") => format!("pandas.read_csv({name:?}) in Python, or any spreadsheet"),
         _ => "a folder of tables, figures and recordings".into(),
     }

@@ -240,7 +240,10 @@ impl ArchiveWriter {
         }
         let readings: Vec<Reading<'_>> = contacts.iter().map(|contact| Reading::from(*contact)).collect();
         // a number without a meaning is absent
-        for quantity in Quantity::iter().filter(|it| contacts.iter().any(|contact| it.tells_of(contact))) {
+        let has = |it: &Quantity| {
+            contacts.iter().zip(&readings).any(|(contact, reading)| it.tells_of(contact) && reading.get(*it).is_some())
+        };
+        for quantity in Quantity::iter().filter(has) {
             self.add_each(quantity.name(), readings.iter().map(|it| arr0(it.value(quantity)).into()))?;
         }
         Ok(())

@@ -49,8 +49,8 @@ pub enum ResultClaim {
     /// A frame of a motion with adhesion, which is not in equilibrium.
     #[strum(message = "moving: not in equilibrium; the surfaces are on their way to the next state")]
     Moving,
-    /// A state with adhesion that was not found: the best one, which misses equilibrium by more than the tolerance.
-    #[strum(message = "not converged: equilibrium is missed by more than the tolerance")]
+    /// A contact or a state that was not found: the best one, which misses the tolerance.
+    #[strum(message = "not converged: the tolerance is missed, so that nothing is claimed")]
     NotConverged,
     /// The attraction does not hold the load, and the surfaces have parted.
     #[strum(message = "separated: the attraction does not hold this load, and the surfaces have parted")]
@@ -61,6 +61,12 @@ pub enum ResultClaim {
 }
 
 impl ResultClaim {
+    /// The claim of a contact that may have missed its tolerance: nothing, where it has, of what is solved for.
+    pub(super) fn if_converged(self, contact: &Contact) -> Self {
+        let is_solved_for = matches!(self, Self::Solution | Self::Bounded | Self::RoundsConverged);
+        if is_solved_for && !contact.is_converged() { Self::NotConverged } else { self }
+    }
+
     /// The claim in words.
     pub fn words(self) -> &'static str {
         self.get_message().unwrap_or_default()
@@ -68,8 +74,9 @@ impl ResultClaim {
 }
 
 impl Contact {
-    /// The claim of this contact: the solution, or, for a contact that moves, a bounded error of the pressure.
+    /// The claim of this contact: the solution, or, for a contact that moves, a bounded error of the pressure. A contact that is not converged
+    /// claims nothing.
     pub fn claim(&self) -> ResultClaim {
-        if self.problem.is_moving() { ResultClaim::Bounded } else { ResultClaim::Solution }
+        if self.problem.is_moving() { ResultClaim::Bounded } else { ResultClaim::Solution }.if_converged(self)
     }
 }

@@ -108,4 +108,5 @@ pub use status::Status;
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;
 pub use validity::{StateKind, Validity};
-pub use warnings::{warning_of_rim, warning_of_trail, warnings_of};
+pub(crate) use warnings::LARGEST_ERROR;
+pub use warnings::{Strain, warning_of_rim, warning_of_trail, warnings_of, warnings_of_strains};

@@ -208,9 +208,9 @@ quantities! {
             "Mean pressure.";
         ReducedPressure reduced_pressure: f64, Always, "p*", "reduced pressure", One, None, |it| it.reduced_pressure(),
             "Reduced pressure: mean pressure divided by rms gradient and contact modulus, of a contact that slides by its effective modulus.";
-        ReducedPressureContact reduced_pressure_contact: f64, Elastic, "p_r*", "reduced pressure in contact", One, None, |it| it.resolved().reduced_pressure_contact,
+        ReducedPressureContact reduced_pressure_contact: f64, Elastic, "p_r*", "reduced pressure in contact", One, None, |it| known(it.resolved().reduced_pressure_contact),
             "Reduced pressure with the rms gradient of the contact.";
-        ReducedPressureContactCounted reduced_pressure_contact_counted: f64, Elastic, "p_r*, counted", "reduced pressure in contact, nodes counted", One, None, |it| it.counted().reduced_pressure_contact,
+        ReducedPressureContactCounted reduced_pressure_contact_counted: f64, Elastic, "p_r*, counted", "reduced pressure in contact, nodes counted", One, None, |it| known(it.counted().reduced_pressure_contact),
             "Reduced pressure with the rms gradient of the nodes in contact.";
         RelativeArea relative_area: f64, Always, "a_rel", "relative area", One, Both, |it| it.resolved().relative_area,
             "Relative contact area, with contact edges interpolated between grid nodes.";
@@ -325,6 +325,11 @@ impl Quantity {
     pub fn traced() -> impl Iterator<Item = Self> {
         Self::iter().filter(|it| it.row().is_traced)
     }
+}
+
+/// A reduced pressure with the gradient of a contact; NaN where there is no gradient, as in a contact of one node or below a punch.
+fn known(reduced_pressure: f64) -> f64 {
+    if reduced_pressure.is_finite() { reduced_pressure } else { f64::NAN }
 }
 
 impl Observables {

@@ -52,8 +52,10 @@ impl State {
         Self::new(contact, claim).at(point)
     }
 
-    /// The state of a contact with a claim, between two points, without further fields.
+    /// The state of a contact with a claim, between two points, without further fields. The solution of a contact that is not converged is not
+    /// claimed.
     pub fn new(contact: Contact, claim: ResultClaim) -> Self {
+        let claim = claim.if_converged(&contact);
         Self { contact, point: None, claim, fields: Vec::new(), numbers: OnceLock::new() }
     }
 

@@ -1,5 +1,5 @@
 //! Warnings about contacts with unreliable numbers: loads beyond full contact, grids that are too coarse, pressures
-//! above those at which metals yield.
+//! above those at which solids yield, slopes that are not small.
 
 use super::{Contact, Law, Observables};
 use crate::warning::Warning;
@@ -7,22 +7,65 @@ use crate::warning::Warning;
 /// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
 const HEAVIEST: f64 = 10.0;
 /// Estimated errors of area or `kappa_r` above this one give a warning.
-const LARGEST_ERROR: f64 = 0.1;
+pub(crate) const LARGEST_ERROR: f64 = 0.1;
 /// Contact moduli from this one on are those of metals, glasses and ceramics, if they are in pascals.
 const STIFF: f64 = 1e10;
 /// The pressure, divided by the contact modulus, above which all metals yield: the hardness of steels is 0.01 to 0.04
 /// of it.
 const HARDEST: f64 = 0.05;
+/// The pressure, divided by the contact modulus, above which nearly all other solids yield, and strains are not small: the hardness of glassy
+/// polymers is about 0.1 of it.
+const LARGEST_STRAIN: f64 = 0.3;
+/// Rms slopes of the contact above this one give a warning, since the theory neglects their squares.
+const STEEPEST: f64 = 0.5;
 /// Bounds of the error of the pressure above this one give a warning.
 const LARGEST_BOUND: f64 = 0.1;
 /// A share of the contact in patches that are too small to trust above this one gives a warning.
 const LARGEST_SHARE: f64 = 0.25;
 
 /// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known,
-/// inaccurate pressures, grids that are too coarse, and pressures above those at which metals yield.
+/// inaccurate pressures, grids that are too coarse, and those of [`warnings_of_strains`].
 pub fn warnings_of(found: &[&Observables], law: Law) -> Vec<Warning> {
-    let all = [too_heavy(found), unknown(found), loose(found), coarse(found), metal(found, law)];
-    all.into_iter().flatten().collect()
+    let strains: Vec<Strain> = found.iter().map(|it| Strain::from(*it)).collect();
+    let all = [too_heavy(found), unknown(found), loose(found), coarse(found)];
+    all.into_iter().flatten().chain(warnings_of_strains(&strains, law)).collect()
+}
+
+/// How far a contact strains its solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strain {
+    max_pressure: f64,
+    /// The modulus that acts, a pressure.
+    modulus: f64,
+    /// The rms slope of the contact; 0 where it is not known.
+    slope: f64,
+}
+
+impl Strain {
+    /// The strain of a contact with the resolved slope of its surface, or else that of the nodes in contact.
+    fn new(max_pressure: f64, modulus: f64, slopes: [f64; 2]) -> Self {
+        Self { max_pressure, modulus, slope: slopes.into_iter().find(|slope| slope.is_finite()).unwrap_or(0.0) }
+    }
+}
+
+impl From<&Observables> for Strain {
+    fn from(it: &Observables) -> Self {
+        let moduli = [it.effective_modulus, it.max_pressure / it.max_pressure_over_modulus];
+        let modulus = moduli.into_iter().find(|modulus| modulus.is_finite()).unwrap_or(f64::NAN);
+        Self::new(it.max_pressure, modulus, [it.rms_gradient_contact, it.rms_gradient_contact_counted])
+    }
+}
+
+impl From<&Contact> for Strain {
+    fn from(contact: &Contact) -> Self {
+        let slopes = [contact.resolved().rms_gradient_contact, contact.counted().rms_gradient_contact];
+        Self::new(contact.max_pressure(), contact.effective_modulus(), slopes)
+    }
+}
+
+/// Warnings about contacts in which solids yield, or strains are too large for the theory.
+pub fn warnings_of_strains(strains: &[Strain], law: Law) -> Vec<Warning> {
+    [yielding(strains, law), steep(strains)].into_iter().flatten().collect()
 }
 
 /// The warning that a contact reaches a free rim, beyond which the heights are not known.
@@ -125,34 +168,53 @@ fn coarse(found: &[&Observables]) -> Option<Warning> {
         0.0 => String::new(),
         share => format!(": {share} % of the contact is in patches that are too small to trust"),
     };
-    let amount = match error(worst) {
-        error if error.is_finite() => format!("{:.0} %", 100.0 * error),
-        _ => "any amount".into(),
-    };
+    let [kappa_r, area] = [worst.kappa_r_error, worst.relative_area_error].map(amount);
     Some(
         Warning::new(
-            format!("Area and kappa_r may be off by {amount}{count} on this grid{small}"),
+            format!("kappa_r may be off by {kappa_r}, the area by {area}{count} on this grid{small}"),
             "Use a finer grid, or heights that are smoother and less rounded",
         )
         .with_remedy("grid.refine", Some("auto")),
     )
 }
 
-/// The warning that the pressure on a stiff solid is above that at which metals yield.
-fn metal(found: &[&Observables], law: Law) -> Option<Warning> {
-    let is_stiff = |it: &&&Observables| it.max_pressure >= STIFF * it.max_pressure_over_modulus;
-    let shares = found.iter().filter(is_stiff).map(|it| it.max_pressure_over_modulus);
-    let share = shares.reduce(f64::max).filter(|share| *share > HARDEST && law.is_hard_wall())?;
-    Some(
-        Warning::new(
+/// The warning that the solid yields below the pressures that are found.
+fn yielding(strains: &[Strain], law: Law) -> Option<Warning> {
+    if !law.is_hard_wall() {
+        return None;
+    }
+    let share = |it: &Strain| it.max_pressure / it.modulus;
+    let largest = |above: f64| strains.iter().filter(|it| it.modulus >= above).map(share).reduce(f64::max);
+    let warning = match (largest(STIFF).filter(|it| *it > HARDEST), largest(0.0).filter(|it| *it > LARGEST_STRAIN)) {
+        (Some(share), _) => Warning::new(
             format!(
                 "The largest pressure is {share:.2} of the contact modulus. Metals yield at lower pressures, so the \
                  real contact area is larger"
             ),
             "Give the hardness",
-        )
-        .with_remedy("law.hardness", None),
-    )
+        ),
+        (None, share) => Warning::new(
+            format!(
+                "The largest pressure is {:.2} of the contact modulus. Nearly all solids yield at lower pressures, so the real contact \
+                 area is larger, and strains are not small",
+                share?
+            ),
+            "Give the hardness; of rubber, which does not yield, use a smaller load or gentler slopes",
+        ),
+    };
+    Some(warning.with_remedy("law.hardness", None))
+}
+
+/// The warning that slopes are not small.
+fn steep(strains: &[Strain]) -> Option<Warning> {
+    let slope = strains.iter().map(|it| it.slope).reduce(f64::max).filter(|slope| *slope > STEEPEST)?;
+    Some(Warning::new(
+        format!(
+            "The rms slope of the contact is {slope:.2}, an angle of {:.0} degrees, but the theory of elastic contact is for small slopes",
+            slope.atan().to_degrees()
+        ),
+        "Give heights and size in the same unit, and a slope as a gradient: 5 degrees are 0.087",
+    ))
 }
 
 /// Whether there is a contact whose `kappa_r`, or its error, is no number or zero.
@@ -164,6 +226,16 @@ fn is_unknown(it: &Observables) -> bool {
 /// Whether the grid is too coarse for the numbers of a contact.
 fn is_doubtful(it: &Observables) -> bool {
     error(it) > LARGEST_ERROR || it.unresolved_share > LARGEST_SHARE
+}
+
+/// A relative error in words.
+fn amount(error: f64) -> String {
+    match 100.0 * error {
+        percent if !percent.is_finite() => "any amount".into(),
+        percent if percent < 0.1 => "less than 0.1 %".into(),
+        percent if percent < 9.95 => format!("{percent:.1} %"),
+        percent => format!("{percent:.0} %"),
+    }
 }
 
 /// The larger one of the estimated errors of the grid.

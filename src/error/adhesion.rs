@@ -46,7 +46,7 @@ pub enum AdhesionError {
     /// The state was not found.
     #[error(
         "the state with adhesion was not found in {steps} iterations: its residual is {residual:.1e}. Allow more iterations or a larger \
-         tolerance, take smaller steps of the load, or use another method"
+         tolerance, or use another method; along a path, smaller steps help as well"
     )]
     NotFound { steps: usize, residual: f64 },
     /// An observer stopped the solve.

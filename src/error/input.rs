@@ -246,6 +246,8 @@ impl InputError for SetupError {
             Self::File(error) => error.is_input(),
             Self::Table { .. }
             | Self::MixedUnits { .. }
+            | Self::ForceWithoutUnit { .. }
+            | Self::ForceUnit { .. }
             | Self::NoModulus { .. }
             | Self::ElectricalAndThermal { .. }
             | Self::Against { .. }
@@ -281,6 +283,7 @@ impl InputError for StudyError {
             | Self::Memory { .. }
             | Self::OtherPoints { .. }
             | Self::Missing { .. }
+            | Self::Damaged { .. }
             | Self::Overlap { .. }
             | Self::OtherStudy { .. }
             | Self::OtherShare { .. } => true,

@@ -53,6 +53,18 @@ pub enum SetupError {
         /// The quantity with a unit, and its value.
         with: String,
     },
+    /// A number alone as the force, beside a quantity with a unit.
+    #[error("the force {force} has no unit, but {with} has one: give it with a unit, such as {example}")]
+    ForceWithoutUnit {
+        force: String,
+        /// The quantity with a unit, and its value.
+        with: String,
+        /// The same force with a unit.
+        example: String,
+    },
+    /// A force per length on a surface, or a force that is not per length on a line.
+    #[error("the force {force} {}: did you mean {meant}?", if *is_line { "is not per length, as that on a line is" } else { "is per length, as that on a line is, but this is a surface" })]
+    ForceUnit { force: String, meant: String, is_line: bool },
     /// A mean pressure without a modulus.
     #[error(
         "the {load} {value:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"

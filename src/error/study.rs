@@ -55,6 +55,9 @@ pub enum StudyError {
          {first}: solve them, or give the missing tables"
     )]
     Missing { rows: usize, first: usize, of: usize },
+    /// A row that was changed after it was solved, which is in no other table.
+    #[error("{} is damaged: row {row} fails its check sum: solve this share again", path.display())]
+    Damaged { path: PathBuf, row: usize },
     /// A row that is in two tables.
     #[error(
         "row {row} is in {} and also in {}: give tables of different shares", other.display(), path.display()
@@ -62,13 +65,13 @@ pub enum StudyError {
     Overlap { row: usize, path: PathBuf, other: PathBuf },
     /// A table of another study, which would be overwritten.
     #[error(
-        "{} holds {points} points of other setups, loads or versions: give another file, or start again to replace it",
+        "{} holds {points} rows of another study, or of another version: give another file, or start again to replace it",
         path.display()
     )]
     OtherStudy { path: PathBuf, points: usize },
     /// The table of a share of another study, or of this one before it was changed.
     #[error(
-        "{} holds {points} points of other setups, loads or versions: solve this share again, or give the study with \
+        "{} holds {points} rows of another study, or of another version: solve this share again, or give the study with \
          which the share was solved",
         path.display()
     )]

@@ -11,10 +11,12 @@ pub enum Arrangement {
     Backwards([bool; 2]),
     /// Moved by half of the points along y or x, or along both, as by `numpy.fft.fftshift`.
     Shifted([bool; 2]),
+    /// Moved by some nodes along y and x, as by `numpy.roll`.
+    Rolled([isize; 2]),
 }
 
 impl Arrangement {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 19] = [
         Self::Transposed,
         Self::Backwards([false, true]),
         Self::Backwards([true, false]),
@@ -22,6 +24,18 @@ impl Arrangement {
         Self::Shifted([false, true]),
         Self::Shifted([true, false]),
         Self::Shifted([true, true]),
+        Self::Rolled([0, 1]),
+        Self::Rolled([0, -1]),
+        Self::Rolled([1, 0]),
+        Self::Rolled([-1, 0]),
+        Self::Rolled([1, 1]),
+        Self::Rolled([1, -1]),
+        Self::Rolled([-1, 1]),
+        Self::Rolled([-1, -1]),
+        Self::Rolled([0, 2]),
+        Self::Rolled([0, -2]),
+        Self::Rolled([2, 0]),
+        Self::Rolled([-2, 0]),
     ];
 
     /// The orders that differ from the given one on a grid.
@@ -30,6 +44,7 @@ impl Arrangement {
         Self::ALL.into_iter().filter(move |arrangement| match arrangement {
             Self::Transposed => ny == nx,
             Self::Backwards([of_y, _]) | Self::Shifted([of_y, _]) => !(is_line && *of_y),
+            Self::Rolled([along_y, _]) => !(is_line && *along_y != 0),
         })
     }
 
@@ -37,11 +52,13 @@ impl Arrangement {
     pub fn apply(self, values: &[f64], grid: &Grid) -> Vec<f64> {
         let [ny, nx] = grid.shape();
         let moved = |is_moved: bool, i: usize, n: usize| if is_moved { (i + n - n / 2) % n } else { i };
+        let rolled = |by: isize, i: usize, n: usize| (i as isize + by).rem_euclid(n as isize) as usize;
         let turned = |is_turned: bool, i: usize, n: usize| if is_turned { n - 1 - i } else { i };
         let source = |y: usize, x: usize| match self {
             Self::Transposed => [x, y],
             Self::Backwards([of_y, of_x]) => [turned(of_y, y, ny), turned(of_x, x, nx)],
             Self::Shifted([of_y, of_x]) => [moved(of_y, y, ny), moved(of_x, x, nx)],
+            Self::Rolled([along_y, along_x]) => [rolled(along_y, y, ny), rolled(along_x, x, nx)],
         };
         let value = |node: usize| {
             let [y, x] = source(node / nx, node % nx);
@@ -56,6 +73,9 @@ impl Arrangement {
             Self::Transposed => "are transposed".into(),
             Self::Backwards(axes) => format!("run backwards along {}", along(axes)),
             Self::Shifted(axes) => format!("are shifted by half the cell along {}", along(axes)),
+            Self::Rolled([0, x]) => format!("are shifted along x by {}", nodes(x)),
+            Self::Rolled([y, 0]) => format!("are shifted along y by {}", nodes(y)),
+            Self::Rolled([y, x]) => format!("are shifted along y by {}, and along x by {}", nodes(y), nodes(x)),
         }
     }
 
@@ -66,12 +86,18 @@ impl Arrangement {
             Self::Transposed => format!("{name}.T"),
             Self::Backwards(_) if is_line => format!("{name}[::-1]"),
             Self::Shifted(_) if is_line => format!("{numpy}({name})"),
+            Self::Rolled([_, x]) if is_line => format!("numpy.roll({name}, {})", -x),
+            Self::Rolled([y, x]) => format!("numpy.roll({name}, ({}, {}), axis=(0, 1))", -y, -x),
             Self::Backwards([true, true]) => format!("{name}[::-1, ::-1]"),
             Self::Backwards([of_y, _]) => format!("{name}[{}]", if of_y { "::-1" } else { ":, ::-1" }),
             Self::Shifted([true, true]) => format!("{numpy}({name})"),
             Self::Shifted([of_y, _]) => format!("{numpy}({name}, axes={})", usize::from(!of_y)),
         }
     }
+}
+
+fn nodes(by: isize) -> String {
+    if by.abs() == 1 { format!("{by} node") } else { format!("{by} nodes") }
 }
 
 fn along(axes: [bool; 2]) -> &'static str {
@@ -97,8 +123,11 @@ mod tests {
         assert_eq!(Arrangement::Shifted([true, true]).apply(&values, &grid)[2 * 5 + 2], 0.0);
         let square = Grid::surface([4, 4], [1.0, 1.0]).unwrap();
         assert_eq!(Arrangement::Transposed.apply(&values[..16], &square)[1], 4.0);
-        assert_eq!(Arrangement::on(&square).count(), 7);
-        assert_eq!(Arrangement::on(&grid).count(), 6);
-        assert_eq!(Arrangement::on(&Grid::line(8, 1.0).unwrap()).count(), 2);
+        // as numpy.roll by -1: the second value goes to the beginning
+        assert_eq!(Arrangement::Rolled([0, 1]).apply(&values, &grid)[0], 1.0);
+        assert_eq!(Arrangement::Rolled([-1, 0]).apply(&values, &grid)[0], 15.0);
+        assert_eq!(Arrangement::on(&square).count(), 19);
+        assert_eq!(Arrangement::on(&grid).count(), 18);
+        assert_eq!(Arrangement::on(&Grid::line(8, 1.0).unwrap()).count(), 6);
     }
 }

@@ -57,12 +57,17 @@ impl Claim {
         &self.values
     }
 
+    /// The mean of the field.
+    pub fn mean(&self) -> f64 {
+        self.values.iter().sum::<f64>() / self.values.len() as f64
+    }
+
     /// The problem that it is claimed to solve.
     ///
     /// # Errors
     /// The errors of [`Problem::new`], such as for a load of the field that presses nothing.
     pub fn problem(&self) -> Result<Problem, ProblemError> {
-        let mean = self.values.iter().sum::<f64>() / self.values.len() as f64;
+        let mean = self.mean();
         let own = match self.quantity {
             GivenField::Pressure => Load::MeanPressure(mean.abs()),
             GivenField::Gap | GivenField::Displacement => Load::MeanGap(mean),

@@ -3,6 +3,7 @@
 use super::arrangement::Arrangement;
 use super::claim::{Claim, ClaimedState};
 use super::given_field::GivenField;
+use crate::contact::Load;
 use crate::grid::Grid;
 use crate::surface::Surface;
 
@@ -23,6 +24,10 @@ pub(super) enum MistakeKind {
     /// The pressures are off by a factor.
     #[strum(serialize = "pressure-factor")]
     Scale,
+    /// The pressures carry another load than the prescribed one.
+    Load,
+    /// The cell is periodic where it is meant to be free, or free where it is meant to be periodic.
+    Boundary,
 }
 
 /// The correction of an error of some kind.
@@ -35,11 +40,14 @@ pub(super) struct ClaimCorrection {
 
 /// The smallest factor, above 1, that is an error and not a lack of convergence.
 const LEAST_FACTOR: f64 = 0.03;
+/// The smallest relative error of a load that is told.
+const LEAST_LOAD: f64 = 1e-6;
 
 impl MistakeKind {
     /// All kinds that there can be on a grid, in the order in which one can follow another.
     pub fn all(grid: &Grid) -> Vec<Self> {
-        let others = [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale];
+        let others =
+            [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale, Self::Load, Self::Boundary];
         Arrangement::on(grid).map(Self::Arrangement).chain(others).collect()
     }
 
@@ -55,7 +63,7 @@ impl MistakeKind {
             Self::Quantity => 1,
             Self::Sign => 2,
             Self::Heights => 3,
-            Self::Modulus | Self::Scale => 4,
+            Self::Modulus | Self::Scale | Self::Load | Self::Boundary => 4,
         };
         rank(self) < rank(other)
     }
@@ -73,6 +81,8 @@ impl MistakeKind {
                 factor = fitted(claim)?;
                 better.contact_modulus /= factor;
             }
+            Self::Load => better.load = other_load(claim)?,
+            Self::Boundary => better.surface = other_boundary(&claim.surface)?.into(),
             Self::Scale => {
                 factor = fitted(claim).filter(|_| claim.quantity == GivenField::Pressure)?;
                 better.values.iter_mut().for_each(|value| *value *= factor);
@@ -89,6 +99,19 @@ fn other_length(claim: &Claim) -> Option<GivenField> {
         GivenField::Displacement => Some(GivenField::Gap),
         _ => None,
     }
+}
+
+/// No load, so that it is that of the pressures, where these carry another one than is prescribed.
+fn other_load(claim: &Claim) -> Option<Option<Load>> {
+    let prescribed = claim.problem().ok()?.mean_pressure().filter(|_| claim.quantity == GivenField::Pressure)?;
+    ((claim.mean() / prescribed - 1.0).abs() > LEAST_LOAD).then_some(None)
+}
+
+/// The surface with free boundaries for periodic ones, or the reverse.
+fn other_boundary(surface: &Surface) -> Option<Surface> {
+    let grid = surface.grid();
+    let periodic = if grid.is_periodic() { [grid.is_line(), false] } else { [true, true] };
+    Surface::new(grid.with_periodic(periodic), surface.heights_as_given()).ok()
 }
 
 fn upside_down(surface: &Surface) -> Option<Surface> {

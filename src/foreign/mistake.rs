@@ -36,7 +36,9 @@ const FEWEST: f64 = 12.0;
 /// | `quantity`        | a gap for a displacement, or the reverse                   |
 /// | `pressure-factor` | forces per node or per width, units                        |
 /// | `modulus`         | 2, `1 - nu^2`, units; a cell of another size looks the same |
-/// | `arrangement`     | transposed, backwards, or shifted by half the cell         |
+/// | `arrangement`     | transposed, backwards, or shifted by half the cell or by one or two nodes |
+/// | `load`            | pressures that carry another load than the prescribed one  |
+/// | `boundary`        | a periodic cell for a free one, or the reverse             |
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mistake {
     /// Short names of the errors: one, or two that come together.
@@ -124,6 +126,14 @@ impl Claim {
                 "the field is the displacement, not the gap: give it with --displacement".into()
             }
             MistakeKind::Quantity => "the field is the gap, not the displacement: give it with --gap".into(),
+            MistakeKind::Load => {
+                let prescribed = self.problem().ok().and_then(|it| it.mean_pressure()).unwrap_or(f64::NAN);
+                format!("the pressures carry {:.4e}, but {prescribed:.4e} is prescribed: give the same load to both", self.mean())
+            }
+            MistakeKind::Boundary => match self.surface.grid().is_periodic() {
+                true => "the pressures are those of a cell without images, but the boundary is periodic: give a free boundary".into(),
+                false => "the pressures are those of a periodic cell, but the boundary is free: give a periodic boundary".into(),
+            },
             MistakeKind::Heights => {
                 "the heights have the wrong sign: give -height, so that peaks towards the solid are positive".into()
             }

@@ -2,7 +2,10 @@
 
 use super::posed::Posed;
 use crate::adhesion::AdhesionScales;
-use crate::contact::{Observables, Problem, Quantity, ResultClaim, State, warning_of_trail, warnings_of};
+use crate::contact::{
+    Observables, Problem, Quantity, ResultClaim, State, StateKind, Strain, warning_of_trail, warnings_of,
+    warnings_of_strains,
+};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup};
@@ -179,7 +182,21 @@ impl HistoryOutcome {
         });
         let trail = warning_of_trail(self.states.iter().map(|state| &state.contact));
         let missed = self.doubts.iter().cloned().chain(missed);
-        missed.chain(coarse).chain(snapping).chain(trail).chain(self.unstable()).collect()
+        missed
+            .chain(coarse)
+            .chain(snapping)
+            .chain(trail)
+            .chain(self.unstable())
+            .chain(self.warnings_of_strains())
+            .collect()
+    }
+
+    /// Reasons to doubt that the solid bears the states. The modulus of one that creeps depends on the time.
+    fn warnings_of_strains(&self) -> Vec<Warning> {
+        let contacts = || self.states.iter().map(|state| &state.contact);
+        let strains: Vec<Strain> =
+            contacts().filter(|it| it.values().kind != StateKind::Creep).map(Strain::from).collect();
+        contacts().next().map_or_else(Vec::new, |first| warnings_of_strains(&strains, first.problem.law()))
     }
 
     /// Reasons to doubt contacts under a list of loads.

@@ -75,11 +75,12 @@ pub(super) fn cell(quantity: Quantity, state: &State) -> String {
     if quantity.row().kind == QuantityKind::Flag { (value == 1.0).to_string() } else { value.to_string() }
 }
 
-/// A number as a word of a table.
+/// A number as a word of a table; empty where it has no meaning.
 fn word(quantity: Quantity, value: f64) -> String {
     match quantity.row().kind {
         QuantityKind::Flag => (value == 1.0).to_string(),
         QuantityKind::Whole => (value as u64).to_string(),
+        QuantityKind::Number if value.is_nan() => String::new(),
         QuantityKind::Number => format!("{value:?}"),
     }
 }

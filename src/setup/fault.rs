@@ -39,7 +39,8 @@ impl TextFault {
         let between = |start: &str, middle: &'static str| message.strip_prefix(start)?.split_once(middle);
         if let Some((key, known)) = between("unknown field `", "`, ") {
             let (key, known, nearest) = names(key, known);
-            return Self::UnknownKey { key, known, nearest };
+            let meant = meant(&key, keys).filter(|meant| known.iter().any(|it| it == meant)).map(String::from);
+            return Self::UnknownKey { nearest: meant.or(nearest), key, known };
         }
         if let Some((value, known)) = between("unknown variant `", "`, ") {
             let (value, known, nearest) = names(value, known);
@@ -99,6 +100,16 @@ fn quoted(text: &str) -> Vec<&str> {
     text.split('`').skip(1).step_by(2).collect()
 }
 
+/// Symbols in place of keys.
+const SYMBOLS: [(&str, &str); 4] = [("nu", "poisson"), ("E", "young"), ("H", "hurst"), ("mu", "coefficient")];
+
+/// The key below other keys whose flag, or whose symbol, is given in its place.
+fn meant(given: &str, keys: &str) -> Option<&'static str> {
+    let of_flag = FLAGS.iter().filter(|flag| flag.name == given);
+    let key = of_flag.filter_map(|flag| flag.path.strip_prefix(keys)?.strip_prefix('.')).next();
+    key.or_else(|| SYMBOLS.iter().find(|(symbol, _)| *symbol == given).map(|(_, key)| *key))
+}
+
 /// An unknown name, the known ones, and the nearest of them.
 fn names(unknown: &str, known: &str) -> (String, Vec<String>, Option<String>) {
     let known = quoted(known);
@@ -137,16 +148,21 @@ fn expected_value(words: &str) -> ExpectedValue {
     }
 }
 
+/// Names that are farther from each other than this have nothing in common.
+#[cfg(feature = "units")]
+const FAR: f64 = 0.6;
+
 /// The known name that is nearest to an unknown one, first of all one that begins with it, then one that it is a part of, of
-/// several the shortest.
+/// several the shortest; none where all are far from it. Parts of fewer than three letters say nothing.
 #[cfg(feature = "units")]
 fn nearest<'a>(unknown: &str, known: &[&'a str]) -> Option<&'a str> {
-    let nearness = |name: &str| match name.find(unknown) {
+    let nearness = |name: &str| match name.find(unknown).filter(|at| *at == 0 || unknown.len() > 2) {
         Some(0) => 2.0 + unknown.len() as f64 / name.len() as f64,
         Some(_) => 1.0 + unknown.len() as f64 / name.len() as f64,
         None => strsim::jaro_winkler(unknown, name),
     };
-    known.iter().copied().max_by(|a, b| nearness(a).total_cmp(&nearness(b)))
+    let near = known.iter().copied().filter(|name| nearness(name) > FAR);
+    near.max_by(|a, b| nearness(a).total_cmp(&nearness(b)))
 }
 
 #[cfg(not(feature = "units"))]

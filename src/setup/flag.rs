@@ -84,7 +84,7 @@ pub const FLAGS: &[Flag] = &[
     flag("indenter", "surface.indenter.shape", FlagValue::Variant(choices::<Indenter>), "SHAPE", "A smooth indenter, centred in the cell"),
     flag("radius", "surface.indenter.radius", FlagValue::One, "R", "Radius of the cylinder or sphere"),
     flag("amplitude", "surface.indenter.amplitude", FlagValue::One, "D", "Amplitude of the sine or crossed sine (half of its peak-to-valley height)"),
-    flag("slope", "surface.indenter.slope", FlagValue::One, "M", "Slope of the wedge or cone"),
+    flag("slope", "surface.indenter.slope", FlagValue::One, "M", "Slope of the wedge or cone, or the angle of its flanks, such as 5deg"),
     flag("coefficient", "surface.indenter.coefficient", FlagValue::One, "A", "Coefficient A of the power law A r^n"),
     flag("exponent", "surface.indenter.exponent", FlagValue::One, "n", "Exponent n of the power law A r^n"),
     flag("half-width", "surface.indenter.half-width", FlagValue::One, "B", "Half-width or radius of the punch"),

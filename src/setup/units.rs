@@ -2,6 +2,7 @@
 
 use super::SetupTable;
 use crate::error::SetupError;
+use crate::quantity::{ForceUnit, force_unit};
 use toml::Value;
 
 /// The keys of all pressures, of all lengths and of all times, of which numbers alone mean the same unit.
@@ -38,6 +39,10 @@ const NAMES: [(&str, &str); 4] = [
     ("viscoelastic.relaxation", "relaxation time"),
 ];
 
+/// The key of the force, and those of loads that are forces where that is one.
+const FORCE: &str = "load.force";
+const LOADS: [&str; 5] = [FORCE, "friction.tangential", "path.load", "path.tangential", "rolling.tangential"];
+
 /// The keys of values that are electrical or thermal, and the letter of the unit that only thermal ones have.
 const CONDUCTION: [&str; 2] = ["flow.resistivity", "flow.conductivity"];
 const KELVIN: char = 'K';
@@ -47,7 +52,7 @@ impl SetupTable {
     /// metres there, which is seldom what is meant.
     ///
     /// # Errors
-    /// [`SetupError::MixedUnits`], and [`SetupError::ElectricalAndThermal`].
+    /// [`SetupError::MixedUnits`], [`SetupError::ForceWithoutUnit`] and [`SetupError::ElectricalAndThermal`].
     pub fn check_units(&self) -> Result<(), SetupError> {
         for (kind, keys) in KINDS {
             let given = keys.iter().flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word)));
@@ -57,7 +62,51 @@ impl SetupTable {
                 return Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) });
             }
         }
+        self.check_force_numbers()?;
         self.check_conduction()
+    }
+
+    /// Refuses a number alone as the force beside pressures or lengths with units.
+    ///
+    /// # Errors
+    /// [`SetupError::ForceWithoutUnit`].
+    pub fn check_force_numbers(&self) -> Result<(), SetupError> {
+        let Some(force) = self.words_of(FORCE).into_iter().find(|word| !has_unit(word)) else { return Ok(()) };
+        let keys = KINDS.iter().filter(|(kind, _)| *kind != "time").flat_map(|(_, keys)| keys.iter());
+        let mut given = keys.flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word)));
+        let Some((key, word)) = given.find(|(_, word)| has_unit(word)) else { return Ok(()) };
+        let example = match self.axes() {
+            Some(1) => format!("{force}N/m"),
+            Some(_) => format!("{force}N"),
+            None => format!("{force}N on a surface or {force}N/m on a line"),
+        };
+        Err(SetupError::ForceWithoutUnit { force, with: format!("{} {word}", name(key)), example })
+    }
+
+    /// Refuses a force per length on a surface, and one that is not per length on a line.
+    ///
+    /// # Errors
+    /// [`SetupError::ForceUnit`].
+    pub fn check_force_units(&self) -> Result<(), SetupError> {
+        let is_force = self.find(FORCE).is_some();
+        let words: Vec<String> = LOADS.iter().filter(|_| is_force).flat_map(|key| self.words_of(key)).collect();
+        let ends = words.iter().flat_map(|word| ends(word));
+        let forces: Vec<(&str, ForceUnit)> = ends.filter_map(|word| Some((word, force_unit(word)?))).collect();
+        let Some(axes) = forces.first().and_then(|_| self.axes()) else { return Ok(()) };
+        let (expected, is_line) = if axes == 1 { (ForceUnit::Line, true) } else { (ForceUnit::Surface, false) };
+        let Some((word, _)) = forces.into_iter().find(|(_, unit)| *unit != expected) else { return Ok(()) };
+        let (force, of_surface) = (word.to_owned(), word.split('/').next().unwrap_or(word));
+        let meant = if is_line { format!("{force}/m") } else { of_surface.to_owned() };
+        Err(SetupError::ForceUnit { force, meant, is_line })
+    }
+
+    /// The number of axes of the heights: 1 for a line, 2 for a surface; none if that is not known yet.
+    fn axes(&self) -> Option<usize> {
+        match self.find("grid.points") {
+            Some(Value::Array(points)) => Some(points.first()?.as_array().unwrap_or(points).len()),
+            Some(_) => Some(1),
+            None => self.clone().surface().and_then(|(recipe, cell)| recipe.rank(&cell)).ok().filter(|axes| *axes > 0),
+        }
     }
 
     /// The quantities at some keys, as they are written; of pairs of a ratio and a time, the times. Ratios that have units are refused
@@ -108,8 +157,12 @@ fn number(value: &Value) -> Option<f64> {
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
 }
 
-/// Whether a quantity, or a range of them such as `1e5..1e6:4`, ends in a unit.
+/// A quantity, or the ends of a range of them such as `1e5..1e6:4`.
+fn ends(word: &str) -> impl Iterator<Item = &str> {
+    word.split(':').next().unwrap_or(word).split("..").map(str::trim)
+}
+
+/// Whether a quantity, or a range of them, ends in a unit.
 fn has_unit(word: &str) -> bool {
-    let last = word.split(':').next().and_then(|ends| ends.rsplit("..").next()).unwrap_or(word).trim();
-    last.contains(char::is_alphabetic) && last.parse::<f64>().is_err()
+    ends(word).last().is_some_and(|last| last.contains(char::is_alphabetic) && last.parse::<f64>().is_err())
 }

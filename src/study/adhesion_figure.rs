@@ -48,7 +48,8 @@ impl Plan {
             panel
         };
         let is_known = |(_, _, of): &&AdhesionPlot| points.iter().any(|point| of(point).is_some());
-        Figure { title: title.into(), panels: PLOTS.iter().filter(is_known).map(panel).collect() }
+        let title = format!("{title}: means, with bars of standard deviation");
+        Figure { title, panels: PLOTS.iter().filter(is_known).map(panel).collect() }
     }
 
     /// The name of what is varied along `x`, and the curves over it. A study without a list of numbers has its realisations along `x`.

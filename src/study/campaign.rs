@@ -93,7 +93,7 @@ impl Plan {
     ///
     /// # Errors
     /// [`StudyError::OtherShare`] for a table with points of another study, [`StudyError::Overlap`] for a row that is there twice,
-    /// [`StudyError::Missing`] for rows that are in no table, and the errors of [`Table::read`].
+    /// [`StudyError::Damaged`] for a row that was changed, [`StudyError::Missing`] for rows that are in no table, and the errors of [`Table::read`].
     pub fn merge(&self, tables: &[Table]) -> Result<Vec<Point>, StudyError> {
         let all: Vec<usize> = (0..self.realisations()).collect();
         let realisations = self.realisations_of(&all)?;
@@ -101,7 +101,7 @@ impl Plan {
         let mut merged: Vec<Option<Vec<Point>>> = vec![None; identities.len()];
         let mut origin = vec![0; identities.len()];
         for (number, table) in tables.iter().enumerate() {
-            let points = table.read()?;
+            let points = table.read().map_err(unreadable)?;
             let known = Known::new(&points);
             let foreign = known.foreign(&identities);
             if foreign > 0 {
@@ -118,7 +118,7 @@ impl Plan {
                 (merged[i], origin[i]) = (Some(found), number);
             }
         }
-        self.put_together(merged)
+        self.put_together(merged).map_err(|error| damaged(tables).unwrap_or(error))
     }
 
     /// The points of all realisations in their order.
@@ -180,4 +180,20 @@ impl Plan {
             each(&columns, i == 0)
         })
     }
+}
+
+/// The error of a table that is read, and not written.
+fn unreadable(error: FileError) -> FileError {
+    match error {
+        FileError::Target { path, .. } => {
+            FileError::Format { path, what: "study", reason: "it is not the table of a share: leave it out".into() }
+        }
+        error => error,
+    }
+}
+
+/// The error of the first table with a row that is not as it was written.
+fn damaged(tables: &[Table]) -> Option<StudyError> {
+    let row = |table: &Table| Some((table.path().to_path_buf(), table.damaged().ok()??));
+    tables.iter().find_map(row).map(|(path, row)| StudyError::Damaged { path, row })
 }

@@ -4,7 +4,7 @@
 //! ```text
 //! LoadCurve { setup, loads } --> Contacts
 //! Refinement { setup, tolerance } --> Settled { setup, contact }
-//! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> Spread, Estimate, Limit
+//! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> SeedMean, Spread, Estimate, Limit
 //! Plan, a setup with lists --> Realisations, in one Sweep or in Shards on many machines --> Table, columns, Parquet, figure
 //!                              in Batches by workers elsewhere --> Ledger --> the same
 //! ```
@@ -27,6 +27,7 @@ mod known;
 mod ledger;
 mod limit;
 mod load_curve;
+mod means;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod plan;
@@ -40,6 +41,7 @@ mod sweep;
 mod table;
 #[cfg(all(feature = "figures", feature = "parquet"))]
 mod views;
+mod warnings;
 
 pub use campaign::Campaign;
 pub use column::{Column, ColumnValues};
@@ -49,6 +51,7 @@ pub use identity::NUMERICS;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
+pub use means::{AdhesionMeans, LoadMeans, SeedMean};
 pub use plan::{Plan, StudyRow};
 pub use point::Point;
 pub use realisation::Realisation;
@@ -57,3 +60,4 @@ pub use shard::Shard;
 pub use spread::Spread;
 pub use sweep::Sweep;
 pub use table::Table;
+pub use warnings::warnings_of_extrapolated_rows;

@@ -3,7 +3,7 @@
 use super::expense::Expense;
 use super::realisation::Realisation;
 use super::shard::Shard;
-use crate::contact::Load;
+use crate::contact::{Law, Load};
 use crate::error::{SetupError, StudyError};
 use crate::setup::{ParameterAxis, Setup, SetupTable};
 use std::path::{Path, PathBuf};
@@ -44,7 +44,8 @@ pub struct Plan {
     axes: Vec<ParameterAxis>,
     loads: Vec<Load>,
     realisations: usize,
-    has_adhesion: bool,
+    /// The first of the setups, under the first load.
+    first: Setup,
     /// The files that it names.
     files: Vec<PathBuf>,
     /// The text that it was read from, to name lines of.
@@ -97,7 +98,8 @@ impl Plan {
 
     fn new(mut table: SetupTable, text: &str) -> Result<Self, StudyError> {
         let located = |error: SetupError| error.in_text(text);
-        table.check_idle().map_err(located)?;
+        table.check_idle().and_then(|()| table.check_units()).map_err(located)?;
+        table.check_force_units().map_err(located)?;
         let files = table.files();
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
@@ -115,14 +117,19 @@ impl Plan {
             return Err(StudyError::TooManyRows { rows, most: Self::MOST_ROWS });
         }
         axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
-        let has_adhesion = first.adhesion.is_some();
         let realisations = rows as usize / loads.len();
-        Ok(Self { table, axes, realisations, has_adhesion, loads, files, text: text.into() })
+        Ok(Self { table, axes, realisations, first, loads, files, text: text.into() })
     }
 
     /// Whether each row is the history of a setup with adhesion.
     pub(super) fn has_adhesion(&self) -> bool {
-        self.has_adhesion
+        self.first.adhesion.is_some()
+    }
+
+    /// The law under which all contacts are elastic or yield; none for a solid that creeps, whose modulus depends on the time.
+    pub(super) fn law(&self) -> Option<Law> {
+        let creeps = self.first.viscoelastic.is_some() && self.first.sliding.is_none();
+        (!creeps).then_some(self.first.law)
     }
 
     /// The paths of all files that it names, those in lists as well.

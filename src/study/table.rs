@@ -82,6 +82,15 @@ impl Table {
         Ok(points)
     }
 
+    /// The first row of the finished table, from 1, that is not as it was written, if there is one.
+    ///
+    /// # Errors
+    /// The errors of [`Table::read`].
+    pub(super) fn damaged(&self) -> Result<Option<usize>, FileError> {
+        let are_whole = finished(&self.path, |record, names| Ok(Point::from_named(record, names)?.is_some()))?;
+        Ok(are_whole.iter().position(|is_whole| !is_whole).map(|i| i + 1))
+    }
+
     /// Adds the points of realisations to the unfinished table, so that an interrupted run need not repeat them. If the
     /// machine loses power, the last points may be lost.
     ///
@@ -192,7 +201,8 @@ impl Table {
         self.path.with_extension("seconds.csv")
     }
 
-    fn unfinished_path(&self) -> PathBuf {
+    /// The path of the points of a study that runs, or was stopped.
+    pub fn unfinished_path(&self) -> PathBuf {
         self.path.with_extension("unfinished")
     }
 }

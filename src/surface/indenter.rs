@@ -64,12 +64,14 @@ pub enum Indenter {
     #[strum(message = "-slope |x|, a line")]
     Wedge {
         /// Slope `m` of its flanks, a length per length.
+        #[serde(deserialize_with = "quantity::slope")]
         slope: f64,
     },
     /// A cone on a surface, `-m r`.
     #[strum(message = "-slope r, a surface")]
     Cone {
         /// Slope `m` of its flank, a length per length.
+        #[serde(deserialize_with = "quantity::slope")]
         slope: f64,
     },
     /// A power of the distance on a line or a surface, `-A r^n`.

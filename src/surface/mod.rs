@@ -70,7 +70,7 @@ impl Surface {
     ///
     /// # Errors
     /// [`SurfaceError::Shape`] if the array does not fit the grid, [`SurfaceError::NonFinite`] for a NaN or infinity,
-    /// [`SurfaceError::Overflow`] for heights so large that their differences are not finite.
+    /// [`SurfaceError::Overflow`] for heights so large that the squares of their differences are not finite.
     pub fn new(grid: Grid, height: Field) -> Result<Self, SurfaceError> {
         let mut height = checked(&grid, height)?;
         let mean_height = centre(height.as_slice_mut().expect("standard layout"));
@@ -292,11 +292,11 @@ fn checked(grid: &Grid, height: Field) -> Result<Field, SurfaceError> {
     Ok(if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() })
 }
 
-/// The lowest and the highest of some heights, if the sum of their differences may overflow.
+/// The lowest and the highest of some heights, if the sum of the squares of their differences may overflow.
 fn overflowing(heights: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let none = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
     let (least, most, count) = heights.fold(none, |(least, most, n), h| (least.min(h), most.max(h), n + 1.0));
-    (count > 0.0 && !((most - least) * count).is_finite()).then_some([least, most])
+    (count > 0.0 && !((most - least).powi(2) * count).is_finite()).then_some([least, most])
 }
 
 /// Refuses the first of some named values that is not positive and finite.

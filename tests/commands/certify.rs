@@ -97,6 +97,45 @@ fn spoiled_results_are_refused_with_the_reason() {
     }
 }
 
+/// A wrong load is told in the units of the setup; so are fields that are shifted by a node, and a periodic cell for a free one.
+#[test]
+fn loads_shifts_and_boundaries_are_named() {
+    let folder = Folder::new();
+    let cell = "--indenter cylinder --radius 10mm --points 256 --size 4mm --modulus 1GPa";
+    let solved = |flags: &str| {
+        let output = folder.run(&format!("solve {cell} {flags} --tolerance 1e-12 --out run.npz"));
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let mut npz = NpzReader::new(std::fs::File::open(folder.join("run.npz")).unwrap()).unwrap();
+        npz.by_name::<ndarray::OwnedRepr<f64>, ndarray::Ix1>("pressure").unwrap()
+    };
+    let certify = |field: &ndarray::Array1<f64>, flags: &str| {
+        write_npy(folder.join("p.npy"), field).unwrap();
+        let line = format!("certify {cell} {flags} --pressure p.npy");
+        let output = folder.run(&line);
+        assert_eq!(output.status.code(), Some(3), "{flags}: {}", text(&output.stderr));
+        (text(&output.stdout).to_owned(), json(&folder.run(&format!("{line} --json"))))
+    };
+    let heavy = solved("--pressure 2.31MPa");
+    let (told, found) = certify(&heavy, "--mean-pressure 3MPa");
+    assert!(told.contains("the pressures carry 2.31 MPa, but 3 MPa is prescribed"), "{told}");
+    assert!(told.contains("contact modulus E*        1 GPa") && !told.contains("no common mistake"), "{told}");
+    assert_eq!(found["findings"][0]["errors"], serde_json::json!(["load"]));
+    // a load that is wrong beside other errors is told as well
+    let spoiled = ndarray::Array1::from_iter(heavy.iter().enumerate().map(|(i, p)| p * (1.0 + 0.3 * (i as f64).sin())));
+    let (told, _) = certify(&spoiled, "--mean-pressure 3MPa");
+    assert!(told.contains(" MPa, but 3 MPa is prescribed"), "{told}");
+    let rolled = ndarray::Array1::from_shape_fn(256, |i| heavy[(i + 255) % 256]);
+    let (told, _) = certify(&rolled, "--mean-pressure 2.31MPa");
+    assert!(
+        told.contains("are shifted along x by 1 node relative to the heights: give numpy.roll(pressure, -1)"),
+        "{told}"
+    );
+    let free = solved("--pressure 20MPa --boundary free");
+    let (told, found) = certify(&free, "--mean-pressure 20MPa");
+    assert!(told.contains("the pressures are those of a cell without images, but the boundary is periodic"), "{told}");
+    assert_eq!(found["findings"][0]["errors"], serde_json::json!(["boundary"]));
+}
+
 #[test]
 fn poissons_ratio_is_named_where_it_is_known() {
     let folder = Folder::new();

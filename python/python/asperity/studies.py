@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import time
-import warnings
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from typing import Any, Callable, Iterator, Mapping
 
-from asperity._asperity import AsperityError, AsperityWarning, Batch, CancelToken, Ledger, Study, Table, free_memory
+from asperity._asperity import AsperityError, Batch, CancelToken, Ledger, Study, Table, free_memory
 from asperity._asperity import threads as threads_here
 from asperity.progress import show_rows
 
@@ -46,7 +45,8 @@ def study(
     progress: called with the numbers of solved rows and of all rows after each batch; True shows a bar by tqdm.
 
     Raises AsperityError for an invalid study, and for a realisation that no worker has the memory for. Rows that did not converge stay in the
-    table with their status, and an AsperityWarning gives their number, as another does of rows whose grid is too coarse. Ctrl-C stops the study.
+    table with their status, and an AsperityWarning gives their number, as others do of rows that are not resolved and of rows whose grid is too
+    coarse. Ctrl-C stops the study.
     """
     if not isinstance(study, Study):
         study = Study(**study) if isinstance(study, Mapping) else Study.read(study)
@@ -60,28 +60,7 @@ def study(
             _solve(study, ledger, engine, {"threads": threads, **engine.keywords}, report)
     finally:
         engine.close()
-    table = ledger.finish()
-    if unsettled := sum(status != "converged" for status in table["status"]):
-        warnings.warn(f"{unsettled} of {len(table)} rows did not converge. See their status.", AsperityWarning, stacklevel=2)
-    if (coarse := _coarse(table)) > LARGEST_SHARE * len(table):
-        warnings.warn(
-            f"The grid is too coarse for {coarse} of {len(table)} rows: kappa_r_error is above {LARGEST_ERROR:.0%}. Give more points.",
-            AsperityWarning,
-            stacklevel=2,
-        )
-    return table
-
-
-LARGEST_ERROR = 0.1
-"""Estimated errors of kappa_r above this one are large."""
-
-LARGEST_SHARE = 0.1
-"""A share of rows with large errors above this one gives a warning."""
-
-
-def _coarse(table: Table) -> int:
-    """The number of rows whose kappa_r is not known well on their grid."""
-    return sum(error > LARGEST_ERROR for error in table["kappa_r_error"]) if "kappa_r_error" in table else 0
+    return ledger.finish()
 
 
 class _Place:

@@ -4,7 +4,7 @@ use super::{
     ExactPart, HeightDistribution, Lay, MeasuredSpectrum, Rolloff, RoughnessScale, SelfAffine, SpectralDensity,
     SpectrumConvention, SpectrumFile, TargetHeights,
 };
-use crate::quantity::some_length;
+use crate::quantity::{some_angle, some_length};
 use crate::surface::HeightFile;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -44,7 +44,7 @@ pub(super) struct RoughnessKeys {
     rms_height: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     peklenik: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_angle")]
     lay_angle: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     skewness: Option<f64>,

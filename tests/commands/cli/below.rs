@@ -88,7 +88,7 @@ fn a_tangential_load_is_carried_by_what_sticks_and_what_slips() {
     let line = "--indenter cylinder --radius 10m --points 256 --size 1m";
     let sphere = "--indenter sphere --radius 10m --points 32,32 --size 1m";
     for (cell, [whole, part]) in
-        [(line, ["500kN/m", "100kN/m"]), (line, ["500000", "100000"]), (sphere, ["500kN", "0.1MN"])]
+        [(line, ["500kN/m", "100kN/m"]), (line, ["0.5MN/m", "100N/mm"]), (sphere, ["500kN", "0.1MN"])]
     {
         assert!((force(cell, whole, part) - 0.4).abs() < 1e-12, "{cell}, {whole}, {part}");
     }

@@ -145,7 +145,12 @@ fn a_fresh_study_that_is_interrupted_leaves_no_older_drawings() {
     let views = ["study.parquet", "study.svg", "study.png"].map(|name| folder.join(name));
     assert!(views.iter().all(|path| path.is_file()));
     std::fs::write(folder.join("study.toml"), study("1-2000")).unwrap();
-    signalled(&folder, "study study.toml --fresh", "-TERM", || folder.join("study.unfinished").is_file());
+    let (said, code) =
+        signalled(&folder, "study study.toml --fresh", "-TERM", || folder.join("study.unfinished").is_file());
+    assert_eq!(code, Some(130), "{said}");
+    let sentence =
+        "warning: Interrupted: the rows that were solved are in study.unfinished. Run the same command again to go on.";
+    assert!(said.contains(sentence), "{said}");
     assert!(!folder.join("study.csv").exists() && views.iter().all(|path| !path.exists()));
 }
 

@@ -57,6 +57,9 @@ fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
     let output = folder.run(&run);
     assert_eq!(output.status.code(), Some(3));
     assert!(text(&output.stderr).contains("warning: not converged"));
+    let told = folder.run(&format!("{run} --json"));
+    assert_eq!(json(&told)["warnings"], serde_json::json!(warnings::warnings(&told)));
+    assert!(json(&told)["loads"].as_array().unwrap().iter().all(|load| load["claim"] == "not-converged"));
     assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().matches("iteration-cap").count(), 2);
 }
 

@@ -41,9 +41,9 @@ load = { reduced-pressure = [1e-5, 0.1] }
     let output = done(&folder, "study study.toml");
     let lines: Vec<Vec<&str>> = text(&output.stdout).lines().map(|line| line.split_whitespace().collect()).collect();
     let of_load = |load: &str| lines.iter().find(|words| words.first() == Some(&load)).unwrap()[1..].to_vec();
-    assert_eq!(of_load("1.0000e-5"), ["-"; 4]);
+    assert_eq!(of_load("1.0000e-5"), ["-"; 8]);
     let rough: Vec<f64> = of_load("1.0000e-1").iter().map(|word| word.parse().unwrap()).collect();
-    assert!((rough[0] - 0.22).abs() < 0.01 && (rough[2] - 1.66).abs() < 0.05 && rough[3] > 0.0, "{rough:?}");
+    assert!((rough[0] - 0.22).abs() < 0.01 && (rough[4] - 1.66).abs() < 0.05 && rough[5] > 0.0, "{rough:?}");
     let warned = text(&output.stderr);
     assert!(warned.contains("warning: 4 of 8 rows are not resolved"), "{warned}");
 }
@@ -95,7 +95,7 @@ fn a_study_is_a_table_a_figure_and_the_setup_of_each_row() {
     let folder = folder_with(STUDY);
     let output = done(&folder, "study study.toml");
     assert!(
-        text(&output.stdout).starts_with("24 rows, mean and standard deviation over 3 seeds"),
+        text(&output.stdout).starts_with("24 rows, means over 3 seeds: with standard deviation (std)"),
         "{}",
         text(&output.stdout)
     );
@@ -131,7 +131,8 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
         bash.arg(&script).arg("study.toml").env("PATH", &path).env("SLURM_ARRAY_TASK_COUNT", "5");
         let output =
             folder.finish(bash.env("SLURM_ARRAY_TASK_ID", share.to_string()).env("SLURM_MEM_PER_NODE", "2048"));
-        assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
+        let is_told = text(&output.stderr).lines().all(|line| line.starts_with("warning: The grid is too coarse for "));
+        assert!(output.status.success() && is_told, "{}", text(&output.stderr));
     }
     let mut count: Vec<usize> = shares.iter().map(|share| rows(&folder.join(share)).len()).collect();
     count.sort_unstable();
@@ -149,15 +150,15 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
     std::fs::write(folder.join("edited.csv"), share.replacen(number, "0.25", 1)).unwrap();
     let others = [0, 1, 3, 4].map(|i| shares[i].as_str()).join(" ");
     let edited = refused(&folder, &format!("merge study.toml {others} edited.csv --out no.csv"));
-    assert!(
-        edited.contains("2 of 24 rows are missing in the tables, or were changed after they were solved"),
-        "{edited}"
-    );
+    assert!(edited.contains("edited.csv is damaged: row 1 fails its check sum: solve this share again"), "{edited}");
+    std::fs::write(folder.join("other.csv"), "a,b\n1,2\n").unwrap();
+    let other = refused(&folder, &format!("merge study.toml {others} other.csv --out no.csv"));
+    assert!(other.contains("other.csv is not a valid study file: it is not the table of a share"), "{other}");
     let twice = refused(&folder, &format!("merge study.toml {} study.csv --out no.csv", shares.join(" ")));
     assert!(twice.contains(" is in study.") && twice.contains(" and also in study.csv: give"), "{twice}");
     std::fs::write(folder.join("other.toml"), STUDY.replace("0.8", "0.7")).unwrap();
     let foreign = refused(&folder, &format!("merge other.toml {} --out no.csv", shares.join(" ")));
-    assert!(foreign.contains("points of other setups, loads or versions: solve this share again"), "{foreign}");
+    assert!(foreign.contains("rows of another study, or of another version: solve this share again"), "{foreign}");
     let own = refused(&folder, "merge study.toml study.1-of-5.csv --out study.1-of-5.csv");
     assert!(own.contains("study.1-of-5.csv: it is also an input file"), "{own}");
     let absent = refused(&folder, "merge study.toml study.9-of-9.csv --out no.csv");
@@ -282,4 +283,83 @@ fn a_row_is_recorded_as_the_study_solved_it() {
     assert!(!folder.join("study.csv").exists());
     let none = refused(&folder, "study study.toml --record-row 25 --record no.rrd");
     assert!(none.contains("there is no row 25: give a number from 1 to 24"), "{none}");
+}
+
+/// Rows on a grid that is too coarse.
+const COARSE: &str = r#"
+surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.05, rms-gradient = 0.1 }, seed = "1-3" }
+grid = { points = [[48, 48]], size = 1.0 }
+load = { reduced-pressure = [0.001, 0.01] }
+"#;
+
+/// Whole studies, shares and what is merged warn alike, and the means have the error of their grid.
+#[test]
+fn rows_on_a_coarse_grid_are_told_with_their_errors() {
+    let folder = folder_with(COARSE);
+    let output = done(&folder, "study study.toml --json");
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let table = rows(&folder.join("study.csv"));
+    let of = |row: &std::collections::HashMap<String, String>, name: &str| row[name].parse::<f64>().unwrap();
+    let is_large = |error: f64| error.is_nan() || error > 0.1;
+    let coarse = table.iter().filter(|row| of(row, "kappa_r") > 0.0 && is_large(of(row, "kappa_r_error"))).count();
+    assert!(coarse > 0);
+    let sentence = format!("The grid is too coarse for {coarse} of 6 rows: their kappa_r may be off by more than 10 %");
+    let told = warnings::warnings(&output);
+    assert!(told.iter().any(|it| it.starts_with(&sentence)), "{told:?}");
+    assert_eq!(found["warnings"], serde_json::json!(told));
+    assert_eq!((&found["rows"], &found["converged"]), (&Value::from(6), &Value::from(6)));
+    // the means are those of the table: of what is resolved, with the absolute error of the grid
+    for (load, mean) in found["means"].as_array().unwrap().iter().enumerate() {
+        let kappa_r = &mean["kappa_r"];
+        let used: Vec<[f64; 2]> = table
+            .iter()
+            .filter(|row| of(row, "load_number") == load as f64 + 1.0)
+            .map(|row| [of(row, "kappa_r"), of(row, "kappa_r_error")])
+            .filter(|[kappa_r, error]| *kappa_r > 0.0 && *error < 1.0)
+            .collect();
+        let count = used.len() as f64;
+        assert_eq!(kappa_r["count"], used.len());
+        if used.len() > 1 {
+            let average = used.iter().map(|it| it[0]).sum::<f64>() / count;
+            let deviation = (used.iter().map(|it| (it[0] - average).powi(2)).sum::<f64>() / (count - 1.0)).sqrt();
+            let grid = used.iter().map(|it| it[0] * it[1]).sum::<f64>() / count;
+            assert_close(number(kappa_r, "mean"), average, 1e-12, "mean");
+            assert_close(number(kappa_r, "standard_deviation"), deviation, 1e-9, "deviation");
+            assert_close(number(kappa_r, "standard_error"), deviation / count.sqrt(), 1e-9, "error");
+            assert_close(number(kappa_r, "grid_error"), grid, 1e-12, "grid");
+        }
+    }
+    // what the bars of the figure are
+    let figure = String::from_utf8(bytes(&folder, "study.svg")).unwrap();
+    assert!(figure.contains("bars of standard deviation plus error of the grid"), "{figure}");
+    // shares and what is merged
+    for share in 1..=2 {
+        let output = done(&folder, &format!("study study.toml --shard {share}/2"));
+        assert!(text(&output.stderr).contains("warning: The grid is too coarse for "), "{}", text(&output.stderr));
+    }
+    std::fs::remove_file(folder.join("study.csv")).unwrap();
+    let shares = "study.toml study.1-of-2.csv study.2-of-2.csv";
+    assert_eq!(warnings::warnings(&done(&folder, &format!("merge {shares}"))), told);
+    // warnings as errors: everything is written
+    for line in
+        ["study study.toml --strict --out strict.csv".to_owned(), format!("merge {shares} --strict --out strict.csv")]
+    {
+        let strict = refused(&folder, &format!("{line} --quiet"));
+        assert!(strict.contains(&sentence), "{strict}");
+        std::fs::remove_file(folder.join("strict.csv")).unwrap();
+    }
+    // a fine grid is silent
+    let folder = folder_with(&COARSE.replace("[[48, 48]]", "4096").replace("0.001, 0.01", "0.05, 0.1"));
+    assert_eq!(warnings::warnings(&done(&folder, "study study.toml --strict")), [""; 0]);
+}
+
+/// The largest pressure and the slope of the roughest rows.
+#[test]
+fn rows_of_solids_that_would_yield_are_told() {
+    let steep = STUDY.replace("rms-gradient = 0.1", "rms-gradient = [0.1, 3.0]");
+    let told = done(&folder_with(&steep), "study study.toml").stderr;
+    assert!(text(&told).contains("Nearly all solids yield at lower pressures"), "{}", text(&told));
+    assert!(text(&told).contains("The rms slope of the contact is "), "{}", text(&told));
+    let told = done(&folder_with(STUDY), "study study.toml").stderr;
+    assert!(!text(&told).contains("yield") && !text(&told).contains("slope"), "{}", text(&told));
 }

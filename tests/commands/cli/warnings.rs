@@ -73,6 +73,83 @@ fn steel_that_would_yield_warns() {
     }
 }
 
+/// PMMA under a load that it cannot bear, and slopes that were meant as degrees; what is usual is not told.
+#[test]
+fn large_strains_warn() {
+    let folder = Folder::new();
+    let wedge = "--indenter wedge --points 2048 --size 1 --modulus 1";
+    let rough = ROUGH_LINE.replace("--rms-gradient 0.1", "--rms-gradient 5");
+    let (soft, steep) = ("Nearly all solids yield at lower pressures", "The rms slope of the contact is ");
+    for (line, is_soft, is_steep) in [
+        (format!("{CYLINDER} --young 3GPa --poisson 0.35 --pressure 0.4GPa"), true, false),
+        (format!("{CYLINDER} --young 3GPa --poisson 0.35 --pressure 50MPa"), false, false),
+        (format!("{wedge} --slope 5 --pressure 0.1"), true, true),
+        (format!("{wedge} --slope 0.0875 --pressure 0.001"), false, false),
+        (format!("{ROUGH_LINE} --reduced-pressure 0.1"), false, false),
+        (format!("{rough} --reduced-pressure 0.1"), true, true),
+        (format!("{rough} --reduced-pressure 0.1 --modulus 1 --hardness 1"), false, true),
+    ] {
+        let output = folder.run(&format!("solve {line}"));
+        let told = |words: &str| warnings(&output).iter().any(|it| it.contains(words));
+        assert_eq!([told(soft), told(steep)], [is_soft, is_steep], "{line}: {}", text(&output.stderr));
+    }
+    // a history is told of as well
+    let slides = "solve --indenter cylinder --radius 1 --points 256 --size 4 --boundary free --modulus 1 --force 1 --friction 0.3 --creepage 1e-4";
+    let output = folder.run(slides);
+    assert!(warnings(&output).iter().any(|it| it.contains(soft)), "{}", text(&output.stderr));
+}
+
+/// A force acts on a surface, and a force per length on a line; a number alone beside units would be in newtons.
+#[test]
+fn forces_have_the_unit_of_their_surface() {
+    let folder = Folder::new();
+    let line = "--indenter cylinder --radius 10mm --points 256 --size 1mm --modulus 1GPa";
+    let surface = "--indenter sphere --radius 10mm --points 16,16 --size 1mm --modulus 1GPa";
+    for (given, expected) in [
+        (format!("{line} --force 1N"), "the force 1N is not per length, as that on a line is: did you mean 1N/m?"),
+        (format!("{line} --force 1N..4N:3"), "did you mean 1N/m?"),
+        (
+            format!("{surface} --force 10mN/m"),
+            "the force 10mN/m is per length, as that on a line is, but this is a surface: did you mean 10mN?",
+        ),
+        (format!("{surface} --force 10mN --friction 0.3 --tangential 1mN/m"), "did you mean 1mN?"),
+        (
+            format!("{surface} --force 5"),
+            "the force 5 has no unit, but the contact modulus 1GPa has one: give it with a unit, such as 5N",
+        ),
+        (format!("{line} --force 5"), "such as 5N/m"),
+    ] {
+        let output = folder.run(&format!("solve {given}"));
+        assert_eq!(output.status.code(), Some(2), "{given}");
+        assert!(text(&output.stderr).contains(expected), "{given}: {}", text(&output.stderr));
+    }
+    for given in [
+        format!("{line} --force 1N/m"),
+        format!("{surface} --force 10mN"),
+        format!("{surface} --force 0.01").replace("1GPa", "1e9").replace("10mm", "0.01").replace("1mm", "0.001"),
+        // the tangential load of a pressure is another kind, of which another sentence speaks
+        format!("{line} --pressure 1kPa"),
+    ] {
+        let output = folder.run(&format!("solve {given} --save-setup saved.toml"));
+        assert_eq!(output.status.code(), Some(0), "{given}: {}", text(&output.stderr));
+        assert_eq!(folder.run("solve saved.toml --modulus 2GPa").status.code(), Some(0), "{given}");
+    }
+    // heights of a file are a line or a surface
+    write_npy(folder.join("h.npy"), &hills([12, 24])).unwrap();
+    let said = folder.run("solve --height h.npy --size 1mm --modulus 1GPa --force 1N/m");
+    assert!(text(&said.stderr).contains("but this is a surface"), "{}", text(&said.stderr));
+    // and studies
+    let study = "surface.indenter = { shape = 'cylinder', radius = '10 mm' }\ngrid = { points = [[64], [128]], size = '1 mm' }\n\
+                 solid.contact-modulus = '1 GPa'\nload.force = ['1 N', '2 N']\n";
+    std::fs::write(folder.join("study.toml"), study).unwrap();
+    let said = folder.run("study study.toml --dry-run");
+    assert!(
+        said.status.code() == Some(2) && text(&said.stderr).contains("did you mean 1 N/m?"),
+        "{}",
+        text(&said.stderr)
+    );
+}
+
 #[test]
 fn a_load_far_beyond_full_contact_warns() {
     let folder = Folder::new();
@@ -208,4 +285,75 @@ fn units_with_wrong_capitals_are_refused_with_the_right_ones() {
     };
     assert!(refused("--modulus 1GPa --pressure 10mPa").contains("`10mPa` is not a pressure: did you mean `10 MPa`?"));
     assert!(refused("--modulus 210GPA --pressure 1MPa").contains("did you mean `210 GPa`?"));
+}
+
+/// Keys and flags that there are not are answered by those that are meant; angles have units.
+#[test]
+fn names_and_angles_are_understood() {
+    let folder = Folder::new();
+    let rough = "grid = { points = [32, 32], size = 1.0 }\nload.reduced-pressure = 0.1\n[surface.spectrum]\nhurst = 0.8\nshort-cutoff = 0.1\nrms-gradient = 0.1\n";
+    let scene = |text: String| {
+        std::fs::write(folder.join("scene.toml"), text).unwrap();
+        folder.run("solve scene.toml --json")
+    };
+    let said = scene(format!("{rough}rolloff = 0.5\n"));
+    assert!(text(&said.stderr).contains("did you mean `rolloff-wavelength`?"), "{}", text(&said.stderr));
+    let said = scene(format!("solid = {{ young = 1e9, nu = 0.3 }}\n{rough}rolloff-wavelength = 0.5\n"));
+    assert!(text(&said.stderr).contains("did you mean `poisson`?"), "{}", text(&said.stderr));
+    let said = scene(format!("solid = {{ zz = 1e9 }}\n{rough}rolloff-wavelength = 0.5\n"));
+    assert!(text(&said.stderr).contains("unknown key `zz`") && !text(&said.stderr).contains("did you mean"));
+    for (flag, expected) in
+        [("--load 3", "there is no flag --load: name the kind of the load"), ("--nu 0.3", "give --poisson")]
+    {
+        let said = folder.run(&format!("solve {CYLINDER} {flag}"));
+        assert!(said.status.code() == Some(2) && text(&said.stderr).contains(expected), "{}", text(&said.stderr));
+        assert_eq!(text(&said.stderr).lines().count(), 1);
+    }
+    let turned =
+        |angle: &str| json(&scene(format!("{rough}rolloff-wavelength = 0.5\npeklenik = 2\nlay-angle = {angle}\n")));
+    assert_eq!(turned("30")["kappa_r"], turned("\"30deg\"")["kappa_r"]);
+    assert_ne!(turned("30")["kappa_r"], turned("60")["kappa_r"]);
+    let wedge = |slope: &str| {
+        json(&folder.run(&format!(
+            "solve --indenter wedge --slope {slope} --points 256 --size 1 --reduced-pressure 0.1 --json"
+        )))
+    };
+    assert_close(
+        number(&wedge("5deg"), "mean_gap"),
+        number(&wedge("0.08748866352592401"), "mean_gap"),
+        1e-12,
+        "5 degrees",
+    );
+    let said = folder.run("solve --indenter wedge --slope 95deg --points 256 --size 1 --reduced-pressure 0.1");
+    assert!(
+        said.status.code() == Some(2) && text(&said.stderr).contains("a slope: a number"),
+        "{}",
+        text(&said.stderr)
+    );
+}
+
+/// A contact of one node has no gradient, and so no reduced pressure by it.
+#[test]
+fn what_a_contact_of_one_node_does_not_have_is_absent() {
+    let folder = Folder::new();
+    let line = "solve --indenter sphere --radius 1 --points 16,16 --size 4 --modulus 1 --pressure 1e-9";
+    assert_eq!(folder.run(&format!("{line} --out one.npz")).status.code(), Some(0));
+    let mut npz = ndarray_npy::NpzReader::new(File::open(folder.join("one.npz")).unwrap()).unwrap();
+    let names = npz.names().unwrap();
+    let has = |name: &str| names.iter().any(|it| it == name);
+    assert!(has("relative_area") && has("reduced_pressure") && !has("reduced_pressure_contact"), "{names:?}");
+    assert_eq!(folder.run(&format!("{line},1e-8 --out one.csv")).status.code(), Some(0));
+    let table = std::fs::read_to_string(folder.join("one.csv")).unwrap();
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let column = reader.headers().unwrap().iter().position(|it| it == "reduced_pressure_contact").unwrap();
+    assert!(reader.records().all(|record| record.unwrap()[column].is_empty()), "{table}");
+    assert!(!table.contains("NaN"), "{table}");
+    // heights of which the squares overflow
+    write_npy(folder.join("h.npy"), &hills([12, 24]).mapv(|height| 1e300 * height)).unwrap();
+    let said = folder.run("solve --height h.npy --size 1 --reduced-pressure 0.1");
+    assert!(
+        said.status.code() == Some(2) && text(&said.stderr).contains("so large numbers overflow"),
+        "{}",
+        text(&said.stderr)
+    );
 }
