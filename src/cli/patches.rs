@@ -90,7 +90,7 @@ impl PatchesCommand {
         } else {
             let images = if setup.surface.prepare.mirror.is_some() { ", without mirror images" } else { "" };
             writeln!(stdout(), "{}: contact patches{images}", subject.line())?;
-            write_rows(subject.rows(units), &mut stdout())?;
+            write_rows(subject.rows(units, false), &mut stdout())?;
             PatchReport { patches: &patches, units, is_line: subject.rank == 1 }.write(&mut stdout())?;
         }
         warnings::print(&warnings);

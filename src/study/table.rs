@@ -87,7 +87,7 @@ impl Table {
     /// # Errors
     /// The errors of [`Table::read`].
     pub(super) fn damaged(&self) -> Result<Option<usize>, FileError> {
-        let are_whole = finished(&self.path, |record, names| Ok(Point::from_named(record, names)?.is_some()))?;
+        let are_whole = finished(&self.path, "setup", |record, names| Ok(Point::from_named(record, names)?.is_some()))?;
         Ok(are_whole.iter().position(|is_whole| !is_whole).map(|i| i + 1))
     }
 
