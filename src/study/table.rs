@@ -128,7 +128,7 @@ impl Table {
         let file = opened.map_err(|source| FileError::Write { path: path.clone(), source })?;
         match file.try_lock() {
             Err(TryLockError::WouldBlock) => {
-                let reason = "another process solves this study: wait until it ends, or give another table".into();
+                let reason = "another run fills it: wait until that one ends, or give another table".into();
                 Err(FileError::Target { path, reason })
             }
             // a file system without locks is used as it is

@@ -226,9 +226,12 @@ fn patches_of_a_rough_surface_keep_their_numbers_over_25_loads() {
 #[test]
 fn a_patch_across_the_period_has_its_centre_there() {
     let grid = Grid::surface([8, 8], [1.0, 1.0]).unwrap();
-    let problem =
-        Problem::new(Surface::new(grid, Array2::zeros((8, 8))).unwrap(), ContactModulus(1.0), Load::MeanPressure(1.0))
-            .unwrap();
+    let problem = Problem::new(
+        Surface::new(grid, Array2::from_shape_fn((8, 8), |(y, _)| y as f64)).unwrap(),
+        ContactModulus(1.0),
+        Load::MeanPressure(1.0),
+    )
+    .unwrap();
     let pressure: Vec<f64> = (0..64).map(|i| if [7, 0].contains(&(i % 8)) && i / 8 == 3 { 1.0 } else { 0.0 }).collect();
     let [patch] = Patch::all(&problem, &pressure)[..] else { panic!("one patch") };
     assert_eq!((patch.nodes, patch.centre), (2, [3.0 / 8.0, 7.5 / 8.0]));

@@ -48,7 +48,14 @@ fn what_comes_in_any_order_is_the_study_of_one_machine_to_the_last_bit() {
         ledger.enter((i..20.min(i + 7)).rev().map(|i| (i, sent(&plan, i))).collect()).unwrap();
     }
     assert!(matches!(ledger.finish(), Err(StudyError::Missing { rows: 12, first: 1, of: 40 })));
-    // begun again, it knows what came before
+    // begun again, it knows what came before; as long as the first one is there, the table is its own
+    let again = |i: usize| {
+        let mut ledger = Ledger::new(plan.clone(), Some(table("pieces.csv")))?;
+        ledger.enter(vec![(i, sent(&plan, i))])
+    };
+    let refused = again(0).unwrap_err().to_string();
+    assert!(refused.contains("pieces.unfinished: another run fills it"), "{refused}");
+    drop(ledger);
     let mut ledger = Ledger::new(plan.clone(), Some(table("pieces.csv"))).unwrap();
     let missing: Vec<usize> = ledger.batches(1).unwrap().into_iter().flat_map(|it| it.realisations).collect();
     assert_eq!((ledger.known(), missing.len()), (28, 6));

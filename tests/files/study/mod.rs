@@ -270,7 +270,7 @@ fn files_of_others_beside_a_table_are_refused() {
     table.append(&points[..8]).unwrap();
     let other = Table::new(&path);
     let refused = [other.append(&points[8..]), other.clear()].map(|it| it.unwrap_err().to_string());
-    assert!(refused.iter().all(|it| it.contains("another process solves this study")), "{refused:?}");
+    assert!(refused.iter().all(|it| it.contains("another run fills it")), "{refused:?}");
     assert_eq!(Table::new(&path).read().unwrap().len(), 8);
     drop((table, other));
     assert_eq!(table_of(&sweep(1), &path), fs::read(folder.path().join("other.csv")).unwrap());
