@@ -111,9 +111,15 @@ impl SiteExport {
             copy(&recording.live, &mut File::create(folder.join("run").join(format!("{id}.rrd")))?)?;
             runs.push(json!({ "id": id, "is_sweep": *kind == RunKind::Sweep, "knobs": knobs }));
         }
-        let observables: Vec<_> = Quantity::all().map(Quantity::row).collect();
+        let observables: Vec<Value> = Quantity::all().map(observable).collect();
         Ok(json!({ "start": start, "lessons": lessons, "observables": observables, "first": first, "recorded": runs }))
     }
+}
+
+/// What the page needs of a quantity; it has sentences of its own.
+fn observable(quantity: Quantity) -> Value {
+    let row = quantity.row();
+    json!({ "name": row.name, "symbol": row.symbol, "unit": row.unit, "is_traced": row.is_traced })
 }
 
 /// The runs of a step: all states that can be turned to, and the sweep if the load is swept.
