@@ -202,7 +202,7 @@ impl Contact {
     /// in a line), load (a force, per length in a line), kappa_r, curvature (1/length) and centre (x, y; lengths from the first node on). Of heights
     /// that were mirrored, patches are those of the part without images.
     fn patches<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        patches::of_contact(py, self)
+        patches::of_contact(py, &self.contact, &self.setup)
     }
 
     /// Edges of the contact between the nodes, as arrays by name: the node in contact (node), the step to the neighbour without contact

@@ -1,9 +1,8 @@
 //! Contact patches as arrays.
 
 use crate::arrays::vector;
-use crate::contact::Contact;
-use crate::states::States;
-use asperity::contact::{Patch, PatchEvent, PatchEventKind, PatchHistory, TrackedPatch};
+use asperity::contact::{Patch, PatchHistory, TrackedPatch};
+use asperity::setup::Setup;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -30,10 +29,10 @@ fn table<'py, T>(
 }
 
 /// The patches of one contact.
-pub fn of_contact<'py>(py: Python<'py>, contact: &Contact) -> PyResult<Bound<'py, PyDict>> {
+pub fn of_contact<'py>(py: Python<'py>, contact: &asperity::Contact, setup: &Setup) -> PyResult<Bound<'py, PyDict>> {
     let patches = py.detach(|| {
-        let (problem, pressure) = (&contact.contact.problem, contact.contact.pressure.as_slice().unwrap_or_default());
-        let own = contact.setup.surface.own_shape(problem.surface().grid().shape());
+        let (problem, pressure) = (&contact.problem, contact.pressure.as_slice().unwrap_or_default());
+        let own = setup.surface.own_shape(problem.surface().grid().shape());
         Patch::within(problem, pressure, own).into_iter().map(|(patch, _)| patch).collect::<Vec<_>>()
     });
     table(
@@ -51,20 +50,9 @@ pub fn of_contact<'py>(py: Python<'py>, contact: &Contact) -> PyResult<Bound<'py
     )
 }
 
-/// The patches of states one after the other.
-fn history(py: Python<'_>, states: &States) -> PyResult<PatchHistory> {
-    let contacts = states.each(py)?;
-    Ok(py.detach(|| {
-        let shape = contacts.first().map_or([0, 0], |it| it.get().contact.problem.surface().grid().shape());
-        let mut history = PatchHistory::new(states.setup.setup.surface.own_shape(shape));
-        contacts.iter().for_each(|it| history.add(&it.get().contact));
-        history
-    }))
-}
-
 /// The patches of all states, with the numbers that they keep.
-pub fn of_states<'py>(py: Python<'py>, states: &States) -> PyResult<Bound<'py, PyDict>> {
-    let rows: Vec<TrackedPatch> = history(py, states)?.rows();
+pub fn of_states<'py>(py: Python<'py>, history: &PatchHistory) -> PyResult<Bound<'py, PyDict>> {
+    let rows: Vec<TrackedPatch> = history.rows();
     table(
         py,
         &rows,
@@ -81,10 +69,6 @@ pub fn of_states<'py>(py: Python<'py>, states: &States) -> PyResult<Bound<'py, P
 }
 
 /// What happened to the patches from state to state: the index of the state, the event, the patch and the other one.
-pub fn events(py: Python<'_>, states: &States) -> PyResult<Vec<(usize, &'static str, usize, Option<usize>)>> {
-    let told = |it: PatchEvent| {
-        let word = |kind: PatchEventKind| <&'static str>::from(kind);
-        (it.state - 1, word(it.event), it.patch, it.other)
-    };
-    Ok(history(py, states)?.events.into_iter().map(told).collect())
+pub fn events(history: PatchHistory) -> Vec<(usize, &'static str, usize, Option<usize>)> {
+    history.events.into_iter().map(|it| (it.state - 1, <&'static str>::from(it.event), it.patch, it.other)).collect()
 }

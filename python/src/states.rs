@@ -4,6 +4,7 @@ use crate::contact::Contact;
 use crate::output::check_not_read;
 use crate::patches;
 use crate::setup::Setup;
+use asperity::contact::PatchHistory;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::path::PathBuf;
@@ -25,6 +26,17 @@ impl States {
     /// The contacts themselves.
     pub fn each(&self, py: Python<'_>) -> PyResult<Vec<Py<Contact>>> {
         self.contacts.bind(py).iter().map(|it| Ok(it.cast::<Contact>()?.clone().unbind())).collect()
+    }
+
+    /// The contact patches from state to state.
+    fn patch_history(&self, py: Python<'_>) -> PyResult<PatchHistory> {
+        let contacts = self.each(py)?;
+        Ok(py.detach(|| {
+            let shape = contacts.first().map_or([0, 0], |it| it.get().contact.problem.surface().grid().shape());
+            let mut history = PatchHistory::new(self.setup.setup.surface.own_shape(shape));
+            contacts.iter().for_each(|it| history.add(&it.get().contact));
+            history
+        }))
     }
 
     /// Whether the setups and all contacts are the same.
@@ -50,13 +62,13 @@ impl States {
     /// The contact patches of all states as arrays by name, a row for each patch in each state: the index of the state (state), the number of the patch,
     /// which it keeps from state to state (patch), nodes, area, load, load_share (of the load of all patches), kappa_r, x and y. See Contact.patches.
     fn patches<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
-        patches::of_states(slf.py(), slf.get())
+        patches::of_states(slf.py(), &slf.get().patch_history(slf.py())?)
     }
 
     /// What happened to the contact patches, as a list of tuples: the index of the first state that shows it, "born", "died", "merged" or "split", the
     /// number of the patch, and the number of the patch that it merged into or was split from, or None.
     fn patch_events(&self, py: Python<'_>) -> PyResult<Vec<(usize, &'static str, usize, Option<usize>)>> {
-        patches::events(py, self)
+        Ok(patches::events(self.patch_history(py)?))
     }
 
     /// Writes the Dataset of to_xarray to a NetCDF file.
