@@ -250,7 +250,7 @@ fn the_points_of_another_study_stay() {
     let study = |options: &str| folder.run(&bare(&format!("paper fig2 --quick --out p {options}")));
     assert_eq!(study("--line-seeds 1").status.code(), Some(0));
     let there = fs::read(folder.join("p/fig2.csv")).unwrap();
-    assert_refused(&study("--hurst 0.3"), &["fig2.csv holds 12 points of other setups"]);
+    assert_refused(&study("--hurst 0.3"), &["fig2.csv holds 12 rows of another study"]);
     assert_eq!(fs::read(folder.join("p/fig2.csv")).unwrap(), there);
     let output = study("--line-seeds 1-2");
     assert!(text(&output.stdout).contains("fig2: 12 of 24 points solved"), "{}", text(&output.stdout));
