@@ -408,7 +408,7 @@ fn write_bad_heights(folder: &Folder) -> Vec<(&'static str, &'static str)> {
         ("nan.npy", "1 of 48 heights in nan.npy are void"),
         ("inf.npy", "1 of 48 heights in inf.npy are void"),
         ("minus_inf.npy", "1 of 48 heights in minus_inf.npy are void"),
-        ("huge.npy", "rms height"),
+        ("huge.npy", "overflow"),
         ("flat.npy", "2.5"),
         ("narrow.npy", "3 points"),
         ("column.npy", "1 points"),
