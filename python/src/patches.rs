@@ -68,7 +68,10 @@ pub fn of_states<'py>(py: Python<'py>, history: &PatchHistory) -> PyResult<Bound
     )
 }
 
-/// What happened to the patches from state to state: the index of the state, the event, the patch and the other one.
-pub fn events(history: PatchHistory) -> Vec<(usize, &'static str, usize, Option<usize>)> {
+/// An event: the index of the state, what happened, the patch and the other one.
+pub type PatchEventRow = (usize, &'static str, usize, Option<usize>);
+
+/// What happened to the patches from state to state.
+pub fn events(history: PatchHistory) -> Vec<PatchEventRow> {
     history.events.into_iter().map(|it| (it.state - 1, <&'static str>::from(it.event), it.patch, it.other)).collect()
 }

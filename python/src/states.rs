@@ -67,7 +67,7 @@ impl States {
 
     /// What happened to the contact patches, as a list of tuples: the index of the first state that shows it, "born", "died", "merged" or "split", the
     /// number of the patch, and the number of the patch that it merged into or was split from, or None.
-    fn patch_events(&self, py: Python<'_>) -> PyResult<Vec<(usize, &'static str, usize, Option<usize>)>> {
+    fn patch_events(&self, py: Python<'_>) -> PyResult<Vec<patches::PatchEventRow>> {
         Ok(patches::events(self.patch_history(py)?))
     }
 

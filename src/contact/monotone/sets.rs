@@ -116,7 +116,7 @@ impl<'a> SetIteration<'a> {
             task,
             response,
             operator: Spectral::from_compliance(compliance, grid),
-            best: (f64::INFINITY, Vec::new(), Vec::new()),
+            best: (f64::INFINITY, start.clone(), u.clone()),
             p: start,
             u,
             reduction: REDUCTION,
