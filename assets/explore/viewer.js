@@ -197,12 +197,11 @@ function seek(share) {
 /** Goes to a step of the run that is shown, or to the nearest one that it has. */
 function seekStep(step) {
   const run = shownOrLatest();
-  const range = run && rangeOf(run);
-  if (!range) return;
+  if (!run?.steps?.length) return;
   stopPlaying();
   shownRun = run.id;
-  const at = Math.min(range.max, Math.max(range.min, step));
-  if (isInViewer(run)) goTo(recordingName(run), "step", at); else momentOfStep(run, at);
+  const at = Math.min(run.steps.at(-1), Math.max(run.steps[0], step));
+  if (isInViewer(run) && rangeOf(run)) goTo(recordingName(run), timeline(run), at); else momentOfStep(run, at);
 }
 
 /** The recording in which a person went to a step or a load: all others move on by themselves as they are read. */
