@@ -201,7 +201,8 @@ function seekStep(step) {
   stopPlaying();
   shownRun = run.id;
   const at = Math.min(run.steps.at(-1), Math.max(run.steps[0], step));
-  if (isInViewer(run) && rangeOf(run)) goTo(recordingName(run), timeline(run), at); else momentOfStep(run, at);
+  if (isInViewer(run) && rangeOf(run)) goTo(recordingName(run), timeline(run), at);
+  momentOfStep(run, at);
 }
 
 /** The recording in which a person went to a step or a load: all others move on by themselves as they are read. */

@@ -72,6 +72,7 @@ fn a_solid_has_units(page: &mut Page) {
 fn a_person_who_looks_at_a_process() {
     let Some(program) = installed() else { return };
     let (_explorer, mut page) = opened(&program);
+    page.click("view-picture");
     a_pull_is_a_loop(&mut page);
     maps_are_those_of_the_state(&mut page);
     a_solid_has_units(&mut page);
