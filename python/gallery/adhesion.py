@@ -4,10 +4,14 @@ It jumps into contact, and out of it at a larger distance: the area of the loop 
 Johnson (1995) for an attraction of zero range, up to the small range given here. A negative mean pressure is a pull.
 """
 
+import warnings
+
 import matplotlib.pyplot as plt
 import numpy as np
 
 import asperity as asp
+
+warnings.simplefilter("ignore", asp.AsperityWarning)  # rubber, which is strained a lot where it lets go
 
 MODULUS, WORK, PERIOD, AMPLITUDE = 1e6, 10e-3, 20e-6, 1e-6
 sine = asp.Surface.indenter("sine", 1024, PERIOD, amplitude=AMPLITUDE)

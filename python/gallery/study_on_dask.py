@@ -4,11 +4,15 @@ Each point is a mean over the seeds, and the bars are standard deviations. The a
 Persson's theory until the contact is nearly full. The table is the same to the last bit for any number of workers.
 """
 
+import warnings
+
 import matplotlib.pyplot as plt
 import numpy as np
 from distributed import Client, LocalCluster
 
 import asperity as asp
+
+warnings.simplefilter("ignore", asp.AsperityWarning)  # the largest load strains the solid a lot
 
 LOADS = [0.01, 0.03, 0.1, 0.3, 1.0]
 STUDY = asp.Study(

@@ -310,7 +310,7 @@ REFUSALS: list[Refusal] = [
     (lambda: asp.Setup.from_toml("grid.size = .1"), asp.AsperityError, "line 1: a number has no digits before its point: write 0.1 for .1"),
     (lambda: asp.Setup.read(text_file("heights.npy", b"\x93NUMPY")), asp.AsperityError,
         "heights.npy is not a valid setup file: it is not text: give a scene (.toml or .json), or a result (.npz)"),
-    (lambda: continued(), asp.AsperityError, "study.csv holds 2 rows of other setups, loads or versions: give another file, or delete this one"),
+    (lambda: continued(), asp.AsperityError, "study.csv holds 2 rows of another study, or of another version: give another file, or delete this one"),
     (lambda: study().setup(2), IndexError, "there is no row 2: give one from 0 to 1"),
     (lambda: study().setup(-3), IndexError, "there is no row -3: give one from 0 to 1"),
     (lambda: study().solve([1]), IndexError, "there is no realisation 1: give one from 0 to 0"),
@@ -389,4 +389,5 @@ def test_forces_have_the_unit_of_their_surface() -> None:
             asp.solve(heights, solid="1 GPa", force=force)
     for heights, force in (line, "1 N/m"), (surface, "10mN"):
         assert asp.solve(heights, solid="1 GPa", force=force).converged
-    assert asp.solve(line, solid=1e9, force=5.0).converged
+    bare = asp.Surface.indenter("cylinder", 64, 1e-3, radius=1e-3)
+    assert asp.solve(bare, solid=1e9, force=5.0).converged
