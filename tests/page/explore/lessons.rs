@@ -227,7 +227,7 @@ fn lessons_that_cannot_be_say_where() {
             "there is no \"number.kapa\" to point at: choose one of `section`, ",
         ),
         (
-            format!("{STEP}[end]\nseen = \"[All](chart.kappa) of [it](control.lod).\"\n"),
+            format!("{STEP}[end]\nseen = \"[All](chart.kappa) of [it](control.weight).\"\n"),
             6,
             "`chart.kappa`, `map.pressure`, ",
         ),
