@@ -26,12 +26,13 @@ function keepLeak(run, { axes: [{ hydraulic_gap: gap }] }) {
 }
 
 /** The knobs that make surface and solid of a sweep. */
-function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, "rolloff-form": form, peklenik, "lay-angle": angle, skewness, kurtosis, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time, adhesion, range }) {
+function pressedOf({ domain, body, exponent, roughness, hurst, rolloff, cutoff, "rolloff-form": form, peklenik, "lay-angle": angle, skewness, kurtosis, seed, points, heights, scene, bumps, hardness, layer, creep, speed, time, adhesion, range, friction, sideways, rolling }) {
   if (body === "scene") return scene;
   const memory = creep > 0 && [creep, speed, speed === 0 && time];
   const attraction = adhesion > 0 && [adhesion, range];
-  if (body === "file") return JSON.stringify([heights, hardness, layer, memory, attraction]);
-  return JSON.stringify([hardness, layer, memory, attraction, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, form, domain === "surface" && [peklenik, angle], skewness, kurtosis, seed]]);
+  const rubbing = friction > 0 && sideways > 0 && [friction, rolling];
+  if (body === "file") return JSON.stringify([heights, hardness, layer, memory, attraction, rubbing]);
+  return JSON.stringify([hardness, layer, memory, attraction, rubbing, domain, body, body === "power-law" && exponent, points, bumps, roughness, roughness > 0 && [hurst, rolloff, cutoff, form, domain === "surface" && [peklenik, angle], skewness, kurtosis, seed]]);
 }
 
 /** The dots of contacts that a person has seen of what is pressed now. */
@@ -97,6 +98,7 @@ const kindOf = (name) => known.find((row) => row.name === name)?.unit ?? "1";
 
 /** Friction and area against the speed of sliding: a dot for each speed that was seen under this load. */
 function chartsOfSliding() {
+  describeCharts(0, 0);
   const still = (its) => pressedOf({ ...its, speed: 0, time: 0 });
   const alike = visitedContacts.filter(({ its }) => its.speed > 0 && its.load === knobs.load && still(its) === still(knobs));
   for (const [id, up] of [["chart-area", "friction"], ["chart-kappa", "relative_area"]]) {
