@@ -226,7 +226,7 @@ function showDuration() {
   byId("duration").setAttribute("aria-valuetext", seconds);
 }
 
-/** Who wants no motion gets so many pictures of a run, one after the other. */
+/** Number of still pictures that play a run where the system asks for reduced motion. */
 const CALM = { wish: askSystem("(prefers-reduced-motion: reduce)"), pictures: 12 };
 
 const calmed = (share) => CALM.wish.matches ? Math.floor(share * CALM.pictures) / CALM.pictures : share;

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 const LEFT_OUT: [&str; 3] = ["work", "penetration", "load error"];
 /// The name of the mistake that is a wrong load.
 const LOAD: &str = "load";
-/// Relative errors of a load that are told.
+/// A relative error of the load above this value is reported.
 const LARGEST_LOAD_ERROR: f64 = 1e-6;
 /// Errors of a load, and shares of tension, that are rounding.
 const ROUNDING: f64 = 1e-12;

@@ -36,7 +36,7 @@ pub fn settle(contact: &Contact) -> Result<ExitStatus> {
     status_of(contact)
 }
 
-/// The exit status of a solve whose shortfall is told elsewhere. The failure of an observer is an error.
+/// The exit status of a solve, without a warning: the caller prints that it has not converged. The failure of an observer is an error.
 pub fn status_of(contact: &Contact) -> Result<ExitStatus> {
     match contact.fault() {
         None => Ok(ExitStatus::Done),
