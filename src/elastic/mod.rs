@@ -7,6 +7,7 @@
 mod compliance;
 mod convolution;
 mod coupling;
+mod depth;
 pub mod direct;
 mod directed;
 pub(crate) mod element;
@@ -24,6 +25,7 @@ pub mod stress;
 pub use compliance::Compliance;
 pub(crate) use convolution::Convolution;
 pub use coupling::Coupling;
+pub use depth::{DepthLayers, DepthResponse};
 pub(crate) use directed::SteadyMotion;
 pub use half_space::HalfSpace;
 pub use layer::{Base, Layer};

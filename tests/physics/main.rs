@@ -10,6 +10,7 @@ mod adhesion_rough;
 mod adhesion_stiff;
 mod artefacts;
 mod creep;
+mod depth;
 mod direct_sum;
 mod flow;
 mod hardness;
