@@ -23,6 +23,11 @@ impl Anderson {
         self.memory.clear();
     }
 
+    /// Lengthens all points by values that have been zero so far and did not change.
+    pub fn lengthen(&mut self, len: usize) {
+        self.memory.iter_mut().flatten().for_each(|values| values.resize(len, 0.0));
+    }
+
     /// Whether a step combined several points.
     pub fn is_combined(&self) -> bool {
         self.memory.len() > 1

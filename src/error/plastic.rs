@@ -14,6 +14,14 @@ pub enum PlasticError {
     /// A quantity that must be positive and finite is not.
     #[error("the {name} is {value:?}: give a positive, finite value")]
     NotPositive { name: &'static str, value: f64 },
+    /// A solid without hardening.
+    #[error(
+        "the hardening modulus is {hardening:?}: give a positive, finite value; {least:e}, a millionth of Young's modulus, hardly differs \
+         from none"
+    )]
+    NoHardening { hardening: f64, least: f64 },
+    #[error("the kinematic hardening modulus is {kinematic:?}: give a finite value that is not negative")]
+    Kinematic { kinematic: f64 },
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
     Poisson { poisson: f64 },
     /// Depths of interfaces that do not begin at 0 or do not rise.
@@ -33,4 +41,36 @@ pub enum PlasticError {
         "the stress that a plastic strain leaves is known below a periodic surface only: make the boundary periodic"
     )]
     NeedsPeriodic,
+    /// A solid of the problem that is not the one that yields.
+    #[error(
+        "the problem has a {solid} of contact modulus {found:?}, but the solid that yields is a half-space of {expected:?}: give the problem \
+         that modulus"
+    )]
+    OtherSolid { solid: String, found: f64, expected: f64 },
+    /// A hardness beside the yield stress.
+    #[error("both a yield stress and a hardness are given: leave the hardness out")]
+    Hardness,
+    /// A load that is not a pressure.
+    #[error(
+        "a {load} cannot be given where the solid yields below the surface: give a mean pressure, a reduced pressure or a force"
+    )]
+    NeedsPressure { load: &'static str },
+    /// A load below zero, or not finite.
+    #[error("the {load} is {value:?}: give a finite value that is not negative")]
+    Load { load: &'static str, value: f64 },
+    /// A mean pressure under which no depth is deep enough.
+    #[error(
+        "under a mean pressure of {mean_pressure:?} in full contact the solid yields at all depths, since it is above {limit:?}: give less \
+         pressure, or a higher yield stress"
+    )]
+    YieldsEverywhere { mean_pressure: f64, limit: f64 },
+    /// A setting outside its range.
+    #[error("{name} is {value}: it must lie in {range}")]
+    Range { name: &'static str, value: f64, range: &'static str },
+    /// A history that needs more memory than is free, or than the system allows.
+    #[error(
+        "{layers} layers below {} x {} points need {}, {}: give fewer layers or points", shape[0], shape[1],
+        crate::quantity::bytes_in_words(*needed), crate::memory::free_in_words(*free)
+    )]
+    Memory { layers: usize, shape: [usize; 2], needed: f64, free: Option<f64> },
 }

@@ -1,12 +1,13 @@
 //! The contact of a viscoelastic solid, step by step in time.
 
+use super::apart::apart;
 use super::creep_state::{Carried, CreepEnergy, CreepState, ErrorBounds};
 use super::profile::{MeanStrain, StepProfile};
 use super::time_step::TimeStep;
 use super::warm_start::{signed_pressure, warm_start};
 use crate::chunks;
 use crate::clock::Instant;
-use crate::contact::{Certificate, Contact, Law, Load, Observer, Problem, Solver, Status, Stop, Work};
+use crate::contact::{Contact, Law, Load, Observer, Problem, Solver, Stop, Work};
 use crate::elastic::{Prony, PronyTerm, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
@@ -371,15 +372,9 @@ impl Creep {
 
     /// The contact without pressure above a displaced solid: at a datum, or where the highest point of it just touches.
     fn apart(&self, displacement: Field, work: Work, datum: Option<f64>) -> Contact {
-        let height = self.problem.surface().height();
-        let touch = || height.iter().zip(&displacement).fold(f64::NEG_INFINITY, |most, (h, u)| most.max(h - u));
-        let datum = datum.unwrap_or_else(touch);
-        let gap = &displacement - height + datum;
-        let pressure = Field::zeros(height.dim());
-        let parts = (EXACT, work, Status::Converged);
         let problem = self.problem.clone();
         let problem = problem.clone().with_law(self.law).unwrap_or(problem);
-        Contact::from_parts(problem, [pressure, displacement, gap], parts, "none", None).expect("fields fit the grid")
+        apart(problem, displacement, work, datum)
     }
 
     /// How far the surface has moved, from a constant datum: the uniform displacement by the effective pressure is in it.
@@ -397,19 +392,6 @@ impl Creep {
         left_out.and_then(|()| self.problem.solid().uniform_compliance()).unwrap_or(0.0)
     }
 }
-
-/// The certificate of no pressure where there is no contact: nothing is off.
-const EXACT: Certificate = Certificate {
-    eta: 0.0,
-    eta_gap: 0.0,
-    pressure_error_bound: 0.0,
-    mean_gap_error_bound: 0.0,
-    load_error: 0.0,
-    min_pressure: 0.0,
-    above_hardness: 0.0,
-    penetration: 0.0,
-    rounding: 0.0,
-};
 
 /// A load for the problem of a step, and how much its heights are lowered for it.
 struct PlacedLoad {

@@ -7,6 +7,7 @@
 //! | [`SlipHistory`] | a normal contact, then a traction below `mu p`                  | the traction                   |
 //! | [`Sliding`]     | a contact that slides steadily over a viscoelastic solid        | nothing: one state for each speed |
 //! | [`AdhesiveProcess`] | a contact with an attraction, from the last state      | the state                      |
+//! | [`Plastic`]     | contact and plastic flow below the surface under the next load  | the plastic strain in depth    |
 //! | [`Rolling`]     | a line that rolls steadily, with friction                       | nothing: one state for each creepage or load |
 //!
 //! A [`Process`] makes the states of any of them along its path, as [`State`](crate::contact::State)s: tables, recordings and pictures know these.
@@ -19,6 +20,7 @@ mod adhesive_place;
 mod adhesive_search;
 mod adhesive_totals;
 mod adhesive_walk;
+mod apart;
 mod creep;
 mod creep_path;
 mod creep_process;
@@ -30,6 +32,7 @@ mod flattened;
 mod loading;
 mod maxwell;
 mod motion_process;
+mod plastic;
 mod process;
 mod profile;
 mod rolling;
@@ -56,6 +59,7 @@ pub use creep_steps::CreepSteps;
 pub use cycle::{cycle_losses, open_cycles};
 pub use loading::Loading;
 pub use motion_process::{RollingProcess, SlidingProcess};
+pub use plastic::{Plastic, PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
 pub use process::{EachState, PathPoint, Process};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};
 pub use sliding::Sliding;

@@ -238,16 +238,14 @@ impl DepthResponse {
 
 /// The waves of a grid from one on, in the order of [`Grid::wave_vectors`]. A line has the direction of `x`, and so has the mean.
 fn grid_waves(grid: &Grid, first: usize) -> impl Iterator<Item = GridWave> + use<> {
-    let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
+    let ([ny, _], [ly, lx]) = (grid.shape(), grid.size());
     (first..).map(move |number| {
         let (kx, ky) = (number / ny, number % ny);
         let along_y = if 2 * ky <= ny { ky as f64 } else { ky as f64 - ny as f64 };
         let [qy, qx] = [along_y / ly, kx as f64 / lx].map(|turns| std::f64::consts::TAU * turns);
         let q = qx.hypot(qy);
         let direction = if q > 0.0 { Direction(qx / q, qy / q) } else { Direction(1.0, 0.0) };
-        // the transform of a line drops what is odd at the Nyquist wavenumber by itself
-        let is_nyquist = if ny > 1 { [2 * ky == ny, 2 * kx == nx] } else { [false; 2] };
-        GridWave { q, direction, is_nyquist }
+        GridWave { q, direction, is_nyquist: ny > 1 && 2 * ky == ny }
     })
 }
 

@@ -4,25 +4,13 @@
 pub(super) type Coupled = [bool; 6];
 
 const ALL: &[Coupled] = &[[true; 6]];
-const ALONG_X: &[Coupled] = &[[true, true, true, false, false, true], [false, false, false, true, true, false]];
-const ALONG_Y: &[Coupled] = &[[true, true, true, false, true, false], [false, false, false, true, false, true]];
-const ALONG_BOTH: &[Coupled] = &[
-    [true, true, true, false, false, false],
-    [false, false, false, true, false, false],
-    [false, false, false, false, true, false],
-    [false, false, false, false, false, true],
-];
+const EVEN_AND_ODD: &[Coupled] = &[[true, true, true, false, true, false], [false, false, false, true, false, true]];
 
 /// The sets of components that a wave of a surface couples, the one with `zz` first, to which displacement and pressure belong.
 ///
-/// A wave at the Nyquist wavenumber along an axis is its own mirror image: the grid does not tell apart `+q` and `-q`. The mean of the operators of both couples only
-/// components that are both even or both odd when the axis is reversed (`xy` and `xz` are odd along `x`). Else a mirrored strain would not
-/// cause the mirrored stress.
-pub(super) fn coupled([y, x]: [bool; 2]) -> &'static [Coupled] {
-    match (y, x) {
-        (false, false) => ALL,
-        (false, true) => ALONG_X,
-        (true, false) => ALONG_Y,
-        (true, true) => ALONG_BOTH,
-    }
+/// A wave at the Nyquist wavenumber along `y` is its own mirror image: the grid does not tell apart `+q_y` and `-q_y`. The mean of the operators of both
+/// does not couple components that are odd when `y` is reversed (`xy` and `yz`) with those that are even. Else a mirrored strain would not cause the mirrored
+/// stress. Along `x` the inverse transform takes this mean by itself, since it drops the imaginary part at the Nyquist wavenumber.
+pub(super) fn coupled(is_nyquist: bool) -> &'static [Coupled] {
+    if is_nyquist { EVEN_AND_ODD } else { ALL }
 }

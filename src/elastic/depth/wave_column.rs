@@ -19,8 +19,8 @@ pub(super) struct GridWave {
     /// Its wavenumber; 0 for the mean.
     pub q: f64,
     pub direction: Direction,
-    /// Whether it is at the Nyquist wavenumber along y and x.
-    pub is_nyquist: [bool; 2],
+    /// Whether it is at the Nyquist wavenumber along y.
+    pub is_nyquist: bool,
 }
 
 /// The operators of one wave, with their scratch. Waves are given by layers (rows) and components (columns).

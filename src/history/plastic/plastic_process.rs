@@ -1,0 +1,266 @@
+//! The process of loads on a solid that yields below its surface.
+
+use super::flow::FlowLaw;
+use super::load_step::{Iterate, LoadStep};
+use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
+use crate::contact::{Load, Observer, Problem, Solver, Work};
+use crate::elastic::{DepthLayers, DepthResponse};
+use crate::error::PlasticError;
+use crate::grid::Grid;
+use crate::history::apart::apart;
+use crate::memory::check_bytes;
+use crate::surface::Field;
+use ndarray::{Array2, Array3, Axis};
+
+/// The tolerance of the relative gap, and the most iterations of a step, if none are given.
+const TOLERANCE: f64 = 1e-6;
+const MOST_ITERATIONS: usize = 1000;
+/// Tensors below each node: the strain and the stress of two states, the increment and its successor, and twelve of Anderson's method if all of the solid
+/// flows.
+const TENSORS: f64 = 18.0;
+/// The part of the elastic strain at yield up to which an accumulated strain is negligible.
+const NEGLIGIBLE: f64 = 1e-3;
+/// The largest relative difference of the contact moduli of problem and solid.
+const SAME_MODULUS: f64 = 1e-9;
+
+/// Loads, up and down, on a half-space that yields below its surface, one step after the other.
+///
+/// A step is implicit in the plastic strain (backward Euler): flow and contact at its end belong together. Each step is the minimum of one convex energy, and its
+/// certificate bounds the distance from it, see [`PlasticCertificate`]. So the claim of a converged state is: *the solution of the load step on this grid and these
+/// layers*. Three other errors have other names, and are estimated by solving again:
+///
+/// - the error of the step, of first order in the steps: by twice as many steps, see [`Plastic::press_in`];
+/// - the error in depth, of second order: by [`DepthLayers::halved`];
+/// - the error of the grid.
+///
+/// An elastic step takes one contact. Unloading and loading again are steps like any other; flow in reverse on unloading is included. Where the solid is
+/// fully plastic and hardly hardens, the pressure differs by some percent from node to node: that is the minimum on the grid. Sums such as load, area
+/// and approach are more accurate than the pressure of one node.
+///
+/// Memory: up to 18 tensors below each node, and the [`DepthResponse`].
+///
+/// ```
+/// use asperity::contact::{ContactModulus, Load, PolonskyKeer};
+/// use asperity::elastic::DepthLayers;
+/// use asperity::history::{Plastic, PlasticSolid};
+/// use asperity::{Grid, Indenter, Problem};
+/// let solid = PlasticSolid::new(1.0, 0.3, 0.005, 0.05)?;
+/// let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(128, 1.0)?)?;
+/// let problem = Problem::new(cylinder, ContactModulus(solid.contact_modulus()), Load::MeanPressure(1e-3))?;
+/// let layers = DepthLayers::below(1.0 / 128.0, 0.2)?;
+/// let mut plastic = Plastic::new(problem, solid, layers, &PolonskyKeer)?;
+/// // nothing yields yet
+/// let state = plastic.press(Load::MeanPressure(2e-4), &mut ())?;
+/// assert!(state.is_converged && state.iterations == 0 && state.deepest_yield().is_none());
+/// // this dents the solid, which keeps an imprint
+/// let state = plastic.press(Load::MeanPressure(1.5e-3), &mut ())?;
+/// assert!(state.is_converged && state.mean_contact_pressure() > 0.005);
+/// let state = plastic.press(Load::MeanPressure(0.0), &mut ())?;
+/// assert!(state.imprint_depth() > 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Derived for this crate. Radial return: Simo & Hughes, *Computational Inelasticity* (1998), section 3.3. Contacts of this kind by volume integrals: Jacq et
+/// al., J. Tribol. 124, 653 (2002); Frérot et al., Comput. Methods Appl. Mech. Eng. 351, 951 (2019).
+pub struct Plastic<'s> {
+    problem: Problem,
+    solid: PlasticSolid,
+    response: DepthResponse,
+    solver: &'s dyn Solver,
+    tolerance: f64,
+    most_iterations: usize,
+    state: PlasticState,
+}
+
+impl<'s> Plastic<'s> {
+    /// The process of a problem, whose own load is not used, on a solid with layers in which it may yield. The solver solves the contact within each
+    /// iteration of a step.
+    ///
+    /// # Errors
+    /// [`PlasticError::OtherSolid`] for a problem whose solid is not a half-space of the same contact modulus, [`PlasticError::Hardness`] for one with a
+    /// hardness, [`PlasticError::NeedsPeriodic`] for a grid with a free boundary, and [`PlasticError::Memory`] for more layers and nodes than fit in memory.
+    pub fn new(
+        problem: Problem,
+        solid: PlasticSolid,
+        layers: DepthLayers,
+        solver: &'s dyn Solver,
+    ) -> Result<Self, PlasticError> {
+        let (found, expected) = (problem.contact_modulus(), solid.contact_modulus());
+        if !problem.solid().is_half_space() || (found / expected - 1.0).abs() > SAME_MODULUS {
+            return Err(PlasticError::OtherSolid { solid: problem.solid().description(), found, expected });
+        }
+        if problem.ceiling().is_finite() {
+            return Err(PlasticError::Hardness);
+        }
+        let grid = *problem.surface().grid();
+        check_memory(&grid, &layers)?;
+        let response = DepthResponse::new(&grid, solid.young(), solid.poisson(), layers)?;
+        let state = Self::at_rest(&problem, &solid, &response);
+        Ok(Self { problem, solid, response, solver, tolerance: TOLERANCE, most_iterations: MOST_ITERATIONS, state })
+    }
+
+    /// The process with another tolerance of the [relative gap](PlasticCertificate::relative_gap) of each step, dimensionless; 1e-6 if it is not given.
+    ///
+    /// # Errors
+    /// [`PlasticError::Range`] for a tolerance that is not positive and finite.
+    pub fn with_tolerance(self, tolerance: f64) -> Result<Self, PlasticError> {
+        if !(tolerance.is_finite() && tolerance > 0.0) {
+            let name = "the tolerance of the relative gap";
+            return Err(PlasticError::Range { name, value: tolerance, range: "(0, infinity)" });
+        }
+        Ok(Self { tolerance, ..self })
+    }
+
+    /// The process with another largest number of iterations of a step, after which it is returned as not converged.
+    pub fn with_max_iterations(self, most_iterations: usize) -> Self {
+        Self { most_iterations, ..self }
+    }
+
+    /// The last state; before the first load that without pressure and strain.
+    pub fn state(&self) -> &PlasticState {
+        &self.state
+    }
+
+    /// The solid.
+    pub fn solid(&self) -> &PlasticSolid {
+        &self.solid
+    }
+
+    /// Solves one step to a load, which may be zero. A step that has not converged is returned, and says so.
+    ///
+    /// # Errors
+    /// [`PlasticError::NeedsPressure`] for a mean gap or an approach, [`PlasticError::Load`] for a load that is negative or not finite,
+    /// [`PlasticError::YieldsEverywhere`] for a mean pressure above [`PlasticSolid::deep_limit`], and those of the solver.
+    pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<&PlasticState, PlasticError> {
+        let problem = self.posed(load)?;
+        let step = LoadStep {
+            law: FlowLaw::new(&self.solid),
+            before: &self.state,
+            problem,
+            response: &mut self.response,
+            solver: self.solver,
+            observer,
+            tolerance: self.tolerance,
+            most_iterations: self.most_iterations,
+        };
+        let reached = step.run()?;
+        self.state = self.next_state(load, reached);
+        Ok(&self.state)
+    }
+
+    /// Goes to a load in a number of equal steps, at least one. The error of the steps is of first order in their length.
+    ///
+    /// # Errors
+    /// The errors of [`Plastic::press`].
+    pub fn press_in(
+        &mut self,
+        steps: usize,
+        load: Load,
+        observer: &mut dyn Observer,
+    ) -> Result<&PlasticState, PlasticError> {
+        let same_kind = self.state.load.filter(|last| last.name() == load.name());
+        let from = same_kind.map_or(0.0, |last| last.value());
+        for step in 1..steps {
+            let share = step as f64 / steps as f64;
+            self.press(load.with_value(from + share * (load.value() - from)), observer)?;
+        }
+        self.press(load, observer)
+    }
+
+    /// The problem under a load; none for a load of zero.
+    fn posed(&self, load: Load) -> Result<Option<Problem>, PlasticError> {
+        if !load.is_pressure() {
+            return Err(PlasticError::NeedsPressure { load: load.name() });
+        }
+        if !(load.value().is_finite() && load.value() >= 0.0) {
+            return Err(PlasticError::Load { load: load.name(), value: load.value() });
+        }
+        if load.value() == 0.0 {
+            return Ok(None);
+        }
+        let problem = self.problem.clone().with_load(load)?;
+        let (mean_pressure, limit) = (problem.expected_mean_pressure(), self.solid.deep_limit());
+        if mean_pressure > limit {
+            return Err(PlasticError::YieldsEverywhere { mean_pressure, limit });
+        }
+        Ok(Some(problem))
+    }
+
+    /// The state before the first load.
+    fn at_rest(problem: &Problem, solid: &PlasticSolid, response: &DepthResponse) -> PlasticState {
+        let residual = Field::zeros(problem.surface().grid().shape());
+        let strain = response.zeros();
+        let (layers, _, nodes) = strain.dim();
+        PlasticState {
+            load: None,
+            contact: apart(problem.clone(), residual.clone(), Work::default(), None),
+            stress: strain.clone(),
+            strain,
+            accumulated: Array2::zeros((layers, nodes)),
+            residual,
+            certificate: PlasticCertificate::default(),
+            energy: PlasticEnergy::default(),
+            iterations: 0,
+            is_converged: true,
+            layers: response.layers().clone(),
+            negligible: NEGLIGIBLE * solid.yield_stress() / solid.young(),
+        }
+    }
+
+    /// The state after a step.
+    fn next_state(&self, load: Load, reached: Iterate) -> PlasticState {
+        let before = &self.state;
+        let Iterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } = reached;
+        let contact = match contact {
+            None => apart(before.contact.problem.clone(), residual.clone(), work, None),
+            Some(contact) => {
+                let certificate = contact.certificate;
+                let problem = self.problem.clone().with_load(load).expect("the load was posed before");
+                let added = residual.as_slice().expect("standard layout").to_vec();
+                contact.with_work(work).displaced_by(problem, &added, certificate)
+            }
+        };
+        let mut accumulated = before.accumulated.clone();
+        accumulate(&mut accumulated, &increment);
+        let plastic = before.energy.plastic + certificate.dissipated + reached.back_work;
+        let energy = PlasticEnergy { elastic: reached.elastic, plastic, work: 0.0 };
+        let mut state = PlasticState {
+            load: Some(load),
+            contact,
+            strain: &before.strain + &increment,
+            accumulated,
+            stress,
+            residual,
+            certificate,
+            energy,
+            iterations,
+            is_converged,
+            layers: before.layers.clone(),
+            negligible: before.negligible,
+        };
+        let mean = 0.5 * (before.contact.mean_pressure() + state.contact.mean_pressure());
+        state.energy.work = before.energy.work + mean * (state.approach() - before.approach());
+        state
+    }
+}
+
+/// Adds the amounts of an increment.
+fn accumulate(accumulated: &mut Array2<f64>, increment: &Array3<f64>) {
+    let amount = |parts: [f64; 2]| (2.0 / 3.0 * (parts[0] + 2.0 * parts[1])).sqrt();
+    for (mut alpha, increment) in accumulated.outer_iter_mut().zip(increment.outer_iter()) {
+        for (alpha, tensor) in alpha.iter_mut().zip(increment.axis_iter(Axis(1))) {
+            let squares = |range: std::ops::Range<usize>| range.map(|c| tensor[c] * tensor[c]).sum::<f64>();
+            *alpha += amount([squares(0..3), squares(3..tensor.len())]);
+        }
+    }
+}
+
+/// Refuses more layers and nodes than fit in memory.
+fn check_memory(grid: &Grid, layers: &DepthLayers) -> Result<(), PlasticError> {
+    let tensors = TENSORS * size_of::<f64>() as f64 + DepthResponse::BYTES;
+    let places = layers.count() as f64 * grid.len() as f64;
+    let needed = places * (DepthResponse::components(grid) as f64 * tensors + 2.0 * size_of::<f64>() as f64);
+    let refuse = |free| PlasticError::Memory { layers: layers.count(), shape: grid.shape(), needed, free };
+    check_bytes(needed).map_err(|missing| refuse(missing.free))
+}
