@@ -60,8 +60,8 @@ pub enum PlasticError {
     Load { load: &'static str, value: f64 },
     /// A mean pressure under which no depth is deep enough.
     #[error(
-        "under a mean pressure of {mean_pressure:?} in full contact the solid yields at all depths, since it is above {limit:?}: give less \
-         pressure, or a higher yield stress"
+        "the mean pressure of {mean_pressure:?} is above {limit:?}, from which on the solid yields at all depths: give less pressure, or a higher \
+         yield stress"
     )]
     YieldsEverywhere { mean_pressure: f64, limit: f64 },
     /// A setting outside its range.

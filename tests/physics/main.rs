@@ -16,6 +16,7 @@ mod flow;
 mod hardness;
 mod moments;
 mod paper;
+mod plastic;
 mod preparation;
 mod prony;
 mod random;

@@ -62,6 +62,11 @@ impl FlowLaw {
         }
     }
 
+    /// The hardening over the modulus `3 G` of an equivalent stress, at most 1.
+    pub fn contrast(&self) -> f64 {
+        ((self.isotropic + self.kinematic) / (3.0 * self.shear_modulus)).min(1.0)
+    }
+
     /// The equivalent increment `sqrt(2/3) |x|`.
     pub fn amount<const N: usize>(increment: &Tensor<N>) -> f64 {
         (2.0 / 3.0 * product(increment, increment)).sqrt()

@@ -12,7 +12,7 @@ use ndarray::{Array3, ArrayView1, ArrayView2, ArrayViewMut2, Axis};
 
 /// The part of the elastic energy that is added to the dissipated energy by which the gap is divided. Else a step that hardly flows would need a gap below
 /// rounding.
-const ELASTIC_SHARE: f64 = 1e-4;
+const ELASTIC_SHARE: f64 = 1e-3;
 /// The tolerance `eta` of the first contact of a step, and the least one.
 const FIRST_CONTACT: f64 = 1e-11;
 const LEAST_CONTACT: f64 = 1e-14;
@@ -140,12 +140,13 @@ impl LoadStep<'_, '_> {
         Ok(())
     }
 
-    /// The tolerance of the next contact: as loose as the last gap allows, and as the goal allows in the end.
+    /// The tolerance of the next contact: as loose as the last gap allows, and as the goal allows in the end. The error of a stress makes a gap that is larger
+    /// than its energy by the contrast of elastic modulus and hardening.
     fn contact_tolerance(&self, problem: &Problem, now: &Iterate) -> f64 {
         let Some(contact) = &now.contact else { return FIRST_CONTACT };
         let certificate = &now.certificate;
         let goal = self.tolerance * (certificate.dissipated + ELASTIC_SHARE * now.elastic);
-        let gap = (OF_GOAL * goal).max(OF_LAST_GAP * certificate.flow_gap);
+        let gap = (OF_GOAL * goal).max(OF_LAST_GAP * certificate.flow_gap) * self.law.contrast();
         let least = LEAST_CONTACT.max(2.0 * contact.certificate.rounding);
         (gap / (contact.mean_pressure() * problem.rms_height())).clamp(least, LOOSEST_CONTACT)
     }

@@ -122,6 +122,15 @@ impl<'s> Plastic<'s> {
         &self.state
     }
 
+    /// Goes on from a state that a process of the same problem, solid and layers has reached.
+    ///
+    /// # Panics
+    /// If the state does not fit the grid and the layers.
+    pub fn resume(&mut self, state: PlasticState) {
+        assert_eq!(state.strain.dim(), self.state.strain.dim(), "the state must fit the grid and the layers");
+        self.state = state;
+    }
+
     /// The solid.
     pub fn solid(&self) -> &PlasticSolid {
         &self.solid

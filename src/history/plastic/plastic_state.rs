@@ -25,7 +25,7 @@ pub struct PlasticCertificate {
     pub contact_gap: f64,
     /// The second term: what is missing in the flow.
     pub flow_gap: f64,
-    /// The sum of both over the energy that flow has dissipated in the step plus a ten-thousandth of the elastic energy: the goal of a step.
+    /// The sum of both over the energy that flow has dissipated in the step plus a thousandth of the elastic energy: the goal of a step.
     pub relative_gap: f64,
     /// The dissipated energy of the step by which it was divided.
     pub dissipated: f64,
