@@ -12,7 +12,7 @@ const BAND: usize = 8;
 
 /// A planned transform pair for one grid, with its scratch.
 ///
-/// Memory: some rows and columns per thread; [`Fourier::forward`] takes one half spectrum more while it runs.
+/// Memory: some rows and columns per thread; [`Fourier::forward`] of a surface takes one half spectrum more while it runs.
 pub struct Fourier {
     shape: [usize; 2],
     plans: Plans,
@@ -36,6 +36,9 @@ impl Fourier {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         assert_eq!((field.len(), spectrum.len()), (ny * nx, ny * half), "field and spectrum must fit the grid");
+        if ny == 1 {
+            return self.forward_line(field, spectrum);
+        }
         let mut by_rows = vec![Complex::default(); ny * half];
         let per_worker = ny.div_ceil(self.workers.len());
         let tasks = field.chunks(per_worker * nx).zip(by_rows.chunks_mut(per_worker * half)).zip(&mut self.workers);
@@ -64,6 +67,9 @@ impl Fourier {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         assert_eq!((field.len(), spectrum.len()), (ny * nx, ny * half), "field and spectrum must fit the grid");
+        if ny == 1 {
+            return self.plans.inverse_row(spectrum, field, &mut self.workers[0].scratch);
+        }
         let per_worker = half.div_ceil(self.workers.len());
         spread(spectrum.chunks_mut(per_worker * ny).zip(&mut self.workers), |(spectrum, worker)| {
             self.plans.inverse_columns.process_with_scratch(spectrum, &mut worker.scratch);
@@ -80,6 +86,15 @@ impl Fourier {
                 }
             }
         });
+    }
+
+    /// A line is one row, which needs no columns.
+    fn forward_line(&mut self, field: &[f64], spectrum: &mut [Complex]) {
+        let Worker { row, scratch, .. } = &mut self.workers[0];
+        row.copy_from_slice(field);
+        self.plans.forward_row(row, spectrum, scratch);
+        let scale = 1.0 / field.len() as f64;
+        spectrum.iter_mut().for_each(|mode| *mode *= scale);
     }
 }
 

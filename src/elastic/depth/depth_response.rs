@@ -191,7 +191,7 @@ impl DepthResponse {
         let Self { grid, layers, solid, waves, .. } = self;
         let blocks = waves.axis_chunks_iter(Axis(2), BLOCK).zip(self.surface_waves.chunks_mut(BLOCK)).enumerate();
         spread(blocks, |(block, (waves, displaced))| {
-            let mut column = WaveColumn::new(layers, *solid);
+            let mut column = WaveColumn::new(layers, *solid, grid.is_line());
             for ((wave, strain), displaced) in
                 grid_waves(grid, block * BLOCK).zip(waves.axis_iter(Axis(2))).zip(displaced)
             {
@@ -211,7 +211,7 @@ impl DepthResponse {
         let Self { grid, layers, solid, waves, .. } = self;
         let blocks = waves.axis_chunks_iter_mut(Axis(2), BLOCK).zip(self.surface_waves.chunks(BLOCK)).enumerate();
         spread(blocks, |(block, (mut waves, pressure))| {
-            let mut column = WaveColumn::new(layers, *solid);
+            let mut column = WaveColumn::new(layers, *solid, grid.is_line());
             let of_block = grid_waves(grid, block * BLOCK).zip(pressure);
             for ((wave, pressure), field) in of_block.zip(waves.axis_iter_mut(Axis(2))) {
                 column.respond(wave, *pressure, field);

@@ -26,14 +26,26 @@ pub(super) struct LayerWave {
 }
 
 impl LayerWave {
-    /// The wave in a layer from the depth `top` on.
-    pub fn new(q: f64, top: f64, thickness: f64) -> Self {
-        let (x, fading) = (q * thickness, (-q * top).exp());
+    /// A wave of which `fading` is left at the depth `top`, in a layer from there on. Of the layer `above`, what depends on the thickness alone is taken over, if
+    /// that is the same.
+    pub fn new(q: f64, top: f64, thickness: f64, above: &Self) -> Self {
+        let fading = above.fading * above.decay;
+        let wave = if thickness == above.thickness { *above } else { Self::of_thickness(q, thickness) };
+        let means = [fading * wave.first / thickness, fading * (q * top * wave.first + wave.second) / thickness];
+        Self { fading, means, ..wave }
+    }
+
+    /// The surface, above all layers.
+    pub fn surface() -> Self {
+        Self { fading: 1.0, decay: 1.0, ..Self::default() }
+    }
+
+    /// The wave in a layer at the surface.
+    fn of_thickness(q: f64, thickness: f64) -> Self {
+        let x = q * thickness;
         let lost = -(-x).exp_m1();
         let decay = 1.0 - lost;
-        let (first, second) = (lost / q, (lost - x * decay) / q);
-        let means = [fading * first / thickness, fading * (q * top * first + second) / thickness];
-        Self { x, thickness, fading, decay, first, second, means }
+        Self { x, thickness, decay, first: lost / q, second: (lost - x * decay) / q, ..Self::default() }
     }
 
     /// `2 x - 3 + (3 + x) X`: the integral over the layer of what a uniform source in it makes by [`PlaneScan`](super::plane::PlaneScan)'s
@@ -73,7 +85,7 @@ mod tests {
     #[test]
     fn series_and_closed_forms_meet() {
         let values = |x: f64| {
-            let wave = LayerWave::new(1.0, 0.0, x);
+            let wave = LayerWave::of_thickness(1.0, x);
             [wave.plane_self() / (x * x), wave.antiplane_self() / (x * x)]
         };
         let [thin, thick] = [values(THIN * (1.0 - 1e-9)), values(THIN * (1.0 + 1e-9))];

@@ -18,6 +18,8 @@ const MOST: usize = 10_000;
 #[derive(Debug, Clone, PartialEq)]
 pub struct DepthLayers {
     interfaces: Vec<f64>,
+    /// Differences of the interfaces; exactly equal where they were meant to be.
+    thicknesses: Vec<f64>,
 }
 
 impl DepthLayers {
@@ -40,7 +42,10 @@ impl DepthLayers {
         let falling = interfaces.windows(2).find(|pair| !(pair[1].is_finite() && pair[1] > pair[0]));
         match falling {
             Some(pair) => Err(PlasticError::LayerOrder { before: pair[0], depth: pair[1] }),
-            None => Ok(Self { interfaces }),
+            None => {
+                let thicknesses = interfaces.windows(2).map(|pair| pair[1] - pair[0]).collect();
+                Ok(Self { interfaces, thicknesses })
+            }
         }
     }
 
@@ -50,7 +55,8 @@ impl DepthLayers {
     /// The errors of [`DepthLayers::new`].
     pub fn uniform(count: usize, depth: f64) -> Result<Self, PlasticError> {
         let interfaces = (0..=count.min(MOST + 1)).map(|j| depth * j as f64 / count as f64);
-        Self::new(interfaces.collect())
+        let layers = Self::new(interfaces.collect())?;
+        Ok(Self { thicknesses: vec![depth / count as f64; count], ..layers })
     }
 
     /// Layers of which the first has a given thickness, and each further one is thicker by a ratio of at least 1, until they reach a depth.
@@ -89,6 +95,11 @@ impl DepthLayers {
         Self::new(std::iter::once(0.0).chain(halves).collect())
     }
 
+    /// The thickness of each layer, a length.
+    pub fn thicknesses(&self) -> &[f64] {
+        &self.thicknesses
+    }
+
     /// The number of layers.
     pub fn count(&self) -> usize {
         self.interfaces.len() - 1
@@ -104,7 +115,7 @@ impl DepthLayers {
     /// # Panics
     /// If there is no such layer.
     pub fn thickness(&self, layer: usize) -> f64 {
-        self.interfaces[layer + 1] - self.interfaces[layer]
+        self.thicknesses[layer]
     }
 
     /// The depth of the middle of a layer, a length.

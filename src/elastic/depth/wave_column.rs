@@ -27,6 +27,8 @@ pub(super) struct GridWave {
 pub(super) struct WaveColumn<'a> {
     layers: &'a DepthLayers,
     solid: PlaneSolid,
+    /// Whether nothing is out of the plane of the wave and the depth, as below a line.
+    is_plane: bool,
     /// How the wave fades in each layer.
     fading: Vec<LayerWave>,
     given: Vec<Components>,
@@ -38,11 +40,12 @@ pub(super) struct WaveColumn<'a> {
 }
 
 impl<'a> WaveColumn<'a> {
-    pub fn new(layers: &'a DepthLayers, solid: PlaneSolid) -> Self {
+    pub fn new(layers: &'a DepthLayers, solid: PlaneSolid, is_plane: bool) -> Self {
         let count = layers.count();
         Self {
             layers,
             solid,
+            is_plane,
             fading: vec![LayerWave::default(); count],
             given: vec![Components::default(); count],
             sum: vec![Components::default(); count],
@@ -102,8 +105,10 @@ impl<'a> WaveColumn<'a> {
         for (given, row) in self.given.iter_mut().zip(field.rows()) {
             row.iter().zip(places).for_each(|(&value, &place)| given[place] = value);
         }
+        let mut above = LayerWave::surface();
         for (j, fading) in self.fading.iter_mut().enumerate() {
-            *fading = LayerWave::new(wave.q, self.layers.interfaces()[j], self.layers.thickness(j));
+            above = LayerWave::new(wave.q, self.layers.interfaces()[j], self.layers.thickness(j), &above);
+            *fading = above;
         }
     }
 
@@ -132,6 +137,9 @@ impl<'a> WaveColumn<'a> {
             return;
         }
         self.plane.run(wave.q, self.solid, &self.fading, &self.strain, &mut self.stress);
+        if self.is_plane {
+            return;
+        }
         self.antiplane.run(wave.q, shear_modulus, &self.fading, &self.strain, &mut self.stress);
     }
 

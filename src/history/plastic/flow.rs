@@ -80,6 +80,9 @@ impl FlowLaw {
         let back = 2.0 / 3.0 * self.kinematic;
         let full = deviator(*stress);
         let s: Tensor<N> = std::array::from_fn(|c| full[c] - back * strain[c]);
+        if increment.iter().all(|&x| x == 0.0) && 1.5 * product(&s, &s) <= strength * strength {
+            return ([0.0; N], Flow { product: product(strain, stress), ..Flow::default() });
+        }
         let trial: Tensor<N> = std::array::from_fn(|c| s[c] + 2.0 * self.shear_modulus * increment[c]);
         let size = (1.5 * product(&trial, &trial)).sqrt();
         let amount = (size - strength).max(0.0) / (3.0 * self.shear_modulus + hardening);
