@@ -36,7 +36,7 @@
 //!   steadily, whose problem is monotone, and for those with adhesion.
 //! - A [`contact::Solver`] solves it and shows each [`contact::Step`] to a [`contact::Observer`]. It does not know who observes.
 //! - A [`Contact`] has pressure, displacement, gap, and the [`contact::Certificate`] that bounds its error.
-//! - A [`history::Process`] makes one [`contact::State`] after the other, each from the last one: loads, creep, slip, sliding, rolling, adhesion. It goes along
+//! - A [`history::Process`] makes one [`contact::State`] after the other, each from the last one: loads, creep, slip, sliding, rolling, adhesion, plastic flow. It goes along
 //!   its path (`next`), or where it is moved (`move_to`).
 //! - A [`contact::Quantity`] is a number that can be read of a state. There is one table of them; a number without a meaning is absent.
 //! - A [`job::StateSink`] receives states as they come. A run that is killed leaves those that it reached.
@@ -57,14 +57,14 @@
 //! | 1 | [`grid`] | grids of lines and surfaces, periodic or free along each axis | |
 //! | 1 | [`fourier`] | pairs of real Fourier transforms | |
 //! | 2 | [`surface`] | indenters, random roughness, statistics; measured heights: read, described, prepared, written | (`instruments`) |
-//! | 2 | [`elastic`] | solids: half-space, layer, free boundaries; the stress in the solid | |
+//! | 2 | [`elastic`] | solids: half-space, layer, free boundaries; the stress in the solid, also by a plastic strain | |
 //! | 2 | [`theory`] | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood and Williamson, Bush, Gibson and Thomas | |
 //! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures, and patches from state to state | |
 //! | 4 | [`adhesion`] | contacts with an attraction between the surfaces: their states, and whether these are stable | |
 //! | 4 | [`diagnosis`] | why a run was slow: nodes that change often, errors by wavelength, Ritz values | |
 //! | 4 | [`flow`] | what flows through a contact: whether it seals, its leakage, its electrical and thermal conductance | |
 //! | 4 | [`foreign`] | results and iterations of other programs: certified, compared, common mistakes recognised | |
-//! | 4 | [`history`] | contacts one after the other: creep in time, partial slip, steady sliding and rolling, adhesion | |
+//! | 4 | [`history`] | contacts one after the other: creep in time, partial slip, steady sliding and rolling, adhesion, plastic flow below the surface | |
 //! | 4 | [`setup`] | the description of a contact, and its cost | (`units`) |
 //! | 5 | [`study`] | many contacts in one table that an interrupted run continues | (`parquet`) |
 //! | 5 | `plot` | figures as data, written as SVG and PNG | `figures` |

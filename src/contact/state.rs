@@ -191,6 +191,12 @@ impl StateField {
         let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");
         Self { name: "stored_strain", title, symbol, unit: Unit::Pressure, values }
     }
+
+    /// How far a plastic strain displaces the surface into the solid: what would be left of it without a load.
+    pub fn imprint(values: Field) -> Self {
+        let (title, symbol) = ("Displacement by plastic strain", "u^r / h_rms");
+        Self { name: "imprint", title, symbol, unit: Unit::Length, values }
+    }
 }
 
 /// The name of a field, and what makes it of its values.
@@ -198,12 +204,13 @@ type FieldMaker = (&'static str, fn(Field) -> StateField);
 
 impl StateField {
     /// The names of all fields, such as `traction`, and what makes them of their values.
-    pub const MAKERS: [FieldMaker; 6] = [
+    pub const MAKERS: [FieldMaker; 7] = [
         ("traction", Self::traction),
         ("slip", Self::slip),
         ("traction_across", Self::traction_across),
         ("slip_across", Self::slip_across),
         ("attraction", Self::attraction),
         ("stored_strain", Self::remembered),
+        ("imprint", Self::imprint),
     ];
 }

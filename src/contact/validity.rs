@@ -8,6 +8,8 @@ pub enum StateKind {
     Elastic,
     /// A state of a solid that creeps, which earlier pressures displace as well.
     Creep,
+    /// A state of a solid that yields below its surface, which plastic strain displaces as well.
+    Plastic,
     /// A state with an attraction between the surfaces, which displaces the solid as well.
     Adhesion,
 }

@@ -1,6 +1,8 @@
 //! Contacts with friction, and histories of contacts, that cannot be solved.
 
-use super::{AdhesionError, CreepError, FlowError, GridError, MotionError, ProblemError, SolveError, SurfaceError};
+use super::{
+    AdhesionError, CreepError, FlowError, GridError, MotionError, PlasticError, ProblemError, SolveError, SurfaceError,
+};
 
 /// A tangential load that cannot be carried or solved.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -59,6 +61,8 @@ pub enum HistoryError {
     #[error(transparent)]
     Adhesion(AdhesionError),
     #[error(transparent)]
+    Plastic(PlasticError),
+    #[error(transparent)]
     Flow(#[from] FlowError),
     /// A load that is not a pressure, on a surface that has yielded.
     #[error("the {load} cannot be solved after the surface has yielded: give pressures, or leave the hardness out")]
@@ -76,6 +80,15 @@ impl From<AdhesionError> for HistoryError {
         match error {
             AdhesionError::Stopped => Self::Stopped,
             error => Self::Adhesion(error),
+        }
+    }
+}
+
+impl From<PlasticError> for HistoryError {
+    fn from(error: PlasticError) -> Self {
+        match error {
+            PlasticError::Stopped => Self::Stopped,
+            error => Self::Plastic(error),
         }
     }
 }

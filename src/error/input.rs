@@ -2,8 +2,8 @@
 
 use super::{
     AdhesionError, ClaimError, Conflict, CreepError, FileError, FlowError, GridError, HistoryError, MotionError,
-    PreparationError, ProblemError, RoughnessError, SealError, SettingError, SetupError, SlipError, SolidError,
-    SolveError, StepsError, StudyError, SurfaceError,
+    PlasticError, PreparationError, ProblemError, RoughnessError, SealError, SettingError, SetupError, SlipError,
+    SolidError, SolveError, StepsError, StudyError, SurfaceError,
 };
 use std::error::Error;
 use std::iter::successors;
@@ -20,7 +20,7 @@ pub trait InputError: Error + 'static {
 type Judge = fn(&(dyn Error + 'static)) -> Option<bool>;
 
 /// All errors of the library.
-const ERRORS: [Judge; 21] = [
+const ERRORS: [Judge; 22] = [
     judged::<AdhesionError>,
     judged::<ClaimError>,
     judged::<Conflict>,
@@ -30,6 +30,7 @@ const ERRORS: [Judge; 21] = [
     judged::<GridError>,
     judged::<HistoryError>,
     judged::<MotionError>,
+    judged::<PlasticError>,
     judged::<PreparationError>,
     judged::<ProblemError>,
     judged::<RoughnessError>,
@@ -144,6 +145,7 @@ impl InputError for HistoryError {
             Self::Creep(error) => error.is_input(),
             Self::Motion(error) => error.is_input(),
             Self::Adhesion(error) => error.is_input(),
+            Self::Plastic(error) => error.is_input(),
             Self::Flow(error) => error.is_input(),
             Self::Unload { .. } | Self::Pathless => true,
             Self::Stopped => false,
@@ -185,6 +187,32 @@ impl InputError for MotionError {
             | Self::NeedsRest
             | Self::NeedsSliding
             | Self::LongStep { .. } => true,
+        }
+    }
+}
+
+impl InputError for PlasticError {
+    fn is_input(&self) -> bool {
+        match self {
+            Self::Problem(error) => error.is_input(),
+            Self::Surface(error) => error.is_input(),
+            Self::Solve(error) => error.is_input(),
+            Self::Stopped => false,
+            Self::NotPositive { .. }
+            | Self::NoHardening { .. }
+            | Self::Kinematic { .. }
+            | Self::Poisson { .. }
+            | Self::LayerOrder { .. }
+            | Self::LayerCount { .. }
+            | Self::Grading { .. }
+            | Self::NeedsPeriodic
+            | Self::OtherSolid { .. }
+            | Self::Hardness
+            | Self::NeedsPressure { .. }
+            | Self::Load { .. }
+            | Self::YieldsEverywhere { .. }
+            | Self::Range { .. }
+            | Self::Memory { .. } => true,
         }
     }
 }

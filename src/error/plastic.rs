@@ -67,6 +67,9 @@ pub enum PlasticError {
     /// A setting outside its range.
     #[error("{name} is {value}: it must lie in {range}")]
     Range { name: &'static str, value: f64, range: &'static str },
+    /// An observer stopped the step.
+    #[error("the load step was stopped")]
+    Stopped,
     /// A history that needs more memory than is free, or than the system allows.
     #[error(
         "{layers} layers below {} x {} points need {}, {}: give fewer layers or points", shape[0], shape[1],

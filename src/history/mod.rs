@@ -7,7 +7,7 @@
 //! | [`SlipHistory`] | a normal contact, then a traction below `mu p`                  | the traction                   |
 //! | [`Sliding`]     | a contact that slides steadily over a viscoelastic solid        | nothing: one state for each speed |
 //! | [`AdhesiveProcess`] | a contact with an attraction, from the last state      | the state                      |
-//! | [`Plastic`]     | contact and plastic flow below the surface under the next load  | the plastic strain in depth    |
+//! | [`PlasticLoading`] | contact and plastic flow below the surface under the next load  | the plastic strain in depth    |
 //! | [`Rolling`]     | a line that rolls steadily, with friction                       | nothing: one state for each creepage or load |
 //!
 //! A [`Process`] makes the states of any of them along its path, as [`State`](crate::contact::State)s: tables, recordings and pictures know these.
@@ -59,7 +59,9 @@ pub use creep_steps::CreepSteps;
 pub use cycle::{cycle_losses, open_cycles};
 pub use loading::Loading;
 pub use motion_process::{RollingProcess, SlidingProcess};
-pub use plastic::{Plastic, PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
+pub use plastic::{
+    Plastic, PlasticCertificate, PlasticEnergy, PlasticErrors, PlasticLoading, PlasticSolid, PlasticState,
+};
 pub use process::{EachState, PathPoint, Process};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};
 pub use sliding::Sliding;

@@ -1,9 +1,11 @@
 //! Solids that yield below the surface: numbers of another implementation, onset of yield, the law of flow, the certificate, energy and symmetry.
 
-use asperity::contact::{Contact, ContactModulus, Law, Load, Multilevel, Observer, PolonskyKeer, Solver};
+use asperity::contact::{
+    Contact, ContactModulus, Each, Law, Load, Multilevel, Observer, PolonskyKeer, Quantity, Solver, Step,
+};
 use asperity::elastic::{DepthLayers, DepthResponse};
-use asperity::error::{PlasticError, SolveError};
-use asperity::history::{Plastic, PlasticSolid, PlasticState};
+use asperity::error::{HistoryError, PlasticError, SolveError};
+use asperity::history::{Plastic, PlasticErrors, PlasticLoading, PlasticSolid, PlasticState, Process};
 use asperity::surface::Field;
 use asperity::{Grid, Problem, Stop, Surface};
 use ndarray::{Array2, Array3};
@@ -438,6 +440,69 @@ fn a_step_that_is_cut_short_says_so() {
     let mut plastic = plastic.with_max_iterations(2);
     let state = plastic.press(Load::MeanPressure(2e-3), &mut ()).unwrap();
     assert!(!state.is_converged && state.iterations == 2 && state.certificate.relative_gap > 1e-6);
+}
+
+/// The estimated error of the steps is about that against many steps, and the one in depth about three times that against thin layers.
+#[test]
+fn coarser_histories_estimate_errors() {
+    let new =
+        |layers: &DepthLayers| Plastic::new(cylinder(64, &soft()), soft(), layers.clone(), &PolonskyKeer).unwrap();
+    let layers = DepthLayers::uniform(8, 0.2).unwrap();
+    let loads = || vec![Load::MeanPressure(1e-3), Load::MeanPressure(2e-3)];
+    let mut loading = PlasticLoading::new(new(&layers), loads(), 3).unwrap().with_step_errors().unwrap();
+    loading.run(&mut (), &mut |_| Ok(())).unwrap();
+    let estimated = loading.step_errors().unwrap();
+    let mut many = PlasticLoading::new(new(&layers), loads(), 96).unwrap();
+    many.run(&mut (), &mut |_| Ok(())).unwrap();
+    let true_errors = PlasticErrors::between(loading.plastic().state(), many.plastic().state());
+    assert!(many.step_errors().is_none());
+    let ratio = estimated.total_accumulated / true_errors.total_accumulated;
+    assert!((0.4..2.5).contains(&ratio), "{ratio}");
+    let pressed = |layers: &DepthLayers| {
+        let mut plastic = new(layers);
+        plastic.press_in(4, Load::MeanPressure(2e-3), &mut ()).unwrap().clone()
+    };
+    let finer = layers.halved().unwrap();
+    let [coarse, middle, fine] =
+        [layers, finer.clone(), finer.halved().unwrap().halved().unwrap()].map(|it| pressed(&it));
+    let [estimated, found] = [&coarse, &fine].map(|other| PlasticErrors::between(&middle, other));
+    let ratio = estimated.total_accumulated / found.total_accumulated;
+    assert!((1.5..8.0).contains(&ratio), "{ratio}");
+}
+
+/// A list of loads as a process: states at its points, with the imprint, and energies in the usual quantities.
+#[test]
+fn a_list_of_loads_is_a_process() {
+    let layers = DepthLayers::uniform(8, 0.2).unwrap();
+    let plastic = Plastic::new(cylinder(64, &soft()), soft(), layers, &PolonskyKeer).unwrap();
+    let loads = [1.5e-3, 0.0].map(Load::MeanPressure);
+    let mut loading = PlasticLoading::new(plastic, loads.into(), 2).unwrap();
+    let mut states = Vec::new();
+    loading
+        .run(&mut (), &mut |state| {
+            states.push(state);
+            Ok(())
+        })
+        .unwrap();
+    assert_eq!(states.iter().map(|state| state.point).collect::<Vec<_>>(), [Some(0), Some(1)]);
+    let last = loading.plastic().state();
+    assert_eq!(states[1].value(Quantity::Dissipated), last.energy.plastic);
+    assert_eq!(states[1].field("imprint"), Some(&last.residual));
+    // quantities of an elastic solid have no meaning
+    assert!(states[0].get(Quantity::ElasticEnergy).is_none() && states[0].get(Quantity::MaxPressure).is_some());
+    assert!(PlasticLoading::new(loading.plastic().branched().unwrap(), Vec::new(), 0).is_err());
+}
+
+#[test]
+fn an_observer_stops_a_step_and_changes_nothing() {
+    let layers = DepthLayers::uniform(8, 0.2).unwrap();
+    let mut plastic = Plastic::new(cylinder(64, &soft()), soft(), layers, &PolonskyKeer).unwrap();
+    plastic.press(Load::MeanPressure(1e-3), &mut ()).unwrap();
+    let before = plastic.state().strain.clone();
+    let mut stop = Each(|_: &Step<'_>| std::ops::ControlFlow::Break(()));
+    let error = plastic.press(Load::MeanPressure(2e-3), &mut stop).unwrap_err();
+    assert!(matches!(HistoryError::from(error), HistoryError::Stopped));
+    assert_eq!(plastic.state().strain, before);
 }
 
 #[test]

@@ -4,9 +4,9 @@ use super::accelerated::Accelerated;
 use super::flow::{Flow, FlowLaw, Place};
 use super::{PlasticCertificate, PlasticState};
 use crate::chunks::{self, spread};
-use crate::contact::{Contact, Observer, Problem, Solver, Stop, Work};
+use crate::contact::{Contact, Observer, Problem, Solver, Status, Stop, Work};
 use crate::elastic::DepthResponse;
-use crate::error::PlasticError;
+use crate::error::{PlasticError, SolveError};
 use crate::surface::Field;
 use ndarray::{Array3, ArrayView1, ArrayView2, ArrayViewMut2, Axis};
 
@@ -135,6 +135,11 @@ impl LoadStep<'_, '_> {
         let start = start.filter(|pressure| pressure.iter().any(|&p| p > 0.0));
         let stop = Stop::default().at(self.contact_tolerance(problem, now));
         let contact = self.solver.solve_from(start, &pressed, &stop, self.observer)?;
+        match (contact.status, &contact.failure) {
+            (_, Some(failure)) => return Err(SolveError::Observer(failure.clone()).into()),
+            (Status::StoppedByObserver, None) => return Err(PlasticError::Stopped),
+            _ => (),
+        }
         now.work = now.work + contact.work;
         now.contact = Some(contact);
         Ok(())

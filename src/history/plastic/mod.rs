@@ -7,10 +7,14 @@
 mod accelerated;
 mod flow;
 mod load_step;
+mod plastic_errors;
+mod plastic_loading;
 mod plastic_process;
 mod plastic_solid;
 mod plastic_state;
 
+pub use plastic_errors::PlasticErrors;
+pub use plastic_loading::PlasticLoading;
 pub use plastic_process::Plastic;
 pub use plastic_solid::PlasticSolid;
 pub use plastic_state::{PlasticCertificate, PlasticEnergy, PlasticState};

@@ -3,7 +3,7 @@
 use super::flow::FlowLaw;
 use super::load_step::{Iterate, LoadStep};
 use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
-use crate::contact::{Load, Observer, Problem, Solver, Work};
+use crate::contact::{Load, Observer, Problem, Solver, Status, Work};
 use crate::elastic::{DepthLayers, DepthResponse};
 use crate::error::PlasticError;
 use crate::grid::Grid;
@@ -122,6 +122,17 @@ impl<'s> Plastic<'s> {
         &self.state
     }
 
+    /// Another process of the same problem and solid, that goes on from the last state.
+    ///
+    /// # Errors
+    /// [`PlasticError::Memory`].
+    pub fn branched(&self) -> Result<Self, PlasticError> {
+        let layers = self.state.layers.clone();
+        let other = Self::new(self.problem.clone(), self.solid, layers, self.solver)?;
+        let (tolerance, most_iterations, state) = (self.tolerance, self.most_iterations, self.state.clone());
+        Ok(Self { tolerance, most_iterations, state, ..other })
+    }
+
     /// Goes on from a state that a process of the same problem, solid and layers has reached.
     ///
     /// # Panics
@@ -221,7 +232,7 @@ impl<'s> Plastic<'s> {
     fn next_state(&self, load: Load, reached: Iterate) -> PlasticState {
         let before = &self.state;
         let Iterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } = reached;
-        let contact = match contact {
+        let mut contact = match contact {
             None => apart(before.contact.problem.clone(), residual.clone(), work, None),
             Some(contact) => {
                 let certificate = contact.certificate;
@@ -230,6 +241,7 @@ impl<'s> Plastic<'s> {
                 contact.with_work(work).displaced_by(problem, &added, certificate)
             }
         };
+        contact.status = if is_converged { Status::Converged } else { Status::IterationCap };
         let mut accumulated = before.accumulated.clone();
         accumulate(&mut accumulated, &increment);
         let plastic = before.energy.plastic + certificate.dissipated + reached.back_work;

@@ -140,10 +140,15 @@ impl PlasticState {
         ends[1] - ends[0]
     }
 
+    /// The part of the nodes that are in contact.
+    pub fn relative_area(&self) -> f64 {
+        self.contact.pressure.iter().filter(|p| **p > 0.0).count() as f64 / self.contact.pressure.len() as f64
+    }
+
     /// Mean pressure over the nodes in contact; zero where nothing touches.
     pub fn mean_contact_pressure(&self) -> f64 {
-        let touching = self.contact.pressure.iter().filter(|p| **p > 0.0).count();
-        self.contact.pressure.sum() / touching.max(1) as f64
+        let area = self.relative_area();
+        if area > 0.0 { self.contact.mean_pressure() / area } else { 0.0 }
     }
 
     /// How far the rigid surface has moved into the solid since its highest peak touched the solid that had not yielded, a length, without what the
