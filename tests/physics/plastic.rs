@@ -515,6 +515,28 @@ fn shallow_layers_are_told() {
     assert!(reaches(0.05) && !reaches(0.4));
 }
 
+/// Layers that are added where they are needed give the result of layers that were deep from the beginning.
+#[test]
+fn layers_grow_where_the_last_one_yields() {
+    let pressed = |depth: f64, grows: bool| {
+        let layers = DepthLayers::below(1.0 / 64.0, depth).unwrap();
+        let plastic = Plastic::new(cylinder(64, &soft()), soft(), layers, &PolonskyKeer).unwrap();
+        let plastic = plastic.with_tolerance(1e-10).unwrap();
+        let mut plastic = if grows { plastic.with_growing_depth() } else { plastic };
+        [1e-3, 2e-3, 1e-4].map(|load| plastic.press(Load::MeanPressure(load), &mut ()).unwrap().clone())
+    };
+    let (grown, deep) = (pressed(0.02, true), pressed(0.4, false));
+    for (grown, deep) in grown.iter().zip(&deep) {
+        assert!(!grown.reaches_the_bottom() && grown.layers().depth() < deep.layers().depth());
+        assert_near(grown.total_accumulated(), deep.total_accumulated(), 1e-5);
+        assert_near(grown.imprint_depth(), deep.imprint_depth(), 1e-5);
+        assert_near(grown.energy.work, deep.energy.work, 1e-5);
+        // the stress is known in all layers, also in those that came later
+        let bottom = grown.stress.dim().0 - 1;
+        assert!((grown.stress[[bottom, 2, 32]] - deep.stress[[bottom, 2, 32]]).abs() < 1e-7);
+    }
+}
+
 #[test]
 fn what_cannot_be_solved_is_refused() {
     let layers = || DepthLayers::uniform(4, 0.2).unwrap();

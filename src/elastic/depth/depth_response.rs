@@ -147,6 +147,17 @@ impl DepthResponse {
         stress
     }
 
+    /// The stress by a plastic strain and a pressure.
+    ///
+    /// # Panics
+    /// If the shape or the length does not fit the grid and the layers.
+    pub fn stress_of(&mut self, strain: &Array3<f64>, pressure: &[f64]) -> Array3<f64> {
+        self.take(strain);
+        let mut stress = self.zeros();
+        self.stress(Some(pressure), &mut stress);
+        stress
+    }
+
     /// The stress by a pressure without any plastic strain.
     ///
     /// # Panics

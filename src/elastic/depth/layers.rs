@@ -86,6 +86,24 @@ impl DepthLayers {
         Self::graded(0.5 * spacing, Self::RATIO, depth)
     }
 
+    /// These layers and more below them, until they reach half as deep again: their thickness grows by the ratio of the last two, if that is above 1.
+    ///
+    /// # Errors
+    /// [`PlasticError::LayerCount`] for more than 10 000 layers.
+    pub fn deepened(&self) -> Result<Self, PlasticError> {
+        let count = self.count();
+        let mut thickness = self.thickness(count - 1);
+        let ratio = if count > 1 { (thickness / self.thickness(count - 2)).max(1.0) } else { 1.0 };
+        let Self { mut interfaces, mut thicknesses } = self.clone();
+        while interfaces[interfaces.len() - 1] < 1.5 * self.depth() && thicknesses.len() <= MOST {
+            thickness *= ratio;
+            interfaces.push(interfaces[interfaces.len() - 1] + thickness);
+            thicknesses.push(thickness);
+        }
+        let layers = Self::new(interfaces)?;
+        Ok(Self { thicknesses, ..layers })
+    }
+
     /// Each layer cut into two of half its thickness: for an estimate of the error by the layers.
     ///
     /// # Errors

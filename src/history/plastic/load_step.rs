@@ -140,7 +140,7 @@ impl LoadStep<'_, '_> {
             (Status::StoppedByObserver, None) => return Err(PlasticError::Stopped),
             _ => (),
         }
-        now.work = now.work + contact.work;
+        now.work += contact.work;
         now.contact = Some(contact);
         Ok(())
     }

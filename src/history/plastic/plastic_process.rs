@@ -15,9 +15,11 @@ use ndarray::{Array2, Array3, Axis};
 /// The tolerance of the relative gap, and the most iterations of a step, if none are given.
 const TOLERANCE: f64 = 1e-6;
 const MOST_ITERATIONS: usize = 1000;
-/// Tensors below each node: the strain and the stress of two states, the increment and its successor, and twelve of Anderson's method if all of the solid
+/// Tensors below each node: the strain and the stress of two states, the increment and its successor, and sixteen of Anderson's method if all of the solid
 /// flows.
-const TENSORS: f64 = 18.0;
+const TENSORS: f64 = 22.0;
+/// Further numbers for each place: two accumulated strains, and where a place is that flows.
+const NUMBERS: f64 = 5.0;
 /// The part of the elastic strain at yield up to which an accumulated strain is negligible.
 const NEGLIGIBLE: f64 = 1e-3;
 /// The largest relative difference of the contact moduli of problem and solid.
@@ -37,7 +39,7 @@ const SAME_MODULUS: f64 = 1e-9;
 /// fully plastic and hardly hardens, the pressure differs by some percent from node to node: that is the minimum on the grid. Sums such as load, area
 /// and approach are more accurate than the pressure of one node.
 ///
-/// Memory: up to 18 tensors below each node, and the [`DepthResponse`].
+/// Memory: up to 22 tensors below each node, and the [`DepthResponse`].
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, PolonskyKeer};
@@ -70,6 +72,8 @@ pub struct Plastic<'s> {
     solver: &'s dyn Solver,
     tolerance: f64,
     most_iterations: usize,
+    /// Whether layers are added where the last one yields.
+    grows: bool,
     state: PlasticState,
 }
 
@@ -97,7 +101,8 @@ impl<'s> Plastic<'s> {
         check_memory(&grid, &layers)?;
         let response = DepthResponse::new(&grid, solid.young(), solid.poisson(), layers)?;
         let state = Self::at_rest(&problem, &solid, &response);
-        Ok(Self { problem, solid, response, solver, tolerance: TOLERANCE, most_iterations: MOST_ITERATIONS, state })
+        let (tolerance, most_iterations) = (TOLERANCE, MOST_ITERATIONS);
+        Ok(Self { problem, solid, response, solver, tolerance, most_iterations, grows: false, state })
     }
 
     /// The process with another tolerance of the [relative gap](PlasticCertificate::relative_gap) of each step, dimensionless; 1e-6 if it is not given.
@@ -117,6 +122,11 @@ impl<'s> Plastic<'s> {
         Self { most_iterations, ..self }
     }
 
+    /// The process that adds layers with [`DepthLayers::deepened`] and repeats the step where the last layer yields.
+    pub fn with_growing_depth(self) -> Self {
+        Self { grows: true, ..self }
+    }
+
     /// The last state; before the first load that without pressure and strain.
     pub fn state(&self) -> &PlasticState {
         &self.state
@@ -129,8 +139,9 @@ impl<'s> Plastic<'s> {
     pub fn branched(&self) -> Result<Self, PlasticError> {
         let layers = self.state.layers.clone();
         let other = Self::new(self.problem.clone(), self.solid, layers, self.solver)?;
-        let (tolerance, most_iterations, state) = (self.tolerance, self.most_iterations, self.state.clone());
-        Ok(Self { tolerance, most_iterations, state, ..other })
+        let state = self.state.clone();
+        let Self { tolerance, most_iterations, grows, .. } = *self;
+        Ok(Self { tolerance, most_iterations, grows, state, ..other })
     }
 
     /// Goes on from a state that a process of the same problem, solid and layers has reached.
@@ -154,19 +165,42 @@ impl<'s> Plastic<'s> {
     /// [`PlasticError::YieldsEverywhere`] for a mean pressure above [`PlasticSolid::deep_limit`], and those of the solver.
     pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<&PlasticState, PlasticError> {
         let problem = self.posed(load)?;
-        let step = LoadStep {
-            law: FlowLaw::new(&self.solid),
-            before: &self.state,
-            problem,
-            response: &mut self.response,
-            solver: self.solver,
-            observer,
-            tolerance: self.tolerance,
-            most_iterations: self.most_iterations,
-        };
-        let reached = step.run()?;
-        self.state = self.next_state(load, reached);
-        Ok(&self.state)
+        loop {
+            let step = LoadStep {
+                law: FlowLaw::new(&self.solid),
+                before: &self.state,
+                problem: problem.clone(),
+                response: &mut self.response,
+                solver: self.solver,
+                observer: &mut *observer,
+                tolerance: self.tolerance,
+                most_iterations: self.most_iterations,
+            };
+            let reached = step.run()?;
+            let state = self.next_state(load, reached);
+            if !(self.grows && state.reaches_the_bottom()) {
+                self.state = state;
+                return Ok(&self.state);
+            }
+            self.grow()?;
+        }
+    }
+
+    /// Adds layers without plastic strain below the last one.
+    fn grow(&mut self) -> Result<(), PlasticError> {
+        let (grid, layers) = (*self.problem.surface().grid(), self.state.layers.deepened()?);
+        check_memory(&grid, &layers)?;
+        let (young, poisson) = (self.solid.young(), self.solid.poisson());
+        self.response = DepthResponse::new(&grid, young, poisson, layers.clone())?;
+        let before = &self.state;
+        let mut strain = self.response.zeros();
+        strain.iter_mut().zip(&before.strain).for_each(|(to, from)| *to = *from);
+        let mut accumulated = Array2::zeros((layers.count(), grid.len()));
+        accumulated.iter_mut().zip(&before.accumulated).for_each(|(to, from)| *to = *from);
+        let pressure: Vec<f64> = before.contact.pressure.iter().copied().collect();
+        let stress = self.response.stress_of(&strain, &pressure);
+        self.state = PlasticState { strain, accumulated, stress, layers, ..before.clone() };
+        Ok(())
     }
 
     /// Goes to a load in a number of equal steps, at least one. The error of the steps is of first order in their length.
@@ -281,7 +315,7 @@ fn accumulate(accumulated: &mut Array2<f64>, increment: &Array3<f64>) {
 fn check_memory(grid: &Grid, layers: &DepthLayers) -> Result<(), PlasticError> {
     let tensors = TENSORS * size_of::<f64>() as f64 + DepthResponse::BYTES;
     let places = layers.count() as f64 * grid.len() as f64;
-    let needed = places * (DepthResponse::components(grid) as f64 * tensors + 2.0 * size_of::<f64>() as f64);
+    let needed = places * (DepthResponse::components(grid) as f64 * tensors + NUMBERS * size_of::<f64>() as f64);
     let refuse = |free| PlasticError::Memory { layers: layers.count(), shape: grid.shape(), needed, free };
     check_bytes(needed).map_err(|missing| refuse(missing.free))
 }
