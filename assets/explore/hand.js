@@ -27,19 +27,19 @@ async function hold(order, done) {
   holding = true;
   while (upcoming) {
     markState();
-    const { order: sent, done: show } = upcoming;
+    const { order: wish, done: show } = upcoming;
     upcoming = null;
-    await post("hold", sent).then(show, (error) => fault(error.message));
+    await post("hold", wish).then(show, (error) => fault(error.message));
   }
   holding = false;
   markState();
   if (grip?.isLeft) drop();
 }
 
-/** Asks for what the hand holds: the gap, or the load of the knobs. It is not shown after a newer order. */
+/** Asks for what the hand holds: the gap, or the load of the knobs. It is not shown after a newer order, or once the hand has let go. */
 function holdGrip() {
-  const [its, before] = [structuredClone(knobs), orders];
-  hold({ knobs: its, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, (contact) => { if (orders === before) showHeld(contact, its); });
+  const [its, before, mine] = [structuredClone(knobs), orders, grip];
+  hold({ knobs: its, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, (contact) => { if (orders === before && grip === mine) showHeld(contact, its); });
 }
 
 /** The section that a hand got, and the one beside, with the stress below each. */
@@ -63,7 +63,7 @@ function showHeld(contact, its) {
   document.body.dataset.held = String(++heldCount);
   keepSeen(its, contact.numbers);
   fault("");
-  if (!grip || isClear(grip.gap)) return;
+  if (isClear(grip.gap)) return;
   const { numbers: told } = contact;
   const isStuck = grip.gap !== null && adheres();
   if (grip.gap !== null && !isStuck) {

@@ -114,7 +114,9 @@ function showMapOf({ show: map }) {
   if (map) chooseMap(map);
 }
 
+/** Puts the knobs to those that are wanted. A hand lets go of what it held. */
 function takeKnobs(wanted) {
+  grip = null;
   knobs = structuredClone(wanted);
   takeTheme();
   show();

@@ -2,11 +2,13 @@
 
 let posting = false;
 let waiting = false;
-/** How many orders there were. */
+/** How many orders there were, and the knobs of the last one that was sent. */
 let orders = 0;
+let ordered = "";
 
-/** Solves anew; while one request is under way, only the latest change waits. What is shown is greyed at once. */
+/** Solves anew; while one request is under way, only the latest change waits. What is shown is greyed at once, and a hand lets go. */
 async function changed() {
+  grip = null;
   orders += 1;
   charts();
   writeAddress();
@@ -18,10 +20,18 @@ async function changed() {
   do {
     waiting = false;
     const before = faults;
+    ordered = words(knobs);
     await post("solve", knobs).then(() => settleFault(before), refused);
   } while (waiting);
   posting = false;
+  followOrder();
   markState();
+}
+
+/** Puts the knobs to those of the last order, if that is what is shown: the state to which they were put since then is gone. */
+function followOrder() {
+  const run = shownOrLatest();
+  if (run && !moment && !posting && !grip && !isOfKnobs() && words(run.knobs) === ordered) takeState(run.knobs);
 }
 
 /** Says why an order was refused, unless a newer one waits. */
@@ -145,6 +155,7 @@ function keepRun(run) {
     moment = null;
     if (!isSweep(run)) stateRun = run.id;
     follow(run);
+    followOrder();
   }
   const isFree = ({ id }) => ![pinned, stateRun, shownRun].includes(id);
   if (runs.length > KEEP) dropRun(runs.find(isFree));

@@ -85,8 +85,9 @@ function setMoment(state) {
   numbers();
 }
 
-/** Shows a moment with its knobs, or the end of the run with its own. */
+/** Shows a moment with its knobs, or the end of the run with its own. A hand lets go of what it held. */
 function goToState(state) {
+  grip = null;
   setMoment(state);
   if (!isOfKnobs()) takeState(shownKnobs());
 }

@@ -27,6 +27,9 @@ pub struct Hold {
     mean_gap: Option<f64>,
     /// Whether the stress below is requested.
     is_deep: bool,
+    /// Whether it is looked at, and not dragged: then it is solved as well as the knobs ask for.
+    #[serde(default)]
+    is_still: bool,
     /// Whether a contact with adhesion goes on from the last one under the hand; else from that of the knobs.
     #[serde(default)]
     goes_on: bool,
@@ -80,10 +83,11 @@ impl Hold {
             problem = problem.with_load(Load::MeanGap(mean_gap))?;
         }
         let [first, second] = &mut memory.pressures;
-        let contact = solve(&problem, &setup, first)?;
+        let stop = self.stop(&setup)?;
+        let contact = solve(&problem, &setup, stop, first)?;
         let beside = self.knobs.beside_with(source)?.map(|beside| {
             let problem = beside.problem()?.with_load(Load::MeanPressure(contact.mean_pressure()))?;
-            solve(&problem, &beside, second)
+            solve(&problem, &beside, stop, second)
         });
         let beside = beside.transpose()?;
         let shear = |contact: &Contact| self.is_deep.then(|| Shear::below(contact)).flatten();
@@ -95,6 +99,12 @@ impl Hold {
             beside: beside.as_ref().map(|it| Section::from_contact(it, &[])),
             numbers: Numbers::from_contact(&contact),
         })
+    }
+
+    /// When the contact is solved well enough.
+    fn stop(&self, setup: &Setup) -> Result<Stop, Refusal> {
+        let dragged = || Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS);
+        if self.is_still { Ok(setup.stop) } else { dragged().map_err(|it| Refusal::from(it.to_string())) }
     }
 
     /// Solves a contact with adhesion, from the last state under the hand or that of the knobs. The stress below is not that of the pressure
@@ -129,9 +139,7 @@ pub(super) fn fast_solver(setup: &Setup) -> &dyn Solver {
 }
 
 /// The contact of a problem, from the pressure before if it is on the same grid.
-fn solve(problem: &Problem, setup: &Setup, before: &mut Option<Field>) -> Result<Contact, Refusal> {
-    let stop =
-        Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS).map_err(|it| Refusal::from(it.to_string()))?;
+fn solve(problem: &Problem, setup: &Setup, stop: Stop, before: &mut Option<Field>) -> Result<Contact, Refusal> {
     let shape = problem.surface().grid().shape();
     let start = before.take().filter(|field| field.dim() == shape.into());
     let mut loading = Loading::new(problem.clone(), fast_solver(setup), stop).started_from(start);

@@ -6,8 +6,7 @@ use super::report::{RunReport, SweepReport};
 use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
-use crate::contact::{Contact, StateField, archive};
-use crate::setup::ProcessKind;
+use crate::contact::{Contact, StateField, StateKind, archive};
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
@@ -101,21 +100,18 @@ impl SolvedRun {
 
     /// The stress below a contact of the run. With adhesion the pressure between the surfaces is not all that the solid feels.
     pub fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
-        contact.filter(|_| !self.is_of(ProcessKind::Adhesion)).and_then(Shear::below)
+        contact.filter(|_| self.kind() != StateKind::Adhesion).and_then(Shear::below)
     }
 
     /// The patches of the contact. A patch on a solid that creeps or adheres is compared with no elastic one.
     pub fn patches(&self) -> PatchTable {
         let table = PatchTable::new(&self.contact);
-        PatchTable {
-            is_hertzian: table.is_hertzian && !(self.is_of(ProcessKind::Creep) || self.is_of(ProcessKind::Adhesion)),
-            ..table
-        }
+        PatchTable { is_hertzian: table.is_hertzian && self.kind() == StateKind::Elastic, ..table }
     }
 
-    /// Whether the contact is the last state of a process.
-    fn is_of(&self, kind: ProcessKind) -> bool {
-        self.report.process.as_ref().is_some_and(|it| it.kind == kind)
+    /// What the contact is a state of.
+    fn kind(&self) -> StateKind {
+        self.report.process.as_ref().map_or_else(StateKind::default, |it| it.kind.row().state)
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

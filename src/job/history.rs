@@ -148,13 +148,9 @@ impl HistoryOutcome {
             return self.warnings_of_loads();
         }
         let missed = self.states.iter().filter(|state| !state.contact.is_converged()).count();
-        let goal = match self.kind {
-            ProcessKind::Adhesion => "are not converged: equilibrium is missed by more than the tolerance",
-            _ => "did not reach their certificate",
-        };
         let missed = (missed > 0).then(|| {
             Warning::new(
-                format!("{missed} of {} states {goal}", self.states.len()),
+                format!("{missed} of {} states {}", self.states.len(), self.kind.row().missed),
                 "Use a larger tolerance, or more iterations",
             )
             .with_remedy("stop.tolerance", None)

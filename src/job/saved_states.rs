@@ -76,12 +76,7 @@ pub(super) fn certified_states(
         let (point, claim) = (columns.points[number], columns.claims[number]);
         let of = |quantity: Quantity| columns.number(quantity, number);
         let under = under_load(setup, problem, point, &saved);
-        let under = match of(Quantity::Speed) {
-            Some(speed) if setup.sliding.iter().any(|it| it.speed.contains(&speed)) => {
-                under.sliding(speed, &setup.memory()?).map_err(SetupError::from)?
-            }
-            _ => under,
-        };
+        let under = check.moving(under, of(Quantity::Speed))?;
         let parts = ([saved.pressure, saved.displacement, saved.gap], (saved.certificate, saved.work, saved.status));
         let contact = Contact::from_parts(under, parts.0, parts.1, saved.solver, saved.coarser);
         let contact = contact.map_err(SetupError::from)?.with_values(StateValues::new(kind));

@@ -59,7 +59,9 @@ impl<'a> StateCheck<'a> {
         if !doubts.is_empty() {
             return Ok(doubts);
         }
-        let problem = self.moving(state, &mut doubts)?;
+        let speed = state.value(Quantity::Speed);
+        doubts.extend(self.speed_doubt(speed));
+        let problem = self.moving(self.problem.clone(), Some(speed))?;
         doubts.extend(pressure_doubts(&problem, &state.contact.pressure).into_iter().filter(is_of_nodes));
         doubts.extend(self.load_doubt(state));
         doubts.extend(self.field_doubts(&problem, state)?);
@@ -82,21 +84,26 @@ impl<'a> StateCheck<'a> {
         missing.map(|name| SavedDoubt::Missing { name }).collect()
     }
 
-    /// The problem of a state at rest or at its speed, which the setup must have.
-    fn moving(&self, state: &State, doubts: &mut Vec<SavedDoubt>) -> Result<Problem, StudyError> {
-        let unknown = |name: &'static str, found: f64| SavedDoubt::Place { name, found };
-        match self.kind {
-            ProcessKind::Sliding => {
-                let speed = state.value(Quantity::Speed);
-                if !self.setup.sliding.iter().any(|it| it.speed.contains(&speed)) {
-                    doubts.push(unknown("speed", speed));
-                    return Ok(self.problem.clone());
-                }
-                let moving = self.problem.clone().sliding(speed, &self.setup.memory()?);
-                Ok(moving.map_err(SetupError::from)?)
-            }
-            _ => Ok(self.problem.clone()),
+    /// The problem of a state: at rest, or at its speed where that is one of the setup.
+    ///
+    /// # Errors
+    /// For a memory of the solid that cannot be.
+    pub fn moving(&self, problem: Problem, speed: Option<f64>) -> Result<Problem, SetupError> {
+        match speed.filter(|speed| self.has_speed(*speed)) {
+            Some(speed) => Ok(problem.sliding(speed, &self.setup.memory()?)?),
+            None => Ok(problem),
         }
+    }
+
+    /// Whether the setup has a speed.
+    fn has_speed(&self, speed: f64) -> bool {
+        self.setup.sliding.iter().any(|it| it.speed.contains(&speed))
+    }
+
+    /// A doubt whether the setup has the speed of a state.
+    fn speed_doubt(&self, speed: f64) -> Option<SavedDoubt> {
+        let is_known = self.setup.sliding.is_none() || self.has_speed(speed);
+        (!is_known).then_some(SavedDoubt::Place { name: "speed", found: speed })
     }
 
     /// A doubt whether the state is under a load of the path.

@@ -50,15 +50,14 @@ const OF_PROCESSES: &[ProcessRule] = &[
         let tangential = it.friction.map(|friction| friction.tangential).filter(|tangential| *tangential != 0.0)?;
         Some(vec![("tangential", format!("{tangential:?}"))])
     }),
-    (ConflictRule::HistoryOfYielding, |it, kind, _| broken(!it.law.is_hard_wall() && kind != ProcessKind::Creep)),
+    (ConflictRule::HistoryOfYielding, |it, kind, _| broken(!it.law.is_hard_wall() && !kind.row().takes_hardness)),
     (ConflictRule::AdhesionByGfmd, |it, kind, _| broken(kind == ProcessKind::Adhesion && it.is_by_gfmd())),
     (ConflictRule::HistoryByGfmd, |it, _, _| broken(it.is_by_gfmd())),
     (ConflictRule::AdhesionBySolver, |it, kind, _| it.other_solver().filter(|_| kind == ProcessKind::Adhesion)),
     (ConflictRule::SlidingOfFree, |_, kind, grid| broken(kind == ProcessKind::Sliding && !grid.is_periodic())),
     (ConflictRule::SlidingBySolver, |it, kind, _| it.other_solver().filter(|_| kind == ProcessKind::Sliding)),
     (ConflictRule::SlipLoad, |it, kind, _| {
-        let has_friction = matches!(kind, ProcessKind::Slip | ProcessKind::Rolling);
-        (has_friction && !it.load.is_pressure()).then(|| vec![("load", it.load.to_string())])
+        (kind.row().needs_pressure && !it.load.is_pressure()).then(|| vec![("load", it.load.to_string())])
     }),
     (ConflictRule::RollingBySolver, |it, kind, _| it.other_solver().filter(|_| kind == ProcessKind::Rolling)),
     (ConflictRule::RollingOnSurface, |_, kind, grid| broken(kind == ProcessKind::Rolling && !grid.is_line())),

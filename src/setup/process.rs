@@ -1,24 +1,20 @@
 //! The process of a setup: which history it describes, and what makes it.
 
+use super::process_kind::STEPS_OF_ADHESION;
 use super::{ProcessKind, RollingMotion, Setup, Solid};
 use crate::adhesion::{AdhesiveMethod, AdhesiveMotion, AdhesiveProblem};
-use crate::contact::{Load, Problem, Solver};
+use crate::contact::{Load, Problem};
 use crate::elastic::Prony;
 use crate::error::{AdhesionError, SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
-    AdhesiveProcess, CreepProcess, Loading, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess,
-    SlidingProcess, SlipHistory, SlipProcess,
+    AdhesiveProcess, CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess,
+    SlipHistory, SlipProcess,
 };
+use strum::IntoEnumIterator;
 
 /// The estimated relative error in time, if none is given.
 const TIME_TOLERANCE: f64 = 1e-2;
-
-/// Steps between two points of a path in time that are expected where the error in time chooses them.
-const STEPS_OF_TIME: usize = 32;
-
-/// Steps between two points of a path with adhesion, if no number is given.
-const STEPS_OF_ADHESION: usize = 20;
 
 impl Setup {
     /// The process that the setup describes; none for a contact without a history.
@@ -27,14 +23,7 @@ impl Setup {
     /// [`SetupError::Conflict`] for sections that do not go together.
     pub fn process(&self) -> Result<Option<ProcessKind>, SetupError> {
         self.check_together()?;
-        let given = [
-            (self.adhesion.is_some(), ProcessKind::Adhesion),
-            (self.sliding.is_some(), ProcessKind::Sliding),
-            (self.rolling.is_some(), ProcessKind::Rolling),
-            (self.viscoelastic.is_some(), ProcessKind::Creep),
-            (self.path.is_some(), ProcessKind::Slip),
-        ];
-        Ok(given.into_iter().find(|(is_given, _)| *is_given).map(|(_, kind)| kind))
+        Ok(ProcessKind::iter().find(|kind| (kind.row().is_given)(self)))
     }
 
     /// Whether the setup describes more than one state. A contact that slides at one speed is a single state, solved like any other.
@@ -50,23 +39,16 @@ impl Setup {
     /// # Errors
     /// The errors of [`Setup::process`].
     pub fn expected_states(&self) -> Result<usize, SetupError> {
-        if !self.is_history()? {
-            return Ok(0);
-        }
-        let path = |steps: usize| self.path.as_ref().map_or(0, |it| it.len().saturating_mul(it.steps.unwrap_or(steps)));
-        let rolling = |it: &RollingMotion| it.creepage.len() + it.tangential.len();
-        Ok(match self.process()? {
-            Some(ProcessKind::Creep) => path(STEPS_OF_TIME),
-            Some(ProcessKind::Slip) => path(1),
-            Some(ProcessKind::Adhesion) => path(STEPS_OF_ADHESION).max(1).saturating_add(self.expected_frames()),
-            Some(ProcessKind::Sliding) => self.sliding.as_ref().map_or(0, |it| it.speed.len()),
-            Some(ProcessKind::Rolling) => self.rolling.as_ref().map_or(0, rolling),
-            Some(ProcessKind::Loads) | None => 0,
-        })
+        Ok(self.process()?.filter(|_| self.speed().is_none()).map_or(0, |kind| (kind.row().states)(self)))
+    }
+
+    /// The states along the path, with a number of steps between two points if none is given.
+    pub(super) fn states_of_path(&self, steps: usize) -> usize {
+        self.path.as_ref().map_or(0, |it| it.len().saturating_mul(it.steps.unwrap_or(steps)))
     }
 
     /// The frames of motions in a history with adhesion, if there is one long jump from each point of the path to the next.
-    fn expected_frames(&self) -> usize {
+    pub(super) fn expected_frames(&self) -> usize {
         let moves = self.adhesion.as_ref().is_some_and(|it| it.method == AdhesiveMethod::Gfmd);
         let ways = self.path_points().len().saturating_sub(1);
         if moves { ways * AdhesiveMotion::MOST_FRAMES } else { 0 }
@@ -105,15 +87,11 @@ impl Setup {
         self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
         self.check_beside(process, grid)?;
-        match process {
-            ProcessKind::Adhesion => self.check_adhesion(grid),
-            ProcessKind::Slip => self.check_slip(),
-            ProcessKind::Loads | ProcessKind::Creep | ProcessKind::Sliding | ProcessKind::Rolling => Ok(()),
-        }
+        (process.row().check)(self, grid)
     }
 
     /// Refuses mean gaps that are not positive, a grid that does not resolve the attraction, and a damped motion on a free boundary.
-    fn check_adhesion(&self, grid: &Grid) -> Result<(), SetupError> {
+    pub(super) fn check_adhesion(&self, grid: &Grid) -> Result<(), SetupError> {
         if let Some(adhesion) = &self.adhesion {
             if !grid.is_periodic() && adhesion.method == AdhesiveMethod::Gfmd {
                 return Err(AdhesionError::FreeMotion.into());
@@ -128,7 +106,7 @@ impl Setup {
     }
 
     /// Refuses a first step of a path at which everything would slide. Where everything slides later, the history ends there.
-    fn check_slip(&self) -> Result<(), SetupError> {
+    pub(super) fn check_slip(&self) -> Result<(), SetupError> {
         let points = self.path_points();
         let Some(first) = points.first() else { return Ok(()) };
         let limit = self.friction.map_or(0.0, |friction| friction.coefficient) * first.load.value();
@@ -146,29 +124,28 @@ impl Setup {
     /// # Errors
     /// The errors of [`Setup::process`] and of the process.
     pub fn history(&self, problem: Problem) -> Result<Option<Box<dyn Process + '_>>, SetupError> {
-        let Some(kind) = self.process()? else { return Ok(None) };
-        let (solver, stop): (&dyn Solver, _) = (self.solver.solver(), self.stop);
+        self.process()?.map(|kind| (kind.row().make)(self, problem)).transpose()
+    }
+
+    /// What makes the history of slip along the path.
+    pub(super) fn slip(&self, problem: Problem) -> Result<SlipProcess<'_>, SetupError> {
         let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
-        let process: Box<dyn Process + '_> = match kind {
-            ProcessKind::Loads => Box::new(Loading::new(problem, self.solver(), stop).along(vec![self.load])),
-            ProcessKind::Creep => Box::new(self.creep(problem)?),
-            ProcessKind::Adhesion => Box::new(self.adhesive(problem)?),
-            ProcessKind::Slip => {
-                let history = SlipHistory::sheared(problem, mu, self.shear_ratio(), solver, stop)?;
-                let history = history.with_coupling(self.dundurs_beta())?;
-                Box::new(SlipProcess::new(history, self.path_points(), self.slip_steps()))
-            }
-            ProcessKind::Sliding => {
-                let speeds = self.sliding.clone().map_or(Vec::new(), |it| it.speed);
-                Box::new(SlidingProcess::new(problem, self.prony()?, speeds, stop))
-            }
-            ProcessKind::Rolling => {
-                let rolling = self.rolling.clone().unwrap_or_default();
-                let conditions = self.rolling_conditions(&rolling, problem.surface().grid())?;
-                Box::new(RollingProcess::new(problem, conditions, stop))
-            }
-        };
-        Ok(Some(process))
+        let history = SlipHistory::sheared(problem, mu, self.shear_ratio(), self.solver.solver(), self.stop)?;
+        let history = history.with_coupling(self.dundurs_beta())?;
+        Ok(SlipProcess::new(history, self.path_points(), self.slip_steps()))
+    }
+
+    /// What makes the states of sliding, one for each speed.
+    pub(super) fn slides(&self, problem: Problem) -> Result<SlidingProcess, SetupError> {
+        let speeds = self.sliding.clone().map_or(Vec::new(), |it| it.speed);
+        Ok(SlidingProcess::new(problem, self.prony()?, speeds, self.stop))
+    }
+
+    /// What makes the states of rolling, one for each creepage or tangential load.
+    pub(super) fn rolls(&self, problem: Problem) -> Result<RollingProcess, SetupError> {
+        let rolling = self.rolling.clone().unwrap_or_default();
+        let conditions = self.rolling_conditions(&rolling, problem.surface().grid())?;
+        Ok(RollingProcess::new(problem, conditions, self.stop))
     }
 
     /// What makes the history of a problem with adhesion along the path of this setup.

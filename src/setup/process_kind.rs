@@ -1,6 +1,10 @@
 //! The processes that a setup can describe, and what each of them offers.
 
-use crate::contact::{Quantity, StateKind};
+use super::Setup;
+use crate::contact::{Problem, Quantity, StateKind};
+use crate::error::SetupError;
+use crate::grid::Grid;
+use crate::history::{Loading, Process};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The processes that a setup, or a list of loads, can describe.
@@ -21,9 +25,23 @@ pub enum ProcessKind {
     Adhesion,
 }
 
-/// What is shown of the states of a process.
+/// What makes a process, what it takes, and what is shown of its states.
 #[derive(Debug)]
 pub struct ProcessRow {
+    /// Whether a setup whose sections go together describes it; at most one process of a setup is described.
+    pub(super) is_given: fn(&Setup) -> bool,
+    /// The number of its states along the path or the list of a setup, an estimate where steps are chosen by the error in time.
+    pub(super) states: fn(&Setup) -> usize,
+    /// Refuses what it cannot have on a grid.
+    pub(super) check: fn(&Setup, &Grid) -> Result<(), SetupError>,
+    /// What makes its states.
+    pub(super) make: MakeProcess,
+    /// Whether its surfaces may yield under a hardness.
+    pub takes_hardness: bool,
+    /// Whether its load must be a pressure, since friction follows that.
+    pub needs_pressure: bool,
+    /// What states that are not converged have missed.
+    pub missed: &'static str,
     /// The quantity along which states are drawn; none for the number of the state.
     pub axis: Option<Quantity>,
     /// Whether this axis is logarithmic.
@@ -42,6 +60,18 @@ pub struct ProcessRow {
     pub state: StateKind,
 }
 
+/// What makes the states of a problem, which is that of a setup.
+type MakeProcess = for<'a> fn(&'a Setup, Problem) -> Result<Box<dyn Process + 'a>, SetupError>;
+
+/// Steps between two points of a path in time that are expected where the error in time chooses them.
+const STEPS_OF_TIME: usize = 32;
+
+/// Steps between two points of a path with adhesion, if no number is given.
+pub(super) const STEPS_OF_ADHESION: usize = 20;
+
+/// What is said of states whose certificate is above the tolerance.
+const WITHOUT_CERTIFICATE: &str = "did not reach their certificate";
+
 /// A chart of the states of a process: one quantity against another one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ProcessChart {
@@ -56,6 +86,13 @@ const fn against(x: Quantity, y: Quantity) -> ProcessChart {
 }
 
 const LOADS: ProcessRow = ProcessRow {
+    is_given: |_| false,
+    states: |_| 0,
+    check: |_, _| Ok(()),
+    make: |it, problem| Ok(Box::new(Loading::new(problem, it.solver(), it.stop).along(vec![it.load]))),
+    takes_hardness: true,
+    needs_pressure: false,
+    missed: WITHOUT_CERTIFICATE,
     axis: Some(Quantity::ReducedPressure),
     is_logarithmic: true,
     charts: [
@@ -80,6 +117,13 @@ const LOADS: ProcessRow = ProcessRow {
 };
 
 const CREEP: ProcessRow = ProcessRow {
+    is_given: |it| it.viscoelastic.is_some() && it.sliding.is_none(),
+    states: |it| it.states_of_path(STEPS_OF_TIME),
+    check: |_, _| Ok(()),
+    make: |it, problem| Ok(Box::new(it.creep(problem)?)),
+    takes_hardness: true,
+    needs_pressure: false,
+    missed: WITHOUT_CERTIFICATE,
     axis: Some(Quantity::Time),
     is_logarithmic: false,
     charts: [against(Quantity::Time, Quantity::RelativeArea), against(Quantity::Time, Quantity::MeanGap)],
@@ -101,6 +145,13 @@ const CREEP: ProcessRow = ProcessRow {
 };
 
 const SLIP: ProcessRow = ProcessRow {
+    is_given: |it| it.path.is_some() && it.viscoelastic.is_none() && it.adhesion.is_none(),
+    states: |it| it.states_of_path(1),
+    check: |it, _| it.check_slip(),
+    make: |it, problem| Ok(Box::new(it.slip(problem)?)),
+    takes_hardness: false,
+    needs_pressure: true,
+    missed: WITHOUT_CERTIFICATE,
     axis: None,
     is_logarithmic: false,
     charts: [against(Quantity::Shift, Quantity::MeanTraction), ProcessChart { x: None, y: Quantity::StickShare }],
@@ -121,6 +172,13 @@ const SLIP: ProcessRow = ProcessRow {
 };
 
 const SLIDING: ProcessRow = ProcessRow {
+    is_given: |it| it.sliding.is_some(),
+    states: |it| it.sliding.as_ref().map_or(0, |it| it.speed.len()),
+    check: |_, _| Ok(()),
+    make: |it, problem| Ok(Box::new(it.slides(problem)?)),
+    takes_hardness: false,
+    needs_pressure: false,
+    missed: WITHOUT_CERTIFICATE,
     axis: Some(Quantity::Speed),
     is_logarithmic: true,
     charts: [against(Quantity::Speed, Quantity::Friction), against(Quantity::Speed, Quantity::RelativeArea)],
@@ -141,6 +199,13 @@ const SLIDING: ProcessRow = ProcessRow {
 };
 
 const ROLLING: ProcessRow = ProcessRow {
+    is_given: |it| it.rolling.is_some(),
+    states: |it| it.rolling.as_ref().map_or(0, |it| it.creepage.len() + it.tangential.len()),
+    check: |_, _| Ok(()),
+    make: |it, problem| Ok(Box::new(it.rolls(problem)?)),
+    takes_hardness: false,
+    needs_pressure: true,
+    missed: WITHOUT_CERTIFICATE,
     axis: None,
     is_logarithmic: false,
     charts: [against(Quantity::Creepage, Quantity::Friction), against(Quantity::Creepage, Quantity::StickShare)],
@@ -160,6 +225,13 @@ const ROLLING: ProcessRow = ProcessRow {
 };
 
 const ADHESION: ProcessRow = ProcessRow {
+    is_given: |it| it.adhesion.is_some(),
+    states: |it| it.states_of_path(STEPS_OF_ADHESION).max(1).saturating_add(it.expected_frames()),
+    check: Setup::check_adhesion,
+    make: |it, problem| Ok(Box::new(it.adhesive(problem)?)),
+    takes_hardness: false,
+    needs_pressure: false,
+    missed: "are not converged: equilibrium is missed by more than the tolerance",
     axis: None,
     is_logarithmic: false,
     charts: [against(Quantity::MeanGap, Quantity::MeanPressure), against(Quantity::MeanGap, Quantity::RelativeArea)],

@@ -89,7 +89,7 @@ fn axes_follow_data_layout_and_size(page: &mut Page) {
 }
 
 /// What an expression finds, once the page has followed its window: nothing, or what it still finds after a while.
-fn left_of(page: &mut Page, expression: &str) -> Value {
+pub fn left_of(page: &mut Page, expression: &str) -> Value {
     let deadline = Instant::now() + Duration::from_secs(60);
     loop {
         let found = page.value(expression);

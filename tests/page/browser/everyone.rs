@@ -1,6 +1,6 @@
 //! People of all kinds: who reads German, who has a finger for a pointer, who has it on paper.
 
-use super::appearance::{CUT, PALE, SERIOUS, WIDE, load_axe};
+use super::appearance::{CUT, PALE, SERIOUS, WIDE, left_of, load_axe};
 use super::chromium::installed;
 use super::explorer::{rested, sketched};
 use super::page::Page;
@@ -19,7 +19,7 @@ fn is_well(page: &mut Page, has_axe: bool, when: &str) {
         page.until(&format!("innerWidth === {}", size[0]));
         let cut = if size[0] < 700 { WIDE } else { CUT };
         for (what, finds) in [("pale", PALE), ("cut off", cut), ("clipped", CLIPPED)] {
-            assert_eq!(page.value(finds), json!([]), "{what}, {when}, {size:?}");
+            assert_eq!(left_of(page, finds), json!([]), "{what}, {when}, {size:?}");
         }
         if has_axe {
             assert_eq!(page.value(SERIOUS), json!([]), "{when}, {size:?}");

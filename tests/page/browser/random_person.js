@@ -96,6 +96,8 @@
   };
 
   const isGrey = () => document.body.hasAttribute("data-unsolved");
+  /** Whether what is shown may be grey: the knobs were given up or refused. */
+  const isExcused = () => isGivenUp || page.knobs.body === "file" || !byId("fault").hidden;
   const near = (a, b, by) => Math.abs(a - b) <= by * Math.max(Math.abs(a), Math.abs(b)) + 1e-12;
   const read = (text) => Number(text.replace(",", ".").split(" ")[0]);
   /** What is wrong with what is shown. */
@@ -103,7 +105,7 @@
     const { moment, knobs, section } = page;
     const run = page.shownOrLatest();
     const told = (moment ?? run)?.numbers;
-    if (isGrey()) return isGivenUp || knobs.body === "file" || !byId("fault").hidden ? [] : [`what is shown is grey, and nobody says why (${document.body.dataset.run}, ${run?.ended}, ${byId("title").textContent})`];
+    if (isGrey()) return isExcused() ? [] : [`what is shown is grey, and nobody says why (${document.body.dataset.run}, ${run?.ended}, ${byId("title").textContent})`];
     if (!run || !told) return ["nothing is shown"];
     const faults = [];
     const { load: _, ...its } = moment?.knobs ?? run.knobs;
@@ -118,7 +120,8 @@
     const area = document.querySelector("#numbers td[data-number=relative_area]")?.innerText ?? "";
     if (Number.isFinite(told.relative_area) && !near(read(area), told.relative_area, 0.02)) faults.push(`the table has an area of ${area}, it is ${told.relative_area}`);
     const [, titled] = /p\* = ([-+.e\d]+)/.exec(byId("title").textContent) ?? [];
-    if (!(moment?.isClear || near(Number(titled), moment?.load ?? load, 2e-3))) faults.push(`the title is ${byId("title").textContent} under a load of ${load}`);
+    const pressed = moment && moment.step === undefined ? told.reduced_pressure : load;
+    if (!(moment?.isClear || near(Number(titled), pressed, 2e-3))) faults.push(`the title is ${byId("title").textContent} under ${pressed}`);
     if (document.body.dataset.run !== run.id) faults.push(`the page tells of ${document.body.dataset.run}`);
     const isDrawn = knobs.domain === "line" && knobs.body !== "scene" && section.pressure.length === knobs.points && !(knobs.adhesion > 0) && !(knobs.hardness > 0);
     const share = section.pressure.filter((p) => p > 0).length / section.pressure.length;
@@ -137,7 +140,7 @@
     await pause(12 * chance());
     if (chance() < 0.25 && await rest(600)) {
       looks += 1;
-      for (let waited = 0; isGrey() && !isGivenUp && waited < 500; waited++) await pause(20);
+      for (let waited = 0; isGrey() && !isExcused() && waited < 250; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
