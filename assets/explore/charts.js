@@ -120,13 +120,13 @@ function chartsOfLoads() {
     const loads = [...curves.flatMap((it) => it.points), ...dots.map(({ at }) => at)].map(([load]) => load);
     const x = logAxis(loads, USUAL_LOADS, roomOf(target).wide);
     const y = linearAxis(0, top, [0, top / 2, top].map((value) => [value, inLocale(String(value))]));
-    chart(target, { title, name: "p*", x, y, curves, dots, note, isStale, now: moment?.numbers.reduced_pressure ?? knobs?.load, pick: pickLoad });
+    chart(target, { title, name: "p*", x, y, curves, dots, note, isStale, now: isOfKnobs() ? (moment ?? shownOrLatest()).numbers?.reduced_pressure : knobs?.load, pick: pickLoad });
   };
   overLoad(byId("chart-area"), say("chart.area"), 1, [
     curve("Persson", "persson", (p) => p.persson ?? NaN), curve("a_rel", "computed", (p) => p.relative_area),
     curve(say("chart.exact"), "exact", (p) => p.exact?.relative_area), ...guessOf("chart-area")], dotsOf("computed", "reduced_pressure", "relative_area"));
   if (!byId("top-box").hidden && LEAKS.includes(shownMap)) chartOfLeak(); else chartOfKappas(overLoad, curve);
-  describeCharts(points.length, points.findLastIndex((point) => point.reduced_pressure <= (moment?.numbers.reduced_pressure ?? knobs.load)));
+  describeCharts(points.length, points.findLastIndex(({ load }) => load <= (moment?.numbers.load ?? knobs.load)));
   Object.assign(document.body.dataset, { sweep: shown ? (shown.ended ? "ended" : points.length) : "none", stale: isStale });
 }
 
@@ -160,15 +160,15 @@ function describeCharts(count, at) {
   }
 }
 
-/** The load of a sweep that is nearest to one; none of a sweep without loads. */
-function nearestLoad({ points }, load) {
-  const away = ({ reduced_pressure: p }) => Math.abs(Math.log(p / load));
+/** The load of a sweep that is nearest to one, as the knob has it or as the chart does; none of a sweep without loads. */
+function nearestLoad({ points }, load, of = "load") {
+  const away = (point) => Math.abs(Math.log(point[of] / load));
   return points.reduce((best, point) => best && away(best) <= away(point) ? best : point, null);
 }
 
 /** Shows the load of the sweep that is nearest to one, in the viewer, the table and the picture. */
 function pickLoad(load) {
-  const point = report.sweep && nearestLoad(report.sweep, load);
+  const point = report.sweep && nearestLoad(report.sweep, load, "reduced_pressure");
   if (point) showLoad(point);
 }
 
@@ -183,8 +183,8 @@ function stepChart(event) {
 
 function stepLoad(by) {
   const points = report.sweep.points;
-  const load = moment?.numbers.reduced_pressure ?? knobs.load;
-  const now = points.findLastIndex((point) => point.reduced_pressure <= load * (1 + 1e-9));
+  const load = moment?.numbers.load ?? knobs.load;
+  const now = points.findLastIndex((point) => point.load <= load * (1 + 1e-9));
   showLoad(points[Math.min(points.length - 1, Math.max(0, now + by))]);
 }
 

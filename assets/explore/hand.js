@@ -68,7 +68,7 @@ function showHeld(contact, its) {
   const isStuck = grip.gap !== null && adheres();
   if (grip.gap !== null && !isStuck) {
     const [least, most] = controlOf("load").range;
-    knobs.load = its.load = Number(Math.min(most, Math.max(least, told.reduced_pressure)).toPrecision(4));
+    knobs.load = its.load = Number(Math.min(most, Math.max(least, contact.load)).toPrecision(4));
   }
   const title = say("title.hand", { load: figure(told.reduced_pressure, 4) });
   setMoment({ name: named(say("moment.hand"), told), title, numbers: told, exact: null, isStuck, knobs: its, load: isStuck ? told.reduced_pressure : undefined });

@@ -29,7 +29,7 @@ async function showMoment() {
  * that is solved anew. */
 async function momentOfLoad(its, point) {
   if (!point || moment?.numbers === point) return;
-  const load = point.reduced_pressure;
+  const { load } = point;
   const rounded = Number(load.toPrecision(4));
   const title = titleOf({ title: its.title.replace("load sweep", `p* = ${rounded}`) });
   const now = { name: say("moment.load", { load: figure(load, 3) }), title, numbers: point, exact: point.exact, sweep: its, knobs: { ...its.knobs, load: rounded } };

@@ -55,6 +55,8 @@ pub struct Held {
     /// The stress below that.
     shear_beside: Option<Shear>,
     numbers: Numbers,
+    /// The load as the knob has it: the mean pressure over the rms gradient and the modulus at once.
+    load: f64,
 }
 
 impl Hold {
@@ -98,6 +100,7 @@ impl Hold {
             shear_beside: beside.as_ref().and_then(shear),
             beside: beside.as_ref().map(|it| Section::from_contact(it, &[])),
             numbers: Numbers::from_contact(&contact),
+            load: knob_load(&contact),
         })
     }
 
@@ -127,10 +130,16 @@ impl Hold {
             shear_beside: None,
             beside: beside.as_ref().map(section),
             numbers: hand.numbers(),
+            load: knob_load(&hand.state().contact),
         };
         (*first, *second) = (Some(hand), beside);
         Ok(held)
     }
+}
+
+/// The load of a contact as the knob has it.
+fn knob_load(contact: &Contact) -> f64 {
+    contact.mean_pressure() / (contact.problem.rms_gradient() * contact.problem.contact_modulus())
 }
 
 /// The fastest solver of a setup, whatever the setup says.

@@ -190,6 +190,9 @@ pub struct SweepReport {
 pub struct SweepPoint {
     /// The number of its load in the recording, from 1 on.
     pub number: usize,
+    /// The load as the knob has it: over the rms gradient and the modulus at once. The reduced pressure of a contact that slides is over its
+    /// effective modulus.
+    pub load: f64,
     /// All other numbers.
     #[serde(flatten)]
     pub observables: Observables,

@@ -122,6 +122,7 @@ impl Press<'_> {
         }
         let point = SweepPoint {
             number: number + 1,
+            load,
             observables: Observables::new(contact),
             persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),

@@ -28,6 +28,25 @@ fn a_pull_is_a_loop(page: &mut Page) {
     assert_eq!(page.value(green), true);
 }
 
+/// The viewer beside the picture follows the keys of a chart, and the picture stays with it.
+fn keys_move_the_state_beside_the_viewer(page: &mut Page) {
+    page.click("view-both");
+    rested(page);
+    for step in [22, 21] {
+        page.press_at("chart-area", "ArrowLeft");
+        page.until(&format!(
+            "moment?.step === {step} && viewer.get_time_for_timeline(recordingName(latest()), 'step') === {step}"
+        ));
+    }
+    for step in [22, 23] {
+        page.press_at("chart-area", "ArrowRight");
+        page.until(&format!("moment?.step === {step}"));
+    }
+    page.press_at("chart-area", "ArrowRight");
+    page.until("moment === null");
+    page.click("view-picture");
+}
+
 /// A surface that is pulled has maps of its traction and slip, one at rest has none, and both have a leak.
 fn maps_are_those_of_the_state(page: &mut Page) {
     let hidden = |page: &mut Page, name: &str| page.value(&format!("byId('map-{name}').hidden")) == true;
@@ -74,6 +93,7 @@ fn a_person_who_looks_at_a_process() {
     let (_explorer, mut page) = opened(&program);
     page.click("view-picture");
     a_pull_is_a_loop(&mut page);
+    keys_move_the_state_beside_the_viewer(&mut page);
     maps_are_those_of_the_state(&mut page);
     a_solid_has_units(&mut page);
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);

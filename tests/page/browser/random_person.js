@@ -120,7 +120,7 @@
     const area = document.querySelector("#numbers td[data-number=relative_area]")?.innerText ?? "";
     if (Number.isFinite(told.relative_area) && !near(read(area), told.relative_area, 0.02)) faults.push(`the table has an area of ${area}, it is ${told.relative_area}`);
     const [, titled] = /p\* = ([-+.e\d]+)/.exec(byId("title").textContent) ?? [];
-    const pressed = moment && moment.step === undefined ? told.reduced_pressure : load;
+    const pressed = told.load ?? (moment && moment.step === undefined ? told.reduced_pressure : load);
     if (!(moment?.isClear || near(Number(titled), pressed, 2e-3))) faults.push(`the title is ${byId("title").textContent} under ${pressed}`);
     if (document.body.dataset.run !== run.id) faults.push(`the page tells of ${document.body.dataset.run}`);
     const isDrawn = knobs.domain === "line" && knobs.body !== "scene" && section.pressure.length === knobs.points && !(knobs.adhesion > 0) && !(knobs.hardness > 0);
