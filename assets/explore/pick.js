@@ -68,12 +68,19 @@ function momentTitle(run, name) {
   return places.title === title ? say("title.step", places) : say("title.state", places);
 }
 
+/** The step at which a run is at its end: the last one, or the last one of the viewer, which may lack one that is still to be read. */
+function endOf(run, steps) {
+  const last = rangeOf(run)?.max ?? Infinity;
+  const isRead = steps.filter((step) => step > last).length <= 1;
+  return isRead ? Math.min(steps.at(-1), last) : steps.at(-1);
+}
+
 /** The numbers of a step of a run, the first one before all others; at its end those of the run. */
 async function momentOfStep(run, step) {
   const [columns, motion] = await Promise.all(["steps", "motion"].map((name) => facet(run, name))).catch((error) => { fault(error.message); return []; });
   if (!columns || grip || runOf(shownRun) !== run || stateRun !== run.id) return;
   const steps = columns.step;
-  if (step >= Math.min(steps.at(-1), rangeOf(run)?.max ?? Infinity)) { goToState(null); return; }
+  if (step >= endOf(run, steps)) { goToState(null); return; }
   const at = Math.max(0, steps.findLastIndex((it) => it <= step));
   const told = Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
   const name = momentName(run, told);
