@@ -33,3 +33,12 @@ pub(crate) fn free_in_words(free: Option<f64>) -> String {
     let free = free.map(crate::quantity::bytes_in_words);
     free.map_or("more than the system allows".into(), |free| format!("and {free} are free"))
 }
+
+/// Refuses work that needs more bytes than are free, or than the system allows.
+///
+/// # Errors
+/// How many are needed and free, such as "1.1 TB, and 21 GB are free".
+pub fn check_room(needed: f64) -> Result<(), String> {
+    check_bytes(needed)
+        .map_err(|missing| format!("{}, {}", crate::quantity::bytes_in_words(needed), free_in_words(missing.free)))
+}

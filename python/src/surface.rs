@@ -4,6 +4,7 @@ use crate::arrays::{ArrayLike, in_parentheses, vector, view};
 use crate::conversion::{
     Sections, section_mut, sections_from_dict, sections_from_keywords, table_from_sections, value_from_py,
 };
+use crate::detached::Detached;
 use crate::error::{argument, bail, error_of_keywords, py_error, wrong_type};
 use crate::fork;
 use crate::prepared_array::{ARRAY, FIELDS, PreparedArray, sections_of_array};
@@ -15,7 +16,7 @@ use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Keys of the section `grid`; all others belong to the section `surface`.
@@ -54,7 +55,7 @@ impl Surface {
         let grid = recipe.grid(&cell).map_err(py_error)?;
         Cost::from_fields(&grid, FIELDS).check("a surface").map_err(py_error)?;
         fork::check_not_forked()?;
-        let surface = py.detach(|| recipe.surface(grid)).map_err(py_error)?;
+        let surface = py.try_detached(|| recipe.surface(grid))?;
         for file in recipe.files().filter(|_| !recipe.prepare.is_none()) {
             preparation.extend(recipe.prepared(file, &grid).map_err(py_error)?.effects);
         }
@@ -92,7 +93,8 @@ impl Surface {
         let is_unread =
             matches!(HeightFile::from(PathBuf::from(name)).layout(channel.as_deref()), Err(FileError::Format { .. }));
         let is_known = |key: &String| key == "prepare" || GRID_KEYS.contains(&key.as_str());
-        if !is_unread || !cell.keys().all(is_known) {
+        // a device may have no end
+        if !is_unread || !Path::new(name).is_file() || !cell.keys().all(is_known) {
             return Ok(None);
         }
         let found = py.import("asperity.topography")?.call_method1("read", (name, channel))?;

@@ -1,10 +1,12 @@
 //! A file that is read.
 
 use crate::error::FileError;
+use crate::memory::check_room;
+use crate::quantity::bytes_in_words;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -31,6 +33,17 @@ impl InputFile {
     /// Whether it is a file on disk.
     pub fn is_on_disk(&self) -> bool {
         self.bytes.is_none()
+    }
+
+    /// All bytes of a text.
+    ///
+    /// # Errors
+    /// The errors of [`read_text_bytes`].
+    pub fn text_bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
+        match &self.bytes {
+            None => read_text_bytes(&self.path).map(Cow::Owned),
+            Some(bytes) => Ok(Cow::Borrowed(bytes)),
+        }
     }
 
     /// Its bytes, if it is not on disk.
@@ -94,17 +107,79 @@ pub fn open_regular(path: &Path) -> io::Result<File> {
     }
 }
 
+/// Bytes at most of a text that is read as a whole: a scene, a study, the setup in a result, a spectrum, an attraction or a path. A table of a million rows
+/// fits; read, it needs up to 2 GB.
+pub const TEXT_BYTES: u64 = 1 << 25;
+
+/// Bytes for which there is always memory.
+const FEW: u64 = 1 << 23;
+
 /// All bytes of a regular file.
 ///
 /// # Errors
-/// [`FileError::Read`] for a file that cannot be read, and for a directory, a device or a pipe.
+/// [`FileError::Read`] for a file that cannot be read or does not fit in memory, and for a directory, a device or a pipe.
 ///
 /// ```
 /// let refused = asperity::files::read_bytes(".".as_ref()).unwrap_err();
 /// assert_eq!(refused.to_string(), "cannot read .: it is a directory or a device: give a file");
 /// ```
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    let read = open_regular(path).and_then(|mut file| read_whole(&mut file));
+    read.map_err(|source| FileError::Read { path: path.into(), source })
+}
+
+/// All bytes of a regular file; none if it is missing.
+///
+/// # Errors
+/// The errors of [`read_bytes`].
+pub fn read_if_there(path: &Path) -> Result<Vec<u8>, FileError> {
+    match read_bytes(path) {
+        Err(FileError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => Ok(Vec::new()),
+        read => read,
+    }
+}
+
+/// All bytes of a regular file that is a text, at most [`TEXT_BYTES`].
+///
+/// # Errors
+/// The errors of [`read_bytes`], and [`FileError::Read`] for a file that is longer.
+pub fn read_text_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    let read = open_regular(path).and_then(|mut file| {
+        check_text(file.metadata()?.len())?;
+        let mut bytes = Vec::new();
+        file.by_ref().take(TEXT_BYTES + 1).read_to_end(&mut bytes)?;
+        check_text(bytes.len() as u64).map(|()| bytes)
+    });
+    read.map_err(|source| FileError::Read { path: path.into(), source })
+}
+
+/// Checks the length of a text in bytes.
+///
+/// # Errors
+/// Of the kind [`io::ErrorKind::InvalidData`] for one of more than [`TEXT_BYTES`].
+pub fn check_text(length: u64) -> io::Result<()> {
+    if length <= TEXT_BYTES {
+        return Ok(());
+    }
+    let [length, most] = [length, TEXT_BYTES].map(|bytes| bytes_in_words(bytes as f64));
+    let reason = format!("it has {length}, and a text may have {most}: give a smaller file");
+    Err(io::Error::new(io::ErrorKind::InvalidData, reason))
+}
+
+/// All bytes of a source from its beginning on.
+///
+/// # Errors
+/// Those of the source, and one of the kind [`io::ErrorKind::InvalidData`] for one that does not fit in memory.
+pub fn read_whole<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<u8>> {
+    // a file of the system may not know where it ends
+    let length = source.seek(SeekFrom::End(0)).unwrap_or(0);
+    if length > FEW {
+        check_room(length as f64).map_err(|room| {
+            let reason = format!("it does not fit in memory, since it needs {room}: give a smaller file");
+            io::Error::new(io::ErrorKind::InvalidData, reason)
+        })?;
+    }
     let mut bytes = Vec::new();
-    let read = open_regular(path).and_then(|mut file| file.read_to_end(&mut bytes));
-    read.map(|_| bytes).map_err(|source| FileError::Read { path: path.into(), source })
+    source.rewind()?;
+    source.read_to_end(&mut bytes).map(|_| bytes)
 }

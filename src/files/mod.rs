@@ -6,7 +6,10 @@ mod input_file;
 
 pub use apart::check_apart;
 pub use draft::{Draft, abandon_drafts};
-pub use input_file::{InputFile, open_regular, path_in_text, read_bytes};
+pub use input_file::{
+    InputFile, TEXT_BYTES, check_text, open_regular, path_in_text, read_bytes, read_if_there, read_text_bytes,
+    read_whole,
+};
 
 use crate::error::{Failure, FileError};
 use serde::Serialize;
@@ -177,7 +180,7 @@ impl TextColumn {
 /// # Errors
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for one that is no such table.
 pub fn read_columns(path: &Path) -> Result<Vec<TextColumn>, FileError> {
-    columns_of(&read_bytes(path)?).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
+    columns_of(&read_text_bytes(path)?).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
 }
 
 /// The columns of a table whose first row names them. They are separated by semicolons, tabs or commas, of which the first one that the row of

@@ -3,7 +3,8 @@
 use super::item::Item;
 use super::verdict::{Evidence, Verdict};
 use crate::error::FileError;
-use std::io::{self, ErrorKind, Write};
+use crate::files::read_if_there;
+use std::io::{self, Write};
 use std::path::Path;
 
 /// The paper's numbers beside those found here, in the order of the paper.
@@ -16,10 +17,7 @@ pub struct Comparison {
 impl Comparison {
     /// The table of earlier runs; empty if there is none. A file with other content is not replaced.
     pub(super) fn read(path: &Path) -> Result<Self, FileError> {
-        let text = match std::fs::read(path) {
-            Err(source) if source.kind() == ErrorKind::NotFound => Vec::new(),
-            read => read.map_err(|source| FileError::Read { path: path.into(), source })?,
-        };
+        let text = read_if_there(path)?;
         let rows: csv::Result<Vec<Verdict>> = csv::Reader::from_reader(text.as_slice()).into_deserialize().collect();
         let reason = "it is not a comparison with the paper: give another folder, or remove it";
         let verdicts = rows.map_err(|_| FileError::Target { path: path.into(), reason: reason.into() })?;

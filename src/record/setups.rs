@@ -4,7 +4,6 @@ use super::stores;
 use crate::error::FileError;
 use crate::files::open_regular;
 use rerun::{StoreKind, TextDocument};
-use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
@@ -52,8 +51,8 @@ pub fn is_recording(path: &Path) -> Result<bool, FileError> {
 /// # Errors
 /// [`FileError::Read`] for a file that is missing or unreadable.
 pub fn is_cut_off(path: &Path) -> Result<bool, FileError> {
-    let end = || {
-        let mut file = File::open(path)?;
+    let end = || -> std::io::Result<Vec<u8>> {
+        let mut file = open_regular(path)?;
         let length = file.seek(SeekFrom::End(0))?;
         file.seek(SeekFrom::Start(length.saturating_sub(stores::END_BYTES)))?;
         let mut end = Vec::new();

@@ -55,7 +55,7 @@ impl Adhesion {
 fn read_table(file: &InputFile) -> Result<Attraction, SetupError> {
     let path = file.path();
     let wrong = |reason: String| SetupError::Table { path: path.into(), reason };
-    let columns = columns_of(&file.bytes()?);
+    let columns = columns_of(&file.text_bytes()?);
     let columns = columns.map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })?;
     let column = |name: &str, kind: &str, read: fn(&str) -> Option<f64>| {
         let found = columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));

@@ -64,7 +64,7 @@ mod viscoelastic;
 mod warnings;
 mod words;
 
-pub use crate::memory::available_bytes;
+pub use crate::memory::{available_bytes, check_room};
 pub use adhesion::Adhesion;
 pub use auto::Auto;
 pub use axis::{ParameterAxis, Scalar};

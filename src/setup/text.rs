@@ -4,7 +4,7 @@ use super::fault::{found_in, keys_of};
 use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::contact::first_archive;
 use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
-use crate::files::{path_in_text, read_bytes, write_beside};
+use crate::files::{path_in_text, read_text_bytes, write_beside};
 use crate::surface::{read_fields, read_text};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -69,7 +69,7 @@ impl SetupTable {
     }
 
     fn read_scene(path: &Path) -> Result<Self, SetupError> {
-        let text = String::from_utf8(read_bytes(path)?).map_err(|_| {
+        let text = String::from_utf8(read_text_bytes(path)?).map_err(|_| {
             let reason = "it is not text: give a scene (.toml or .json), or a result (.npz)".into();
             FileError::Format { path: path.into(), what: "setup", reason }
         })?;

@@ -5,6 +5,7 @@ use super::realisation::Realisation;
 use super::shard::Shard;
 use crate::contact::{Law, Load};
 use crate::error::{SetupError, StudyError};
+use crate::files::read_text_bytes;
 use crate::setup::{ParameterAxis, Setup, SetupTable};
 use std::path::{Path, PathBuf};
 
@@ -89,7 +90,8 @@ impl Plan {
     /// The errors of [`SetupTable::read`] and [`Plan::from_toml`].
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let table = SetupTable::read(path)?;
-        let text = std::fs::read_to_string(path).unwrap_or_default(); // results carry theirs in other forms
+        // results carry theirs in other forms
+        let text = read_text_bytes(path).ok().and_then(|it| String::from_utf8(it).ok()).unwrap_or_default();
         Self::new(table, &text).map_err(|error| match error {
             StudyError::Setup(error) => error.in_file(path).into(),
             other => other,

@@ -4,7 +4,7 @@ use super::check::Checksum;
 use super::point::{Point, further};
 use crate::contact::Quantity;
 use crate::error::FileError;
-use crate::files::{check_target, write_beside, write_csv};
+use crate::files::{check_target, read_if_there, write_beside, write_csv};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, OpenOptions, TryLockError};
@@ -110,7 +110,7 @@ impl Table {
     /// The points of the unfinished table.
     fn read_unfinished(&self) -> Result<Vec<Point>, FileError> {
         let path = self.unfinished_path();
-        let (text, is_link) = (bytes(&path)?, path.is_symlink());
+        let (text, is_link) = (read_if_there(&path)?, path.is_symlink());
         let points = Point::from_lines(&text);
         let is_own = text.starts_with(HEAD.as_bytes()) || HEAD.as_bytes().starts_with(&text) || !points.is_empty();
         match is_own && !is_link {
@@ -215,21 +215,13 @@ fn remove(path: PathBuf) -> Result<(), FileError> {
     }
 }
 
-/// The bytes of a file; none if it is missing.
-fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
-    match std::fs::read(path) {
-        Err(source) if source.kind() == io::ErrorKind::NotFound => Ok(Vec::new()),
-        other => other.map_err(|source| FileError::Read { path: path.into(), source }),
-    }
-}
-
 /// The records of a table that is whole, each read by `read` under the names of the columns, one of which is `column`.
 fn finished<T>(
     path: &Path,
     column: &str,
     mut read: impl FnMut(&StringRecord, &StringRecord) -> csv::Result<T>,
 ) -> Result<Vec<T>, FileError> {
-    let text = bytes(path)?;
+    let text = read_if_there(path)?;
     let mut csv = csv::Reader::from_reader(text.as_slice());
     let names = csv.headers().map_err(|_| not_ours(path))?.clone();
     if !(text.is_empty() || names.iter().any(|name| name == column)) {

@@ -131,33 +131,66 @@ fn a_fingerprint_depends_on_what_is_in_the_files_and_not_on_their_names() {
     }
 }
 
-/// A device may have no end, and a pipe may never begin.
+/// A device may have no end, a pipe may never begin, and a file with holes is as long as it says.
 #[cfg(unix)]
 #[test]
-fn no_key_takes_a_device() {
+fn no_key_takes_a_device_or_a_file_without_end() {
     let folder = tempfile::tempdir().unwrap();
     write_files(folder.path());
+    let endless = folder.path().join("endless").to_string_lossy().into_owned();
+    fs::File::create(&endless).unwrap().set_len(1 << 40).unwrap();
+    for (name, reason) in
+        [("/dev/zero", "it is a directory or a device: give a file"), (&*endless, ": give a smaller file")]
+    {
+        refuse_everywhere(folder.path(), name, reason);
+    }
+    let read = SetupTable::read(Path::new("/dev/zero")).unwrap_err().to_string();
+    assert_eq!(read, "cannot read /dev/zero: it is a directory or a device: give a file");
+    let read = SetupTable::read(Path::new(&endless)).unwrap_err().to_string();
+    assert!(read.ends_with("it has 1.1 TB, and a text may have 34 MB: give a smaller file"), "{read}");
+}
+
+/// A result whose setup is longer than any scene: an archive with one member, whose bytes are a hole.
+#[cfg(unix)]
+#[test]
+fn a_setup_in_a_result_has_an_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("r.npz");
+    let (name, length) = (b"setup.npy", 1_u32 << 30);
+    let mut head = b"PK\x03\x04".to_vec();
+    head.resize(18, 0);
+    head.extend([length.to_le_bytes(), length.to_le_bytes()].concat());
+    head.extend([name.len() as u8, 0, 0, 0]);
+    head.extend(name);
+    head.extend(b"\x93NUMPY\x01\0\x76\0{'descr': '|u1', 'fortran_order': False, 'shape': (1073741696,), }");
+    head.resize(30 + name.len() + 127, b' ');
+    head.push(b'\n');
+    fs::write(&path, &head).unwrap();
+    let end = (30 + name.len()) as u64 + u64::from(length);
+    fs::File::options().write(true).open(&path).unwrap().set_len(end).unwrap();
+    let read = SetupTable::read(&path).unwrap_err().to_string();
+    assert!(read.ends_with("it has 1.1 GB, and a text may have 34 MB: give a smaller file"), "{read}");
+}
+
+/// Each key of a file refuses it, for a reason.
+#[cfg(unix)]
+fn refuse_everywhere(folder: &Path, file: &str, reason: &str) {
     for key in FILE_KEYS {
         let base = match key.split('.').next() {
             Some("adhesion" | "path") => STICKY,
             _ => SPECTRUM,
         };
-        let mut table = SetupTable::from_toml(base).unwrap().beside(&folder.path().join("it")).unwrap();
+        let mut table = SetupTable::from_toml(base).unwrap().beside(&folder.join("it")).unwrap();
         if key == "surface.against" || key == "surface.height" {
             table.remove("grid.points");
-            table.lay("surface.height", folder.path().join("h.npy").to_string_lossy().into_owned().into());
+            table.lay("surface.height", folder.join("h.npy").to_string_lossy().into_owned().into());
         }
         if key.starts_with("surface.second-spectrum.") {
-            let spectrum = folder.path().join("psd.txt").to_string_lossy().into_owned();
+            let spectrum = folder.join("psd.txt").to_string_lossy().into_owned();
             table.lay("surface.second-spectrum.table", spectrum.into());
         }
-        table.lay(key, "/dev/zero".into());
+        table.lay(key, file.into());
         let refused = table.setup().and_then(|setup| setup.problem().map(drop)).unwrap_err().to_string();
-        assert!(
-            refused.contains("/dev/zero") && refused.ends_with("it is a directory or a device: give a file"),
-            "{key}: {refused}"
-        );
+        assert!(refused.contains(file) && refused.ends_with(reason), "{key}: {refused}");
     }
-    let scene = SetupTable::read(Path::new("/dev/zero")).unwrap_err().to_string();
-    assert_eq!(scene, "cannot read /dev/zero: it is a directory or a device: give a file");
 }

@@ -8,12 +8,11 @@ use super::layout::Layout;
 use super::room::check_points;
 use super::{HEIGHTS, INSTRUMENTS, npy, npz, profile_of, shape_of};
 use crate::error::FileError;
-use crate::files::open_regular;
+use crate::files::{open_regular, read_whole};
 use crate::surface::{Field, overflowing};
 use crate::warning::Warning;
 use ndarray::Axis;
-use std::fs::File;
-use std::io::{self, Cursor, Read, Seek};
+use std::io::{self, Cursor};
 use std::path::Path;
 
 /// The heights in a file of an instrument, without any preparation.
@@ -60,7 +59,7 @@ impl Measurement {
             if is_array(&mut file) {
                 Self::from_arrays(&mut file, channel)
             } else {
-                Self::from_instrument(&whole(file)?, channel)
+                Self::from_instrument(&read_whole(&mut file)?, channel)
             }
         };
         read().map_err(|error| super::explained(path, "height", error))
@@ -90,7 +89,7 @@ impl Measurement {
             if is_array(&mut file) {
                 layout_of_arrays(&mut file, channel)
             } else {
-                layout_of_instrument(&whole(file)?, channel)
+                layout_of_instrument(&read_whole(&mut file)?, channel)
             }
         };
         read().map_err(|error| super::explained(path, "height", error))
@@ -250,12 +249,4 @@ fn array_names(source: &mut dyn ReadSeek, channel: Option<&str>) -> io::Result<(
 
 fn layout_of_instrument(bytes: &[u8], channel: Option<&str>) -> io::Result<Layout> {
     Ok(Layout::from_channel(&choose((instrument(bytes)?.channels)(bytes)?, channel)?)?.0)
-}
-
-/// All bytes of a file.
-fn whole(mut file: File) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    file.rewind()?;
-    file.read_to_end(&mut bytes)?;
-    Ok(bytes)
 }

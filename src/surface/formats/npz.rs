@@ -2,6 +2,7 @@
 
 use super::format::{Format, ReadSeek, malformed};
 use super::npy;
+use crate::files::check_text;
 use std::io::{self, Read, SeekFrom};
 use std::ops::Range;
 
@@ -37,6 +38,7 @@ pub(super) fn holds_arrays(file: &mut dyn ReadSeek) -> bool {
 pub(super) fn text(file: &mut dyn ReadSeek, name: &str) -> io::Result<String> {
     let place = member(file, name)?;
     let (_, start) = npy::header(file, &place)?;
+    check_text(place.end - start)?;
     let mut text = String::new();
     file.seek(SeekFrom::Start(start))?;
     file.take(place.end - start).read_to_string(&mut text)?;

@@ -1,8 +1,7 @@
 //! The memory that heights of a file need.
 
 use super::format::malformed;
-use crate::memory::{MissingMemory, check_bytes, free_in_words};
-use crate::quantity::bytes_in_words;
+use crate::memory::check_room;
 use std::io;
 
 /// Fields of doubles that are needed to read heights and prepare them: those of the file, copies that are kept, and what a step makes of them.
@@ -20,9 +19,8 @@ pub(super) fn check_points(shape: &[usize]) -> io::Result<()> {
         return Ok(());
     }
     let needed = (FIELDS * size_of::<f64>()) as f64 * points as f64;
-    check_bytes(needed).map_err(|MissingMemory { free }| {
+    check_room(needed).map_err(|room| {
         let points = shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
-        let (needed, free) = (bytes_in_words(needed), free_in_words(free));
-        malformed(format!("its {points} points do not fit in memory: they need {needed}, {free}: save fewer points"))
+        malformed(format!("its {points} points do not fit in memory: they need {room}: save fewer points"))
     })
 }

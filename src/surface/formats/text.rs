@@ -3,6 +3,7 @@
 use super::bytes::decoded;
 use super::format::{ArrayRequest, Format, ReadSeek, malformed};
 use super::table::TextTable;
+use crate::files::read_whole;
 use ndarray::ArrayD;
 use std::io::{self, Read};
 
@@ -28,10 +29,7 @@ fn begins_with_text(file: &mut dyn ReadSeek) -> bool {
 }
 
 fn read(file: &mut dyn ReadSeek, _: &ArrayRequest) -> io::Result<ArrayD<f64>> {
-    let mut bytes = Vec::new();
-    file.rewind()?;
-    file.read_to_end(&mut bytes)?;
-    let text = decoded(&bytes);
+    let text = decoded(&read_whole(file)?);
     if text.contains(|letter| letter < FIRST) {
         return Err(malformed("it is neither a .npy file nor a text file"));
     }

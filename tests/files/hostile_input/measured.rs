@@ -248,12 +248,34 @@ fn words_of_files_do_not_control_the_terminal() {
     let is_plain = |bytes: &[u8]| !text(bytes).contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t'));
     let head = "# Channel: \u{1b}[31mred\u{9b}2J\n# Width: 4 um\n# Value units: m\n# \u{7}Title: \u{1b}]0;x\u{7}\n";
     std::fs::write(folder.join("a\u{1b}[2J.txt"), format!("{head}{}", "1 2 1 4\n".repeat(4))).unwrap();
+    std::fs::write(folder.join("scene.toml"), r#"solver."\u001b[2J" = 1"#).unwrap();
+    std::fs::write(folder.join("named.toml"), r#"surface.height = "\u001b[2J\u009b.npy""#).unwrap();
+    std::fs::write(folder.join("table.csv"), "time,\u{1b}[2J\n1,2\n").unwrap();
     for arguments in [
         vec!["surface", "a\u{1b}[2J.txt"],
         vec!["surface", "a\u{1b}[2J.txt", "--json"],
         vec!["surface", "a\u{1b}[2J.txt", "--channel", "\u{1b}[1m"],
         vec!["solve", "--height", "\u{1b}[2J.txt", "--pressure", "1"],
         vec!["solve", "--solver", "\u{1b}[2J"],
+        vec!["solve", "scene.toml"],
+        vec!["solve", "named.toml", "--pressure", "1"],
+        vec!["study", "scene.toml", "--out", "s.csv"],
+        vec![
+            "solve",
+            "--path",
+            "table.csv",
+            "--indenter",
+            "sine",
+            "--amplitude",
+            "1",
+            "--points",
+            "64",
+            "--size",
+            "1",
+            "--pressure",
+            "1",
+        ],
+        vec!["surface", "--spectrum", "table.csv", "--points", "64", "--size", "1"],
         vec!["\u{1b}[2J"],
     ] {
         let output = folder.finish(assert_cmd::Command::new(env!("CARGO_BIN_EXE_asperity")).args(&arguments));
