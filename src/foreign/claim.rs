@@ -1,6 +1,7 @@
 //! Results of other codes.
 
 use super::given_field::GivenField;
+use super::kernel::Kernel;
 use crate::contact::{Certificate, ContactModulus, Load, Problem};
 use crate::error::{ClaimError, ProblemError};
 use crate::surface::{Field, Surface};
@@ -18,6 +19,8 @@ pub struct Claim {
     pub(super) quantity: GivenField,
     /// The field, row by row.
     pub(super) values: Vec<f64>,
+    /// The stiffness that it is taken to be computed with.
+    pub(super) kernel: Kernel,
 }
 
 impl Claim {
@@ -39,7 +42,7 @@ impl Claim {
             return Err(ClaimError::NoLoad);
         }
         let values = values.iter().copied().collect();
-        Ok(Self { surface, contact_modulus, load, quantity, values })
+        Ok(Self { surface, contact_modulus, load, quantity, values, kernel: Kernel::Norm })
     }
 
     /// The quantity that is claimed.
@@ -82,10 +85,8 @@ impl Claim {
     pub(super) fn state(&self) -> Result<ClaimedState, ProblemError> {
         let problem = self.problem()?;
         let mut response = problem.response();
-        let pressure = self.quantity.pressure(&problem, &self.values, &mut response);
-        let mut displacement = vec![0.0; pressure.len()];
-        response.displacement(&pressure, &mut displacement);
-        Ok(ClaimedState { problem, pressure, displacement })
+        let pressure = self.quantity.pressure_by(self.kernel, &problem, &self.values, &mut response);
+        Ok(ClaimedState::new(problem, pressure, self.kernel))
     }
 }
 
@@ -107,9 +108,22 @@ pub(super) struct ClaimedState {
     pub problem: Problem,
     pub pressure: Vec<f64>,
     pub displacement: Vec<f64>,
+    kernel: Kernel,
 }
 
 impl ClaimedState {
+    fn new(problem: Problem, pressure: Vec<f64>, kernel: Kernel) -> Self {
+        let mut displacement = vec![0.0; pressure.len()];
+        problem.response().displacement(&pressure, &mut displacement);
+        kernel.soften(problem.surface().grid(), &mut displacement);
+        Self { problem, pressure, displacement, kernel }
+    }
+
+    /// The same with another pressure.
+    pub fn with_pressure(&self, pressure: &[f64]) -> Self {
+        Self::new(self.problem.clone(), pressure.to_vec(), self.kernel)
+    }
+
     /// The certificate of the pressure as it is.
     pub fn certificate(&self) -> Certificate {
         Certificate::from_displacement(&self.problem, &self.pressure, &self.displacement)

@@ -3,6 +3,7 @@
 use super::arrangement::Arrangement;
 use super::claim::{Claim, ClaimedState};
 use super::given_field::GivenField;
+use super::kernel::Kernel;
 use crate::contact::Load;
 use crate::grid::Grid;
 use crate::surface::Surface;
@@ -28,6 +29,8 @@ pub(super) enum MistakeKind {
     Load,
     /// The cell is periodic where it is meant to be free, or free where it is meant to be periodic.
     Boundary,
+    /// The stiffness of the waves is by `|qx| + |qy|` and not by `|q|`.
+    Kernel,
 }
 
 /// The correction of an error of some kind.
@@ -48,7 +51,9 @@ impl MistakeKind {
     pub fn all(grid: &Grid) -> Vec<Self> {
         let others =
             [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale, Self::Load, Self::Boundary];
-        Arrangement::on(grid).map(Self::Arrangement).chain(others).collect()
+        // all waves of a line are along one axis
+        let kernel = (!grid.is_line() && grid.is_periodic()).then_some(Self::Kernel);
+        Arrangement::on(grid).map(Self::Arrangement).chain(others).chain(kernel).collect()
     }
 
     /// A short name.
@@ -63,7 +68,7 @@ impl MistakeKind {
             Self::Quantity => 1,
             Self::Sign => 2,
             Self::Heights => 3,
-            Self::Modulus | Self::Scale | Self::Load | Self::Boundary => 4,
+            Self::Modulus | Self::Scale | Self::Load | Self::Boundary | Self::Kernel => 4,
         };
         rank(self) < rank(other)
     }
@@ -82,6 +87,7 @@ impl MistakeKind {
                 better.contact_modulus /= factor;
             }
             Self::Load => better.load = other_load(claim)?,
+            Self::Kernel => better.kernel = Kernel::Sum,
             Self::Boundary => better.surface = other_boundary(&claim.surface)?.into(),
             Self::Scale => {
                 factor = fitted(claim).filter(|_| claim.quantity == GivenField::Pressure)?;
@@ -131,7 +137,7 @@ fn fitted(claim: &Claim) -> Option<f64> {
 
 /// The factor `c` with which `c u - h` is as level as can be where there is pressure: that of least squares, weighted by the
 /// pressure.
-fn level(ClaimedState { problem, pressure, displacement }: &ClaimedState) -> f64 {
+fn level(ClaimedState { problem, pressure, displacement, .. }: &ClaimedState) -> f64 {
     let height = problem.height();
     let weight = |i: usize| pressure[i].max(0.0);
     let mean = |of: &dyn Fn(usize) -> f64| {
@@ -144,7 +150,7 @@ fn level(ClaimedState { problem, pressure, displacement }: &ClaimedState) -> f64
 
 /// The factor `c` with which the pressure `K u / c + <p>` of a surface in place does no work on its gap; none where no mean pressure
 /// is prescribed.
-fn workless(ClaimedState { problem, pressure, displacement }: &ClaimedState) -> Option<f64> {
+fn workless(ClaimedState { problem, pressure, displacement, .. }: &ClaimedState) -> Option<f64> {
     let mean = problem.mean_pressure()?;
     let apart: Vec<f64> = displacement.iter().zip(problem.height()).map(|(u, h)| u - h).collect();
     let lowest = apart.iter().copied().fold(f64::INFINITY, f64::min);

@@ -28,7 +28,7 @@ impl Fault {
         let feasible = feasible(&state.problem, &state.pressure, &tension);
         let certificate = match &feasible {
             None => state.certificate(),
-            Some(pressure) => Certificate::new(&state.problem, pressure),
+            Some(pressure) => state.with_pressure(pressure).certificate(),
         };
         let pressure = feasible.as_ref().unwrap_or(&state.pressure);
         let (sum, squares) = pressure.iter().fold((0.0, 0.0), |(sum, squares), p| (sum + p, squares + p * p));

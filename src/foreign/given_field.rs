@@ -1,5 +1,6 @@
 //! The quantity in which another code gives its result.
 
+use super::kernel::Kernel;
 use crate::contact::Problem;
 use crate::elastic::Response;
 use serde::Serialize;
@@ -41,6 +42,17 @@ impl GivenField {
     /// # Panics
     /// If the length of `values` does not fit the grid.
     pub fn pressure(self, problem: &Problem, values: &[f64], response: &mut Response) -> Vec<f64> {
+        self.pressure_by(Kernel::Norm, problem, values, response)
+    }
+
+    /// The pressure of [`GivenField::pressure`], of a solid whose waves have another stiffness.
+    pub(super) fn pressure_by(
+        self,
+        kernel: Kernel,
+        problem: &Problem,
+        values: &[f64],
+        response: &mut Response,
+    ) -> Vec<f64> {
         let gap = match self {
             Self::Pressure => return values.to_vec(),
             Self::Gap => values.to_vec(),
@@ -49,6 +61,7 @@ impl GivenField {
         let displacement: Vec<f64> = gap.iter().zip(problem.height()).map(|(g, h)| g + h).collect();
         let mut pressure = vec![0.0; gap.len()];
         response.pressure(&displacement, &mut pressure);
+        kernel.stiffen(problem.surface().grid(), &mut pressure);
         let mean = problem.mean_pressure().unwrap_or_else(|| -mean_weighted(&pressure, &gap));
         pressure.iter_mut().for_each(|p| *p += mean);
         let noise = 2.0 * pressure.iter().fold(0.0, |most: f64, p| most.max(-p));

@@ -39,6 +39,7 @@ const FEWEST: f64 = 12.0;
 /// | `arrangement`     | transposed, backwards, or shifted by half the cell or by one or two nodes |
 /// | `load`            | pressures that carry another load than the prescribed one  |
 /// | `boundary`        | a periodic cell for a free one, or the reverse             |
+/// | `kernel`          | waves as stiff as `\|qx\| + \|qy\|` in place of `\|q\|`        |
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mistake {
     /// Short names of the errors: one, or two that come together.
@@ -134,6 +135,9 @@ impl Claim {
                 true => "the pressures are those of a cell without images, but the boundary is periodic: give a free boundary".into(),
                 false => "the pressures are those of a periodic cell, but the boundary is free: give a periodic boundary".into(),
             },
+            MistakeKind::Kernel => {
+                format!("the {name}s are those of a solid whose waves are as stiff as |qx| + |qy|: compute them with |q| = sqrt(qx^2 + qy^2)")
+            }
             MistakeKind::Heights => {
                 "the heights have the wrong sign: give -height, so that peaks towards the solid are positive".into()
             }

@@ -34,6 +34,7 @@ mod factor;
 mod fault;
 mod follow;
 mod given_field;
+mod kernel;
 mod mistake;
 mod order;
 mod replay;

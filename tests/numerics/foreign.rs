@@ -6,6 +6,7 @@ use asperity::elastic::Response;
 use asperity::foreign::{Assessment, Claim, Frame, GivenField, Mistake, Replay};
 use asperity::surface::{Field, Spectrum};
 use asperity::{Contact, Grid, Indenter, Surface};
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 /// The claim of a peer's result, under the load that is told or the one that it carries.
@@ -239,5 +240,50 @@ fn results_that_are_not_converged_are_not_taken_for_mistaken_ones() {
                 }
             }
         }
+    }
+}
+
+/// The displacement of a surface whose waves are as stiff as `|qx| + |qy|`, by a sum over all waves and nodes.
+fn displacement_by_sum(grid: &Grid, pressure: &Field) -> Field {
+    let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
+    let signed = |k: usize, n: usize| if 2 * k > n { k as f64 - n as f64 } else { k as f64 };
+    let of_node = |(y, x): (usize, usize)| {
+        let mut sum = 0.0;
+        for (ky, kx) in (0..ny).flat_map(|ky| (0..nx).map(move |kx| (ky, kx))).skip(1) {
+            let stiffness = 0.5 * TAU * (signed(ky, ny).abs() / ly + signed(kx, nx).abs() / lx);
+            let phase = TAU * ((ky * y % ny) as f64 / ny as f64 + (kx * x % nx) as f64 / nx as f64);
+            sum += phase.cos() / stiffness;
+        }
+        sum / (ny * nx) as f64
+    };
+    let green = Field::from_shape_fn((ny, nx), of_node);
+    Field::from_shape_fn((ny, nx), |(y, x)| {
+        pressure.indexed_iter().map(|((j, i), p)| p * green[[(y + ny - j) % ny, (x + nx - i) % nx]]).sum()
+    })
+}
+
+/// A pressure, and a surface that it fits on a solid with the stiffness `|qx| + |qy|`: the displacement under the pressure, and a gap around it.
+#[test]
+fn a_stiffness_by_the_sum_of_the_wavenumbers_is_named() {
+    let grid = Grid::surface([21, 24], [1.0, 1.3]).unwrap();
+    let level = |(y, x): (usize, usize)| {
+        let [y, x] = [y as f64 / 21.0, x as f64 * 1.3 / 24.0];
+        let bump = |cy: f64, cx: f64, r: f64| 1.0 - ((y - cy).powi(2) + (x - cx).powi(2)) / (r * r);
+        bump(0.3, 0.4, 0.22).max(bump(0.7, 0.9, 0.27))
+    };
+    let pressure = Field::from_shape_fn((21, 24), |node| 0.01 * level(node).max(0.0).sqrt());
+    let gap = Field::from_shape_fn((21, 24), |node| 0.002 * (-level(node)).max(0.0));
+    let displacement = displacement_by_sum(&grid, &pressure);
+    let surface = Surface::new(grid, &displacement - &gap).unwrap();
+    let load = Load::MeanPressure(pressure.sum() / pressure.len() as f64);
+    for (quantity, values) in
+        [(GivenField::Pressure, &pressure), (GivenField::Gap, &gap), (GivenField::Displacement, &displacement)]
+    {
+        let claim = Claim::new(surface.clone(), ContactModulus(1.0), Some(load), quantity, values).unwrap();
+        assert!(contact_of(&claim).certificate.eta > 1e-3, "{quantity}");
+        let mistakes = claim.mistakes(&[]);
+        let [Mistake { errors, sentence, certificate, .. }] = &mistakes[..] else { panic!("{quantity}: {mistakes:?}") };
+        assert!(*errors == ["kernel"] && sentence.contains("|qx| + |qy|"), "{quantity}: {sentence}");
+        assert!(certificate.abs() < 1e-10, "{quantity}: {certificate}");
     }
 }
