@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -119,7 +120,7 @@ def test_a_study_that_was_ended_goes_on_where_it_was(tmp_path: Path) -> None:
         run.send_signal(signal.SIGINT)
         began = time.monotonic()
         _, said = run.communicate(timeout=60)
-    assert run.returncode != 0 and "KeyboardInterrupt" in said
+    assert run.returncode != 0 and re.search(r"KeyboardInterrupt: \d+ of 240 rows were solved, and they are in study.unfinished: call study\(\)", said)
     assert not (tmp_path / "study.csv").exists() and time.monotonic() - began < 30
     known = asp.Ledger(asp.Study.read(tmp_path / "study.toml"), tmp_path / "study.csv").completed
     assert 20 <= known < 240
@@ -247,3 +248,14 @@ def test_rows_on_a_grid_that_is_too_coarse_give_one_warning() -> None:
         asp.study(coarse)
     assert sum("too coarse" in str(it.message) for it in warned) == 1
     assert all(it.filename == __file__ for it in warned)
+
+
+@pytest.mark.parametrize(("out", "words"), [("study.csv", "they are in study.unfinished"), (None, r"they are lost: give a file \(out\)")])
+def test_an_interruption_says_where_the_rows_are(out: str | None, words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+    def interrupt(known: int, rows: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt, match=rf"\d+ of 240 rows were solved, and {words}"):
+        asp.study(LONG, out=out, progress=interrupt)

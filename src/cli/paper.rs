@@ -24,6 +24,10 @@ Examples:
   asperity paper fig2 --quick
   asperity paper fig2 fig3 --hurst 0.3,0.6 --line-seeds 1-20 --out study";
 
+/// What is said before the numbers of a quick run.
+const COARSE: &str = "\
+--quick: coarse grids, short spectra and few loads. Rows below may differ from the paper for this reason alone; leave --quick out for its numbers.";
+
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct PaperCommand {
@@ -85,6 +89,9 @@ impl PaperCommand {
     pub fn run(&self) -> Result<ExitStatus> {
         let (items, paper, bar) =
             (self.items(), self.paper(), blank("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)"));
+        if self.quick {
+            writeln!(stdout(), "{COARSE}")?;
+        }
         let comparison = paper.run(&items, &|event| show(&bar, event))?;
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;

@@ -42,6 +42,7 @@ fn every_number_of_the_paper_is_compared() {
         );
     }
     let stdout = text(&output.stdout);
+    assert!(stdout.starts_with("--quick: coarse grids, short spectra and few loads."), "{stdout}");
     assert!(compared.iter().all(|row| stdout.contains(&row["quantity"])), "{stdout}");
     for part in ["fig1", "fig2", "fig3", "fig4", "fig5", "gw", "beyond", "hurst", "persson", "nayak"] {
         for ending in ["csv", "svg", "png"] {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import time
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
+from pathlib import Path
 from typing import Any, Callable, Iterator, Mapping
 
 from asperity._asperity import AsperityError, Batch, CancelToken, Ledger, Study, Table, free_memory
@@ -46,7 +47,7 @@ def study(
 
     Raises AsperityError for an invalid study, and for a realisation that no worker has the memory for. Rows that did not converge stay in the
     table with their status, and an AsperityWarning gives their number, as others do of rows that are not resolved and of rows whose grid is too
-    coarse. Ctrl-C stops the study.
+    coarse. Ctrl-C stops the study; the KeyboardInterrupt says where the rows are.
     """
     if not isinstance(study, Study):
         study = Study(**study) if isinstance(study, Mapping) else Study.read(study)
@@ -58,9 +59,21 @@ def study(
     try:
         with show_rows(progress, ledger.rows) as report:
             _solve(study, ledger, engine, {"threads": threads, **engine.keywords}, report)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(_after_interruption(ledger, out)) from None
     finally:
         engine.close()
     return ledger.finish()
+
+
+def _after_interruption(ledger: Ledger, out: os.PathLike[str] | str | None) -> str:
+    """Where the rows are that were solved before a study was stopped."""
+    solved = f"{ledger.completed} of {ledger.rows} rows were solved"
+    if out is None:
+        return f"{solved}, and they are lost: give a file (out) to keep them"
+    path = Path(out)
+    kept = next((it for it in (path.with_suffix(".unfinished"), path) if it.is_file()), None)
+    return f"{solved}, and they are in {kept}: call study() again with the same file to go on" if kept else solved
 
 
 class _Place:
