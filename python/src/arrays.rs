@@ -1,6 +1,7 @@
 //! Arrays of numpy, as fields of the library and made from them.
 
 use crate::error::{bail, wrong_type};
+use asperity::setup::check_room;
 use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, ArrayView2, Axis, Ix2};
 use numpy::{AllowTypeChange, Element, PyArray1, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods};
@@ -20,9 +21,17 @@ impl<'py> Deref for ArrayLike<'py> {
     }
 }
 
+/// Axes of an array at most.
+const MOST_AXES: usize = 32;
+/// Values for which there is always memory.
+const FEW: f64 = 1e6;
+/// Bytes that each value needs: as a double, and as a double of a field.
+const BYTES: f64 = 16.0;
+
 impl<'py> ArrayLike<'py> {
     /// The argument `name` as an array.
     pub fn new(given: &Bound<'py, PyAny>, name: &str) -> PyResult<Self> {
+        check_shape(&stated_shape(given, name)?)?;
         let masks = given.py().import("numpy.ma")?;
         if given.is_instance(&masks.getattr("MaskedArray")?)? {
             let masked: usize = masks.call_method1("count_masked", (given,))?.extract()?;
@@ -36,11 +45,46 @@ impl<'py> ArrayLike<'py> {
             let sentence = format!("{name} is complex: give real numbers, such as its real part");
             return Err(PyTypeError::new_err(sentence));
         }
-        match given.extract() {
+        // values between others, as those of a column of records, may lie anywhere
+        let aligned = numpy.call_method1("require", (given, "f8", ("C", "A")));
+        match aligned.and_then(|array| Ok(array.extract()?)) {
             Ok(array) => Ok(Self(array)),
             Err(_) => Err(wrong_type(name, "an array of numbers", given)),
         }
     }
+}
+
+/// The shape that an argument states: that of an array, or the lengths of lists in lists.
+fn stated_shape(given: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<usize>> {
+    if let Ok(shape) = given.getattr("shape").and_then(|shape| shape.extract::<Vec<usize>>()) {
+        return Ok(shape);
+    }
+    let (mut shape, mut inner) = (Vec::new(), given.clone());
+    while let Ok(length) = inner.len() {
+        shape.push(length);
+        match inner.get_item(0) {
+            Ok(_) if shape.len() > MOST_AXES => return Err(wrong_type(name, "an array of numbers", given)),
+            Ok(first) => inner = first,
+            Err(_) => break,
+        }
+    }
+    Ok(shape)
+}
+
+/// Refuses an array with too many axes, or one that does not fit in memory, before anything is copied.
+fn check_shape(shape: &[usize]) -> PyResult<()> {
+    let axes = shape.len();
+    if axes > MOST_AXES {
+        return bail(format!("an array has {axes} axes: give one with at most {MOST_AXES}"));
+    }
+    let values: f64 = shape.iter().map(|length| *length as f64).product();
+    if values <= FEW {
+        return Ok(());
+    }
+    check_room(BYTES * values).or_else(|room| {
+        let shape = in_parentheses(shape);
+        bail(format!("an array of shape {shape} does not fit in memory: it needs {room}: give fewer values"))
+    })
 }
 
 impl<'a, 'py> FromPyObject<'a, 'py> for ArrayLike<'py> {

@@ -3,11 +3,11 @@
 //! The calling thread waits without the lock of the interpreter. A step stays on the thread of the solver: what Python
 //! asks of it is sent there as a [`Query`], so that only requested data are computed or copied.
 
+use crate::detached::fault;
 use crate::fork;
 use asperity::contact::{Observer, Step, Wish};
 use pyo3::prelude::*;
 use std::ops::ControlFlow;
-use std::panic::resume_unwind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
@@ -118,8 +118,8 @@ pub fn run_in_background<T: Send>(
             let worker = scope.spawn(move || work(&mut sender));
             let exception = wait(&steps, &is_cancelled, foreground);
             drop(steps);
-            let done = worker.join().unwrap_or_else(|panic| resume_unwind(panic));
-            exception.map_or(Ok(done), Err)
+            let done = worker.join().map_err(|panic| fault(&*panic));
+            exception.map_or(done, Err)
         })
     })
 }

@@ -4,6 +4,7 @@ use crate::arrays::{ArrayLike, field_on, view};
 use crate::certificate::Certificate;
 use crate::contact::Contact;
 use crate::conversion::to_python;
+use crate::detached::Detached;
 use crate::error::{BoxedError, bail, py_error};
 use crate::problem::Problem;
 use asperity::contact::{ContactModulus, Solver, Stop};
@@ -58,7 +59,7 @@ impl Certification {
         let stop = tolerance.map_or(Ok(own), |it| Stop::new(it, own.max_iterations())).map_err(py_error)?;
         let kind: GivenField = quantity.parse().expect("the three quantities have these names");
         let values = field_on(&values, problem.problem.surface().grid().shape(), quantity)?;
-        let found = py.detach(|| Self::find(problem, &stop, kind, &values)).map_err(py_error)?;
+        let found = py.try_detached(|| Self::find(problem, &stop, kind, &values))?;
         let Finding { certificate, contact, assessment, holds, mistakes } = found;
         let (surface, setup, rank) = (problem.surface.clone(), problem.setup.setup.clone(), problem.rank);
         let contact = Py::new(py, Contact::new(contact, surface, setup, rank))?;

@@ -2,6 +2,7 @@
 
 use crate::arrays::{in_parentheses, owned, vector, view};
 use crate::certificate::{Certificate, Work};
+use crate::detached::Detached;
 use crate::error::{NotConverged, bail};
 use crate::patches;
 use crate::problem::Problem;
@@ -14,6 +15,9 @@ use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::{Arc, OnceLock};
+
+/// Bins of a distribution at most.
+const MOST_BINS: usize = 1_000_000;
 
 /// A solved contact, or the best one that the solver found.
 ///
@@ -67,7 +71,10 @@ impl Contact {
         if bins == 0 {
             return bail("a distribution has 0 bins: give at least one");
         }
-        let Distribution { edges, density } = py.detach(of);
+        if bins > MOST_BINS {
+            return bail(format!("a distribution has {bins} bins: give at most {MOST_BINS}"));
+        }
+        let Distribution { edges, density } = py.detached(of)?;
         Ok((vector(py, edges), vector(py, density)))
     }
 
@@ -208,11 +215,11 @@ impl Contact {
     /// Edges of the contact between the nodes, as arrays by name: the node in contact (node), the step to the neighbour without contact
     /// (towards_y, towards_x), the distance of the edge from the node in spacings (place), and the share of the link in the contour (weight).
     fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let edges: Vec<contact::Edge> = py.detach(|| {
+        let edges: Vec<contact::Edge> = py.detached(|| {
             let edges = self.contact.edges();
             let nodes = (0..self.pressures().len()).filter(|&node| self.pressures()[node] > 0.0);
             nodes.flat_map(|node| edges.around(node).collect::<Vec<_>>()).collect()
-        });
+        })?;
         let table = PyDict::new(py);
         table.set_item("node", PyArray1::from_iter(py, edges.iter().map(|it| it.node as i64)))?;
         table.set_item("towards_y", PyArray1::from_iter(py, edges.iter().map(|it| it.towards[0] as i64)))?;
@@ -238,9 +245,9 @@ impl Contact {
 
     /// Power spectrum of the pressure: wavenumbers 2 pi / wavelength (1/length), and densities (pressure^2 length of a line,
     /// pressure^2 length^2 of a surface).
-    fn pressure_spectrum<'py>(&self, py: Python<'py>) -> Pair<'py> {
-        let PowerSpectrum { wavenumber, density, .. } = py.detach(|| self.contact.pressure_spectrum());
-        (vector(py, wavenumber), vector(py, density))
+    fn pressure_spectrum<'py>(&self, py: Python<'py>) -> PyResult<Pair<'py>> {
+        let PowerSpectrum { wavenumber, density, .. } = py.detached(|| self.contact.pressure_spectrum())?;
+        Ok((vector(py, wavenumber), vector(py, density)))
     }
 
     fn __repr__(&self) -> String {

@@ -1,7 +1,8 @@
 //! Contacts as files, datasets and figures.
 
 use crate::contact::Contact;
-use crate::error::{BoxedError, bail, py_error};
+use crate::detached::Detached;
+use crate::error::{BoxedError, bail};
 use crate::flow::with_flow;
 use crate::output::{check_not_read, check_output};
 use crate::setup::Setup;
@@ -21,11 +22,11 @@ impl Contact {
         let it = slf.get();
         check_output(&path, &["npz", "csv", "svg", "png"], &it.setup)?;
         match ending(&path).as_str() {
-            "npz" => slf.py().detach(|| it.write_archive(&path)).map_err(py_error),
+            "npz" => slf.py().try_detached(|| it.write_archive(&path)),
             "csv" if it.rank > 1 => {
                 bail("a .csv holds the nodes of a line, but this is a surface: give a name that ends in .npz")
             }
-            "csv" => slf.py().detach(|| write_nodes(&path, &it.contact)).map_err(py_error),
+            "csv" => slf.py().try_detached(|| write_nodes(&path, &it.contact)),
             _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
         }
     }
@@ -37,7 +38,6 @@ impl Contact {
 
     /// Writes the Dataset of to_xarray to a NetCDF file.
     fn to_netcdf<'py>(slf: Bound<'py, Self>, path: PathBuf) -> PyResult<Bound<'py, PyAny>> {
-        check_not_read(&path, &slf.get().setup)?;
         check_not_read(&path, &slf.get().setup)?;
         slf.py().import("asperity.export")?.call_method1("write_netcdf", (slf, path))
     }

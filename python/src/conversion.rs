@@ -12,10 +12,14 @@ use serde_json::{Map, Value, json};
 /// Sections and keys of a setup.
 pub type Sections = Map<String, Value>;
 
+/// Dictionaries and lists in each other at most: setups have 4.
+const DEEPEST: usize = 16;
+/// Values of an argument at most, as many as a path of a million states has.
+const MOST: usize = 4_000_000;
+
 /// The entries of a dictionary, with `-` for `_` in their names. Entries that are `None` are left out.
 pub fn sections_from_dict(dict: &Bound<'_, PyDict>) -> PyResult<Sections> {
-    let given = dict.iter().filter(|(_, value)| !value.is_none());
-    given.map(|(key, it)| Ok((key_from_py(&key)?, value_from_py(&it, &key_from_py(&key)?)?))).collect()
+    ValueReader::default().sections(dict, 0)
 }
 
 /// The entries of keywords, which may be missing altogether.
@@ -29,38 +33,81 @@ fn key_from_py(key: &Bound<'_, PyAny>) -> PyResult<String> {
 
 /// The value of the key `at`: a text, a truth value, a number, a path, a list or a dictionary. Scalars of numpy and xarray are numbers.
 pub fn value_from_py(it: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
-    if let Ok(entries) = it.cast::<PyDict>() {
-        return Ok(Value::Object(sections_from_dict(entries)?));
+    ValueReader::default().value(it, at, 0)
+}
+
+/// What reads an argument. Lists may have no end, and hold themselves.
+#[derive(Default)]
+struct ValueReader {
+    /// The values so far.
+    count: usize,
+}
+
+impl ValueReader {
+    /// The entries of a dictionary that is in as many others as `depth`.
+    fn sections(&mut self, dict: &Bound<'_, PyDict>, depth: usize) -> PyResult<Sections> {
+        let mut sections = Sections::new();
+        for (key, it) in dict.iter().filter(|(_, value)| !value.is_none()) {
+            let key = key_from_py(&key)?;
+            let value = self.value(&it, &key, depth + 1)?;
+            sections.insert(key, value);
+        }
+        Ok(sections)
     }
+
+    fn value(&mut self, it: &Bound<'_, PyAny>, at: &str, depth: usize) -> PyResult<Value> {
+        self.count += 1;
+        if depth > DEEPEST {
+            let name = name_of(at);
+            return bail(format!(
+                "{name} has more than {DEEPEST} lists or dictionaries in each other: give a plain value"
+            ));
+        }
+        if self.count > MOST {
+            return bail(format!("{} has more than {MOST} values: give fewer", name_of(at)));
+        }
+        if let Ok(entries) = it.cast::<PyDict>() {
+            return Ok(Value::Object(self.sections(entries, depth)?));
+        }
+        match scalar(it, at)? {
+            Some(value) => Ok(value),
+            None if is_scalar(it)? => self.value(&it.call_method0("item")?, at, depth + 1),
+            None => self.list(it, at, depth),
+        }
+    }
+
+    fn list(&mut self, it: &Bound<'_, PyAny>, at: &str, depth: usize) -> PyResult<Value> {
+        if it.hasattr("__fspath__")? {
+            return Ok(Value::String(it.call_method0("__fspath__")?.extract()?));
+        }
+        match it.try_iter() {
+            Ok(items) => {
+                Ok(Value::Array(items.map(|item| self.value(&item?, at, depth + 1)).collect::<PyResult<_>>()?))
+            }
+            Err(_) if it.hasattr("__float__")? => number(it.extract()?, at),
+            Err(_) => bail(format!("{} is {}: give a number, a text, a list or a dictionary", name_of(at), it.repr()?)),
+        }
+    }
+}
+
+/// A text, a truth value or a number of Python, if it is one.
+fn scalar(it: &Bound<'_, PyAny>, at: &str) -> PyResult<Option<Value>> {
     if it.is_instance_of::<PyString>() {
         let text: String = it.extract()?;
         // names of methods may be written like names of Python
         let is_name = matches!(at, "solver" | "method");
-        return Ok(Value::String(if is_name { text.replace('_', "-") } else { text }));
+        return Ok(Some(Value::String(if is_name { text.replace('_', "-") } else { text })));
     }
     if it.is_instance_of::<PyBool>() {
-        return Ok(Value::Bool(it.extract()?));
+        return Ok(Some(Value::Bool(it.extract()?)));
     }
     if it.is_instance_of::<PyInt>() {
         return match it.extract::<i64>() {
-            Ok(whole) => Ok(Value::from(whole)),
+            Ok(whole) => Ok(Some(Value::from(whole))),
             Err(_) => bail(format!("{} is {it}: give a whole number of less than 64 bits", name_of(at))),
         };
     }
-    if it.is_instance_of::<PyFloat>() {
-        return number(it.extract()?, at);
-    }
-    if is_scalar(it)? {
-        return value_from_py(&it.call_method0("item")?, at);
-    }
-    if it.hasattr("__fspath__")? {
-        return Ok(Value::String(it.call_method0("__fspath__")?.extract()?));
-    }
-    match it.try_iter() {
-        Ok(items) => Ok(Value::Array(items.map(|item| value_from_py(&item?, at)).collect::<PyResult<_>>()?)),
-        Err(_) if it.hasattr("__float__")? => number(it.extract()?, at),
-        Err(_) => bail(format!("{} is {}: give a number, a text, a list or a dictionary", name_of(at), it.repr()?)),
-    }
+    if it.is_instance_of::<PyFloat>() { number(it.extract()?, at).map(Some) } else { Ok(None) }
 }
 
 /// Whether an object is an array without axes, such as a scalar of numpy or a DataArray of xarray that holds one number.

@@ -3,6 +3,7 @@
 use crate::arrays::owned;
 use crate::contact::Contact;
 use crate::conversion::{Sections, to_python, value_from_py};
+use crate::detached::Detached;
 use crate::error::{argument, bail, py_error};
 use asperity::contact::State;
 use asperity::error::FlowError;
@@ -24,7 +25,7 @@ impl Contact {
     #[pyo3(signature = (axis=FlowAxisName(FlowAxis::X), *, tolerance=1e-4), text_signature = "($self, axis='x', *, tolerance=0.0001)")]
     fn leakage<'py>(&self, py: Python<'py>, axis: FlowAxisName, tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
         let FlowAxisName(axis) = axis;
-        let leakage = py.detach(|| Leakage::from_contact(&self.contact, axis, tolerance)).map_err(py_error)?;
+        let leakage = py.try_detached(|| Leakage::from_contact(&self.contact, axis, tolerance))?;
         let found = PyDict::new(py);
         let numbers = [("lower", leakage.lower), ("upper", leakage.upper), ("hydraulic_gap", leakage.sigma().cbrt())];
         numbers.into_iter().try_for_each(|(name, value)| found.set_item(name, value))?;
@@ -67,13 +68,13 @@ impl Contact {
                 "no resistivity is given: give that of both bodies, or two (resistivity), or the conductivity",
             );
         };
-        let found = py.detach(|| Conductance::new(&self.contact, resistivities)).map_err(py_error)?;
+        let found = py.try_detached(|| Conductance::new(&self.contact, resistivities))?;
         Ok(found.per_area)
     }
 
     /// Whether the open area and the contact connect both sides of the cell: open_x, open_y, contact_x, contact_y.
     fn percolation<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let percolation = py.detach(|| Percolation::from_contact(&self.contact));
+        let percolation = py.detached(|| Percolation::from_contact(&self.contact))?;
         let found = PyDict::new(py);
         for axis in FlowAxis::ALL {
             found.set_item(format!("open_{}", axis.name()), percolation.open_percolates(axis))?;
@@ -92,8 +93,8 @@ impl Contact {
         let FlowAxisName(axis) = axis;
         let (problem, setup) = (&self.contact.problem, &self.setup);
         let found =
-            py.detach(|| PercolationLoad::new(problem, setup.solver.solver(), &setup.stop, axis, width, |_| ()));
-        to_python(py, &found.map_err(py_error)?)
+            py.try_detached(|| PercolationLoad::new(problem, setup.solver.solver(), &setup.stop, axis, width, |_| ()))?;
+        to_python(py, &found)
     }
 }
 

@@ -4,6 +4,7 @@ use crate::arrays::vector;
 use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::to_python;
+use crate::detached::Detached;
 use crate::error::{BoxedError, bail, py_error, unknown_name};
 use crate::output::check_output;
 use crate::problem::Problem;
@@ -96,9 +97,9 @@ impl History {
     #[getter]
     fn numbers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let outcome = Arc::clone(&self.outcome);
-        let columns = py.detach(move || {
+        let columns = py.detached(move || {
             outcome.quantities().into_iter().map(|it| (it.name(), outcome.values(it))).collect::<Vec<_>>()
-        });
+        })?;
         let numbers = PyDict::new(py);
         columns.into_iter().try_for_each(|(name, values)| numbers.set_item(name, vector(py, values)))?;
         Ok(numbers)
@@ -161,8 +162,8 @@ impl History {
             return bail("the history has no states: nothing is saved");
         }
         match ending(&path).as_str() {
-            "npz" => slf.py().detach(|| it.write_archive(&path, setup)).map_err(py_error),
-            "csv" => slf.py().detach(|| it.outcome.write_table(&path)).map_err(py_error),
+            "npz" => slf.py().try_detached(|| it.write_archive(&path, setup)),
+            "csv" => slf.py().try_detached(|| it.outcome.write_table(&path)),
             _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
         }
     }

@@ -1,5 +1,6 @@
 //! The rows of a study that is solved by several workers.
 
+use crate::detached::Detached;
 use crate::error::{bail, py_error};
 use crate::study::Study;
 use crate::table::Table;
@@ -45,7 +46,7 @@ impl Ledger {
         }
         let plan = study.plan.clone();
         let table = out.as_ref().map(study::Table::new);
-        let ledger = py.detach(|| study::Ledger::new(plan.clone(), table)).map_err(py_error)?;
+        let ledger = py.try_detached(|| study::Ledger::new(plan.clone(), table))?;
         Ok(Self { plan, out, ledger: Mutex::new(ledger) })
     }
 
@@ -63,7 +64,7 @@ impl Ledger {
 
     /// The missing realisations, in batches for a number of workers, the longest first.
     fn batches(&self, py: Python<'_>, workers: usize) -> PyResult<Vec<Batch>> {
-        let batches = py.detach(|| self.ledger().batches(workers)).map_err(py_error)?;
+        let batches = py.try_detached(|| self.ledger().batches(workers))?;
         Ok(batches.into_iter().map(Batch).collect())
     }
 
@@ -72,23 +73,22 @@ impl Ledger {
         if realisations.len() != rows.len() {
             return bail(format!("{} realisations come with {} texts of rows", realisations.len(), rows.len()));
         }
-        py.detach(|| {
+        py.try_detached(|| {
             let points = rows.iter().map(|lines| Point::from_lines(lines.as_bytes()));
             self.ledger().enter(realisations.into_iter().zip(points).collect())
         })
-        .map_err(py_error)
     }
 
     /// The table of all rows. With `out` it is written there, and beside it as NAME.parquet, NAME.svg and NAME.png. An AsperityWarning says
     /// how many rows did not converge, are not resolved, or are on a grid that is too coarse.
     fn finish(&self, py: Python<'_>) -> PyResult<Table> {
-        let (table, warnings) = py.detach(|| {
+        let (table, warnings) = py.detached(|| {
             let points = self.ledger().finish().map_err(py_error)?;
             if let Some(out) = &self.out {
                 self.plan.write_views(out, &points).map_err(py_error)?;
             }
             Ok::<_, PyErr>((Table::new(&self.plan, &points)?, self.plan.warnings(&points)))
-        })?;
+        })??;
         warn(py, &warnings)?;
         Ok(table)
     }

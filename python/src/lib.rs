@@ -22,6 +22,7 @@ mod contact;
 mod contact_files;
 mod contact_parts;
 mod conversion;
+mod detached;
 mod error;
 mod flow;
 mod fork;
@@ -58,13 +59,14 @@ mod warn;
 mod warnings;
 mod words;
 
+use crate::detached::Detached;
 use pyo3::prelude::*;
 
 /// Runs the command line with some arguments, and returns the exit code.
 #[pyfunction]
-fn main(py: Python<'_>, arguments: Vec<String>) -> u8 {
+fn main(py: Python<'_>, arguments: Vec<String>) -> PyResult<u8> {
     let arguments = std::iter::once("asperity".to_owned()).chain(arguments);
-    py.detach(|| asperity::cli::run(arguments.map(Into::into)))
+    py.detached(|| asperity::cli::run(arguments.map(Into::into)))
 }
 
 /// The number of threads that this machine has for this process.

@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::conversion::{Sections, section_mut};
+use crate::detached::Detached;
 use crate::error::py_error;
 use crate::history::History;
 use crate::load_curve::LoadCurve;
@@ -31,7 +32,7 @@ use std::sync::Arc;
 /// are 0, since files do not hold them.
 #[pyfunction]
 pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
-    let result = py.detach(|| SavedResult::read(&path)).map_err(py_error)?;
+    let result = py.try_detached(|| SavedResult::read(&path))?;
     result.doubts.iter().try_for_each(|doubt| warn_sentence(py, doubt))?;
     let setup = Setup::from_toml(&result.text)?;
     let surface = Surface::from_surface(result.surface.clone(), sections(&result, &setup), result.rank);

@@ -4,7 +4,8 @@ use crate::arrays::vector;
 use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::conversion::sections_of;
-use crate::error::{BoxedError, py_error};
+use crate::detached::Detached;
+use crate::error::BoxedError;
 use crate::flow::with_flow;
 use crate::measures::columns;
 use crate::output::check_output;
@@ -61,8 +62,8 @@ impl LoadCurve {
         check_output(&path, &["npz", "csv", "svg", "png"], &it.setup.setup)?;
         let contacts = it.each(py)?;
         match ending(&path).as_str() {
-            "npz" => py.detach(|| write_archive(&path, &contacts, &it.setup)).map_err(py_error),
-            "csv" => py.detach(|| write_table(&path, &contacts, &it.setup)).map_err(py_error),
+            "npz" => py.try_detached(|| write_archive(&path, &contacts, &it.setup)),
+            "csv" => py.try_detached(|| write_table(&path, &contacts, &it.setup)),
             _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
         }
     }

@@ -2,7 +2,8 @@
 
 use crate::arrays::vector;
 use crate::contact::Contact;
-use crate::error::{bail, py_error};
+use crate::detached::Detached;
+use crate::error::bail;
 use asperity::contact::{Quantity, QuantityKind, Reading, StateKind};
 use asperity::error::FlowError;
 use asperity::setup::{FlowFound, ProcessKind};
@@ -60,8 +61,7 @@ impl Contact {
 
 /// The numbers of several contacts, by their names an array with a number for each contact; NaN where a contact has no such number.
 pub fn columns<'py>(py: Python<'py>, contacts: &[Py<Contact>]) -> PyResult<Bound<'py, PyDict>> {
-    let rows = py.detach(|| contacts.iter().map(|it| it.get().numbers()).collect::<Result<Vec<_>, _>>());
-    let rows = rows.map_err(py_error)?;
+    let rows = py.try_detached(|| contacts.iter().map(|it| it.get().numbers()).collect::<Result<Vec<_>, _>>())?;
     let columns = PyDict::new(py);
     for (name, first) in rows.first().into_iter().flatten() {
         let of = |row: &Vec<(&str, Measure)>| {
@@ -92,7 +92,7 @@ impl Contact {
     /// an elastic contact only are absent.
     #[getter]
     fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let numbers = py.detach(|| self.numbers()).map_err(py_error)?;
+        let numbers = py.try_detached(|| self.numbers())?;
         let measures = PyDict::new(py);
         numbers.into_iter().try_for_each(|(name, number)| measures.set_item(name, number))?;
         Ok(measures)
@@ -131,6 +131,6 @@ impl Contact {
         if self.process() == Some(ProcessKind::Adhesion) {
             return bail("the stiffness is that of a contact without adhesion: leave the adhesion out");
         }
-        Ok(py.detach(|| self.contact.stiffness()))
+        py.detached(|| self.contact.stiffness())
     }
 }

@@ -1,6 +1,7 @@
 //! The elastic response, for solvers that are written in Python.
 
 use crate::arrays::{ArrayLike, field_on, owned};
+use crate::detached::Detached;
 use crate::problem::Problem;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -12,12 +13,12 @@ impl Problem {
     fn displacement<'py>(&self, py: Python<'py>, pressure: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let shape = self.problem.surface().grid().shape();
         let pressure = field_on(&ArrayLike::new(&pressure, "pressure")?, shape, "pressure")?;
-        let displacement = py.detach(|| {
+        let displacement = py.detached(|| {
             let mut displacement = vec![0.0; pressure.len()];
             let (pressure, _) = pressure.into_raw_vec_and_offset();
             self.problem.response().displacement(&pressure, &mut displacement);
             displacement
-        });
+        })?;
         Ok(owned(py, displacement, shape, self.rank))
     }
 

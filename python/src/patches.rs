@@ -1,6 +1,7 @@
 //! Contact patches as arrays.
 
 use crate::arrays::vector;
+use crate::detached::Detached;
 use asperity::contact::{Patch, PatchHistory, TrackedPatch};
 use asperity::setup::Setup;
 use numpy::PyArray1;
@@ -30,11 +31,11 @@ fn table<'py, T>(
 
 /// The patches of one contact.
 pub fn of_contact<'py>(py: Python<'py>, contact: &asperity::Contact, setup: &Setup) -> PyResult<Bound<'py, PyDict>> {
-    let patches = py.detach(|| {
+    let patches = py.detached(|| {
         let (problem, pressure) = (&contact.problem, contact.pressure.as_slice().unwrap_or_default());
         let own = setup.surface.own_shape(problem.surface().grid().shape());
         Patch::within(problem, pressure, own).into_iter().map(|(patch, _)| patch).collect::<Vec<_>>()
-    });
+    })?;
     table(
         py,
         &patches,

@@ -2,6 +2,7 @@
 
 use crate::arrays::{ArrayLike, check_finite, field};
 use crate::conversion::{Sections, section_mut, table_from_sections};
+use crate::detached::Detached;
 use crate::error::{bail, error_of_keywords, py_error};
 use crate::fork;
 use asperity::setup::{Cost, Recipe};
@@ -46,7 +47,7 @@ impl PreparedArray {
         let scan = Scan { height: given, spacing: grid.spacing() };
         let mut reasons = Vec::new();
         if is_chosen {
-            let chosen = height.py().detach(|| choice(&recipe, &scan, grid.periodic()))?;
+            let chosen = height.py().detached(|| choice(&recipe, &scan, grid.periodic()))??;
             reasons = chosen.reasons;
             let steps = serde_json::to_value(chosen.preparation).map_err(py_error)?;
             let prepare = section_mut(section_mut(&mut sections, "surface"), "prepare");
@@ -55,7 +56,7 @@ impl PreparedArray {
             }
         }
         let (recipe, _) = on_points(py, &sections, &scan.shape()[outer..], None)?;
-        let prepared = height.py().detach(|| recipe.prepare.apply(scan)).map_err(py_error)?;
+        let prepared = height.py().try_detached(|| recipe.prepare.apply(scan))?;
         let (voids, shape, spacing) = (prepared.scan.voids(), prepared.scan.shape(), prepared.scan.spacing);
         if voids > 0 && !recipe.prepare.is_none() {
             let all = shape[0] * shape[1];
@@ -71,7 +72,7 @@ impl PreparedArray {
         let coarse = cell.grid().map_err(py_error)?;
         fork::check_not_forked()?;
         let made = || asperity::Surface::new(coarse, prepared.scan.height)?.refined(factor);
-        let surface = height.py().detach(made).map_err(py_error)?;
+        let surface = height.py().try_detached(made)?;
         let preparation = reasons.into_iter().chain(prepared.effects).collect();
         Ok(Self { surface, sections, rank, preparation })
     }

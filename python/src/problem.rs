@@ -2,6 +2,7 @@
 
 use crate::arrays::in_parentheses;
 use crate::conversion::{Sections, section_mut, sections_from_keywords};
+use crate::detached::Detached;
 use crate::error::{bail, py_error, unexpected_keyword, wrong_type};
 use crate::fork;
 use crate::setup::Setup;
@@ -62,7 +63,7 @@ impl Problem {
             Some(loads) => LoadCurve { setup: first.clone(), loads: loads.clone() }.problem_of(surface.clone()),
             None => first.problem_of(surface.clone()),
         };
-        let problem = py.detach(problem).map_err(py_error)?;
+        let problem = py.try_detached(problem)?;
         Ok(Self { problem, surface: surface.clone(), setup, rank, preparation: Arc::default() })
     }
 

@@ -4,6 +4,7 @@ use crate::arrays::{ArrayLike, field_on, vector};
 use crate::background::{Foreground, StepSender, run_in_background};
 use crate::contact::Contact;
 use crate::conversion::{table_from_sections, value_from_py};
+use crate::detached::{Detached, fault};
 use crate::error::{BoxedError, bail, error_in_solve, py_error, wrong_type};
 use crate::fork;
 use crate::problem::Problem;
@@ -18,7 +19,6 @@ use asperity::setup;
 use asperity::surface::Field;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict};
-use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -150,9 +150,9 @@ impl Recorder {
     fn finish(&self, py: Python<'_>) -> PyResult<()> {
         let Some(Running { frames, thread, last, .. }) = self.state().running.take() else { return Ok(()) };
         drop(frames);
-        let output = py.detach(|| thread.join()).unwrap_or_else(|panic| resume_unwind(panic));
+        let output = py.detach(|| thread.join());
         let streamed = self.plan.sink.finish(py);
-        let Output { contact, distances, findings } = output.map_err(py_error)?;
+        let Output { contact, distances, findings } = output.map_err(|panic| fault(&*panic))?.map_err(py_error)?;
         let Plan { surface, setup, rank, .. } = &*self.plan;
         if last.is_none() {
             return streamed;
@@ -242,7 +242,7 @@ impl Recorder {
         let reference = match &plan.reference {
             Target::Pressure(given) => {
                 let of_given = || of_pressure(&plan.problem, given.clone(), &stop, "the reference");
-                Some(py.detach(of_given).map_err(py_error)?)
+                Some(py.try_detached(of_given)?)
             }
             Target::Solution => {
                 let solve = |steps: &mut StepSender| Multilevel.solve(&plan.problem, &stop, steps);

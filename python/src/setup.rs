@@ -1,6 +1,7 @@
 //! Descriptions of contacts to solve.
 
 use crate::conversion::{Sections, sections_from_keywords, sections_of, table_from_sections, to_python};
+use crate::detached::Detached;
 use crate::error::{bail, error_in_text, error_of_keywords, py_error};
 use crate::output::check_output;
 use crate::prepared_array::ARRAY;
@@ -150,7 +151,7 @@ impl Setup {
                 "the heights of this setup were given as an array and are not in it: give them to Surface again",
             );
         }
-        let surface = py.detach(|| self.setup.surface()).map_err(py_error)?;
+        let surface = py.try_detached(|| self.setup.surface())?;
         let rank = self.setup.surface.rank(&self.setup.grid).map_err(py_error)?;
         Ok(Surface::from_surface(surface.into(), sections, rank))
     }

@@ -1,6 +1,7 @@
 //! Where a recording goes.
 
-use crate::error::{bail, py_error};
+use crate::detached::Detached;
+use crate::error::bail;
 use crate::output::check_output;
 use asperity::record::{Pieces, Target};
 use asperity::setup;
@@ -101,7 +102,7 @@ impl RecordingSink {
 impl Stream {
     fn flush(&self, py: Python<'_>) -> PyResult<()> {
         let Some(callable) = self.state().callable.as_ref().map(|it| it.clone_ref(py)) else { return Ok(()) };
-        let piece = py.detach(|| self.pieces.next_piece()).map_err(py_error)?;
+        let piece = py.try_detached(|| self.pieces.next_piece())?;
         let sent = piece.map_or(Ok(()), |piece| callable.call1(py, (PyBytes::new(py, &piece),)).map(drop));
         let mut state = self.state();
         state.last_piece = Instant::now();

@@ -2,6 +2,7 @@
 
 use crate::arrays::owned;
 use crate::contact::Contact;
+use crate::detached::Detached;
 use asperity::contact;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -54,14 +55,14 @@ impl PartialSlip {
 
     /// The area that sticks divided by the area of the cell, with edges interpolated between the nodes.
     #[getter]
-    fn stick_area(&self, py: Python<'_>) -> f64 {
-        py.detach(|| self.slip.stick().relative_area)
+    fn stick_area(&self, py: Python<'_>) -> PyResult<f64> {
+        py.detached(|| self.slip.stick().relative_area)
     }
 
     /// The area that slips divided by the area of the cell, with edges interpolated between the nodes.
     #[getter]
-    fn slip_area(&self, py: Python<'_>) -> f64 {
-        py.detach(|| self.slip.slip_area())
+    fn slip_area(&self, py: Python<'_>) -> PyResult<f64> {
+        py.detached(|| self.slip.slip_area())
     }
 
     /// The contact under the smaller normal load `P - Q / mu`: its nodes in contact are those that stick.

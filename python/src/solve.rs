@@ -2,6 +2,7 @@
 
 use crate::background::{Foreground, StepCallback, StepHandle, StepSender, run_in_background};
 use crate::contact::Contact;
+use crate::detached::Detached;
 use crate::error::{BoxedError, bail, py_error};
 use crate::history::History;
 use crate::load_curve::LoadCurve;
@@ -101,7 +102,7 @@ impl Solve<'_> {
             .filter_map(warning_of_failure)
             .try_for_each(|it| warn_sentence(py, &it))?;
         if solved.contact.status != Status::StoppedByObserver {
-            warn(py, &py.detach(|| solved.warnings()))?;
+            warn(py, &py.detached(|| solved.warnings())?)?;
         }
         let Solved { setup, contact, slip, .. } = solved;
         let surface = contact.problem.surface().clone();
@@ -251,6 +252,6 @@ fn warn_about(py: Python<'_>, contacts: &[&Contact]) -> PyResult<()> {
     if contacts.iter().any(|it| it.contact.status == Status::StoppedByObserver) {
         return Ok(());
     }
-    let warnings = py.detach(|| warnings_about(contacts));
+    let warnings = py.detached(|| warnings_about(contacts))?;
     warn(py, &warnings)
 }

@@ -1,6 +1,7 @@
 //! Contacts one after the other, whatever makes them.
 
 use crate::contact::Contact;
+use crate::detached::Detached;
 use crate::output::check_not_read;
 use crate::patches;
 use crate::setup::Setup;
@@ -31,12 +32,12 @@ impl States {
     /// The contact patches from state to state.
     fn patch_history(&self, py: Python<'_>) -> PyResult<PatchHistory> {
         let contacts = self.each(py)?;
-        Ok(py.detach(|| {
+        py.detached(|| {
             let shape = contacts.first().map_or([0, 0], |it| it.get().contact.problem.surface().grid().shape());
             let mut history = PatchHistory::new(self.setup.setup.surface.own_shape(shape));
             contacts.iter().for_each(|it| history.add(&it.get().contact));
             history
-        }))
+        })
     }
 
     /// Whether the setups and all contacts are the same.

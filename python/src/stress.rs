@@ -2,6 +2,7 @@
 
 use crate::arrays::vector;
 use crate::contact::Contact;
+use crate::detached::Detached;
 use crate::error::{bail, index_of, py_error, wrong_type};
 use crate::warnings;
 use asperity::elastic::stress::{Stress, USUAL_POISSON};
@@ -40,8 +41,8 @@ impl Contact {
         if known.is_none() {
             warnings::warn(py, self.setup.warning_of_stress().as_slice())?;
         }
-        let solved = py.detach(|| self.contact.stress(row, known.unwrap_or(USUAL_POISSON), &depths));
-        let table = self.stress_table(py, &solved.map_err(py_error)?)?;
+        let solved = py.try_detached(|| self.contact.stress(row, known.unwrap_or(USUAL_POISSON), &depths))?;
+        let table = self.stress_table(py, &solved)?;
         table.set_item("pressure", vector(py, self.contact.pressure.row(row).to_vec()))?;
         table.set_item("row", row)?;
         Ok(table)
@@ -65,7 +66,7 @@ impl Contact {
         let table = PyDict::new(py);
         table.set_item("x", vector(py, self.contact.problem.surface().grid().x().collect()))?;
         table.set_item("depth", vector(py, stress.depth.clone()))?;
-        let (tau_max, von_mises) = py.detach(|| (stress.tau_max(), stress.von_mises()));
+        let (tau_max, von_mises) = py.detached(|| (stress.tau_max(), stress.von_mises()))?;
         let fields = [
             ("sigma_xx", &stress.xx),
             ("sigma_yy", &stress.yy),

@@ -2,6 +2,7 @@
 
 use crate::cancel::CancelToken;
 use crate::conversion::{sections_from_keywords, table_from_sections};
+use crate::detached::Detached;
 use crate::error::{bail, error_of_keywords, index_of, py_error};
 use crate::setup::Setup;
 use asperity::error::StudyError;
@@ -11,6 +12,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use rayon::ThreadPoolBuilder;
 use std::path::{PathBuf, absolute};
+
+/// Threads of a worker at most.
+const MOST_THREADS: usize = 4096;
 
 /// A setup with lists, which describes many contacts: one realisation for each combination of values from the lists, each solved under all
 /// loads one after the other. Each load of a realisation is a row of the table.
@@ -86,7 +90,7 @@ impl Study {
     /// The estimated cost of each combination of values, except for the seeds: the values, the number of realisations, and for each of them
     /// the seconds on one core and the bytes.
     fn expenses<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let expenses = py.detach(|| self.plan.expenses()).map_err(py_error)?;
+        let expenses = py.try_detached(|| self.plan.expenses())?;
         let rows = expenses.into_iter().map(|(first, expense)| {
             let row = PyDict::new(py);
             row.set_item("values", self.plan.words_but_seed(first))?;
@@ -111,16 +115,19 @@ impl Study {
         if threads == 0 {
             return bail("a realisation is solved on 0 threads: give at least one (threads)");
         }
+        if threads > MOST_THREADS {
+            return bail(format!("a realisation is solved on {threads} threads: give at most {MOST_THREADS}"));
+        }
         let index = |it: isize| index_of("realisation", it, self.plan.realisations());
         let realisations = realisations.into_iter().map(index).collect::<PyResult<Vec<_>>>()?;
         let cancel = cancel.cloned().unwrap_or_default();
         let solve = |&it: &usize| self.plan.solve(self.plan.number(it)?, |_| &cancel);
-        let solved = py.detach(|| {
+        let solved = py.detached(|| {
             // threads of its own, since those that all share are not in a process that was forked
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(py_error)?;
             let lines = |it| solve(it).map(|points| Point::to_lines(&points)).map_err(py_error);
             pool.install(|| realisations.iter().map(lines).collect::<PyResult<Vec<_>>>())
-        })?;
+        })??;
         if cancel.is_cancelled() { bail("the study was cancelled before it was solved") } else { Ok(solved) }
     }
 

@@ -1,6 +1,7 @@
 //! Surfaces as files, datasets and figures.
 
 use crate::conversion::table_from_sections;
+use crate::detached::Detached;
 use crate::error::{BoxedError, py_error};
 use crate::surface::Surface;
 use crate::surface_numbers::convention_of;
@@ -14,7 +15,7 @@ impl Surface {
     /// Writes the heights, in metres, to a file whose ending gives the format: .npy, .sdf, .x3p or .xyz.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         self.check_not_read(&path)?;
-        py.detach(|| Scan::from_surface(&self.surface, 1).write(&path)).map_err(py_error)
+        py.try_detached(|| Scan::from_surface(&self.surface, 1).write(&path))
     }
 
     /// Writes the power spectrum, averaged over directions, to a file .csv that Surface.rough reads as `table`. The `convention` is "surface",
@@ -29,7 +30,7 @@ impl Surface {
             check_named(&path, &["csv"])?;
             Ok(SpectrumTable::from_surface(&self.surface)?.write(&path, convention)?)
         };
-        py.detach(write).map_err(py_error)
+        py.try_detached(write)
     }
 
     /// The heights as a DataArray of xarray over the positions of the nodes.

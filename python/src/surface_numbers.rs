@@ -2,6 +2,7 @@
 
 use crate::arrays::vector;
 use crate::conversion::to_python;
+use crate::detached::Detached;
 use crate::error::py_error;
 use crate::surface::Surface;
 use asperity::surface::{
@@ -16,7 +17,7 @@ impl Surface {
     /// Statistics of the heights: rms_height, peak, valley (lengths), rms_gradient, rms_curvature (1/length), skewness, kurtosis.
     #[getter]
     fn statistics<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let roughness = py.detach(|| Roughness::new(&self.surface));
+        let roughness = py.detached(|| Roughness::new(&self.surface))?;
         to_python(py, &roughness)
     }
 
@@ -24,21 +25,21 @@ impl Surface {
     /// correlation_length_x, correlation_length_y and peklenik. A value is None where it is not defined. Axes along which the heights jump are
     /// taken as free.
     fn texture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let parameters = py.detach(|| SurfaceParameters::new(&self.surface));
+        let parameters = py.detached(|| SurfaceParameters::new(&self.surface))?;
         by_key(py, &parameters.texture, |it| it.value)
     }
 
     /// Spectral moments m0 (length^2), m2 and m4 (1/length^2), also along each axis, and Nayak's parameter (nayak), by the spectrum. Axes
     /// along which the heights jump are taken as free.
     fn moments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let parameters = py.detach(|| SurfaceParameters::new(&self.surface));
+        let parameters = py.detached(|| SurfaceParameters::new(&self.surface))?;
         by_key(py, &parameters.moments, |it| it.value)
     }
 
     /// Standard errors of what texture() and moments() return, under the same keys. The surface is taken as a sample of a larger one that is
     /// everywhere alike: the errors mean nothing for an indenter. A value is None where the error is not known.
     fn sampling_errors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let SurfaceParameters { texture, moments, .. } = py.detach(|| SurfaceParameters::new(&self.surface));
+        let SurfaceParameters { texture, moments, .. } = py.detached(|| SurfaceParameters::new(&self.surface))?;
         by_key(py, texture.iter().chain(&moments), |it| it.error)
     }
 
@@ -53,7 +54,7 @@ impl Surface {
     /// and spectrum (in bands), ends (whether the heights end along y and x, so that they are not periodic), artefacts, area_error (the largest relative
     /// error of areas by those that can be mended), and noise.
     fn survey<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let survey = py.detach(|| Survey::new(&Scan::from_surface(&self.surface, 1))).map_err(py_error)?;
+        let survey = py.try_detached(|| Survey::new(&Scan::from_surface(&self.surface, 1)))?;
         to_python(py, &survey)
     }
 
@@ -64,13 +65,12 @@ impl Surface {
     #[pyo3(signature = (convention=None))]
     fn spectrum<'py>(&self, py: Python<'py>, convention: Option<&str>) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
         let Some(name) = convention else {
-            let PowerSpectrum { wavenumber, density, .. } = py.detach(|| PowerSpectrum::new(&self.surface));
+            let PowerSpectrum { wavenumber, density, .. } = py.detached(|| PowerSpectrum::new(&self.surface))?;
             return Ok([vector(py, wavenumber), vector(py, density)]);
         };
         let convention = convention_of(name)?;
-        let table = py.detach(|| SpectrumTable::from_surface(&self.surface)?.converted(convention.kind()));
-        let (table, own) = (table.map_err(py_error)?, py.detach(|| SpectrumTable::from_surface(&self.surface)));
-        let wavenumber = own.map_err(py_error)?.wavenumbers().to_vec();
+        let own = py.try_detached(|| SpectrumTable::from_surface(&self.surface))?;
+        let (wavenumber, table) = (own.wavenumbers().to_vec(), own.converted(convention.kind()).map_err(py_error)?);
         let density = wavenumber.iter().map(|&q| table.density(q) * convention.factor()).collect();
         Ok([vector(py, wavenumber), vector(py, density)])
     }

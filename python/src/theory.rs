@@ -2,6 +2,7 @@
 
 use crate::arrays::{ArrayLike, map, owned};
 use crate::conversion::to_python;
+use crate::detached::Detached;
 use crate::error::{bail, py_error};
 use crate::problem::Problem;
 use asperity::theory::{self, Geometry, hertz, persson};
@@ -188,8 +189,8 @@ pub fn exact<'py>(py: Python<'py>, problem: &Problem) -> PyResult<Option<Bound<'
 /// The mean excess of counted nodes over the true contact beside a straight edge, in spacings. `angle` is the angle between the normal of
 /// the edge and an axis of the grid, in radians.
 #[pyfunction]
-pub fn counting_excess(py: Python<'_>, angle: f64) -> f64 {
-    py.detach(|| theory::counting_excess(angle))
+pub fn counting_excess(py: Python<'_>, angle: f64) -> PyResult<f64> {
+    py.detached(|| theory::counting_excess(angle))
 }
 
 /// Refuses the first value that is not positive and finite.

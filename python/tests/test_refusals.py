@@ -1,5 +1,6 @@
 """What makes no contact is refused by exceptions of Python, in sentences with keywords of Python."""
 
+import itertools
 import re
 import subprocess
 import sys
@@ -176,6 +177,30 @@ def text_file(name: str, text: bytes = b"") -> str:
     return name
 
 
+def holding_itself() -> list[Any]:
+    within: list[Any] = []
+    within.append(within)
+    within.append(within)
+    return within
+
+
+def deep(depth: int = 100_000) -> Any:
+    value: Any = 1.0
+    for _ in range(depth):
+        value = [value]
+    return value
+
+
+def dict_in_itself() -> dict[str, Any]:
+    within: dict[str, Any] = {}
+    within["surface"] = within
+    return within
+
+
+def of_doubles(*shape: int) -> Any:
+    return np.broadcast_to(np.float64(1.0), shape)
+
+
 Refusal = tuple[Callable[[], Any], type[Exception], str]
 """A call that is refused, the class of the exception, and its sentence or the decisive part of it."""
 
@@ -201,6 +226,35 @@ REFUSALS: list[Refusal] = [
     (lambda: asp.certify(HEIGHT, 1.0), asp.AsperityError, "give one result to certify"),
     (lambda: asp.certify(HEIGHT, 1.0, displacement=HEIGHT), asp.AsperityError, "a displacement does not say its load: give one (mean_pressure, "),
     (lambda: asp.Problem(HEIGHT, **P), TypeError, "surface must be a Surface(height, size), not ndarray"),
+    # arguments that have no end, or no room
+    (lambda: solve(of_doubles(60000, 60000)), asp.AsperityError, "an array of shape (60000, 60000) does not fit in memory: it needs 58 GB"),
+    (lambda: solve(np.broadcast_to(np.int8(1), (60000, 60000))), asp.AsperityError, "does not fit in memory"),
+    (lambda: solve([[0.0] * 60000] * 60000), asp.AsperityError, "an array of shape (60000, 60000) does not fit in memory"),
+    (lambda: solve(start=of_doubles(60000, 60000)), asp.AsperityError, "does not fit in memory"),
+    (lambda: problem().certify(pressure=of_doubles(60000, 60000)), asp.AsperityError, "does not fit in memory"),
+    (lambda: problem().displacement(of_doubles(60000, 60000)), asp.AsperityError, "does not fit in memory"),
+    (lambda: asp.persson_relative_area(of_doubles(60000, 60000)), asp.AsperityError, "does not fit in memory"),
+    (lambda: with_steps((of_doubles(60000, 60000),)), asp.AsperityError, "does not fit in memory"),
+    (lambda: asp.persson_relative_area(np.ones((1,) * 40)), asp.AsperityError, "an array has 40 axes: give one with at most 32"),
+    (lambda: solve(holding_itself()), TypeError, "height must be an array of numbers, not list"),
+    (lambda: solve(deep()), TypeError, "height must be an array of numbers, not list"),
+    (lambda: asp.Surface(HEIGHT, holding_itself()), asp.AsperityError,
+        "size has more than 16 lists or dictionaries in each other: give a plain value"),
+    (lambda: asp.Surface(HEIGHT, deep()), asp.AsperityError, "size has more than 16 lists or dictionaries in each other"),
+    (lambda: asp.Surface(HEIGHT, 1.0, prepare=dict_in_itself()), asp.AsperityError, "more than 16 lists or dictionaries"),
+    (lambda: asp.Surface(HEIGHT, itertools.repeat(1.0)), asp.AsperityError, "size has more than 4000000 values: give fewer"),
+    (lambda: asp.Surface.rough(deep(), 1.0), asp.AsperityError, "points has more than 16 lists"),
+    (lambda: asp.Surface.from_sections(dict_in_itself(), GRID), asp.AsperityError, "more than 16 lists or dictionaries"),
+    (lambda: asp.Setup(**dict_in_itself()), asp.AsperityError, "more than 16 lists or dictionaries"),
+    (lambda: asp.Study(**dict_in_itself()), asp.AsperityError, "more than 16 lists or dictionaries"),
+    (lambda: asp.study(dict_in_itself()), asp.AsperityError, "more than 16 lists or dictionaries"),
+    (lambda: solve(solid=dict_in_itself()), asp.AsperityError, "more than 16 lists or dictionaries"),
+    (lambda: solve(solver=deep()), asp.AsperityError, "solver has more than 16 lists"),
+    (lambda: solve(recording=deep()), asp.AsperityError, "recording has more than 16 lists"),
+    (lambda: problem().with_load(mean_pressure=deep()), asp.AsperityError, "more than 16 lists"),
+    (lambda: solve().stress(depths=of_doubles(60000, 60000)), asp.AsperityError, ""),
+    (lambda: solve().pressure_distribution(bins=10**12), asp.AsperityError, "a distribution has 1000000000000 bins: give at most 1000000"),
+    (lambda: study().solve([0], threads=10**9), asp.AsperityError, "on 1000000000 threads: give at most 4096"),
     # keywords that a function does not take
     (lambda: solve(modulus=1.0), TypeError, "solve() got an unexpected keyword argument 'modulus'. Did you mean solid=...?"),
     (lambda: solve(pressure=1.0), TypeError, "'pressure'. Did you mean mean_pressure=...?"),
@@ -391,3 +445,11 @@ def test_forces_have_the_unit_of_their_surface() -> None:
         assert asp.solve(heights, solid="1 GPa", force=force).converged
     bare = asp.Surface.indenter("cylinder", 64, 1e-3, radius=1e-3)
     assert asp.solve(bare, solid=1e9, force=5.0).converged
+
+
+def test_values_between_others_are_read_where_they_are() -> None:
+    records = np.zeros(64, dtype=[("tag", "i1"), ("height", "f8")])
+    records["height"] = HEIGHT
+    backwards = HEIGHT[::-1].copy()[::-1]
+    for height in (records["height"], backwards, np.repeat(HEIGHT, 3)[::3], HEIGHT.astype(">f8")):
+        assert np.array_equal(asp.Surface(height, 1.0).height, asp.Surface(HEIGHT, 1.0).height)
