@@ -81,7 +81,7 @@ impl ClaimReport {
     fn own(&self) -> Vec<(&'static str, String)> {
         let Assessment { given, load_error, tension, densest, deepest, pressed, closed, apart, unpressed } =
             &self.assessment;
-        let place = |node| place(&self.grid, node);
+        let place = |node| place(&self.grid, node, self.units);
         let mut rows = vec![
             ("source", self.source.clone()),
             ("contact modulus E*", self.units.pressure(self.contact_modulus)),
@@ -89,9 +89,9 @@ impl ClaimReport {
                 "prescribed",
                 match self.prescribed {
                     Some(load) if *load_error > ROUNDING => {
-                        format!("{load}, with a relative error of {load_error:.1e}")
+                        format!("{}, with a relative error of {load_error:.1e}", self.units.load(load))
                     }
-                    Some(load) => load.to_string(),
+                    Some(load) => self.units.load(load),
                     None => format!("nothing: the load is that of the {}", self.quantity),
                 },
             ),
@@ -106,8 +106,10 @@ impl ClaimReport {
             rows.push((
                 "tension",
                 format!(
-                    "{} nodes, {:.1e} of all pressure, down to {:.3e} at {worst}",
-                    tension.nodes, tension.share, tension.lowest
+                    "{} nodes, {:.1e} of all pressure, down to {} at {worst}",
+                    tension.nodes,
+                    tension.share,
+                    self.units.pressure(tension.lowest)
                 ),
             ));
             let stand_in = match tension.share < 1.0 {
@@ -142,11 +144,14 @@ pub fn points(grid: &Grid) -> String {
 }
 
 /// A node in words.
-fn place(grid: &Grid, node: usize) -> String {
+fn place(grid: &Grid, node: usize, units: Units) -> String {
     let ([dy, dx], [_, nx]) = (grid.spacing(), grid.shape());
     let (row, column) = (node / nx, node % nx);
     match grid.is_line() {
-        true => format!("node {column} (x = {:.4e})", column as f64 * dx),
-        false => format!("row {row}, column {column} (y = {:.4e}, x = {:.4e})", row as f64 * dy, column as f64 * dx),
+        true => format!("node {column} (x = {})", units.position(column as f64 * dx)),
+        false => {
+            let [y, x] = [row as f64 * dy, column as f64 * dx].map(|it| units.position(it));
+            format!("row {row}, column {column} (y = {y}, x = {x})")
+        }
     }
 }

@@ -17,6 +17,7 @@ mod fields;
 mod finding;
 mod flags;
 mod flow;
+mod given_words;
 mod history;
 mod history_picture;
 mod inspect;
@@ -59,6 +60,7 @@ use asperity::seen::plain;
 use clap::error::{ContextKind, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use exit_status::{ExitStatus, exit_code, remedy};
+use given_words::in_given_words;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use terminal::stderr;
@@ -170,7 +172,8 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(outcome) => outcome.exit_code(),
         Err(error) if is_unheard(&error) => ExitStatus::Done.exit_code(),
         Err(error) => {
-            writeln!(stderr(), "error: {error}{}", remedy(&error)).ok();
+            let sentence = in_given_words(error.to_string(), &words);
+            writeln!(stderr(), "error: {sentence}{}", remedy(&error)).ok();
             exit_code(&error)
         }
     }

@@ -1,5 +1,6 @@
 //! Units of the numbers in a summary.
 
+use asperity::contact::Load;
 use asperity::quantity::{
     area_in_words, conductance_unit, has_length_unit, has_pressure_unit, length_in_words, number_in_words,
     pressure_in_words,
@@ -39,6 +40,21 @@ impl Units {
     /// A pressure.
     pub fn pressure(self, value: f64) -> String {
         if self.pascals { pressure_in_words(value) } else { plain(value) }
+    }
+
+    /// A load that is prescribed.
+    pub fn load(self, load: Load) -> String {
+        match load {
+            Load::MeanPressure(it) if self.pascals => format!("mean pressure {}", pressure_in_words(it)),
+            Load::MeanGap(it) if self.metres => format!("mean gap {}", length_in_words(it)),
+            Load::Approach(it) if self.metres => format!("approach {}", length_in_words(it)),
+            other => other.to_string(),
+        }
+    }
+
+    /// A position.
+    pub fn position(self, value: f64) -> String {
+        if self.metres { length_in_words(value) } else { format!("{value:.4e}") }
     }
 
     /// An area.
