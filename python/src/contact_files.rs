@@ -16,11 +16,11 @@ use std::path::{Path, PathBuf};
 #[pymethods]
 impl Contact {
     /// Writes the contact to a file whose ending says what: .npz for fields, distributions, spectra, numbers and setup, .csv for the nodes of a
-    /// line, .svg or .png for the figure of `plot`. asperity.load reads a .npz again; Setup.read and the command line read the setup in it, with the
+    /// line, .svg, .pdf or .png for the figure of `plot`. asperity.load reads a .npz again; Setup.read and the command line read the setup in it, with the
     /// heights.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
         let it = slf.get();
-        check_output(&path, &["npz", "csv", "svg", "png"], &it.setup)?;
+        check_output(&path, &["npz", "csv", "svg", "pdf", "png"], &it.setup)?;
         match ending(&path).as_str() {
             "npz" => slf.py().try_detached(|| it.write_archive(&path)),
             "csv" if it.rank > 1 => {
@@ -43,8 +43,16 @@ impl Contact {
     }
 
     /// A figure of the contact by matplotlib: surfaces and pressure of a line, maps of pressure and gap of a surface.
-    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("plot_contact", (slf,))
+    ///
+    /// `length_unit` and `pressure_unit`, such as "um" and "MPa", are those of the axes, of a problem in metres and pascals.
+    #[pyo3(signature = (*, length_unit=None, pressure_unit=None))]
+    fn plot<'py>(
+        slf: Bound<'py, Self>,
+        length_unit: Option<&str>,
+        pressure_unit: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let units = (slf.clone(), length_unit, pressure_unit);
+        slf.py().import("asperity.plotting")?.call_method1("plot_contact", units)
     }
 
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

@@ -154,10 +154,10 @@ impl History {
     }
 
     /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the
-    /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
+    /// command line writes, .svg, .pdf or .png for the figure of `plot`. asperity.load reads a .npz again.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
         let (it, setup) = (slf.get(), &slf.as_super().get().setup);
-        check_output(&path, &["npz", "csv", "svg", "png"], &setup.setup)?;
+        check_output(&path, &["npz", "csv", "svg", "pdf", "png"], &setup.setup)?;
         if it.outcome.states.is_empty() {
             return bail("the history has no states: nothing is saved");
         }
@@ -181,8 +181,16 @@ impl History {
     /// A figure by matplotlib, with the quantities that the command line draws: area and gap over time for creep; mean pressure and area over the mean
     /// gap for adhesion, with an arrow for each jump; traction over the shift and the share that sticks for slip; friction and area over the
     /// speed for sliding; friction and the share that sticks over the creepage for rolling.
-    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("plot_history", (slf,))
+    ///
+    /// `length_unit` and `pressure_unit`, such as "um" and "MPa", are those of the axes, of a problem in metres and pascals.
+    #[pyo3(signature = (*, length_unit=None, pressure_unit=None))]
+    fn plot<'py>(
+        slf: Bound<'py, Self>,
+        length_unit: Option<&str>,
+        pressure_unit: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let units = (slf.clone(), length_unit, pressure_unit);
+        slf.py().import("asperity.plotting")?.call_method1("plot_history", units)
     }
 
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

@@ -6,6 +6,7 @@ use crate::study::Study;
 use crate::table::Table;
 use crate::warnings::warn;
 use asperity::files::{check_apart, check_named, check_target};
+use asperity::plot::FigureStyle;
 use asperity::study::{self, Plan, Point};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -85,7 +86,7 @@ impl Ledger {
         let (table, warnings) = py.detached(|| {
             let points = self.ledger().finish().map_err(py_error)?;
             if let Some(out) = &self.out {
-                self.plan.write_views(out, &points).map_err(py_error)?;
+                self.plan.write_views(out, &points, &FigureStyle::default()).map_err(py_error)?;
             }
             Ok::<_, PyErr>((Table::new(&self.plan, &points)?, self.plan.warnings(&points)))
         })??;

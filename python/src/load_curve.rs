@@ -56,10 +56,10 @@ impl LoadCurve {
     }
 
     /// Writes the curve to a file whose ending says what: .npz for the fields and numbers under all loads, with the setup, .csv for the table that the
-    /// command line writes, .svg or .png for the figure of `plot`. asperity.load reads a .npz again.
+    /// command line writes, .svg, .pdf or .png for the figure of `plot`. asperity.load reads a .npz again.
     fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
         let (py, it) = (slf.py(), slf.as_super().get());
-        check_output(&path, &["npz", "csv", "svg", "png"], &it.setup.setup)?;
+        check_output(&path, &["npz", "csv", "svg", "pdf", "png"], &it.setup.setup)?;
         let contacts = it.each(py)?;
         match ending(&path).as_str() {
             "npz" => py.try_detached(|| write_archive(&path, &contacts, &it.setup)),
@@ -78,9 +78,17 @@ impl LoadCurve {
         slf.py().import("asperity.export")?.call_method1("curve_to_xarray", (slf,))
     }
 
-    /// A figure of relative area, kappa_r and mean gap over the reduced pressure, by matplotlib.
-    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("plot_curve", (slf,))
+    /// A figure of relative area, kappa_r and mean gap over the load as it was prescribed, by matplotlib.
+    ///
+    /// `length_unit` and `pressure_unit`, such as "um" and "MPa", are those of the axes, of a problem in metres and pascals.
+    #[pyo3(signature = (*, length_unit=None, pressure_unit=None))]
+    fn plot<'py>(
+        slf: Bound<'py, Self>,
+        length_unit: Option<&str>,
+        pressure_unit: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let units = (slf.clone(), length_unit, pressure_unit);
+        slf.py().import("asperity.plotting")?.call_method1("plot_curve", units)
     }
 
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

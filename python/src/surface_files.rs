@@ -45,8 +45,11 @@ impl Surface {
     }
 
     /// A figure of the heights by matplotlib: a curve for a line, a map for a surface.
-    fn plot<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("plot_surface", (slf,))
+    ///
+    /// `length_unit`, such as "um", is that of the axes, of a surface in metres.
+    #[pyo3(signature = (*, length_unit=None))]
+    fn plot<'py>(slf: Bound<'py, Self>, length_unit: Option<&str>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("asperity.plotting")?.call_method1("plot_surface", (slf.clone(), length_unit))
     }
 
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

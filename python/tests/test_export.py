@@ -1,6 +1,8 @@
 """Contacts in xarray, and scalars of numpy and xarray as numbers."""
 
+import base64
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -87,3 +89,53 @@ def test_masks_and_positions_are_those_of_the_nodes() -> None:
     assert contact.contact.dtype == np.bool_ and np.array_equal(contact.contact, contact.pressure > 0)
     assert contact.contact.mean() == pytest.approx(contact.measures["relative_area_counted"])
     assert np.array_equal(contact.x, SURFACE.x) and np.array_equal(contact.y, SURFACE.y)
+
+
+def arrays_of(path: Path) -> tuple[ElementTree.Element, dict[str, np.ndarray]]:
+    """The grid in a file of VTK, and its arrays."""
+    grid = ElementTree.parse(path).getroot()[0]
+    arrays = {}
+    for it in grid.iter("DataArray"):
+        data = base64.b64decode(it.text or "")
+        assert int.from_bytes(data[:8], "little") == len(data) - 8
+        arrays[it.attrib["Name"]] = np.frombuffer(data[8:], {"Float64": "<f8", "UInt8": "u1"}[it.attrib["type"]])
+    return grid, arrays
+
+
+def test_fields_are_written_for_paraview(tmp_path: Path) -> None:
+    surface = asp.Surface.rough((32, 48), (1.0, 1.5), hurst=0.8, rolloff_wavelength=0.5, short_cutoff=0.2, rms_gradient=0.1)
+    contact = asp.solve(surface, reduced_pressure=0.1)
+    asp.to_vtk(contact, tmp_path / "contact.vti")
+    grid, arrays = arrays_of(tmp_path / "contact.vti")
+    assert grid.attrib["WholeExtent"] == "0 47 0 31 0 0" and grid.attrib["Spacing"].split()[:2] == ["0.03125", "0.03125"]
+    assert np.array_equal(arrays["pressure"].reshape(32, 48), contact.pressure)
+    assert np.array_equal(arrays["contact"].reshape(32, 48), contact.contact) and set(arrays) >= {"height", "gap", "displacement"}
+    asp.to_vtk(surface, tmp_path / "surface.vti")
+    assert np.array_equal(arrays_of(tmp_path / "surface.vti")[1]["height"], surface.height.ravel())
+    stress = contact.stress(poisson=0.3, depths=[0.01, 0.02, 0.05])
+    asp.to_vtk(stress, tmp_path / "stress.vtr")
+    grid, arrays = arrays_of(tmp_path / "stress.vtr")
+    assert grid.attrib["WholeExtent"] == "0 47 0 0 0 2" and np.array_equal(arrays["z"], [-0.05, -0.02, -0.01])
+    assert np.array_equal(arrays["von_mises"].reshape(3, 48)[::-1], stress["von_mises"])
+    line = asp.Surface(np.sin(np.arange(16.0)), 1.0)
+    asp.to_vtk(line, tmp_path / "line.vti")
+    assert arrays_of(tmp_path / "line.vti")[0].attrib["WholeExtent"] == "0 15 0 0 0 0"
+    with pytest.raises(asp.AsperityError, match=r"give a name that ends in \.vti"):
+        asp.to_vtk(surface, tmp_path / "surface.vtk")
+    with pytest.raises(TypeError, match="not list"):
+        asp.to_vtk([1.0], tmp_path / "list.vti")  # type: ignore[arg-type]
+
+
+def test_load_and_displacement_are_known_on_all_boundaries() -> None:
+    x = (np.arange(64) + 0.5) / 64 - 0.5
+    sphere = -(x[:, None] ** 2 + x**2) / 2
+    free = asp.solve(sphere, 1.0, boundary="free", solid=1.0, mean_pressure=[0.001, 0.002])
+    pressure, displacement, what = asp.load_displacement(free)
+    assert what == "approach" and np.array_equal(displacement, free.measures["approach"])
+    # Hertz: a load as the approach to the power of 3/2
+    assert abs(np.log(pressure[1] / pressure[0]) / np.log(displacement[1] / displacement[0]) - 1.5) < 0.02
+    periodic = asp.solve(0.01 * np.cos(2 * np.pi * x), 1.0, solid=1.0, mean_pressure=[1e-4, 0.005, 0.05])
+    pressure, displacement, what = asp.load_displacement(periodic)
+    assert what == "mean displacement" and (np.diff(displacement) > 0).all()
+    # it begins at touch, and ends at the height of the crest where the contact is full
+    assert 0 < displacement[0] < 2e-3 and abs(displacement[2] - 0.01) < 1e-4

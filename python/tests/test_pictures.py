@@ -46,7 +46,7 @@ def test_maps_hold_the_fields() -> None:
     pressure, gap = (image.get_array() for image in images)
     assert np.array_equal(pressure.filled(0.0), np.where(contact.contact, contact.pressure, 0.0)) and np.array_equal(gap, contact.gap)
     (heights,) = [image for axes in ROUGH.plot().axes for image in axes.images]
-    assert np.array_equal(heights.get_array(), ROUGH.height) and heights.get_extent() == [0.0, 2.0, 1.0, 0.0]
+    assert np.array_equal(heights.get_array(), ROUGH.height) and heights.get_extent() == [0.0, 2.0, 0.0, 1.0] and heights.origin == "lower"
 
 
 def test_a_curve_is_drawn_over_the_reduced_pressure() -> None:
@@ -76,15 +76,19 @@ def test_a_loop_with_jumps_is_drawn() -> None:
     assert len(left.texts) == len(loop.adhesion["jumps"]) == 2 and len(left.patches) == 1
     for arrow, jump in zip(left.texts, loop.adhesion["jumps"]):
         assert arrow.xy == (jump["mean_gap"][1], jump["mean_pressure"][1])
-    assert (left.get_xlabel(), left.get_ylabel(), right.get_ylabel()) == ("mean gap", "mean pressure", "relative area")
+    labels = (left.get_xlabel(), left.get_ylabel(), right.get_ylabel())
+    assert labels == ("mean gap / unit of length", "mean pressure / unit of pressure", "relative area")
+    scaled, _ = loop.plot(length_unit="um", pressure_unit="kPa").axes
+    assert (scaled.get_xlabel(), scaled.get_ylabel()) == ("mean gap / µm", "mean pressure / kPa")
+    assert np.allclose(scaled.lines[0].get_xdata(), 1e6 * loop.numbers["mean_gap"])
 
 
 @pytest.mark.parametrize(
     ("keys", "labels"),
     [
-        ({"viscoelastic": {"creep": [9.0, 1.0]}, "path": {"time": 2.0, "steps": 3}}, ["time", "relative area", "mean gap"]),
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "path": {"time": 2.0, "steps": 3}}, ["time", "relative area", "mean gap / unit of length"]),
         ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": [0.01, 0.1]}}, ["speed", "friction coefficient", "relative area"]),
-        ({"friction": {"coefficient": 0.5}, "path": {"tangential": [0.005, -0.005]}}, ["shift", "mean traction", "share that sticks"]),
+        ({"friction": {"coefficient": 0.5}, "path": {"tangential": [0.005, -0.005]}}, ["shift / unit of length", "mean traction / unit of pressure", "share that sticks"]),
         ({"friction": {"coefficient": 0.5}, "rolling": {"creepage": [1e-4, 2e-4]}}, ["creepage", "friction coefficient", "share that sticks"]),
     ],
 )
@@ -142,3 +146,27 @@ def test_a_recording_is_shown_as_a_picture_without_a_viewer(tmp_path: Path, monk
     assert np.array_equal(shown, contact.plot().axes[1].lines[0].get_ydata())
     asp.solve(asp.Surface(np.array(surface.height), 1.0), reduced_pressure=0.1, record=tmp_path / "array.rrd")
     assert asp.show(tmp_path / "array.rrd") == str(tmp_path / "array.rrd")
+
+
+def test_axes_have_units() -> None:
+    line = asp.solve(asp.Surface(1e-6 * CYLINDER, 1e-3), solid=1e9, mean_pressure=1e3)
+    left, right = line.plot(length_unit="um", pressure_unit="MPa").axes
+    assert (left.get_xlabel(), left.get_ylabel(), right.get_ylabel()) == ("x / µm", "z / µm", "pressure / MPa")
+    assert np.isclose(max(right.lines[0].get_ydata()), 1e-6 * line.pressure.max())
+    assert line.plot().axes[1].get_ylabel() == "pressure / unit of pressure"
+    contact = asp.solve(ROUGH, reduced_pressure=0.1)
+    maps = contact.plot(length_unit="mm").axes
+    assert [axes.get_ylabel() for axes in maps] == ["y / mm", "y / mm", "pressure / unit of pressure", "gap / mm"]
+    curve = asp.solve(ROUGH, solid=1.0, mean_pressure=[0.01, 0.02])
+    area = curve.plot(pressure_unit="kPa").axes[0]
+    assert area.get_xlabel() == "mean pressure / kPa" and np.allclose(area.lines[0].get_xdata(), [1e-5, 2e-5])
+    with pytest.raises(asp.AsperityError, match="length_unit is 'inch': give one of m, mm, um"):
+        contact.plot(length_unit="inch")
+
+
+def test_labels_have_room() -> None:
+    figure = asp.solve(ROUGH, reduced_pressure=[0.001, 0.01, 0.1]).plot()
+    figure.canvas.draw()
+    boxes = [axes.get_tightbbox() for axes in figure.axes]
+    assert all(one.x1 <= other.x0 for one, other in zip(boxes, boxes[1:]))
+    assert boxes[0].x0 >= 0 and boxes[-1].x1 <= figure.bbox.width

@@ -4,6 +4,7 @@ use super::claim_report::ClaimReport;
 use super::density;
 use super::exit_status::{ExitStatus, usage};
 use super::fields::{lay_load, poisson, rows};
+use super::figure_args::FigureArgs;
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::output::write_json;
@@ -17,7 +18,7 @@ use asperity::error::ProblemError;
 use asperity::files::{check_apart, check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, GivenField, Replay};
 use asperity::job::write_nodes;
-use asperity::plot::{write_png, write_svg};
+use asperity::plot::{FigureStyle, is_figure, write_figure};
 use asperity::setup::{Cost, Setup};
 use asperity::surface::read_field;
 use clap::{ArgGroup, Args};
@@ -53,13 +54,15 @@ pub struct Certify {
     scene: SceneArgs<OfProblem>,
     #[command(flatten)]
     shown: RecordingArgs,
-    /// Write fields and numbers (.npz); for a line also the nodes (.csv) or a picture of where the error is (.png,
-    /// .svg)
+    /// Write fields and numbers (.npz); for a line also the nodes (.csv) or a picture of where the error is (.svg,
+    /// .pdf, .png)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Print one JSON object instead of a summary
     #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    figure: FigureArgs,
 }
 
 impl Certify {
@@ -119,10 +122,16 @@ impl Certify {
     /// Refuses places where nothing can be written, and names that promise another content.
     fn check(&self) -> Result<()> {
         if let Some(path) = &self.out {
-            check_named(path, &["npz", "csv", "png", "svg"])?;
+            check_named(path, &["npz", "csv", "svg", "pdf", "png"])?;
         }
+        self.style()?;
         self.shown.check()?;
         Ok(())
+    }
+
+    /// How the picture is drawn.
+    fn style(&self) -> Result<FigureStyle> {
+        self.figure.style(self.out.as_deref().is_some_and(is_figure))
     }
 
     /// The quantity that is claimed, and its file.
@@ -149,8 +158,7 @@ impl Certify {
         let figure = || density::figure(&setup.surface.title(&verdict.grid), contact);
         match (&self.out, self.ending().as_str()) {
             (Some(path), "csv") => write_nodes(path, contact)?,
-            (Some(path), "png") => write_png(path, &figure())?,
-            (Some(path), "svg") => write_svg(path, &figure())?,
+            (Some(path), _) if is_figure(path) => write_figure(path, &figure(), &self.style()?)?,
             (Some(path), _) => {
                 let bytes = archive(contact, setup.surface.rank(&setup.grid)?, Some(&setup.to_toml()));
                 write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;

@@ -4,7 +4,6 @@ use super::adhesion;
 use super::exit_status::ExitStatus;
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
-use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::terminal::stdout;
 use super::units::Units;
@@ -15,6 +14,7 @@ use asperity::contact::{Problem, Quantity, QuantityKind, ResultClaim, State, Sta
 use asperity::error::{HistoryError, SlipError};
 use asperity::files::write_beside;
 use asperity::job::{AdhesionOutcome, HistoryOutcome, Solved};
+use asperity::plot::write_figure;
 use asperity::quantity::number_in_words;
 use asperity::setup::Setup;
 use serde::Serialize;
@@ -94,7 +94,7 @@ fn write_files(
         outcome.write_table(path)?;
     }
     if let Some(path) = outputs.picture() {
-        picture::write(path, &super::history_picture::draw(&subject.title, &outcome))?;
+        write_figure(path, &super::history_picture::draw(&subject.title, &outcome), &outputs.style()?)?;
     }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;

@@ -16,6 +16,7 @@ use asperity::contact::{Load, Observables, Problem, Status, archive_of_states, w
 use asperity::error::{HistoryError, StudyError, is_input};
 use asperity::files::write_beside;
 use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
+use asperity::plot::write_figure;
 use asperity::setup::SetupTable;
 use asperity::study::LoadCurve;
 use serde::Serialize;
@@ -101,7 +102,8 @@ fn write_files(
         write_loads(path, &findings.iter().map(numbers_of).collect::<Vec<_>>())?;
     }
     if let Some(path) = outputs.picture() {
-        picture::write(path, &picture::of_loads(&subject.title, &observables, units))?;
+        let figure = picture::of_loads(&subject.title, &observables, curve.setup.load, units);
+        write_figure(path, &figure, &outputs.style()?)?;
     }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;

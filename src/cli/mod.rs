@@ -14,6 +14,7 @@ mod density;
 mod exit_status;
 mod explore;
 mod fields;
+mod figure_args;
 mod finding;
 mod flags;
 mod flow;

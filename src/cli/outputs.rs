@@ -1,18 +1,19 @@
 //! The files that a solve writes.
 
 use super::exit_status::usage;
+use super::figure_args::FigureArgs;
 use anyhow::Result;
 use asperity::contact::Contact;
-use asperity::error::FileError;
 use asperity::files::check_named;
 use asperity::job::{StateArchive, StateTable};
+use asperity::plot::{FigureStyle, is_figure};
 use asperity::setup::{Extras, Part, ProcessKind, Setup};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
 /// Endings of the names of the files.
 const RECORDING: &[&str] = &["rrd"];
-const RESULT: &[&str] = &["npz", "csv", "svg", "png"];
+const RESULT: &[&str] = &["npz", "csv", "svg", "pdf", "png"];
 const SCENE: &[&str] = &["toml"];
 const STRESS: &[&str] = &["npz"];
 
@@ -28,7 +29,7 @@ pub struct Outputs {
     #[arg(long)]
     pub live: bool,
     /// Write fields, distributions, spectra, numbers and setup (.npz), a table of the loads or of the nodes of a line
-    /// (.csv), or a picture of the contact or the load curve (.svg, .png)
+    /// (.csv), or a picture of the contact or the load curve (.svg, .pdf, .png)
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write the stress in the solid at 64 depths below the contact (components, tau_max, von Mises); for a surface, in
@@ -55,6 +56,8 @@ pub struct Outputs {
     /// contact, only a recording is written
     #[arg(long)]
     pub strict: bool,
+    #[command(flatten)]
+    pub figure: FigureArgs,
 }
 
 impl Outputs {
@@ -86,7 +89,15 @@ impl Outputs {
 
     /// The picture, if it is requested.
     pub fn picture(&self) -> Option<&Path> {
-        self.out.as_deref().filter(|path| has_ending(path, "svg") || has_ending(path, "png"))
+        self.out.as_deref().filter(|path| is_figure(path))
+    }
+
+    /// How the picture is drawn.
+    ///
+    /// # Errors
+    /// The errors of [`FigureArgs::style`].
+    pub fn style(&self) -> Result<FigureStyle> {
+        self.figure.style(self.picture().is_some())
     }
 
     /// The files to write, in their order.
@@ -144,10 +155,12 @@ impl Outputs {
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.
-    pub fn check(&self) -> Result<(), FileError> {
+    pub fn check(&self) -> Result<()> {
+        self.style()?;
         let (out, stress, setup) = (self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref());
         let named = [(self.recording(), RECORDING), (out, RESULT), (stress, STRESS), (setup, SCENE)];
-        named.into_iter().try_for_each(|(path, endings)| path.map_or(Ok(()), |path| check_named(path, endings)))
+        let check = |(path, endings): (Option<&Path>, _)| path.map_or(Ok(()), |path| check_named(path, endings));
+        Ok(named.into_iter().try_for_each(check)?)
     }
 }
 

@@ -1,38 +1,35 @@
 //! Pictures of contacts, and of load curves.
 
 use super::units::Units;
-use asperity::contact::{Contact, Observables};
-use asperity::error::FileError;
-use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, write_png, write_svg};
+use asperity::contact::{Contact, Load, Observables};
+use asperity::plot::{Axis, Colour, Dot, Figure, Map, Mark, Panel, Symbol, label, unit};
 use asperity::quantity::{LENGTHS, PRESSURES};
+use asperity::surface::Field;
 use std::cmp::Ordering;
-use std::path::Path;
 
 /// Largest number of dots of a curve.
 const DOTS: usize = 4096;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
 
-/// Writes a picture as SVG or PNG, by the ending of its name.
-pub fn write(path: &Path, figure: &Figure) -> Result<(), FileError> {
-    let is_svg = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"));
-    if is_svg { write_svg(path, figure) } else { write_png(path, figure) }
-}
+/// The largest number of pixels of a map along an axis.
+const PIXELS: usize = 1024;
 
-/// The picture of a contact. Of a line: both surfaces, and the pressure along it. Of a surface: the outline of the contact, and the
-/// pressure along the row of the highest one.
+/// The picture of a contact. Of a line: both surfaces, and the pressure along it. Of a surface: maps of the pressure and of the gap.
 pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
-    let grid = contact.problem.surface().grid();
-    let first = if grid.is_line() { profile(contact, units) } else { outline(contact, units) };
-    Figure { title: title.into(), panels: vec![first, pressure(contact, units)] }
+    let panels = match contact.problem.surface().grid().is_line() {
+        true => vec![profile(contact, units), pressure(contact, units)],
+        false => vec![map_of_pressure(contact, units), map_of_gap(contact, units)],
+    };
+    Figure { title: title.into(), panels }
 }
 
-/// The picture of contacts under several loads: area and `kappa_r` over the mean pressure, with their errors. Values
+/// The picture of contacts under several loads: area and `kappa_r` over the load as it was prescribed, with their errors. Values
 /// that are not resolved are shown as counted values, with open symbols.
-pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
+pub fn of_loads(title: &str, found: &[&Observables], kind: Load, units: Units) -> Figure {
     let area = LoadPanel {
         title: "relative contact area",
-        label: "a_rel",
+        label: "aᵣₑₗ",
         resolved: |it| it.resolved_area(),
         counted: |it| it.relative_area_counted,
         error: |it| it.relative_area_error,
@@ -40,16 +37,16 @@ pub fn of_loads(title: &str, found: &[&Observables], units: Units) -> Figure {
     };
     let kappa_r = LoadPanel {
         title: "area per load, with the rms gradient in contact",
-        label: "kappa_r",
+        label: "κᵣ",
         resolved: |it| it.resolved_kappa_r(),
         counted: |it| it.kappa_r_counted,
         error: |it| it.kappa_r_error,
         is_logarithmic: false,
     };
-    Figure { title: title.into(), panels: [area, kappa_r].map(|panel| panel.draw(found, units)).into() }
+    Figure { title: title.into(), panels: [area, kappa_r].map(|panel| panel.draw(found, kind, units)).into() }
 }
 
-/// A quantity over the mean pressure.
+/// A quantity over the load.
 struct LoadPanel {
     title: &'static str,
     label: &'static str,
@@ -61,13 +58,8 @@ struct LoadPanel {
 }
 
 impl LoadPanel {
-    fn draw(&self, found: &[&Observables], units: Units) -> Panel {
-        let highest = found.iter().map(|it| it.mean_pressure).fold(0.0, f64::max);
-        let (unit, size) = unit(units.pascals, &PRESSURES, highest);
-        let (name, load): (_, &dyn Fn(&Observables) -> f64) = match units.pascals {
-            true => (label("mean pressure", unit), &|it| it.mean_pressure / size),
-            false => ("p*".into(), &|it| it.reduced_pressure),
-        };
+    fn draw(&self, found: &[&Observables], kind: Load, units: Units) -> Panel {
+        let (name, load) = load_axis(found, kind, units);
         let loads = range(found.iter().map(|it| load(it)));
         let resolved = |it: &&Observables| {
             let value = (self.resolved)(it).unwrap_or(f64::NAN);
@@ -91,15 +83,33 @@ impl LoadPanel {
         panel
     }
 
-    /// The axis upwards: of the values alone if it is logarithmic, else from 0 to the end of all error bars.
+    /// The axis upwards, to the ends of all error bars; a linear one begins at 0.
     fn axis<'a>(&self, dots: impl Iterator<Item = &'a Dot>) -> Axis {
         if self.is_logarithmic {
-            let [low, high] = range(dots.map(|dot| dot.y).filter(|y| *y > 0.0));
+            let ends = dots.flat_map(|dot| [dot.y - dot.spread, dot.y, dot.y + dot.spread]);
+            let [low, high] = range(ends.filter(|y| *y > 0.0));
             return Axis::log(self.label, [low / 1.2, high * 1.2]);
         }
         let ends = dots.flat_map(|dot| [dot.y - dot.spread, dot.y + dot.spread]);
         Axis::linear(self.label, wider(range(ends.chain([0.0]))))
     }
+}
+
+/// The name of the load, and its number of a contact in the unit of the name.
+fn load_axis(found: &[&Observables], kind: Load, units: Units) -> (String, impl Fn(&Observables) -> f64) {
+    let (name, of): (_, fn(&Observables) -> f64) = match kind {
+        Load::ReducedPressure(_) => ("p*", |it| it.reduced_pressure),
+        Load::MeanGap(_) => ("mean gap", |it| it.mean_gap),
+        Load::Approach(_) => ("approach", |it| it.approach),
+        Load::MeanPressure(_) | Load::Force(_) => ("mean pressure", |it| it.mean_pressure),
+    };
+    let highest = found.iter().map(|it| of(it)).fold(0.0, f64::max);
+    let (unit, size) = match kind {
+        Load::ReducedPressure(_) => ("", 1.0),
+        Load::MeanGap(_) | Load::Approach(_) => unit(units.metres, &LENGTHS, highest),
+        Load::MeanPressure(_) | Load::Force(_) => unit(units.pascals, &PRESSURES, highest),
+    };
+    (label(name, unit), move |it| of(it) / size)
 }
 
 /// The rigid surface above the solid along a line.
@@ -115,34 +125,44 @@ fn profile(contact: &Contact, units: Units) -> Panel {
     panel
 }
 
-/// The outline of the contact of a surface.
-fn outline(contact: &Contact, units: Units) -> Panel {
-    let grid = contact.problem.surface().grid();
-    let ([dy, dx], x) = (grid.spacing(), positions(contact, units));
-    let end = |[row, column]: [f64; 2]| Dot::at(column * dx / x.size, row * dy / x.size);
-    let gap = Dot::at(f64::NAN, f64::NAN);
-    let lines = contact.edges().contour().into_iter().flat_map(|[a, b]| [end(a), end(b), gap]);
-    let mut panel = Panel::new(
-        "outline of the contact",
-        x.axis(),
-        Axis::linear(label("y", x.unit), [0.0, grid.size()[0] / x.size]),
-    );
-    panel.add("", Colour::ORANGE, Mark::Line, lines.collect::<Vec<_>>());
-    panel
+/// The pressure of a surface; where there is none, the map is white.
+fn map_of_pressure(contact: &Contact, units: Units) -> Panel {
+    let highest = contact.max_pressure();
+    let (unit, size) = unit(units.pascals, &PRESSURES, highest);
+    let value = |p: f64| if p > 0.0 { p / size } else { f64::NAN };
+    let scale = Axis::linear(label("pressure", unit), [0.0, highest / size]);
+    map("pressure", contact, &contact.pressure.mapv(value), f64::max, scale, units)
 }
 
-/// The pressure along the row of the highest one.
+/// The gap of a surface.
+fn map_of_gap(contact: &Contact, units: Units) -> Panel {
+    let widest = contact.gap.iter().copied().fold(0.0, f64::max);
+    let (unit, size) = unit(units.metres, &LENGTHS, widest);
+    let scale = Axis::linear(label("gap", unit), [0.0, (widest / size).max(f64::MIN_POSITIVE)]);
+    map("gap", contact, &contact.gap.mapv(|gap| gap / size), f64::min, scale, units)
+}
+
+/// A field of a surface in colours. Of several nodes at a pixel it shows the value that `pick` leaves of them.
+fn map(title: &str, contact: &Contact, field: &Field, pick: fn(f64, f64) -> f64, scale: Axis, units: Units) -> Panel {
+    let (grid, x) = (contact.problem.surface().grid(), positions(contact, units));
+    let nodes = grid.shape().map(|points| points.div_ceil(PIXELS));
+    let pixels = field.exact_chunks((nodes[0], nodes[1])).into_iter();
+    let values = pixels.map(|nodes| nodes.iter().copied().reduce(pick).unwrap_or(f64::NAN)).collect();
+    let shape = [0, 1].map(|axis| grid.shape()[axis] / nodes[axis]);
+    let lengths = [0, 1].map(|axis| (shape[axis] * nodes[axis]) as f64 * grid.spacing()[axis] / x.size);
+    let axes =
+        [Axis::linear(label("x", x.unit), [0.0, lengths[1]]), Axis::linear(label("y", x.unit), [0.0, lengths[0]])];
+    let [x_axis, y_axis] = axes;
+    Panel { map: Some(Map { shape, values, scale }), ..Panel::new(title, x_axis, y_axis) }
+}
+
+/// The pressure along a line.
 fn pressure(contact: &Contact, units: Units) -> Panel {
     let highest = contact.max_pressure();
-    let row = contact.pressure.rows().into_iter().position(|row| row.iter().any(|p| *p == highest)).unwrap_or(0);
-    let pressure = contact.pressure.row(row).to_vec();
+    let pressure = contact.pressure.row(0).to_vec();
     let (x, (unit, size)) = (positions(contact, units), unit(units.pascals, &PRESSURES, highest));
-    let title = match contact.problem.surface().grid().is_line() {
-        true => "pressure".into(),
-        false => format!("pressure along row {row}"),
-    };
-    let y = Axis::linear(label("p", unit), [0.0, (1.0 + ROOM) * highest / size]);
-    let mut panel = Panel::new(title, x.axis(), y);
+    let y = Axis::linear(label("pressure", unit), [0.0, (1.0 + ROOM) * highest / size]);
+    let mut panel = Panel::new("pressure", x.axis(), y);
     panel.add("", Colour::ORANGE, Mark::Line, x.dots(&pressure, f64::max, size));
     panel
 }
@@ -177,17 +197,6 @@ impl NodePositions {
         };
         values.chunks(nodes).enumerate().map(dot).collect()
     }
-}
-
-/// The name of the largest unit that is not larger than a value, and its size; none of unknown units.
-pub fn unit(is_known: bool, units: &[(&'static str, f64)], value: f64) -> (&'static str, f64) {
-    let fits = |unit: &&(&str, f64)| value.abs() >= unit.1;
-    if is_known { *units.iter().find(fits).unwrap_or(&units[units.len() - 1]) } else { ("", 1.0) }
-}
-
-/// The name of an axis with its unit, if there is one.
-pub fn label(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.into() } else { format!("{name} / {unit}") }
 }
 
 /// The least and the largest of the finite values, or two values around the only one.

@@ -26,6 +26,7 @@ use asperity::error::{FileError, HistoryError, SetupError};
 use asperity::files::{check_apart, write_beside};
 use asperity::flow::Leakage;
 use asperity::job::{Job, JobRun, Solved, write_nodes};
+use asperity::plot::write_figure;
 use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable};
 use asperity::study::LoadCurve;
 use clap::Args;
@@ -233,7 +234,7 @@ impl Solve {
         }
         let units = self.scene.units(&setup.surface);
         if let Some(path) = outputs.picture() {
-            picture::write(path, &picture::of_contact(&subject.title, contact, units))?;
+            write_figure(path, &picture::of_contact(&subject.title, contact, units), &outputs.style()?)?;
         }
         if let Some(path) = &outputs.stress {
             stress::write(path, &full, contact, outputs.stress_row)?;

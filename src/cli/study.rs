@@ -2,6 +2,7 @@
 
 use super::choice::{bytes, count};
 use super::exit_status::{ExitStatus, Usage, usage};
+use super::figure_args::FigureArgs;
 use super::interrupt::when_interrupted;
 use super::progress::blank;
 use super::study_row;
@@ -62,6 +63,8 @@ pub struct Study {
     dry_run: bool,
     #[command(flatten)]
     output: StudyOutput,
+    #[command(flatten)]
+    figure: FigureArgs,
     /// Record the steps of the row with this number, instead of solving the study
     #[arg(long, value_name = "ROW", requires = "record", conflicts_with_all = ["shard", "out", "dry_run", "fresh", "json", "strict"])]
     record_row: Option<usize>,
@@ -78,6 +81,7 @@ impl Study {
             return study_row::record(&plan, row, path);
         }
         let campaign = self.campaign();
+        let style = self.figure.style(campaign.shard == Shard::WHOLE)?;
         if self.dry_run {
             write_expenses(&plan, &campaign, &mut stdout())?;
             return Ok(ExitStatus::Done);
@@ -98,7 +102,7 @@ impl Study {
             false => StudySummary::of_share(&plan, table.path(), &points),
         };
         if campaign.shard == Shard::WHOLE {
-            plan.write_views(table.path(), &points)?.iter().for_each(|path| wrote(path));
+            plan.write_views(table.path(), &points, &style)?.iter().for_each(|path| wrote(path));
         }
         wrote(table.path());
         summary.finish(&plan, &self.output)
@@ -185,12 +189,15 @@ pub struct Merge {
     out: Option<PathBuf>,
     #[command(flatten)]
     output: StudyOutput,
+    #[command(flatten)]
+    figure: FigureArgs,
 }
 
 impl Merge {
     pub fn run(&self) -> Result<ExitStatus> {
         let plan = Plan::read(&self.study)?;
         let path = table_of(&self.study, self.out.as_deref())?;
+        let style = self.figure.style(true)?;
         if let Some(share) =
             self.shares.iter().find(|share| !share.is_file() && !share.with_extension("unfinished").is_file())
         {
@@ -206,7 +213,7 @@ impl Merge {
         let points = plan.merge(&tables)?;
         let all: Vec<usize> = (0..plan.realisations()).collect();
         plan.finish(&merged, &all, &points)?;
-        plan.write_views(&path, &points)?.iter().for_each(|path| wrote(path));
+        plan.write_views(&path, &points, &style)?.iter().for_each(|path| wrote(path));
         wrote(&path);
         StudySummary::of_all(&plan, &path, &points).finish(&plan, &self.output)
     }

@@ -2,9 +2,9 @@
 
 use super::choice::choice;
 use super::exit_status::{ExitStatus, usage};
+use super::figure_args::FigureArgs;
 use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
-use super::picture;
 use super::problem_summary::along_axes;
 use super::survey;
 use super::survey_picture::of_survey;
@@ -17,6 +17,7 @@ use anyhow::Result;
 use asperity::Grid;
 use asperity::error::FileError;
 use asperity::files::{check_apart, check_named};
+use asperity::plot::{FIGURES, is_figure, write_figure};
 use asperity::record::record_survey;
 use asperity::seen::capital;
 use asperity::setup::{Cost, Recipe};
@@ -43,7 +44,7 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: SceneArgs<OfSurface>,
-    /// Write the heights in metres (.npy, .sdf, .x3p or .xyz), or a picture of them, of their artefacts and of their spectrum (.svg or .png)
+    /// Write the heights in metres (.npy, .sdf, .x3p or .xyz), or a picture of them, of their artefacts and of their spectrum (.svg, .pdf or .png)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer
@@ -64,6 +65,8 @@ pub struct Describe {
     /// Print one JSON object instead of a table
     #[arg(long, help_heading = "Output")]
     json: bool,
+    #[command(flatten)]
+    figure: FigureArgs,
 }
 
 /// The statistics of a surface as they are printed.
@@ -133,7 +136,7 @@ struct HeightStatistics {
 impl Describe {
     pub fn run(&self) -> Result<ExitStatus> {
         if let Some(path) = &self.out {
-            check_named(path, &Scan::endings().into_iter().chain(PICTURES).collect::<Vec<_>>())?;
+            check_named(path, &Scan::endings().into_iter().chain(FIGURES).collect::<Vec<_>>())?;
         }
         if let Some(path) = &self.record {
             check_named(path, &["rrd"])?;
@@ -141,6 +144,7 @@ impl Describe {
         if let Some(path) = &self.psd {
             check_named(path, &["csv"])?;
         }
+        let style = self.figure.style(self.out.as_deref().is_some_and(is_figure))?;
         let table = self.scene.table()?;
         let written = self.out.iter().chain(&self.psd).chain(&self.record);
         check_apart(written, self.scene.files(&table))?;
@@ -153,7 +157,7 @@ impl Describe {
         let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?, units)?;
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
-        let mut heights = self.out.iter().filter(|path| !is_picture(path));
+        let mut heights = self.out.iter().filter(|path| !is_figure(path));
         heights.try_for_each(|path| statistics.check_unit(&recipe, path))?;
         if let Some(path) = &self.record {
             statistics.record(path, &recipe, &height, grid)?;
@@ -163,10 +167,10 @@ impl Describe {
             write_psd(path, self.psd_convention, &Surface::new(grid, height.clone())?)?;
         }
         match &self.out {
-            Some(path) if is_picture(path) => {
+            Some(path) if is_figure(path) => {
                 let survey = statistics.survey.as_ref().expect("heights have a survey");
                 let title = recipe.title(&grid);
-                picture::write(path, &of_survey(&title, &scan(height, &grid), survey, statistics.units))?;
+                write_figure(path, &of_survey(&title, &scan(height, &grid), survey, statistics.units), &style)?;
             }
             Some(path) => scan(height, &grid).write(path)?,
             None => {}
@@ -247,13 +251,6 @@ fn write_psd(path: &Path, convention: Option<SpectrumConvention>, surface: &Surf
 fn scan(height: Field, grid: &Grid) -> Scan {
     let (points, size) = ([height.nrows(), height.ncols()], grid.size());
     Scan { height, spacing: [0, 1].map(|axis| size[axis] / points[axis] as f64) }
-}
-
-/// Endings of the names of pictures.
-const PICTURES: [&str; 2] = ["svg", "png"];
-
-fn is_picture(path: &Path) -> bool {
-    path.extension().is_some_and(|given| PICTURES.iter().any(|ending| given.eq_ignore_ascii_case(ending)))
 }
 
 impl Origin {

@@ -1,8 +1,8 @@
 //! The picture of a survey: the heights with their artefacts, and their power spectrum.
 
-use super::picture::{label, range, unit, wider};
+use super::picture::{range, wider};
 use super::units::Units;
-use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
+use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, label, unit};
 use asperity::quantity::LENGTHS;
 use asperity::surface::{Artefacts, Detrend, Scan, Survey};
 use std::f64::consts::{PI, TAU};

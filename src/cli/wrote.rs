@@ -16,7 +16,7 @@ fn opened(path: &Path) -> String {
         Some("sdf" | "x3p" | "xyz") => format!("asperity surface {word}"),
         Some("toml") => format!("asperity solve {word}"),
         Some("npy" | "npz") => format!("numpy.load({name:?}) in Python"),
-        Some("png" | "svg") => "a picture".into(),
+        Some("png" | "svg" | "pdf") => "a picture".into(),
         Some("parquet") => format!("pandas.read_parquet({name:?}) in Python"),
         Some("csv") => format!("pandas.read_csv({name:?}) in Python, or any spreadsheet"),
         _ => "a folder of tables, figures and recordings".into(),

@@ -92,6 +92,11 @@ impl Axis {
         self.powers(1, digits).into_iter().map(|(value, ..)| value).collect()
     }
 
+    /// Whether it can have these limits.
+    pub(super) fn holds_limits(&self, [low, _]: [f64; 2]) -> bool {
+        self.scale == AxisScale::Linear || low > 0.0
+    }
+
     fn is_drawable(&self) -> bool {
         let [start, end] = self.range.map(|end| self.place(end));
         start == 0.0 && end == 1.0 && self.range.iter().all(|end| end.is_finite())
@@ -137,6 +142,17 @@ impl Axis {
             .map(|i| (i as f64 * step, linear_label(i as f64 * step, low.abs().max(high.abs()), exponent)))
             .collect()
     }
+}
+
+/// The name of the largest unit that is not larger than a value, and its size; none of unknown units.
+pub fn unit(is_known: bool, units: &[(&'static str, f64)], value: f64) -> (&'static str, f64) {
+    let fits = |unit: &&(&str, f64)| value.abs() >= unit.1;
+    if is_known { *units.iter().find(fits).unwrap_or(&units[units.len() - 1]) } else { ("", 1.0) }
+}
+
+/// The name of an axis with its unit, if there is one.
+pub fn label(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.into() } else { format!("{name} / {unit}") }
 }
 
 fn times_ten(digit: u8, exponent: i32) -> f64 {

@@ -2,6 +2,7 @@
 
 use super::axis::Axis;
 use super::colour::Colour;
+use super::map::Map;
 use super::mark::Mark;
 
 /// Panels side by side, two in a row.
@@ -22,6 +23,8 @@ pub struct Panel {
     pub x: Axis,
     /// Axis upwards.
     pub y: Axis,
+    /// A field below the series, which gives the panel the proportions of its axes.
+    pub map: Option<Map>,
     /// Series, the later over the earlier.
     pub series: Vec<Series>,
 }
@@ -29,7 +32,7 @@ pub struct Panel {
 impl Panel {
     /// A panel without series.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Self { title: title.into(), x, y, series: Vec::new() }
+        Self { title: title.into(), x, y, map: None, series: Vec::new() }
     }
 
     /// Adds a series.

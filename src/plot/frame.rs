@@ -18,11 +18,12 @@ pub struct AxesFrame {
     pub text: f64,
 }
 
-/// A side of the box with an axis: the x axis below, the y axis to the left.
+/// A side of the box with an axis: the x axis below, the y axis to the left or to the right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisSide {
     Below,
     Left,
+    Right,
 }
 
 /// Width of the lines of box and ticks.
@@ -66,6 +67,7 @@ impl AxesFrame {
         let (axis, align, distances, room) = match side {
             AxisSide::Below => (&self.x, Align::Middle, [1.2, 2.87], self.size[0]),
             AxisSide::Left => (&self.y, Align::Right, [0.6, 4.8], self.size[1]),
+            AxisSide::Right => (&self.y, Align::Left, [0.6, 4.8], self.size[1]),
         };
         let tick =
             |place, length, width| (vec![self.beside(side, place, 0.0), self.beside(side, place, length)], width);
@@ -77,7 +79,7 @@ impl AxesFrame {
         ticks.extend(axis.minor_ticks().into_iter().map(|value| tick(edge(axis, value), MINOR_TICK, 1.0)));
         ticks.into_iter().for_each(|(points, width)| sheet.line(points, Colour::GREY, width));
         let name = self.beside(side, 0.5, distances[1]);
-        sheet.fitted_words(&axis.name, name, NAME * self.text, room, side == AxisSide::Left);
+        sheet.fitted_words(&axis.name, name, NAME * self.text, room, side != AxisSide::Below);
     }
 
     /// The places and labels along a side: those of all ticks, or of every second, third and so on, so that neighbours are apart.
@@ -88,7 +90,7 @@ impl AxesFrame {
         let length = |label: &str| if side == AxisSide::Below { width(label, self.text) } else { self.text };
         let (room, apart) = match side {
             AxisSide::Below => (self.size[0], APART[0] * self.text),
-            AxisSide::Left => (self.size[1], APART[1] * self.text),
+            AxisSide::Left | AxisSide::Right => (self.size[1], APART[1] * self.text),
         };
         let is_legible = |stride: &usize| {
             let shown: Vec<&(f64, String)> = all.iter().step_by(*stride).collect();
@@ -103,9 +105,16 @@ impl AxesFrame {
 
     /// The position at `place` along a side and `out` sizes of a label outside the box.
     fn beside(&self, side: AxisSide, place: f64, out: f64) -> [f64; 2] {
-        let places = if side == AxisSide::Below { [place, 0.0] } else { [0.0, place] };
-        let [x, y] = self.position(places);
-        if side == AxisSide::Below { [x, y + out * self.text] } else { [x - out * self.text, y] }
+        let out = out * self.text;
+        let at = |places, [right, down]: [f64; 2]| {
+            let [x, y] = self.position(places);
+            [x + right, y + down]
+        };
+        match side {
+            AxisSide::Below => at([place, 0.0], [0.0, out]),
+            AxisSide::Left => at([0.0, place], [-out, 0.0]),
+            AxisSide::Right => at([1.0, place], [out, 0.0]),
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::font::width;
 use super::frame::AxesFrame;
 use super::series::{draw_line, draw_symbol};
 use super::sheet::{Align, Element, Sheet, rectangle};
+use super::style::LegendPlace;
 
 const TEXT: f64 = 14.0;
 /// Height of a line.
@@ -25,14 +26,14 @@ const PLACES: [[f64; 2]; 9] =
     [[1.0, 0.0], [1.0, 1.0], [0.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 1.0], [1.0, 0.5], [0.0, 0.5], [0.5, 0.5]];
 
 /// Draws the legend of `panel` where it hides least of its `frame`, whose series are the elements from number `first` on.
-pub fn draw_legend(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel, first: usize) {
+pub fn draw_legend(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel, first: usize, legend: LegendPlace) {
     let named: Vec<&Series> = panel.series.iter().filter(|series| !series.name.is_empty()).collect();
-    if named.is_empty() {
+    if named.is_empty() || legend == LegendPlace::None {
         return;
     }
     let widest = named.iter().map(|series| width(&series.name, TEXT)).fold(0.0, f64::max);
     let size = [3.0 * PADDING + SAMPLE + widest, 2.0 * PADDING + ROW * named.len() as f64];
-    let (scale, [left, top]) = place(frame, size, &sheet.elements[first..]);
+    let (scale, [left, top]) = place(frame, size, &sheet.elements[first..], legend);
     let corners = rectangle([left, top], size.map(|length| scale * length));
     sheet.edge(&corners, Colour::PALE, 1.0);
     sheet.shape(corners, Colour::WHITE, OPACITY);
@@ -45,11 +46,19 @@ pub fn draw_legend(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel, first: u
 }
 
 /// The scale and the top left corner of a legend that hides least of `marks`.
-fn place(frame: &AxesFrame, size: [f64; 2], marks: &[Element]) -> (f64, [f64; 2]) {
+fn place(frame: &AxesFrame, size: [f64; 2], marks: &[Element], legend: LegendPlace) -> (f64, [f64; 2]) {
     let room = |scale: f64| [0, 1].map(|axis| frame.size[axis] - 2.0 * MARGIN - scale * size[axis]);
     let corner =
         |scale, place: [f64; 2]| [0, 1].map(|axis| frame.corner[axis] + MARGIN + place[axis] * room(scale)[axis]);
-    let choices = SCALES.into_iter().flat_map(|scale| PLACES.map(|place| (scale, corner(scale, place))));
+    let places = match legend {
+        LegendPlace::Auto | LegendPlace::None => &PLACES[..],
+        LegendPlace::TopRight => &PLACES[..1],
+        LegendPlace::BottomRight => &PLACES[1..2],
+        LegendPlace::TopLeft => &PLACES[2..3],
+        LegendPlace::BottomLeft => &PLACES[3..4],
+    };
+    let at = |scale| places.iter().map(move |place| (scale, corner(scale, *place)));
+    let choices = SCALES.into_iter().filter(|scale| legend == LegendPlace::Auto || *scale == 1.0).flat_map(at);
     let hidden = |(scale, corner): &(f64, [f64; 2])| {
         marks.iter().map(|mark| hidden(mark, *corner, size.map(|length| scale * length))).sum::<f64>()
     };

@@ -1,4 +1,4 @@
-//! Figures as data, drawn once as lines, shapes and words on a sheet, and written as SVG and PNG.
+//! Figures as data, drawn once as lines, shapes and words on a sheet, and written as SVG, PNG and PDF.
 //!
 //! ```
 //! use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, write_svg};
@@ -21,18 +21,22 @@ mod figure;
 mod font;
 mod frame;
 mod legend;
-#[cfg(feature = "record")]
 mod letters;
+mod map;
 mod mark;
+mod pdf;
 mod series;
 mod sheet;
+mod style;
 mod svg;
 
-pub use axis::{Axis, AxisScale};
+pub use axis::{Axis, AxisScale, label, unit};
 pub use colour::Colour;
 pub use figure::{Dot, Figure, Panel, Series};
+pub use map::Map;
 pub use mark::{Mark, Symbol};
-pub use svg::{write_png, write_svg};
+pub use style::{FigureStyle, LegendPlace};
+pub use svg::{FIGURES, is_figure, write_figure, write_png, write_svg};
 #[cfg(feature = "record")]
 pub(crate) use {
     clip::dashes,

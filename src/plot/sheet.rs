@@ -21,6 +21,21 @@ pub enum Element {
     Shape { corners: Vec<[f64; 2]>, colour: Colour, opacity: f64 },
     /// One line of black words that runs to the right or upwards; its part `align`, half-way up the letters, stands at `at`.
     Words { words: String, at: [f64; 2], size: f64, align: Align, upwards: bool },
+    /// A picture of pixels.
+    Image(Image),
+}
+
+/// A rectangle of pixels.
+#[derive(Debug, PartialEq)]
+pub struct Image {
+    /// Top left corner.
+    pub corner: [f64; 2],
+    /// Width and height on the sheet.
+    pub size: [f64; 2],
+    /// Rows and columns of pixels.
+    pub shape: [usize; 2],
+    /// Pixels, row by row from the top.
+    pub pixels: Vec<Colour>,
 }
 
 /// A part of a line of words.
@@ -40,6 +55,11 @@ impl Sheet {
     /// Adds a shape.
     pub fn shape(&mut self, corners: Vec<[f64; 2]>, colour: Colour, opacity: f64) {
         self.elements.push(Element::Shape { corners, colour, opacity });
+    }
+
+    /// Adds a picture.
+    pub fn image(&mut self, image: Image) {
+        self.elements.push(Element::Image(image));
     }
 
     /// Adds a line around a shape.

@@ -1,10 +1,10 @@
 //! The figure of a study with adhesion: what holds the surfaces together, against what is varied.
 
-use super::drawing::{COLOURS, MOST, SYMBOLS};
+use super::drawing::{MOST, look};
 use super::plan::Plan;
 use super::point::Point;
 use super::spread::Spread;
-use crate::plot::{Axis, Dot, Figure, Mark, Panel};
+use crate::plot::{Axis, Dot, Figure, Panel};
 use crate::setup::Scalar;
 use std::collections::BTreeMap;
 
@@ -42,8 +42,8 @@ impl Plan {
             let x = Axis::linear(name.clone(), [places[0] - margin, places[1] + margin]);
             let mut panel = Panel::new(title, x, Axis::linear(symbol, [0.0, top]));
             for (i, (label, dots)) in series.into_iter().enumerate() {
-                let symbol = SYMBOLS[i / COLOURS.len() % SYMBOLS.len()];
-                panel.add(label, COLOURS[i % COLOURS.len()], Mark::Joined { symbol, filled: true }, dots);
+                let (colour, mark) = look(i);
+                panel.add(label, colour, mark, dots);
             }
             panel
         };

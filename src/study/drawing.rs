@@ -3,16 +3,24 @@
 use super::means::{LoadMeans, SeedMean};
 use super::plan::Plan;
 use super::point::Point;
-use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
+use crate::contact::Load;
+use crate::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, label, unit};
+use crate::quantity::{LENGTHS, PRESSURES};
 
 /// Largest number of curves; more cannot be distinguished.
 pub(super) const MOST: usize = 12;
-pub(super) const COLOURS: [Colour; 6] =
+const COLOURS: [Colour; 6] =
     [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];
-pub(super) const SYMBOLS: [Symbol; 2] = [Symbol::Circle, Symbol::Square];
+const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
+
+/// The colour and the symbol of a curve: neighbours differ in both, and of [`MOST`] curves no two have both in common.
+pub(super) fn look(curve: usize) -> (Colour, Mark) {
+    let symbol = SYMBOLS[curve % SYMBOLS.len()];
+    (COLOURS[curve % COLOURS.len()], Mark::Joined { symbol, filled: true })
+}
 
 impl Plan {
-    /// The figure of all `points` of the study: area and `kappa_r` against the reduced pressure, with one curve for
+    /// The figure of all `points` of the study: area and `kappa_r` against the load as it was prescribed, with one curve for
     /// each combination of values. The mean is over the seeds, and bars show the standard deviation of single
     /// realisations plus the error of the grid. Points that did not converge or are not resolved are left out. At most twelve curves are drawn.
     ///
@@ -23,43 +31,74 @@ impl Plan {
         }
         let all = self.means(points);
         let curves: Vec<&[LoadMeans]> = all.chunks(self.loads().len()).take(MOST).collect();
+        let loads = LoadPlaces::new(self.loads(), self.units());
         let area = panel(
             "relative contact area",
-            &curves,
+            (&curves, &loads),
             |it| it.relative_area,
-            |[low, high]| Axis::log("a_rel", [low / 1.5, high * 1.5]),
+            |[low, high]| Axis::log("aᵣₑₗ", [low / 1.2, high * 1.2]),
         );
         let kappa_r = panel(
-            "κ_r",
-            &curves,
+            "area per load, with the rms gradient in contact",
+            (&curves, &loads),
             |it| it.kappa_r,
             |[low, high]| {
-                let margin = (0.15 * (high - low)).max(0.02 * high);
-                Axis::linear("κ_r", [low - margin, high + margin])
+                let margin = (0.06 * (high - low)).max(0.02 * high);
+                Axis::linear("κᵣ", [low - margin, high + margin])
             },
         );
+        // the legend of the first panel is that of both
+        let mut kappa_r = kappa_r;
+        kappa_r.series.iter_mut().for_each(|series| series.name.clear());
         let title = format!("{title}: means, with bars of standard deviation plus error of the grid");
         Figure { title, panels: vec![area, kappa_r] }
     }
 }
 
-/// A panel of the means of a quantity, with a curve for each combination of values.
+/// The load along the x axis, as it was prescribed: its name, and its value under the load of a number from 0.
+struct LoadPlaces {
+    name: String,
+    /// The loads, if they are no reduced pressures.
+    values: Option<Vec<f64>>,
+}
+
+impl LoadPlaces {
+    fn new(loads: &[Load], [in_metres, in_pascals]: [bool; 2]) -> Self {
+        let largest = loads.iter().map(Load::value).fold(0.0, f64::max);
+        let (kind, (unit, size)) = match loads.first() {
+            None | Some(Load::ReducedPressure(_)) => return Self { name: "p*".into(), values: None },
+            Some(kind @ Load::MeanPressure(_)) => (kind, unit(in_pascals, &PRESSURES, largest)),
+            Some(kind @ (Load::MeanGap(_) | Load::Approach(_))) => (kind, unit(in_metres, &LENGTHS, largest)),
+            Some(kind @ Load::Force(_)) => (kind, ("", 1.0)),
+        };
+        let values = loads.iter().map(|load| load.value() / size).collect();
+        Self { name: label(kind.name(), unit), values: Some(values) }
+    }
+
+    fn of(&self, means: &LoadMeans) -> f64 {
+        self.values.as_ref().map_or(means.reduced_pressure, |values| values[means.load_number - 1])
+    }
+}
+
+/// A panel of the means of a quantity, with a curve for each combination of values. All error bars are within its axes; one that reaches to 0 on a
+/// logarithmic axis is cut.
 fn panel(
     title: &str,
-    curves: &[&[LoadMeans]],
+    (curves, loads): (&[&[LoadMeans]], &LoadPlaces),
     of: fn(&LoadMeans) -> SeedMean,
     axis: impl FnOnce([f64; 2]) -> Axis,
 ) -> Panel {
     let means = || curves.iter().copied().flatten();
-    let pressures = ends(means().map(|it| it.reduced_pressure));
-    let x = Axis::log("p*", [pressures[0] / 1.3, pressures[1] * 1.3]);
-    let mut panel = Panel::new(title, x, axis(ends(means().map(|it| of(it).mean))));
+    let places = ends(means().map(|it| loads.of(it)));
+    let x = Axis::log(loads.name.clone(), [places[0] / 1.3, places[1] * 1.3]);
+    let bars = means().map(of).flat_map(|it| [it.mean - it.bar(), it.mean, it.mean + it.bar()]);
+    let mut panel = Panel::new(title, x, axis(ends(bars)));
     for (i, curve) in curves.iter().enumerate() {
-        let dot = |it: &LoadMeans| Dot { x: it.reduced_pressure, y: of(it).mean, spread: of(it).bar() };
-        let symbol = SYMBOLS[i / COLOURS.len() % SYMBOLS.len()];
+        let dot = |it: &LoadMeans| Dot { x: loads.of(it), y: of(it).mean, spread: of(it).bar() };
         let label = curve.first().map_or("", |it| &it.values);
         let dots = curve.iter().filter(|it| of(it).count > 0).map(dot);
-        panel.add(label, COLOURS[i % COLOURS.len()], Mark::Joined { symbol, filled: true }, dots);
+        let (colour, mark) = look(i);
+        panel.add(label, colour, mark, dots);
     }
     panel
 }

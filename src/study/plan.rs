@@ -6,6 +6,7 @@ use super::shard::Shard;
 use crate::contact::{Law, Load};
 use crate::error::{SetupError, StudyError};
 use crate::files::read_text_bytes;
+use crate::quantity::{has_length_unit, has_pressure_unit};
 use crate::setup::{ParameterAxis, Setup, SetupTable};
 use std::path::{Path, PathBuf};
 
@@ -49,6 +50,8 @@ pub struct Plan {
     first: Setup,
     /// The files that it names.
     files: Vec<PathBuf>,
+    /// Whether its lengths are metres, and its pressures pascals, since they have units.
+    units: [bool; 2],
     /// The text that it was read from, to name lines of.
     text: String,
 }
@@ -103,6 +106,8 @@ impl Plan {
         table.check_idle().and_then(|()| table.check_units()).map_err(located)?;
         table.check_force_units().map_err(located)?;
         let files = table.files();
+        let has = |is_unit: fn(&str) -> bool| table.texts().into_iter().any(is_unit);
+        let units = [has(has_length_unit), has(has_pressure_unit)];
         let loads = table.take_loads().map_err(located)?;
         let axes = table.take_axes().map_err(located)?;
         let first = table.clone().setup().map_err(located)?;
@@ -120,7 +125,12 @@ impl Plan {
         }
         axes.iter().try_for_each(|axis| axis.check_varied()).map_err(located)?;
         let realisations = rows as usize / loads.len();
-        Ok(Self { table, axes, realisations, first, loads, files, text: text.into() })
+        Ok(Self { table, axes, realisations, first, loads, files, units, text: text.into() })
+    }
+
+    /// Whether its lengths are metres, and its pressures pascals.
+    pub(super) fn units(&self) -> [bool; 2] {
+        self.units
     }
 
     /// Whether each row is the history of a setup with adhesion.

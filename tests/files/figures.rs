@@ -1,7 +1,9 @@
 //! Figures: what is drawn, read back from the files, and the ticks of axes.
 
 use asperity::error::FileError;
-use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, write_png, write_svg};
+use asperity::plot::{
+    Axis, Colour, Dot, Figure, FigureStyle, LegendPlace, Map, Mark, Panel, Symbol, write_figure, write_png, write_svg,
+};
 use resvg::tiny_skia::Pixmap;
 use std::path::Path;
 
@@ -238,4 +240,122 @@ fn a_range_that_is_empty_or_not_finite_has_no_ticks() {
     }
     assert!(!Axis::log("x", [1e-308, 1e308]).ticks().is_empty());
     assert!(Axis::linear("x", [1.0, 1.0 + 4.0 * f64::EPSILON]).ticks().len() < 20);
+}
+
+/// A figure in a style, by the ending of its name.
+fn styled(name: &str, figure: &Figure, style: &FigureStyle) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    write_figure(&path, figure, style).unwrap();
+    std::fs::read(path).unwrap()
+}
+
+/// The number behind a word of a text.
+fn after(text: &str, word: &str) -> f64 {
+    let rest = &text[text.find(word).unwrap_or_else(|| panic!("no {word} in {text}")) + word.len()..];
+    rest[..rest.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap()].parse().unwrap()
+}
+
+#[test]
+fn a_figure_has_its_size_on_paper_in_each_format() {
+    let style = FigureStyle { width: Some(0.085), height: Some(0.06), font: Some(7.0), ..FigureStyle::default() };
+    let text = String::from_utf8(styled("figure.svg", &figure(), &style)).unwrap();
+    assert!((after(&text, "width=\"") - 85.0).abs() < 0.1 && (after(&text, "height=\"") - 60.0).abs() < 0.1, "{text}");
+    assert!(text.contains("mm\" viewBox="));
+    // a label of 15 units is 7 points high
+    let unit = 85.0 / after(&text, "viewBox=\"0 0 ");
+    assert!((15.0 * unit / 25.4 * 72.0 - 7.0).abs() < 0.02, "{unit}");
+    for (dpi, width) in [(None, 1004.0), (Some(600.0), 2008.0)] {
+        let pixels =
+            Pixmap::decode_png(&styled("figure.png", &figure(), &FigureStyle { dpi, ..style.clone() })).unwrap();
+        assert!((f64::from(pixels.width()) - width).abs() < 3.0, "{}", pixels.width());
+    }
+    for (dpi, per_metre) in [(300.0, 11811_u32), (600.0, 23622)] {
+        let bytes = styled("figure.png", &figure(), &FigureStyle { dpi: Some(dpi), ..style.clone() });
+        let place = bytes.windows(4).position(|it| it == b"pHYs").unwrap() + 4;
+        assert_eq!(bytes[place..place + 9], [&per_metre.to_be_bytes()[..], &per_metre.to_be_bytes(), &[1]].concat());
+    }
+    let pdf = styled("figure.pdf", &figure(), &style);
+    let head = String::from_utf8_lossy(&pdf);
+    let size: Vec<f64> = head[head.find("/MediaBox [").unwrap() + 11..]
+        .split([' ', ']'])
+        .take(4)
+        .map(|it| it.parse().unwrap())
+        .collect();
+    assert!((size[2] - 85.0 / 25.4 * 72.0).abs() < 0.4 && (size[3] - 60.0 / 25.4 * 72.0).abs() < 0.4, "{size:?}");
+}
+
+#[test]
+fn narrow_figures_have_their_panels_below_each_other() {
+    let text = |width| {
+        let style = FigureStyle { width: Some(width), ..FigureStyle::default() };
+        String::from_utf8(styled("figure.svg", &figure(), &style)).unwrap()
+    };
+    let over = |text: &str| after(text, "height=\"") / after(text, "width=\"");
+    assert!(over(&text(0.085)) > 1.5 && over(&text(0.17)) < 0.6);
+}
+
+#[test]
+fn titles_limits_and_legends_are_those_of_the_style() {
+    let style = FigureStyle {
+        title: Some("another".into()),
+        x: Some([1e-2, 1e2]),
+        y: vec![[-1.0, 1.0], [-3.0, 0.0]],
+        legend: LegendPlace::None,
+        ..FigureStyle::default()
+    };
+    let text = String::from_utf8(styled("figure.svg", &figure(), &style)).unwrap();
+    for (words, times) in
+        [("another", 1), ("both", 0), ("10²", 2), ("10⁻³", 0), ("−1.0", 2), ("−3.0", 1), ("H = 0.8 &lt; 1", 0)]
+    {
+        assert_eq!(text.matches(&format!(">{words}</text>")).count(), times, "{words} in {text}");
+    }
+    // limits that a logarithmic axis cannot have are left out
+    let text = styled("figure.svg", &figure(), &FigureStyle { x: Some([-1.0, 1.0]), ..style });
+    assert!(String::from_utf8(text).unwrap().contains(">10⁻³</text>"));
+    for wrong in [
+        FigureStyle { width: Some(85.0), ..FigureStyle::default() },
+        FigureStyle { font: Some(0.0), ..FigureStyle::default() },
+        FigureStyle { dpi: Some(f64::NAN), ..FigureStyle::default() },
+        FigureStyle { x: Some([1.0, 0.0]), ..FigureStyle::default() },
+    ] {
+        assert!(wrong.check().is_err(), "{wrong:?}");
+    }
+}
+
+/// A field whose values are their places along x, so that each colour stands where it belongs.
+#[test]
+fn a_map_has_the_colours_of_its_bar_and_the_proportions_of_its_axes() {
+    let scale = Axis::linear("pressure / MPa", [0.0, 1.0]);
+    let values = (0..8)
+        .flat_map(|row| (0..16).map(move |column| if row == 0 { f64::NAN } else { (f64::from(column) + 0.5) / 16.0 }));
+    let map = Map { shape: [8, 16], values: values.collect(), scale };
+    let panel =
+        Panel { map: Some(map), ..Panel::new("", Axis::linear("x", [0.0, 2.0]), Axis::linear("y", [0.0, 1.0])) };
+    let figure = Figure { title: String::new(), panels: vec![panel] };
+    let text = svg(&figure);
+    assert_eq!(text.matches("<image ").count(), 2);
+    assert!(text.contains(">pressure / MPa</text>"));
+    let image = &text[text.find("<image ").unwrap()..];
+    let [x, y, width, height] = [" x=\"", " y=\"", " width=\"", " height=\""].map(|word| after(image, word));
+    assert!((width / height - 2.0).abs() < 0.01, "{width} {height}");
+    let pixels = Pixmap::decode_png(&written("figure.png", &figure, write_png)).unwrap();
+    let at = |right: f64, up: f64| {
+        let [column, row] = [2.0 * (x + right * width), 2.0 * (y + (1.0 - up) * height)].map(|it| it as u32);
+        let pixel = pixels.pixel(column, row).unwrap();
+        [pixel.red(), pixel.green(), pixel.blue()]
+    };
+    assert_eq!(at(0.5, 0.03), [255, 255, 255], "the first row is below, and its values are not numbers");
+    let (low, high) = (at(0.02, 0.6), at(0.98, 0.6));
+    assert!(low[2] > low[0] && low[1] < 40 && high[0] > 200 && high[1] > 200 && high[2] < 80, "{low:?} {high:?}");
+    let bar = &text[text.rfind("<image ").unwrap()..];
+    let [left, top, high] = [" x=\"", " y=\"", " height=\""].map(|word| after(bar, word));
+    let of_bar = |share: f64| {
+        let pixel = pixels.pixel((2.0 * (left + 6.0)) as u32, (2.0 * (top + (1.0 - share) * high)) as u32).unwrap();
+        [pixel.red(), pixel.green(), pixel.blue()]
+    };
+    for share in [0.09375, 0.46875, 0.90625] {
+        let apart = at(share, 0.6).into_iter().zip(of_bar(share)).map(|(a, b)| a.abs_diff(b)).max();
+        assert!(apart < Some(12), "{share}: {:?} {:?}", at(share, 0.6), of_bar(share));
+    }
 }

@@ -63,9 +63,11 @@ if TYPE_CHECKING:
 
     from asperity import notebook
     from asperity._asperity import ListOfLoads, Load, Loads, OwnSolver, SolveOptions, Stiffness
+    from asperity.export import load_displacement
     from asperity.notebook import show
     from asperity.page import explore
     from asperity.studies import study
+    from asperity.vtk import to_vtk
 
     Length = Union[float, str]
     """A number, or a text with a unit such as "160 um"."""
@@ -133,12 +135,14 @@ __all__ = [
     "certify",
     "explore",
     "load",
+    "load_displacement",
     "notebook",
     "observables",
     "show",
     "solve",
     "study",
     "theory",
+    "to_vtk",
 ]
 
 
@@ -152,6 +156,10 @@ def __getattr__(name: str) -> Any:
         return import_module("asperity.notebook").show
     if name == "study":
         return import_module("asperity.studies").study
+    if name == "to_vtk":
+        return import_module("asperity.vtk").to_vtk
+    if name == "load_displacement":
+        return import_module("asperity.export").load_displacement
     if name == "__version__":
         return import_module("importlib.metadata").version("asperity-contact")
     raise AttributeError(f"module 'asperity' has no attribute {name!r}")

@@ -63,6 +63,20 @@ def curve_to_xarray(curve: LoadCurve) -> xr.Dataset:
     return xr.Dataset(fields | measures | status, positions, {"setup": curve.setup.to_toml()})
 
 
+def load_displacement(curve: LoadCurve) -> tuple[Any, Any, str]:
+    """The mean pressure over the displacement of the surface, for all boundaries: two arrays, and what the displacement is.
+
+    On a free boundary it is the "approach". On a periodic one, where there is no approach, it is the "mean displacement": how far the mean plane of the
+    rigid surface has moved since its highest peak has touched, which is the height of this peak above the mean less the mean gap.
+    """
+    measures = curve.measures
+    approach = measures.get("approach", np.full(len(curve), np.nan))
+    if np.isfinite(approach).all():
+        return measures["mean_pressure"], approach, "approach"
+    height = curve[0].height
+    return measures["mean_pressure"], np.max(height) - np.mean(height) - measures["mean_gap"], "mean displacement"
+
+
 def history_to_xarray(history: History) -> xr.Dataset:
     """The fields of all states along the dimension `state`, with the numbers as variables."""
     import xarray as xr

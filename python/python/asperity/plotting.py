@@ -34,58 +34,99 @@ def _png(figure: Figure, dpi: float) -> bytes:
     return image.getvalue()
 
 
-def plot_surface(surface: Surface) -> Figure:
+class _Axes:
+    """The units of the axes of a figure: what a number of a problem is divided by, and the names of axes."""
+
+    METRES = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "nm": 1e-9}
+    PASCALS = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}
+
+    def __init__(self, length_unit: str | None, pressure_unit: str | None = None) -> None:
+        self.names = {"length": length_unit, "pressure": pressure_unit}
+        known = {"length": self.METRES, "pressure": self.PASCALS}
+        for kind, unit in self.names.items():
+            if unit is not None and unit not in known[kind]:
+                raise AsperityError(f"{kind}_unit is {unit!r}: give one of {', '.join(known[kind])}")
+        self.sizes = {kind: known[kind][unit] if unit else 1.0 for kind, unit in self.names.items()}
+
+    def values(self, kind: str, values: Any) -> Any:
+        """Values of a kind of quantity in its unit."""
+        return values / self.sizes[kind] if self.sizes.get(kind, 1.0) != 1.0 else values
+
+    def label(self, name: str, kind: str) -> str:
+        """The name of an axis with its unit; where the unit is not known, the words for it."""
+        if kind not in self.names:
+            return name
+        unit = self.names[kind] or f"unit of {kind}"
+        return f"{name} / {unit.replace('um', 'µm')}"
+
+
+def plot_surface(surface: Surface, length_unit: str | None = None) -> Figure:
     """The heights of a line, or a map of the heights of a surface."""
-    figure = _figure(6, 4)
+    figure, units = _figure(6, 4), _Axes(length_unit)
     axes = figure.subplots()
     if surface.height.ndim == 1:
-        axes.plot(surface.x, surface.height)
-        axes.set(xlabel="x", ylabel="height")
+        axes.plot(units.values("length", surface.x), units.values("length", surface.height))
+        axes.set(xlabel=units.label("x", "length"), ylabel=units.label("height", "length"))
     else:
-        _map(axes, surface.height, surface.size, "height")
+        _map(axes, surface.height, surface.size, ("height", "length"), units)
     return figure
 
 
-def plot_contact(contact: Contact) -> Figure:
+def plot_contact(contact: Contact, length_unit: str | None = None, pressure_unit: str | None = None) -> Figure:
     """Surfaces, pressure and traction of a line, or maps of pressure and gap of a surface."""
-    figure = _figure(9, 4)
+    figure, units = _figure(9, 4), _Axes(length_unit, pressure_unit)
     left, right = figure.subplots(1, 2)
     if contact.pressure.ndim == 1:
         near = _near_contact(contact)
-        x, displacement = contact.x[near], contact.displacement[near]
+        x, displacement, gap = (units.values("length", it[near]) for it in (contact.x, contact.displacement, contact.gap))
         # z points up, away from the solid; displacement points into the solid, and so do the peaks
-        left.plot(x, contact.gap[near] - displacement, label="rigid surface")
+        left.plot(x, gap - displacement, label="rigid surface")
         left.plot(x, -displacement, label="solid")
-        left.set(xlabel="x", ylabel="z", title="surfaces")
+        left.set(xlabel=units.label("x", "length"), ylabel=units.label("z", "length"), title="surfaces")
         left.legend()
-        right.plot(x, contact.pressure[near], label="pressure")
-        right.set(xlabel="x", ylabel="pressure", title="pressure")
+        right.plot(x, units.values("pressure", contact.pressure[near]), label="pressure")
+        right.set(xlabel=units.label("x", "length"), ylabel=units.label("pressure", "pressure"), title="pressure")
         if slip := contact.slip:
-            right.plot(x, slip.traction[near], label="traction")
+            right.plot(x, units.values("pressure", slip.traction[near]), label="traction")
             right.legend()
         return figure
     size = contact.problem.surface.size
     pressure = contact.pressure[contact.contact]
     largest = float(np.percentile(pressure, LIGHTEST)) if pressure.size else None
-    _map(left, np.where(contact.contact, contact.pressure, np.nan), size, "pressure, white without contact", largest)
-    _map(right, contact.gap, size, "gap")
+    shown = np.where(contact.contact, contact.pressure, np.nan)
+    _map(left, shown, size, ("pressure", "pressure"), units, "pressure, white without contact", largest)
+    _map(right, contact.gap, size, ("gap", "length"), units)
     return figure
 
 
-def plot_curve(curve: LoadCurve) -> Figure:
-    """Relative contact area, kappa_r and mean gap over the reduced pressure, all with edges between the nodes where they are known."""
-    figure = _figure(12, 4)
+LOADS = {
+    "reduced-pressure": ("reduced_pressure", "p*", ""),
+    "mean-gap": ("mean_gap", "mean gap", "length"),
+    "approach": ("approach", "approach", "length"),
+}
+"""Measure, name and kind of the loads of a curve; all others are shown as mean pressures."""
+
+
+def plot_curve(curve: LoadCurve, length_unit: str | None = None, pressure_unit: str | None = None) -> Figure:
+    """Relative contact area, kappa_r and mean gap over the load as it was prescribed, all with edges between the nodes where they are known."""
+    figure, units = _figure(12, 4), _Axes(length_unit, pressure_unit)
     measures = curve.measures
-    resolved = [("relative_area", "relative contact area"), ("kappa_r", "kappa_r"), ("mean_gap", "mean gap")]
-    for axes, (name, label) in zip(figure.subplots(1, 3), resolved):
-        axes.plot(measures["reduced_pressure"], measures[name], marker=".")
-        axes.set(xscale="log", xlabel="reduced pressure", ylabel=label)
+    prescribed = next(iter(curve.setup.to_dict()["load"]), "")
+    load, name, kind = LOADS.get(prescribed, ("mean_pressure", "mean pressure", "pressure"))
+    resolved = [
+        ("relative_area", r"$a_\mathrm{rel}$", ""), ("kappa_r", r"$\kappa_\mathrm{r}$", ""), ("mean_gap", "mean gap", "length")
+    ]
+    for axes, (measure, label, of) in zip(figure.subplots(1, 3), resolved):
+        axes.plot(units.values(kind, measures[load]), units.values(of, measures[measure]), marker="o", markersize=4)
+        axes.set(xscale="log", xlabel=units.label(name, kind), ylabel=units.label(label, of))
+        if of:
+            axes.ticklabel_format(axis="y", scilimits=(-3, 4))
     return figure
 
 
-def plot_history(history: History) -> Figure:
+def plot_history(history: History, length_unit: str | None = None, pressure_unit: str | None = None) -> Figure:
     """The two charts of a process, without the frames of motions; a jump of a history with adhesion is an arrow."""
-    figure = _figure(9, 4)
+    figure, units = _figure(9, 4), _Axes(length_unit, pressure_unit)
     claims = np.array(history.claims)
     still = claims != "moving"
     numbers: dict[str, Any] = {name: values[still] for name, values in history.numbers.items()}
@@ -94,7 +135,10 @@ def plot_history(history: History) -> Figure:
     jumps: Any = np.flatnonzero(np.isfinite(numbers.get("jump", np.full(still.sum(), np.nan))))
     for axes, ((x, y), (xlabel, ylabel), is_logarithmic) in zip(figure.subplots(1, 2), history._charts()):
         missing = np.full(still.sum(), np.nan)
-        across, up = (np.where(apart, np.nan, numbers.get(name, missing)) for name in (x, y))
+        kinds = [history._unit(name) for name in (x, y)]
+        across, up = (
+            units.values(kind, np.where(apart, np.nan, numbers.get(name, missing))) for name, kind in zip((x, y), kinds)
+        )
         (line,) = axes.plot(across, up, marker=".")
         if y == "mean_pressure" and (_is_closed(across[~apart]) or _is_closed(up[~apart])):
             axes.fill(across[~apart], up[~apart], color=line.get_color(), alpha=0.15)
@@ -102,6 +146,7 @@ def plot_history(history: History) -> Figure:
             ends = [(across[at], up[at]) for at in (jump - 1, jump)]
             if np.isfinite(ends).all():
                 axes.annotate("", ends[1], ends[0], arrowprops={"arrowstyle": "->", "shrinkA": 0, "shrinkB": 0})
+        xlabel, ylabel = (units.label(label, kind) for label, kind in zip((xlabel, ylabel), kinds))
         axes.set(xlabel=xlabel, ylabel=ylabel, xscale="log" if is_logarithmic else "linear")
         if not is_logarithmic:
             axes.ticklabel_format(scilimits=(-3, 4))
@@ -192,14 +237,20 @@ LIGHTEST = 99.0
 """The percentile of the pressures in contact that has the lightest colour: single peaks do not set the scale."""
 
 
-def _map(axes: Any, field: Any, size: tuple[float, ...], name: str, largest: float | None = None) -> None:
-    """A map of a field, its first row at the top. Values above the largest have its colour."""
-    image = axes.imshow(np.asarray(field), extent=(0.0, size[1], size[0], 0.0), vmin=None if largest is None else 0.0, vmax=largest)
-    axes.set(xlabel="x", ylabel="y", title=name)
+def _map(
+    axes: Any, field: Any, size: tuple[float, ...], named: tuple[str, str], units: _Axes, title: str | None = None, largest: float | None = None
+) -> None:
+    """A map of a field, its first row at the bottom, as y points upwards. Values above the largest have its colour."""
+    (name, kind), (height, width) = named, (units.values("length", length) for length in size)
+    shown = units.values(kind, np.asarray(field))
+    top = None if largest is None else units.values(kind, largest)
+    image = axes.imshow(shown, origin="lower", extent=(0.0, width, 0.0, height), vmin=None if top is None else 0.0, vmax=top)
+    axes.set(xlabel=units.label("x", "length"), ylabel=units.label("y", "length"), title=title or name)
     axes.ticklabel_format(scilimits=(-3, 4))
     axes.locator_params(nbins=5)
     is_above = largest is not None and np.nanmax(field) > largest
-    axes.figure.colorbar(image, ax=axes, shrink=min(max(size[0] / size[1], 0.3), 1.0), extend="max" if is_above else "neither")
+    shrink = min(max(size[0] / size[1], 0.3), 1.0)
+    axes.figure.colorbar(image, ax=axes, shrink=shrink, extend="max" if is_above else "neither", label=units.label(name, kind))
 
 
 def _near_contact(contact: Contact) -> slice:

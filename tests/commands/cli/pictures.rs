@@ -12,7 +12,7 @@ fn contacts_and_load_curves_are_drawn() {
     let folder = Folder::new();
     let runs = [
         (format!("{ROUGH_LINE} --modulus 2GPa --pressure 10MPa"), "elastic solid"),
-        (format!("{ROUGH_SURFACE} --reduced-pressure 0.05"), "outline of the contact"),
+        (format!("{ROUGH_SURFACE} --reduced-pressure 0.05"), "pressure"),
         (format!("{ROUGH_LINE} --reduced-pressure 1e-3..1e-1:5"), "area per load"),
     ];
     for (run, words) in runs {
@@ -26,6 +26,71 @@ fn contacts_and_load_curves_are_drawn() {
         assert!(output.status.success(), "{}", text(&output.stderr));
         assert!(std::fs::read(folder.join("contact.png")).unwrap().starts_with(b"\x89PNG"));
     }
+}
+
+/// The options of a figure are the same for all pictures, and are refused where there is none.
+#[test]
+fn figures_have_their_size_on_paper() {
+    let folder = Folder::new();
+    let line = format!("{ROUGH_LINE} --modulus 2GPa --pressure 10MPa");
+    let style = "--figure-size 85mm --figure-font 8pt --figure-title Figure --figure-x 0,0.5 --figure-legend none";
+    std::fs::write(folder.join("study.toml"), STUDY).unwrap();
+    for (run, file) in [
+        (format!("solve {line} --out a.svg"), "a.svg"),
+        (format!("solve {ROUGH_LINE} --reduced-pressure 1e-2,1e-1 --out b.svg"), "b.svg"),
+        (format!("surface {ROUGH_LINE} --out c.svg"), "c.svg"),
+        ("study study.toml --out d.csv".to_owned(), "d.svg"),
+    ] {
+        let output = folder.run(&format!("{run} {style}"));
+        assert!(output.status.success(), "{run}: {}", text(&output.stderr));
+        let svg = std::fs::read_to_string(folder.join(file)).unwrap();
+        assert!(
+            svg.contains("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85.") || svg.contains(" width=\"84.9"),
+            "{run}"
+        );
+        assert!(svg.contains(">Figure</text>"), "{run}");
+    }
+    let output = folder.run(&format!("solve {line} --out a.pdf {style}"));
+    assert!(output.status.success() && std::fs::read(folder.join("a.pdf")).unwrap().starts_with(b"%PDF-"));
+    for (flags, words) in [
+        ("--figure-size 85mm", "the flags --figure-... are for a picture, but none is written"),
+        ("--figure-size 85 --out a.svg", "a length of 85 m makes no figure: give one from 0.02 to 2 m"),
+        ("--figure-size wide --out a.svg", "`wide` is not a length: give one such as 85mm"),
+        ("--figure-x 1 --out a.svg", "`1` is not a pair of limits"),
+        ("--figure-y 2,1 --out a.svg", "an axis from 2 to 1 has no length"),
+        ("--figure-dpi 1e9 --out a.png", "a resolution of 1000000000 dpi makes no figure"),
+        ("--figure-legend left --out a.svg", "`left` is no place of a legend"),
+    ] {
+        let output = folder.run(&format!("solve {line} {flags}"));
+        assert_eq!(output.status.code(), Some(2), "{flags}");
+        assert!(text(&output.stderr).contains(words), "{flags}: {}", text(&output.stderr));
+    }
+}
+
+/// A small study under mean pressures with units: each curve has a marker of its own, and the load is the one that was prescribed.
+const STUDY: &str = "surface = { spectrum = { hurst = [0.3, 0.8], rolloff-wavelength = 0.25, short-cutoff = 0.05, rms-gradient = 0.1 }, seed = \"1-2\" }
+grid = { points = 512, size = 1.0 }
+solid = { contact-modulus = \"1 GPa\" }
+load = { mean-pressure = [\"1 MPa\", \"5 MPa\"] }
+";
+
+#[test]
+fn figures_of_studies_have_all_bars_within_their_frames() {
+    let folder = Folder::new();
+    std::fs::write(folder.join("study.toml"), STUDY).unwrap();
+    assert!(folder.run("study study.toml").status.success());
+    let svg = std::fs::read_to_string(folder.join("study.svg")).unwrap();
+    for words in [">mean pressure / MPa</text>", ">aᵣₑₗ</text>", ">κᵣ</text>", ">hurst 0.3</text>"] {
+        assert!(svg.contains(words), "{words}: {svg}");
+    }
+    // a bar that is cut has one cap; caps are 8 units wide
+    let ends: Vec<Vec<f64>> = svg
+        .lines()
+        .filter(|line| line.contains("stroke-width=\"1.4\""))
+        .map(|line| line.split('"').nth(1).unwrap().split([' ', ',']).map(|it| it.parse().unwrap()).collect())
+        .collect();
+    let (caps, bars): (Vec<_>, Vec<_>) = ends.into_iter().partition(|it| it[1] == it[3]);
+    assert!(bars.len() >= 6 && caps.len() == 2 * bars.len(), "{} {}", bars.len(), caps.len());
 }
 
 /// The value of a row of a summary.
