@@ -12,6 +12,8 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
+/// Depths at most.
+const MOST_DEPTHS: usize = 1_000_000;
 /// Values in memory for each column and depth.
 const VALUES: f64 = 16.0;
 
@@ -86,15 +88,25 @@ impl Contact {
 /// Depths, which are numbers or texts with units.
 fn depths_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     const WANTED: &str = "a list of lengths, numbers or texts such as '1 um'";
-    let depth = |it: PyResult<Bound<'_, PyAny>>| match it?.extract()? {
-        Depth::Number(depth) => Ok(depth),
-        Depth::Text(text) => match length_of(&text) {
-            Some(depth) => Ok(depth),
-            None => bail(format!("a depth is '{text}': give a length, a number or one with a unit such as '1 um'")),
-        },
+    let depth = |it: PyResult<Bound<'_, PyAny>>| {
+        let it = it?;
+        match it.extract() {
+            Ok(Depth::Number(depth)) => Ok(depth),
+            Ok(Depth::Text(text)) => match length_of(&text) {
+                Some(depth) => Ok(depth),
+                None => bail(format!("a depth is '{text}': give a length, a number or one with a unit such as '1 um'")),
+            },
+            Err(_) => Err(wrong_type("a depth", "a length, a number or a text such as '1 um'", &it)),
+        }
     };
     match given.try_iter() {
-        Ok(depths) if !given.is_instance_of::<PyString>() => depths.map(depth).collect(),
+        Ok(depths) if !given.is_instance_of::<PyString>() => {
+            let depths: Vec<f64> = depths.take(MOST_DEPTHS + 1).map(depth).collect::<PyResult<_>>()?;
+            match depths.len() > MOST_DEPTHS {
+                true => bail(format!("depths has more than {MOST_DEPTHS} values: give fewer")),
+                false => Ok(depths),
+            }
+        }
         _ => Err(wrong_type("depths", WANTED, given)),
     }
 }

@@ -166,7 +166,8 @@ def test_axes_have_units() -> None:
 
 def test_labels_have_room() -> None:
     figure = asp.solve(ROUGH, reduced_pressure=[0.001, 0.01, 0.1]).plot()
-    figure.canvas.draw()
+    agg = pytest.importorskip("matplotlib.backends.backend_agg")
+    agg.FigureCanvasAgg(figure).draw()
     boxes = [axes.get_tightbbox() for axes in figure.axes]
     assert all(one.x1 <= other.x0 for one, other in zip(boxes, boxes[1:]))
     assert boxes[0].x0 >= 0 and boxes[-1].x1 <= figure.bbox.width

@@ -1,7 +1,7 @@
 //! Results of other codes.
 
 use super::given_field::GivenField;
-use super::kernel::Kernel;
+use super::wave_stiffness::WaveStiffness;
 use crate::contact::{Certificate, ContactModulus, Load, Problem};
 use crate::error::{ClaimError, ProblemError};
 use crate::surface::{Field, Surface};
@@ -20,7 +20,7 @@ pub struct Claim {
     /// The field, row by row.
     pub(super) values: Vec<f64>,
     /// The stiffness that it is taken to be computed with.
-    pub(super) kernel: Kernel,
+    pub(super) kernel: WaveStiffness,
 }
 
 impl Claim {
@@ -42,7 +42,7 @@ impl Claim {
             return Err(ClaimError::NoLoad);
         }
         let values = values.iter().copied().collect();
-        Ok(Self { surface, contact_modulus, load, quantity, values, kernel: Kernel::Norm })
+        Ok(Self { surface, contact_modulus, load, quantity, values, kernel: WaveStiffness::Norm })
     }
 
     /// The quantity that is claimed.
@@ -108,11 +108,11 @@ pub(super) struct ClaimedState {
     pub problem: Problem,
     pub pressure: Vec<f64>,
     pub displacement: Vec<f64>,
-    kernel: Kernel,
+    kernel: WaveStiffness,
 }
 
 impl ClaimedState {
-    fn new(problem: Problem, pressure: Vec<f64>, kernel: Kernel) -> Self {
+    fn new(problem: Problem, pressure: Vec<f64>, kernel: WaveStiffness) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
         problem.response().displacement(&pressure, &mut displacement);
         kernel.soften(problem.surface().grid(), &mut displacement);

@@ -3,7 +3,7 @@
 use super::arrangement::Arrangement;
 use super::claim::{Claim, ClaimedState};
 use super::given_field::GivenField;
-use super::kernel::Kernel;
+use super::wave_stiffness::WaveStiffness;
 use crate::contact::Load;
 use crate::grid::Grid;
 use crate::surface::Surface;
@@ -87,7 +87,7 @@ impl MistakeKind {
                 better.contact_modulus /= factor;
             }
             Self::Load => better.load = other_load(claim)?,
-            Self::Kernel => better.kernel = Kernel::Sum,
+            Self::Kernel => better.kernel = WaveStiffness::Sum,
             Self::Boundary => better.surface = other_boundary(&claim.surface)?.into(),
             Self::Scale => {
                 factor = fitted(claim).filter(|_| claim.quantity == GivenField::Pressure)?;

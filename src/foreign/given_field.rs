@@ -1,6 +1,6 @@
 //! The quantity in which another code gives its result.
 
-use super::kernel::Kernel;
+use super::wave_stiffness::WaveStiffness;
 use crate::contact::Problem;
 use crate::elastic::Response;
 use serde::Serialize;
@@ -42,13 +42,13 @@ impl GivenField {
     /// # Panics
     /// If the length of `values` does not fit the grid.
     pub fn pressure(self, problem: &Problem, values: &[f64], response: &mut Response) -> Vec<f64> {
-        self.pressure_by(Kernel::Norm, problem, values, response)
+        self.pressure_by(WaveStiffness::Norm, problem, values, response)
     }
 
     /// The pressure of [`GivenField::pressure`], of a solid whose waves have another stiffness.
     pub(super) fn pressure_by(
         self,
-        kernel: Kernel,
+        kernel: WaveStiffness,
         problem: &Problem,
         values: &[f64],
         response: &mut Response,

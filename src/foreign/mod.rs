@@ -34,12 +34,12 @@ mod factor;
 mod fault;
 mod follow;
 mod given_field;
-mod kernel;
 mod mistake;
 mod order;
 mod replay;
 mod steps;
 mod tension;
+mod wave_stiffness;
 
 pub use assessment::{Assessment, Disagreement, Spot};
 pub use claim::Claim;

@@ -1,11 +1,11 @@
 //! The drawing of a figure: where its panels lie, and what is drawn in them.
 
 use super::axis::Axis;
+use super::colour_map::BESIDE;
 use super::figure::{Figure, Panel};
 use super::font::width;
 use super::frame::{AxesFrame, AxisSide};
 use super::legend::draw_legend;
-use super::map::BESIDE;
 use super::series::draw_series;
 use super::sheet::Sheet;
 use super::style::{FigureStyle, LABEL, LegendPlace};

@@ -16,13 +16,14 @@
 mod axis;
 mod clip;
 mod colour;
+mod colour_map;
 mod drawing;
 mod figure;
 mod font;
 mod frame;
 mod legend;
 mod letters;
-mod map;
+
 mod mark;
 mod pdf;
 mod series;
@@ -32,8 +33,8 @@ mod svg;
 
 pub use axis::{Axis, AxisScale, label, unit};
 pub use colour::Colour;
+pub use colour_map::ColourMap;
 pub use figure::{Dot, Figure, Panel, Series};
-pub use map::Map;
 pub use mark::{Mark, Symbol};
 pub use style::{FigureStyle, LegendPlace};
 pub use svg::{FIGURES, is_figure, write_figure, write_png, write_svg};

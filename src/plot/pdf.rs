@@ -3,7 +3,7 @@
 use super::colour::Colour;
 use super::font::width;
 use super::letters::letters;
-use super::sheet::{Align, Element, Image, Sheet};
+use super::sheet::{Align, Element, PixelImage, Sheet};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref};
@@ -35,7 +35,7 @@ struct PdfDrawing<'a> {
     content: Content,
     /// Opacities in per cent.
     opacities: BTreeMap<u32, Vec<u8>>,
-    images: Vec<&'a Image>,
+    images: Vec<&'a PixelImage>,
 }
 
 impl<'a> PdfDrawing<'a> {
@@ -53,7 +53,7 @@ impl<'a> PdfDrawing<'a> {
                 self.content.close_path().fill_nonzero();
             }
             Element::Words { words, at, size, align, upwards } => self.words(words, *at, *size, *align, *upwards),
-            Element::Image(image) => self.image(image),
+            Element::PixelImage(image) => self.image(image),
         }
     }
 
@@ -92,7 +92,7 @@ impl<'a> PdfDrawing<'a> {
         }
     }
 
-    fn image(&mut self, image: &'a Image) {
+    fn image(&mut self, image: &'a PixelImage) {
         let ([x, y], [width, height]) = (image.corner.map(|it| it as f32), image.size.map(|it| it as f32));
         let name = format!("I{}", self.images.len());
         self.images.push(image);

@@ -22,12 +22,12 @@ pub enum Element {
     /// One line of black words that runs to the right or upwards; its part `align`, half-way up the letters, stands at `at`.
     Words { words: String, at: [f64; 2], size: f64, align: Align, upwards: bool },
     /// A picture of pixels.
-    Image(Image),
+    PixelImage(PixelImage),
 }
 
 /// A rectangle of pixels.
 #[derive(Debug, PartialEq)]
-pub struct Image {
+pub struct PixelImage {
     /// Top left corner.
     pub corner: [f64; 2],
     /// Width and height on the sheet.
@@ -58,8 +58,8 @@ impl Sheet {
     }
 
     /// Adds a picture.
-    pub fn image(&mut self, image: Image) {
-        self.elements.push(Element::Image(image));
+    pub fn image(&mut self, image: PixelImage) {
+        self.elements.push(Element::PixelImage(image));
     }
 
     /// Adds a line around a shape.

@@ -5,7 +5,7 @@ use super::drawing::drawing;
 use super::figure::Figure;
 use super::font::{self, BASELINE, FAMILY, escaped};
 use super::pdf::pdf;
-use super::sheet::{Align, Element, Image, Sheet};
+use super::sheet::{Align, Element, PixelImage, Sheet};
 use super::style::FigureStyle;
 use crate::error::FileError;
 use crate::files::write_beside;
@@ -109,7 +109,7 @@ fn element(element: &Element) -> io::Result<String> {
                 escaped(words)
             )
         }
-        Element::Image(image) => {
+        Element::PixelImage(image) => {
             let ([x, y], [width, height]) = (image.corner, image.size);
             let pixels = BASE64_STANDARD.encode(pixmap(image)?.encode_png().map_err(io::Error::other)?);
             format!(
@@ -121,7 +121,7 @@ fn element(element: &Element) -> io::Result<String> {
 }
 
 /// The pixels of a picture.
-fn pixmap(image: &Image) -> io::Result<Pixmap> {
+fn pixmap(image: &PixelImage) -> io::Result<Pixmap> {
     let [height, width] = image.shape.map(|points| points as u32);
     let mut pixels = Pixmap::new(width, height).ok_or_else(|| io::Error::other("the picture is empty"))?;
     for (pixel, Colour([red, green, blue])) in pixels.pixels_mut().iter_mut().zip(&image.pixels) {
@@ -162,7 +162,7 @@ fn resolution(per_metre: u32) -> Vec<u8> {
 
 /// The pixels of a sheet, of which a unit has `scale`. Pictures lie below everything else.
 fn pixels(sheet: &Sheet, scale: f64) -> io::Result<Pixmap> {
-    let is_drawn = |it: &&Element| !matches!(it, Element::Image(_));
+    let is_drawn = |it: &&Element| !matches!(it, Element::PixelImage(_));
     let elements: String = sheet.elements.iter().filter(is_drawn).map(element).collect::<io::Result<_>>()?;
     let lengths = sheet.size.map(|length| length.to_string());
     let tree = font::tree(&svg(sheet.size, &lengths, &elements)).map_err(io::Error::other)?;
@@ -170,7 +170,7 @@ fn pixels(sheet: &Sheet, scale: f64) -> io::Result<Pixmap> {
     let mut pixels = Pixmap::new(width, height).ok_or_else(|| io::Error::other("the figure is too large"))?;
     pixels.fill(Color::WHITE);
     for element in &sheet.elements {
-        let Element::Image(image) = element else { continue };
+        let Element::PixelImage(image) = element else { continue };
         let [x, y] = image.corner.map(|it| (it * scale) as f32);
         let [wide, high] = [0, 1].map(|axis| (image.size[axis] * scale / image.shape[1 - axis] as f64) as f32);
         let place = Transform::from_row(wide, 0.0, 0.0, high, x, y);

@@ -75,7 +75,7 @@ impl LoadPlaces {
         Self { name: label(kind.name(), unit), values: Some(values) }
     }
 
-    fn of(&self, means: &LoadMeans) -> f64 {
+    fn place(&self, means: &LoadMeans) -> f64 {
         self.values.as_ref().map_or(means.reduced_pressure, |values| values[means.load_number - 1])
     }
 }
@@ -89,12 +89,12 @@ fn panel(
     axis: impl FnOnce([f64; 2]) -> Axis,
 ) -> Panel {
     let means = || curves.iter().copied().flatten();
-    let places = ends(means().map(|it| loads.of(it)));
+    let places = ends(means().map(|it| loads.place(it)));
     let x = Axis::log(loads.name.clone(), [places[0] / 1.3, places[1] * 1.3]);
     let bars = means().map(of).flat_map(|it| [it.mean - it.bar(), it.mean, it.mean + it.bar()]);
     let mut panel = Panel::new(title, x, axis(ends(bars)));
     for (i, curve) in curves.iter().enumerate() {
-        let dot = |it: &LoadMeans| Dot { x: loads.of(it), y: of(it).mean, spread: of(it).bar() };
+        let dot = |it: &LoadMeans| Dot { x: loads.place(it), y: of(it).mean, spread: of(it).bar() };
         let label = curve.first().map_or("", |it| &it.values);
         let dots = curve.iter().filter(|it| of(it).count > 0).map(dot);
         let (colour, mark) = look(i);

@@ -54,7 +54,8 @@ fn figures_have_their_size_on_paper() {
     assert!(output.status.success() && std::fs::read(folder.join("a.pdf")).unwrap().starts_with(b"%PDF-"));
     for (flags, words) in [
         ("--figure-size 85mm", "the flags --figure-... are for a picture, but none is written"),
-        ("--figure-size 85 --out a.svg", "a length of 85 m makes no figure: give one from 0.02 to 2 m"),
+        ("--figure-size 85 --out a.svg", "`85` is not a length: give one such as 85mm"),
+        ("--figure-size 85m --out a.svg", "a length of 85 m makes no figure: give one from 0.02 to 2 m"),
         ("--figure-size wide --out a.svg", "`wide` is not a length: give one such as 85mm"),
         ("--figure-x 1 --out a.svg", "`1` is not a pair of limits"),
         ("--figure-y 2,1 --out a.svg", "an axis from 2 to 1 has no length"),

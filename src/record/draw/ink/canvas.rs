@@ -160,7 +160,7 @@ fn outline(palette: &Palette, element: &Element) -> Option<Strip> {
             let line = fill::shape(&single(corners), PITCH);
             Some((line, colour(palette.on_ground(*paper)), Radius::new_scene_units(0.7 * PITCH)))
         }
-        Element::Words { .. } | Element::Image(_) => None,
+        Element::Words { .. } | Element::PixelImage(_) => None,
     }
 }
 

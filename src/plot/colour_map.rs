@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::colour::Colour;
 use super::frame::{AxesFrame, AxisSide};
-use super::sheet::{Image, Sheet};
+use super::sheet::{PixelImage, Sheet};
 
 /// Colours of the scale from its start to its end, evenly spaced: viridis of matplotlib.
 const STOPS: [[f64; 3]; 9] = [
@@ -26,7 +26,7 @@ pub const BESIDE: f64 = APART + BAR + 100.0;
 
 /// A field between the axes of a panel, in the colours of a scale.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Map {
+pub struct ColourMap {
     /// Rows and columns.
     pub shape: [usize; 2],
     /// Values, row by row, the first row below; values that are not finite stay white.
@@ -35,13 +35,13 @@ pub struct Map {
     pub scale: Axis,
 }
 
-impl Map {
+impl ColourMap {
     /// Draws the field, and the bar of its colours to the right of the frame.
     pub(super) fn draw(&self, sheet: &mut Sheet, frame: &AxesFrame) {
         let [rows, columns] = self.shape;
         let pixel = |(row, column): (usize, usize)| self.colour(self.values[(rows - 1 - row) * columns + column]);
         let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).map(pixel).collect();
-        sheet.image(Image { corner: frame.corner, size: frame.size, shape: self.shape, pixels });
+        sheet.image(PixelImage { corner: frame.corner, size: frame.size, shape: self.shape, pixels });
         let [left, top] = [frame.corner[0] + frame.size[0] + APART, frame.corner[1]];
         let bar = AxesFrame {
             x: Axis::linear("", [0.0, 1.0]),
@@ -52,7 +52,7 @@ impl Map {
         };
         let step = |i: usize| self.colour(self.scale.value(1.0 - (i as f64 + 0.5) / STEPS as f64));
         let pixels = (0..STEPS).map(step).collect();
-        sheet.image(Image { corner: bar.corner, size: bar.size, shape: [STEPS, 1], pixels });
+        sheet.image(PixelImage { corner: bar.corner, size: bar.size, shape: [STEPS, 1], pixels });
         bar.draw_axis(sheet, AxisSide::Right);
         bar.draw_box(sheet);
     }

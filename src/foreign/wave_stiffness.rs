@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// How the stiffness of a wave along `y` and `x` depends on its wavenumbers. That of a half-space is `E* |q| / 2`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum Kernel {
+pub(super) enum WaveStiffness {
     /// By `|q|`, the length of the wave vector.
     #[default]
     Norm,
@@ -14,7 +14,7 @@ pub(super) enum Kernel {
     Sum,
 }
 
-impl Kernel {
+impl WaveStiffness {
     /// Divides the displacement by a pressure, which is that of the half-space, by the ratio of both stiffnesses.
     pub fn soften(self, grid: &Grid, displacement: &mut [f64]) {
         if self == Self::Sum {
