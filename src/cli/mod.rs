@@ -32,6 +32,7 @@ mod paper;
 mod patch_report;
 mod patches;
 mod picture;
+mod plot;
 mod problem_summary;
 mod progress;
 mod recording_args;
@@ -140,6 +141,10 @@ enum Command {
     /// it keeps its number as long as it lives, and births, deaths, mergers and splits are told. A result (.npz) is read, a
     /// scene is solved. Of heights that were mirrored, patches are counted without their images.
     Patches(Box<patches::PatchesCommand>),
+    /// Draw numbers of several results and tables in one picture
+    ///
+    /// Each file is a curve: the states of a result (.npz), or the rows of a table of loads, of states or of a study (.csv).
+    Plot(Box<plot::PlotCommand>),
     /// Find the load at which a surface seals
     ///
     /// A contact seals if no open path leads from one side of the cell to the other. The load is found by bisection,
@@ -230,6 +235,7 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Merge(merge) => merge.run(),
         Command::Paper(paper) => paper.run(),
         Command::Patches(patches) => patches.run(),
+        Command::Plot(plot) => plot.run(),
         Command::Seal(seal) => seal.run(),
         Command::Solve(solve) => solve.run(),
         Command::Stability(stability) => stability.run(),

@@ -2,7 +2,7 @@
 
 use super::units::Units;
 use asperity::contact::{Contact, Load, Observables};
-use asperity::plot::{Axis, Colour, ColourMap, Dot, Figure, Mark, Panel, Symbol, label, unit};
+use asperity::plot::{Axis, Colour, Dot, FieldMap, Figure, Mark, Panel, Symbol, label, unit};
 use asperity::quantity::{LENGTHS, PRESSURES};
 use asperity::surface::Field;
 use std::cmp::Ordering;
@@ -153,7 +153,7 @@ fn map(title: &str, contact: &Contact, field: &Field, pick: fn(f64, f64) -> f64,
     let axes =
         [Axis::linear(label("x", x.unit), [0.0, lengths[1]]), Axis::linear(label("y", x.unit), [0.0, lengths[0]])];
     let [x_axis, y_axis] = axes;
-    Panel { map: Some(ColourMap { shape, values, scale }), ..Panel::new(title, x_axis, y_axis) }
+    Panel { map: Some(FieldMap { shape, values, scale }), ..Panel::new(title, x_axis, y_axis) }
 }
 
 /// The pressure along a line.

@@ -1,7 +1,7 @@
 //! The drawing of a figure: where its panels lie, and what is drawn in them.
 
 use super::axis::Axis;
-use super::colour_map::BESIDE;
+use super::field_map::BESIDE;
 use super::figure::{Figure, Panel};
 use super::font::width;
 use super::frame::{AxesFrame, AxisSide};

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::colour::Colour;
-use super::colour_map::ColourMap;
+use super::field_map::FieldMap;
 use super::mark::Mark;
 
 /// Panels side by side, two in a row.
@@ -24,7 +24,7 @@ pub struct Panel {
     /// Axis upwards.
     pub y: Axis,
     /// A field below the series, which gives the panel the proportions of its axes.
-    pub map: Option<ColourMap>,
+    pub map: Option<FieldMap>,
     /// Series, the later over the earlier.
     pub series: Vec<Series>,
 }

@@ -1,5 +1,6 @@
 //! The font, which comes with the program, so that bare machines draw the same.
 
+use crate::seen::plain;
 use resvg::usvg::{Error, Options, Tree, fontdb::Database};
 use skrifa::instance::{LocationRef, Size};
 use skrifa::metrics::GlyphMetrics;
@@ -47,9 +48,9 @@ pub fn advance(metrics: &GlyphMetrics<'_>, glyph: GlyphId) -> f64 {
     metrics.advance_width(glyph).map_or(0.0, f64::from)
 }
 
-/// `words` with the marks of SVG spelt out.
+/// `words` with the marks of SVG spelt out, and without characters that it cannot hold.
 pub fn escaped(words: &str) -> String {
-    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    plain(words).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]

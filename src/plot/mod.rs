@@ -16,8 +16,8 @@
 mod axis;
 mod clip;
 mod colour;
-mod colour_map;
 mod drawing;
+mod field_map;
 mod figure;
 mod font;
 mod frame;
@@ -33,7 +33,7 @@ mod svg;
 
 pub use axis::{Axis, AxisScale, label, unit};
 pub use colour::Colour;
-pub use colour_map::ColourMap;
+pub use field_map::FieldMap;
 pub use figure::{Dot, Figure, Panel, Series};
 pub use mark::{Mark, Symbol};
 pub use style::{FigureStyle, LegendPlace};

@@ -4,6 +4,7 @@ use super::plan::{Plan, StudyRow};
 use super::point::{Point, further, word as word_of};
 use crate::contact::{Load, Quantity, QuantityKind};
 use crate::error::StudyError;
+use crate::seen::plain;
 use crate::setup::{ParameterAxis, Scalar, Setup, SetupTable};
 
 /// A column of a table: a name, and a value for each row.
@@ -168,6 +169,7 @@ fn word(scalar: Scalar) -> String {
     match scalar {
         Scalar::Whole(whole) => whole.to_string(),
         Scalar::Number(number) => format!("{number:?}"),
-        Scalar::Text(text) => text,
+        // names of files may hold what a terminal obeys
+        Scalar::Text(text) => plain(&text).into_owned(),
     }
 }

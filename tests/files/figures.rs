@@ -2,7 +2,7 @@
 
 use asperity::error::FileError;
 use asperity::plot::{
-    Axis, Colour, ColourMap, Dot, Figure, FigureStyle, LegendPlace, Mark, Panel, Symbol, write_figure, write_png,
+    Axis, Colour, Dot, FieldMap, Figure, FigureStyle, LegendPlace, Mark, Panel, Symbol, write_figure, write_png,
     write_svg,
 };
 use resvg::tiny_skia::Pixmap;
@@ -330,7 +330,7 @@ fn a_map_has_the_colours_of_its_bar_and_the_proportions_of_its_axes() {
     let scale = Axis::linear("pressure / MPa", [0.0, 1.0]);
     let values = (0..8)
         .flat_map(|row| (0..16).map(move |column| if row == 0 { f64::NAN } else { (f64::from(column) + 0.5) / 16.0 }));
-    let map = ColourMap { shape: [8, 16], values: values.collect(), scale };
+    let map = FieldMap { shape: [8, 16], values: values.collect(), scale };
     let panel =
         Panel { map: Some(map), ..Panel::new("", Axis::linear("x", [0.0, 2.0]), Axis::linear("y", [0.0, 1.0])) };
     let figure = Figure { title: String::new(), panels: vec![panel] };

@@ -24,11 +24,10 @@ def to_vtk(what: Surface | Contact | Mapping[str, Any], path: os.PathLike[str] |
     "Warp By Scalar" lifts it by its height. A stress, the dictionary of Contact.stress, makes a grid (.vtr) over x and z, which is minus the depth.
     Lengths and pressures have the units of the problem.
     """
-    is_stress = isinstance(what, Mapping)
-    ending = ".vtr" if is_stress else ".vti"
+    ending = ".vtr" if isinstance(what, Mapping) else ".vti"
     if Path(path).suffix.lower() != ending:
         raise AsperityError(f"cannot write {path}: give a name that ends in {ending}")
-    if is_stress:
+    if isinstance(what, Mapping):
         text = _stress(what)
     elif isinstance(what, (Surface, Contact)):
         text = _image(what)

@@ -94,6 +94,41 @@ fn figures_of_studies_have_all_bars_within_their_frames() {
     assert!(bars.len() >= 6 && caps.len() == 2 * bars.len(), "{} {}", bars.len(), caps.len());
 }
 
+/// Results and tables of several runs are one picture, with a curve and a marker for each.
+#[test]
+fn several_results_are_drawn_together() {
+    let folder = Folder::new();
+    for (file, run) in [
+        ("line.csv", format!("solve {ROUGH_LINE} --reduced-pressure 1e-2,3e-2,1e-1 --out line.csv")),
+        ("surface.npz", format!("solve {ROUGH_SURFACE} --reduced-pressure 2e-2,1e-1 --out surface.npz")),
+    ] {
+        assert!(folder.run(&run).status.success(), "{file}");
+    }
+    std::fs::write(folder.join("study.toml"), STUDY).unwrap();
+    assert!(folder.run("study study.toml").status.success());
+    let output =
+        folder.run("plot line.csv surface.npz study.csv --x p* --y relative_area --out all.svg --figure-size 85mm");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let svg = std::fs::read_to_string(folder.join("all.svg")).unwrap();
+    for words in [">line</text>", ">surface</text>", ">study</text>", ", p*</text>"] {
+        assert!(svg.contains(words), "{words}: {svg}");
+    }
+    // three dots of the line, two of the surface, eight rows of the study, and one of each in the legend
+    let filled = |colour: &str| svg.matches(&format!("fill=\"{colour}\" fill-opacity=\"1\"")).count();
+    assert_eq!([filled("#0072b2"), filled("#d55e00"), filled("#009e73")], [4, 3, 9]);
+    for (line, words) in [
+        ("plot line.csv --y nonsense --out a.svg", "there is no quantity `nonsense`"),
+        ("plot line.csv --y time --out a.svg", "line.csv is not a valid result or table file: it has no time"),
+        ("plot nowhere.csv --out a.svg", "cannot read nowhere.csv"),
+        ("plot line.csv --out line.csv", "give a name that ends in .svg or .pdf or .png"),
+        ("plot study.toml --out a.svg", "study.toml is not a valid"),
+    ] {
+        let output = folder.run(line);
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        assert!(text(&output.stderr).contains(words), "{line}: {}", text(&output.stderr));
+    }
+}
+
 /// The value of a row of a summary.
 fn row<'a>(output: &'a Output, name: &str) -> Option<&'a str> {
     text(&output.stdout).lines().find_map(|line| line.trim().strip_prefix(name)).map(str::trim)

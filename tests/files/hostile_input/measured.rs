@@ -281,6 +281,14 @@ fn words_of_files_do_not_control_the_terminal() {
         let output = folder.finish(assert_cmd::Command::new(env!("CARGO_BIN_EXE_asperity")).args(&arguments));
         assert!(is_plain(&output.stdout) && is_plain(&output.stderr), "{arguments:?}: {output:?}");
     }
+    // tables and pictures are shown on terminals and by browsers, too
+    std::fs::write(folder.join("b.txt"), "1 2 1 4\n".repeat(4)).unwrap();
+    let study = "surface.height = [\"a\\u001b[2J.txt\", \"b.txt\"]\ngrid.size = 4e-6\nload.reduced-pressure = 0.1\n";
+    std::fs::write(folder.join("study.toml"), study).unwrap();
+    assert!(folder.run("study study.toml").status.code().is_some_and(|code| code != 2));
+    for name in ["study.csv", "study.svg"] {
+        assert!(is_plain(&std::fs::read(folder.join(name)).unwrap()), "{name}");
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -26,7 +26,7 @@ pub const BESIDE: f64 = APART + BAR + 100.0;
 
 /// A field between the axes of a panel, in the colours of a scale.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ColourMap {
+pub struct FieldMap {
     /// Rows and columns.
     pub shape: [usize; 2],
     /// Values, row by row, the first row below; values that are not finite stay white.
@@ -35,7 +35,7 @@ pub struct ColourMap {
     pub scale: Axis,
 }
 
-impl ColourMap {
+impl FieldMap {
     /// Draws the field, and the bar of its colours to the right of the frame.
     pub(super) fn draw(&self, sheet: &mut Sheet, frame: &AxesFrame) {
         let [rows, columns] = self.shape;
