@@ -21,7 +21,7 @@ const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, 
 
 const EXAMPLES: &str = "\
 Examples:
-  asperity plot line.csv surface.csv --x p* --y kappa_r --out both.svg
+  asperity plot line.csv surface.csv --y kappa_r --out both.svg
   asperity plot curve.npz study.csv --x mean_pressure --y relative_area --out area.pdf --figure-size 85mm";
 
 #[derive(Args)]
@@ -86,7 +86,7 @@ fn dots(path: &Path, quantities: [Quantity; 2]) -> Result<Vec<Dot>> {
     let is_archive = path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz"));
     let [x, y] = if is_archive { of_archive(path, quantities)? } else { of_table(path, quantities)? };
     let dots: Vec<Dot> =
-        x.iter().zip(&y).map(|(x, y)| Dot::at(*x, *y)).filter(|dot| dot.x.is_finite() && dot.y.is_finite()).collect();
+        x.iter().zip(&y).map(|(x, y)| Dot::at(*x, *y)).filter(|dot| is_known(dot, quantities)).collect();
     match dots.is_empty() {
         true => usage(format!(
             "{} has no numbers of {} beside {}: choose other quantities",
@@ -96,6 +96,13 @@ fn dots(path: &Path, quantities: [Quantity; 2]) -> Result<Vec<Dot>> {
         )),
         false => Ok(dots),
     }
+}
+
+/// Whether both numbers are known. An area of 0, or a `kappa` of it, is that of a contact that is not resolved.
+fn is_known(dot: &Dot, quantities: [Quantity; 2]) -> bool {
+    let is_of_area = |it| matches!(it, Quantity::RelativeArea | Quantity::Kappa | Quantity::KappaR);
+    let is_known = |(value, it): (f64, Quantity)| value.is_finite() && (value != 0.0 || !is_of_area(it));
+    [dot.x, dot.y].into_iter().zip(quantities).all(is_known)
 }
 
 fn of_archive(path: &Path, quantities: [Quantity; 2]) -> Result<[Vec<f64>; 2]> {
@@ -126,6 +133,7 @@ fn axis(quantity: Quantity, values: impl Iterator<Item = f64>) -> Axis {
     let (row, [share, factor]) = (quantity.row(), ROOM);
     let is_symbol = row.symbol.is_empty() || row.symbol == row.title;
     let name = if is_symbol { row.title.to_owned() } else { format!("{}, {}", row.title, row.symbol) };
+    let name = name.replace("kappa_r", "κᵣ").replace("a_rel", "aᵣₑₗ");
     if low > 0.0 && high > LOGARITHMIC * low {
         return Axis::log(name, [low / factor, high * factor]);
     }
