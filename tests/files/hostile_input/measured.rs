@@ -282,8 +282,10 @@ fn words_of_files_do_not_control_the_terminal() {
         assert!(is_plain(&output.stdout) && is_plain(&output.stderr), "{arguments:?}: {output:?}");
     }
     // tables and pictures are shown on terminals and by browsers, too
-    std::fs::write(folder.join("b.txt"), "1 2 1 4\n".repeat(4)).unwrap();
-    let study = "surface.height = [\"a\\u001b[2J.txt\", \"b.txt\"]\ngrid.size = 4e-6\nload.reduced-pressure = 0.1\n";
+    for name in ["b.txt", "c\u{1b}[2J.txt"] {
+        std::fs::write(folder.join(name), "1 2 1 4\n".repeat(4)).unwrap();
+    }
+    let study = "surface.height = [\"c\\u001b[2J.txt\", \"b.txt\"]\ngrid.size = 4e-6\nload.reduced-pressure = 0.1\n";
     std::fs::write(folder.join("study.toml"), study).unwrap();
     let output = folder.run("study study.toml --out marked.csv");
     assert_ne!(output.status.code(), Some(2), "{}", text(&output.stderr));
