@@ -42,6 +42,7 @@ mod lengths;
 mod options;
 mod parts;
 mod playback;
+mod played;
 mod properties;
 mod scene;
 mod sdk;

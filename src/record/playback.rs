@@ -1,18 +1,23 @@
 //! Recordings read back from their files.
 
+use super::draw::LOAD;
 use super::file::VALUE;
+use super::played::Played;
 use super::setups::{SETUP, is_recording};
 use super::stores;
 use crate::error::FileError;
-use crate::setup::Setup;
+use crate::setup::{Setup, SetupTable};
 use rerun::log::Chunk;
-use rerun::{ChunkStore, Scalars, StoreKind, TextDocument};
+use rerun::{ChunkStore, Scalars, SeriesLines, StoreKind, TextDocument};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Name of the entities above the traces, below the roots of the scenes.
 const TRACE: &str = "/trace/";
+
+/// Beginning of the entities of curves over loads or states.
+const CURVE: &str = "/curve/";
 
 /// A recording in memory.
 pub struct Playback {
@@ -25,11 +30,11 @@ pub struct Playback {
 }
 
 impl Playback {
-    /// Reads a recording over steps.
+    /// Reads a recording with curves.
     ///
     /// # Errors
     /// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
-    /// recording or has no traces.
+    /// recording or has no curves.
     pub fn read(path: &Path) -> Result<Self, FileError> {
         let useless = |reason: &str| FileError::Incomparable { path: path.into(), reason: reason.into() };
         if !is_recording(path)? {
@@ -47,14 +52,41 @@ impl Playback {
                 }
             }
         }
-        let is_over_loads = playback.chunks_of(VALUE.into()).next().is_some();
-        match playback.roots().is_empty() {
-            true if is_over_loads => Err(useless(
-                "it shows several loads or the states of a history, but only the steps of single solves are compared: compare their tables",
-            )),
-            true => Err(useless("it has no curves over steps: record it again with the part `traces`")),
-            false => Ok(playback),
+        let has_curves = match playback.played() {
+            Played::Steps => !playback.roots().is_empty(),
+            Played::Loads | Played::States => !playback.curves().is_empty(),
+        };
+        if has_curves { Ok(playback) } else { Err(useless("it has no curves: record it again with the part `traces`")) }
+    }
+
+    /// What its curves are over.
+    pub fn played(&self) -> Played {
+        let is_over_loads = |chunk: &Chunk| chunk.timelines().keys().any(|timeline| timeline.as_str() == LOAD);
+        match self.chunks_of(VALUE.into()).find(|chunk| !chunk.is_static()) {
+            Some(chunk) if is_over_loads(chunk) => Played::Loads,
+            Some(_) => Played::States,
+            None => Played::Steps,
         }
+    }
+
+    /// The names of curves over loads or states, and their entities, in their order.
+    pub fn curves(&self) -> Vec<(String, String)> {
+        let component = SeriesLines::descriptor_names().component;
+        let named = |chunk: &Arc<Chunk>| {
+            let entity = chunk.entity_path().to_string();
+            entity.strip_prefix(CURVE)?;
+            let name = chunk.iter_slices::<String>(component).flatten().next()?.to_string();
+            Some((name, entity))
+        };
+        let mut curves: Vec<(String, String)> = self.chunks.iter().filter_map(named).collect();
+        curves.sort_by_key(|(_, entity)| entity[CURVE.len()..].parse().unwrap_or(usize::MAX));
+        curves
+    }
+
+    /// The chunks of the curve over loads or states that has a name.
+    pub fn curve(&self, name: &str) -> impl Iterator<Item = &Chunk> {
+        let found = self.curves().into_iter().find(|(its, _)| its == name).map(|(_, entity)| entity);
+        found.into_iter().flat_map(|entity| self.chunks_of(entity)).filter(|chunk| !chunk.is_static())
     }
 
     /// The name of its file, without the end.
@@ -62,10 +94,15 @@ impl Playback {
         self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// The roots of the scenes that have traces.
+    /// The roots of the scenes that have traces; of curves over loads or states that of the first setup.
     pub fn roots(&self) -> BTreeSet<String> {
-        let entities = self.chunks.iter().map(|chunk| chunk.entity_path().to_string());
-        entities.filter_map(|entity| Some(entity.split_once(TRACE)?.0.to_owned())).collect()
+        let entities = || self.chunks.iter().map(|chunk| chunk.entity_path().to_string());
+        if self.played() == Played::Steps {
+            return entities().filter_map(|entity| Some(entity.split_once(TRACE)?.0.to_owned())).collect();
+        }
+        let with_setup =
+            entities().filter_map(|entity| Some(entity.strip_suffix(SETUP)?.strip_suffix('/')?.to_owned()));
+        [with_setup.min().unwrap_or_default()].into()
     }
 
     /// The chunks of the trace `name` of a scene.
@@ -89,9 +126,10 @@ impl Playback {
         self.trace(root, name).flat_map(values).max_by_key(|(step, _)| *step).map(|(_, value)| value)
     }
 
-    /// The setup of a scene, if the recording carries it.
-    pub fn setup(&self, root: &str) -> Option<Setup> {
-        Setup::from_toml(&self.text(format!("{root}/{SETUP}"))?).ok()
+    /// The setup of a scene, if the recording carries it; that of a list of loads is a table only.
+    pub fn setup(&self, root: &str) -> Option<SetupTable> {
+        let text = self.text(format!("{root}/{SETUP}"))?;
+        Setup::from_toml(&text).map(|setup| setup.to_table()).or_else(|_| SetupTable::from_toml(&text)).ok()
     }
 
     /// The text of an entity.

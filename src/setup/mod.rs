@@ -83,7 +83,7 @@ pub use solid::{Body, LayerModulus, Solid};
 pub use text::SetupTable;
 pub use theme::Theme;
 pub use viscoelastic::{RollingMotion, SlidingMotion, Viscoelastic};
-pub use words::{differences, in_words};
+pub use words::{differences, differences_of_tables, in_words};
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};

@@ -31,7 +31,11 @@ pub fn in_words(setup: &Setup, sections: &[&str]) -> String {
 /// assert_eq!(differences(&[gfmd(1.0), gfmd(0.5)]), ["damping 1.0", "damping 0.5"]);
 /// ```
 pub fn differences(setups: &[Setup]) -> Vec<String> {
-    let tables: Vec<SetupTable> = setups.iter().map(Setup::to_table).collect();
+    differences_of_tables(&setups.iter().map(Setup::to_table).collect::<Vec<_>>())
+}
+
+/// The settings in which setups differ that are given as tables, such as those of lists of loads: see [`differences`].
+pub fn differences_of_tables(tables: &[SetupTable]) -> Vec<String> {
     let differ = |flag: &Flag| tables.iter().any(|table| table.find(flag.path) != tables[0].find(flag.path));
     let differ_where_they_are = |flag: &Flag| {
         let mut values = tables.iter().filter_map(|table| table.find(flag.path));

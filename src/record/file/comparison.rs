@@ -6,7 +6,8 @@ use crate::error::FileError;
 use crate::record::draw::{COMPARED, drawn, log_run_style, title, traced};
 use crate::record::layout::{Compared, copy, send_comparison};
 use crate::record::playback::Playback;
-use crate::setup::differences;
+use crate::record::played::Played;
+use crate::setup::differences_of_tables;
 use rerun::{RecordingStream, RecordingStreamResult, TextDocument};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -24,18 +25,38 @@ const ROOM: f64 = 1.8;
 ///
 /// Each scene of each recording is a run. It is named by the settings that differ, or by its file if these are too
 /// many. The traces are under `/compare/OBSERVABLE/NUMBER`, the recordings under `/recording_NUMBER`, numbers from 1
-/// on.
+/// on. Curves over the loads of a list or the states of a history are compared by their names; all recordings are over
+/// steps, or over loads, or over states.
 ///
 /// # Errors
 /// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
-/// recording or has no traces; [`FileError::Target`] if no file can be made at `out`, [`FileError::Write`] if writing fails.
+/// recording, has no curves, or is over something else than the first one; [`FileError::Target`] if no file can be made at
+/// `out`, [`FileError::Write`] if writing fails.
 pub fn compare<P: AsRef<Path>>(recordings: &[P], out: &Path) -> Result<(), FileError> {
     let recordings = recordings.iter().map(|path| Playback::read(path.as_ref())).collect::<Result<Vec<_>, _>>()?;
+    check_alike(&recordings)?;
     let runs = runs(&recordings);
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
     let identities: Vec<String> = recordings.iter().map(|playback| playback.name.clone()).collect();
     let name = Name::made_of(format!("Comparison: {}", names.join("; ")), &identities);
     write_whole(out, &name, |stream| log(stream, &recordings, &runs))
+}
+
+/// Refuses recordings that are over different things.
+fn check_alike(recordings: &[Playback]) -> Result<(), FileError> {
+    let Some((first, others)) = recordings.split_first() else { return Ok(()) };
+    match others.iter().find(|it| it.played() != first.played()) {
+        None => Ok(()),
+        Some(other) => Err(FileError::Incomparable {
+            path: other.path.clone(),
+            reason: format!(
+                "it is over {}, and {} is over {}: give recordings of one kind",
+                other.played().words(),
+                first.path.display(),
+                first.played().words()
+            ),
+        }),
+    }
 }
 
 /// A scene of a recording.
@@ -52,7 +73,7 @@ fn runs(recordings: &[Playback]) -> Vec<ComparedRun<'_>> {
     let scenes: Vec<_> =
         recordings.iter().flat_map(|playback| playback.roots().into_iter().map(move |root| (playback, root))).collect();
     let setups: Option<Vec<_>> = scenes.iter().map(|(playback, root)| playback.setup(root)).collect();
-    let differing = setups.map_or_else(|| vec![String::new(); scenes.len()], |setups| differences(&setups));
+    let differing = setups.map_or_else(|| vec![String::new(); scenes.len()], |setups| differences_of_tables(&setups));
     let is_short = differing.iter().all(|words| (1..=LONGEST_NAME).contains(&words.len()));
     let is_enough = is_short && differing.iter().collect::<BTreeSet<_>>().len() == differing.len();
     let mut runs = Vec::new();
@@ -98,18 +119,47 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
             playback.blueprint.as_ref().and_then(|blueprint| copy(blueprint, &root)).map(|it| it.titled(&name)),
         );
     }
-    let mut observables: Vec<Quantity> = traced().collect();
-    observables.sort_by_key(|quantity| !COMPARED.contains(quantity));
-    let curves = observables.into_iter().map(|observable| log_curves(to, runs, observable));
-    let curves = curves.collect::<RecordingStreamResult<Vec<_>>>()?;
+    let played = recordings.first().map_or(Played::Steps, Playback::played);
+    let curves = match played {
+        Played::Steps => log_traces(to, runs)?,
+        Played::Loads | Played::States => log_curves_of_states(to, runs)?,
+    };
     let rows: String = runs.iter().map(ComparedRun::row).collect();
-    let about =
-        "The curves use the selected timeline: choose `transforms` or `seconds` instead of `step` to compare the work.";
+    let about = played.about();
     let text = TextDocument::from_markdown(format!(
         "| run | recording | result | differs in |\n|---|---|---|---|\n{rows}\n{about}"
     ));
     to.log_static(TEXT, &text)?;
-    send_comparison(curves, TEXT.into(), layouts, to)
+    send_comparison(curves, TEXT.into(), layouts, played.timeline(), to)
+}
+
+/// Records the traces of all runs over their steps.
+fn log_traces(to: &RecordingStream, runs: &[ComparedRun<'_>]) -> RecordingStreamResult<Vec<Compared>> {
+    let mut observables: Vec<Quantity> = traced().collect();
+    observables.sort_by_key(|quantity| !COMPARED.contains(quantity));
+    observables.into_iter().map(|observable| log_curves(to, runs, observable)).collect()
+}
+
+/// Records the curves of all runs over their loads or states, those of one name together.
+fn log_curves_of_states(to: &RecordingStream, runs: &[ComparedRun<'_>]) -> RecordingStreamResult<Vec<Compared>> {
+    let mut names: Vec<String> = Vec::new();
+    for (name, _) in runs.iter().flat_map(|run| run.playback.curves()) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let log = |(place, name): (usize, &String)| {
+        let mut entities = Vec::new();
+        for (number, run) in runs.iter().enumerate() {
+            let entity = format!("/compare/curve_{}/{:02}", place + 1, number + 1);
+            let chunks = run.playback.curve(name).map(|chunk| chunk.clone_with_new_entity_path(entity.clone().into()));
+            to.send_chunks(chunks);
+            log_run_style(to, &entity, &run.name, Some(number))?;
+            entities.push(entity);
+        }
+        Ok(Compared { title: name.clone(), entities, most: None })
+    };
+    names.iter().enumerate().map(log).collect()
 }
 
 /// Records the curves of an observable of all runs, and those of its exact values as far as they differ.

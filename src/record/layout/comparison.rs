@@ -2,8 +2,11 @@
 
 use super::blueprint::{PlayedTimeline, send};
 use super::steps::FRAMES_PER_SEC;
-use crate::record::draw::{ContainerKind, Corner, Pane, PaneView, STEP};
+use crate::record::draw::{ContainerKind, Corner, Pane, PaneView};
 use rerun::{RecordingStream, RecordingStreamResult};
+
+/// The number of curves that stand one above the other where none settles.
+const FIRST: usize = 2;
 
 /// Curves of one quantity.
 pub struct Compared {
@@ -13,14 +16,18 @@ pub struct Compared {
     pub most: Option<f64>,
 }
 
-/// Writes the layout of curves, a text about them and the `recordings`.
+/// Writes the layout of curves over a timeline, a text about them and the `recordings`.
 pub fn send_comparison(
     curves: Vec<Compared>,
     text: String,
     recordings: Vec<Pane>,
+    timeline: &'static str,
     stream: &RecordingStream,
 ) -> RecordingStreamResult<()> {
-    let (settling, falling): (Vec<_>, Vec<_>) = curves.into_iter().partition(|curves| curves.most.is_some());
+    let (mut settling, mut falling): (Vec<_>, Vec<_>) = curves.into_iter().partition(|curves| curves.most.is_some());
+    if settling.is_empty() {
+        settling = falling.drain(..falling.len().min(FIRST)).collect();
+    }
     let mut falling = falling.into_iter().map(view);
     let first = falling.next().map(|first| (first, 1.0));
     let text = PaneView::text("Runs", text);
@@ -30,7 +37,7 @@ pub fn send_comparison(
     let comparison = Pane::even(ContainerKind::Horizontal, "Comparison", vec![left, right]);
     send(
         [comparison].into_iter().chain(recordings).collect(),
-        PlayedTimeline { timeline: STEP, frames_per_sec: FRAMES_PER_SEC },
+        PlayedTimeline { timeline, frames_per_sec: FRAMES_PER_SEC },
         stream,
     )
 }

@@ -123,6 +123,48 @@ fn what_cannot_be_compared_is_refused_and_nothing_is_written() {
     assert!(matches!(compare(&[good, folder.path().join("none.rrd")], &both), Err(FileError::Read { .. })));
 }
 
+/// Lists of loads and histories are compared by the names of their curves, and not with each other.
+#[test]
+fn curves_over_loads_and_states_lie_over_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |line: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+        let output = command.current_dir(folder.path()).args(line.split(' ')).output().unwrap();
+        (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).unwrap())
+    };
+    let surface = "--size 1 --points 128 --hurst 0.8 --rolloff 0.5 --short-cutoff 0.1 --rms-gradient 0.1";
+    let creep = "--reduced-pressure 0.1 --creep 1,1 --path-time 0,1 --path-steps 3";
+    for (name, rest) in [
+        ("a", "--reduced-pressure 0.05,0.1,0.2".to_owned()),
+        ("b", "--reduced-pressure 0.05,0.1,0.2 --seed 2".to_owned()),
+        ("c", creep.to_owned()),
+        ("d", format!("{creep} --seed 2")),
+    ] {
+        let (code, said) = run(&format!("solve {surface} {rest} --record {name}.rrd"));
+        assert_eq!(code, Some(0), "{said}");
+    }
+    for (first, second, timeline) in [("a", "b", "load"), ("c", "d", "step")] {
+        let (code, said) = run(&format!("compare {first}.rrd {second}.rrd --out {first}{second}.rrd"));
+        assert_eq!(code, Some(0), "{said}");
+        let both = folder.path().join(format!("{first}{second}.rrd"));
+        for (name, entity) in [(first, "/compare/curve_1/01"), (second, "/compare/curve_1/02")] {
+            let own = trace(&folder.path().join(format!("{name}.rrd")), "/curve/0", timeline);
+            assert!(own.len() >= 3 && trace(&both, entity, timeline) == own, "{name}: {own:?}");
+        }
+        assert_ne!(trace(&both, "/compare/curve_1/01", timeline), trace(&both, "/compare/curve_1/02", timeline));
+        assert_eq!(names(&both, &["/compare/curve_1/01", "/compare/curve_1/02"])[1], "seed 2");
+        assert!(shown_paths(&both).contains("/compare/curve_1/02"));
+    }
+    let (code, said) = run("compare a.rrd c.rrd");
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains(
+            "c.rrd cannot be compared: it is over the states of a history, and a.rrd is over a list of loads"
+        ),
+        "{said}"
+    );
+}
+
 #[test]
 fn the_command_compares_two_or_more_and_says_what_it_wrote() {
     let folder = tempfile::tempdir().unwrap();
