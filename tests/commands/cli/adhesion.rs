@@ -213,7 +213,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (sine("--mean-gap 1um --adhesion-table late.csv"), "its first gap"),
         (sine("--mean-gap 1um --adhesion-table unnamed.csv"), "the column gap is missing"),
         (sine("--mean-gap 1um --adhesion-table missing.csv"), "missing.csv"),
-        (sine("--pressure=-1kPa"), "-1000"),
+        (sine("--pressure=-1kPa"), "the mean pressure is -1kPa"),
     ];
     for (line, sentence) in cases {
         let output = folder.run(&format!("{line} --out result.npz"));

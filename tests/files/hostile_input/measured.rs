@@ -185,7 +185,7 @@ fn steps_that_heights_do_not_allow_are_refused() {
         ("--size 1 --remove-form sphere", "the shape cannot be fitted"),
         ("--size 1 --remove-form cylinder", "the shape cannot be fitted"),
         ("--size 1 --file-unit 0", "0.0"),
-        ("--size 1 --file-unit=-1um", "-1e-6"),
+        ("--size 1 --file-unit=-1um", "-1um"),
         ("--size 1 --height-unit 0", "0.0"),
         ("", "--size"),
     ];
