@@ -17,6 +17,7 @@ use std::io::Write;
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 const EXAMPLES: &str = "\
@@ -89,10 +90,13 @@ impl PaperCommand {
     pub fn run(&self) -> Result<ExitStatus> {
         let (items, paper, bar) =
             (self.items(), self.paper(), blank("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)"));
-        if self.quick {
-            writeln!(stdout(), "{COARSE}")?;
-        }
-        let comparison = paper.run(&items, &|event| show(&bar, event))?;
+        let is_told = AtomicBool::new(!self.quick);
+        let comparison = paper.run(&items, &|event| {
+            if matches!(event, Event::Begin { .. }) && !is_told.swap(true, Ordering::Relaxed) {
+                writeln!(stdout(), "{COARSE}").ok();
+            }
+            show(&bar, event);
+        })?;
         writeln!(stdout())?;
         comparison.write_text(&mut stdout())?;
         let points = paper.all_points(&items)?;
