@@ -16,7 +16,9 @@ const BLOCK: usize = 64;
 /// The stress in the layers of a half-space, and the displacement of its surface, by a plastic strain in the layers and a pressure on the surface.
 ///
 /// The plastic strain `e` is uniform in each layer and periodic along the surface. The stress is `C : (strain - e)`. Both are exact for each wave of
-/// the grid, see the [room](super). Stresses are **means over the layer**: with them the stress by a plastic strain is a symmetric operator, and
+/// the grid, whatever the thicknesses of the layers are. A wave of strain is split into a part in the plane of its wave vector and the depth, which has an
+/// Airy function, and a part across this plane; two scans over the layers solve each. Stresses are **means over the layer**: with them the stress by a plastic
+/// strain is a symmetric operator, and
 ///
 /// ```text
 /// <p u^r(e)> = sum_j h_j <sigma(p) : e>    (Betti)
@@ -34,6 +36,10 @@ const BLOCK: usize = 64;
 /// `xy`, `xz`, `yz`. Shears are those of the tensor, not engineering ones.
 ///
 /// Memory: one half spectrum for each layer and component, which is about as much as the strain itself.
+///
+/// # Source
+/// Derived for this crate; the setting is that of Jacq et al., J. Tribol. 124, 653 (2002), and Frérot et al., Comput. Methods Appl. Mech. Eng. 351,
+/// 951 (2019), whose volume integrals act on nodes in depth.
 ///
 /// ```
 /// use asperity::Grid;

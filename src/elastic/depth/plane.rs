@@ -24,14 +24,14 @@ use crate::fourier::Complex;
 /// With `e_nz` times `i` all coefficients are real.
 pub(super) struct PlaneScan {
     /// What deeper sources make just below each interface.
-    from_below: Vec<Pair>,
+    from_below: Vec<FadingPair>,
 }
 
 /// Coefficients of `exp(-q r)` and `q r exp(-q r)`.
 #[derive(Clone, Copy, Default)]
-struct Pair(Complex, Complex);
+struct FadingPair(Complex, Complex);
 
-impl Pair {
+impl FadingPair {
     /// After a layer, with what its uniform source adds.
     fn through(self, layer: &LayerWave, source: Complex) -> Self {
         Self(
@@ -63,12 +63,12 @@ impl Sources<'_> {
     }
 
     /// Those of an interface, as they act downwards (`D0 - q D1`, `q D1`) and upwards (`D0 + q D1`, `-q D1`).
-    fn interface(&self, interface: usize) -> [Pair; 2] {
+    fn interface(&self, interface: usize) -> [FadingPair; 2] {
         let [a, nz] = self.along(interface);
         let [above, nz_above] = interface.checked_sub(1).map_or([Complex::default(); 2], |layer| self.along(layer));
         let scale = self.q * self.solid.contact_modulus;
         let (d0, d1) = ((nz - nz_above) * (2.0 * scale), (a - above) * -scale);
-        [Pair(d0 - d1, d1), Pair(d0 + d1, -d1)]
+        [FadingPair(d0 - d1, d1), FadingPair(d0 + d1, -d1)]
     }
 
     /// The constant one of a layer.
@@ -80,7 +80,7 @@ impl Sources<'_> {
 
 impl PlaneScan {
     pub fn new(layers: usize) -> Self {
-        Self { from_below: vec![Pair::default(); layers + 1] }
+        Self { from_below: vec![FadingPair::default(); layers + 1] }
     }
 
     /// Writes the layer means of the stress `nn`, `zz`, `i nz` and `tt` by a wave of strain to `stress`.
@@ -101,11 +101,11 @@ impl PlaneScan {
     }
 
     fn scan_up(&mut self, sources: &Sources<'_>, layers: &[LayerWave]) {
-        let mut below = Pair::default();
+        let mut below = FadingPair::default();
         self.from_below[layers.len()] = below;
         for (j, layer) in layers.iter().enumerate().rev() {
             let [_, up] = sources.interface(j + 1);
-            below = Pair(below.0 + up.0, below.1 + up.1).through(layer, sources.uniform(j));
+            below = FadingPair(below.0 + up.0, below.1 + up.1).through(layer, sources.uniform(j));
             self.from_below[j] = below;
         }
     }
@@ -114,20 +114,20 @@ impl PlaneScan {
         let q = sources.q;
         let [mut above, _] = sources.interface(0);
         // phi times 4 q^3 and its slope times 4 q^2, without the image
-        let free = |above: Pair, below: Pair| [above.0 + above.1 + below.0 + below.1, below.1 - above.1];
+        let free = |above: FadingPair, below: FadingPair| [above.0 + above.1 + below.0 + below.1, below.1 - above.1];
         let at_surface = free(above, self.from_below[0]);
         let image = [-at_surface[0], -at_surface[0] - at_surface[1]];
         let mut top = [Complex::default(); 2];
         let mut depth = 0.0;
         for (j, layer) in layers.iter().enumerate() {
             let ([down, up], below) = (sources.interface(j + 1), self.from_below[j + 1]);
-            let lower = Pair(below.0 + up.0, below.1 + up.1);
+            let lower = FadingPair(below.0 + up.0, below.1 + up.1);
             let integral = (above.0 + above.1 + lower.0 + lower.1) * layer.first
                 + (above.0 + lower.0) * layer.second
                 + sources.uniform(j) * (2.0 * layer.plane_self() / (q * q))
                 + (image[0] * layer.means[0] + image[1] * layer.means[1]) * layer.thickness;
             above = above.through(layer, sources.uniform(j));
-            above = Pair(above.0 + down.0, above.1 + down.1);
+            above = FadingPair(above.0 + down.0, above.1 + down.1);
             depth += layer.x;
             let faded = layer.fading * layer.decay;
             let [value, slope] = free(above, below);

@@ -1,7 +1,7 @@
 //! One load step as one convex minimum.
 
 use super::accelerated::Accelerated;
-use super::flow::{Flow, FlowLaw, Place};
+use super::flow::{FlowLaw, FlowPlace, PlaceFlow};
 use super::{PlasticCertificate, PlasticState};
 use crate::chunks::{self, spread};
 use crate::contact::{Contact, Observer, Problem, Solver, Status, Stop, Work};
@@ -43,7 +43,7 @@ pub(super) struct LoadStep<'s, 'o> {
 }
 
 /// An increment, and what belongs to it.
-pub(super) struct Iterate {
+pub(super) struct FlowIterate {
     pub increment: Array3<f64>,
     pub stress: Array3<f64>,
     pub residual: Field,
@@ -74,14 +74,14 @@ struct LayerFlow<'a> {
 /// The flow in all layers: sums per area, and the places that begin to flow.
 #[derive(Default)]
 struct FlowSums {
-    flow: Flow,
+    flow: PlaceFlow,
     begun: Vec<[usize; 2]>,
 }
 
 impl LoadStep<'_, '_> {
     /// Iterates until the certificate meets the tolerance, or at most as often as allowed.
-    pub fn run(mut self) -> Result<Iterate, PlasticError> {
-        let mut now = Iterate::first(self.before);
+    pub fn run(mut self) -> Result<FlowIterate, PlasticError> {
+        let mut now = FlowIterate::first(self.before);
         let mut next = now.increment.clone();
         let mut flows = vec![false; self.before.accumulated.len()];
         let mut accelerated = Accelerated::new(&self.before.layers);
@@ -106,7 +106,7 @@ impl LoadStep<'_, '_> {
     /// Finds contact, stress, certificate and the plain successor of an increment, and the places that begin to flow.
     fn evaluate(
         &mut self,
-        now: &mut Iterate,
+        now: &mut FlowIterate,
         next: &mut Array3<f64>,
         flows: &mut [bool],
     ) -> Result<Vec<[usize; 2]>, PlasticError> {
@@ -128,7 +128,7 @@ impl LoadStep<'_, '_> {
     }
 
     /// Solves the contact on the heights less the residual displacement, from the last pressure.
-    fn press(&mut self, now: &mut Iterate) -> Result<(), PlasticError> {
+    fn press(&mut self, now: &mut FlowIterate) -> Result<(), PlasticError> {
         let Some(problem) = &self.problem else { return Ok(()) };
         let pressed = problem.with_heights(problem.surface().height() - &now.residual)?;
         let start = now.contact.as_ref().or(Some(&self.before.contact)).map(|it| &it.pressure);
@@ -147,7 +147,7 @@ impl LoadStep<'_, '_> {
 
     /// The tolerance of the next contact: as loose as the last gap allows, and as the goal allows in the end. The error of a stress makes a gap that is larger
     /// than its energy by the contrast of elastic modulus and hardening.
-    fn contact_tolerance(&self, problem: &Problem, now: &Iterate) -> f64 {
+    fn contact_tolerance(&self, problem: &Problem, now: &FlowIterate) -> f64 {
         let Some(contact) = &now.contact else { return FIRST_CONTACT };
         let certificate = &now.certificate;
         let goal = self.tolerance * (certificate.dissipated + ELASTIC_SHARE * now.elastic);
@@ -157,7 +157,7 @@ impl LoadStep<'_, '_> {
     }
 
     /// Writes the plain successor of an increment and sums up what the law says of it.
-    fn flow<const N: usize>(&self, now: &Iterate, next: &mut Array3<f64>, flows: &mut [bool]) -> FlowSums {
+    fn flow<const N: usize>(&self, now: &FlowIterate, next: &mut Array3<f64>, flows: &mut [bool]) -> FlowSums {
         let (before, law, nodes) = (self.before, self.law, now.increment.dim().2);
         let strained = before.strain.outer_iter().zip(before.accumulated.outer_iter());
         let given = now.increment.outer_iter().zip(now.stress.outer_iter());
@@ -181,7 +181,7 @@ impl LoadStep<'_, '_> {
     }
 
     /// Certificate and energies of an increment.
-    fn certify(&self, now: &mut Iterate, flow: &Flow) {
+    fn certify(&self, now: &mut FlowIterate, flow: &PlaceFlow) {
         let residual = now.residual.as_slice().expect("standard layout");
         let mean = |a: &[f64], b: &[f64]| chunks::sum(a.len(), |i| a[i] * b[i]) / a.len() as f64;
         let (mut contact_gap, mut of_contact) = (0.0, [0.0; 3]);
@@ -209,11 +209,11 @@ impl LoadStep<'_, '_> {
 
 impl LayerFlow<'_> {
     /// The plain successor of the increment in this layer, the sums over its nodes, and the nodes that begin to flow.
-    fn flow<const N: usize>(mut self, law: FlowLaw) -> (Flow, Vec<usize>) {
+    fn flow<const N: usize>(mut self, law: FlowLaw) -> (PlaceFlow, Vec<usize>) {
         let rows = |field: &ArrayView2<'_, f64>, node: usize| std::array::from_fn(|c| field[[c, node]]);
-        let (mut sum, mut begun) = (Flow::default(), Vec::new());
+        let (mut sum, mut begun) = (PlaceFlow::default(), Vec::new());
         for node in 0..self.accumulated.len() {
-            let place = Place::<N> {
+            let place = FlowPlace::<N> {
                 strain: rows(&self.strain, node),
                 accumulated: self.accumulated[node],
                 increment: rows(&self.increment, node),
@@ -234,7 +234,7 @@ impl LayerFlow<'_> {
     }
 }
 
-impl Iterate {
+impl FlowIterate {
     /// No increment: all else is still to be found.
     fn first(before: &PlasticState) -> Self {
         Self {

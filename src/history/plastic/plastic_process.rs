@@ -1,7 +1,7 @@
 //! The process of loads on a solid that yields below its surface.
 
 use super::flow::FlowLaw;
-use super::load_step::{Iterate, LoadStep};
+use super::load_step::{FlowIterate, LoadStep};
 use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
 use crate::contact::{Load, Observer, Problem, Solver, Status, Work};
 use crate::elastic::{DepthLayers, DepthResponse};
@@ -263,9 +263,10 @@ impl<'s> Plastic<'s> {
     }
 
     /// The state after a step.
-    fn next_state(&self, load: Load, reached: Iterate) -> PlasticState {
+    fn next_state(&self, load: Load, reached: FlowIterate) -> PlasticState {
         let before = &self.state;
-        let Iterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } = reached;
+        let FlowIterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } =
+            reached;
         let mut contact = match contact {
             None => apart(before.contact.problem.clone(), residual.clone(), work, None),
             Some(contact) => {
