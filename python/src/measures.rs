@@ -121,7 +121,7 @@ impl Contact {
     #[getter]
     fn elastic_energy(&self) -> f64 {
         match self.contact.values().kind {
-            StateKind::Creep | StateKind::Adhesion => f64::NAN,
+            StateKind::Creep | StateKind::Adhesion | StateKind::Plastic => f64::NAN,
             StateKind::Elastic => self.contact.elastic_energy(),
         }
     }

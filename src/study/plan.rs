@@ -129,6 +129,7 @@ impl Plan {
     }
 
     /// Whether its lengths are metres, and its pressures pascals.
+    #[cfg(feature = "figures")]
     pub(super) fn units(&self) -> [bool; 2] {
         self.units
     }
