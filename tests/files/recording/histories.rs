@@ -2,7 +2,6 @@
 
 use super::{chunks, stores};
 use asperity::job::HistoryOutcome;
-use asperity::record::compare;
 use asperity::setup::Setup;
 use rerun::log::Chunk;
 use rerun::time::TimeType;
@@ -99,13 +98,4 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
             "{said:?}"
         );
     }
-}
-
-#[test]
-fn recordings_of_histories_are_not_compared_and_the_sentence_says_why() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("creep.rrd");
-    recorded(&path, 1.0, "time = 1, steps = 2");
-    let refused = compare(&[path.clone(), path], &folder.path().join("both.rrd")).unwrap_err().to_string();
-    assert!(refused.contains("the states of a history"), "{refused}");
 }
