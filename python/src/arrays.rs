@@ -47,7 +47,7 @@ impl<'py> ArrayLike<'py> {
         }
         // values between others, as those of a column of records, may lie anywhere
         let aligned = numpy.call_method1("require", (given, "f8", ("C", "A")));
-        match aligned.and_then(|array| Ok(array.extract()?)) {
+        match aligned.and_then(|array| array.extract()) {
             Ok(array) => Ok(Self(array)),
             Err(_) => Err(wrong_type(name, "an array of numbers", given)),
         }
