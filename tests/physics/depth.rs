@@ -125,8 +125,8 @@ fn the_operators_are_adjoint_symmetric_and_bounded() {
         let surface = displaced.iter().zip(&pressure).map(|(u, p)| u * p).sum::<f64>() / grid.len() as f64;
         assert!((work - surface).abs() < 1e-14 * work.abs().max(1e-2), "{work} against {surface}");
         let (of_a, of_b) = (response.residual_stress(&a), response.residual_stress(&b));
-        let [ab, ba] = [product(&layers, &of_a, &b), product(&layers, &of_b, &a)];
-        assert!((ab - ba).abs() < 1e-14 * ab.abs().max(1e-2), "{ab} against {ba}");
+        let [there, back] = [product(&layers, &of_a, &b), product(&layers, &of_b, &a)];
+        assert!((there - back).abs() < 1e-14 * there.abs().max(1e-2), "{there} against {back}");
         // a plastic strain stores energy, at most that of a body that is held all around, C : e : e
         let trace = Array3::from_shape_fn(
             a.dim(),
