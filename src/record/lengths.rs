@@ -3,6 +3,9 @@
 //! # Source
 //! `frames.rs` of the crate `re_log_encoding`, and the message `ArrowMsg` of its protocol.
 
+/// The mark at the beginning of a file. Pieces of a stream that are joined have one each.
+const MARK: &[u8] = b"RRF2";
+
 /// Bytes of the head of a file, and of that of a message: two numbers of 8 bytes, its kind and its length.
 const FILE_HEAD: usize = 12;
 const MESSAGE_HEAD: usize = 16;
@@ -24,6 +27,9 @@ const MOST_UNPACKED: u64 = 255;
 pub fn whole(bytes: &[u8], has_end: bool) -> Result<usize, String> {
     let mut at = FILE_HEAD.min(bytes.len());
     loop {
+        if bytes[at..].starts_with(MARK) {
+            at = bytes.len().min(at + FILE_HEAD);
+        }
         let Some((kind, length)) = head(&bytes[at..]) else { return Ok(at) };
         let message = usize::try_from(length).ok().and_then(|it| bytes[at + MESSAGE_HEAD..].get(..it));
         match (message, kind) {
@@ -88,6 +94,16 @@ mod tests {
         let data = [&[0x0a, 1, 7, 0x18][..], unpacked, &[0x2a, 2, 9, 9]].concat();
         let heads = [&[0; FILE_HEAD][..], &DATA.to_le_bytes(), &(data.len() as u64).to_le_bytes()].concat();
         [&heads, &data[..], &[0; MESSAGE_HEAD]].concat()
+    }
+
+    #[test]
+    fn joined_pieces_are_whole() {
+        let mut piece = file(&[0x80, 4]);
+        piece.truncate(piece.len() - MESSAGE_HEAD);
+        piece[..MARK.len()].copy_from_slice(MARK);
+        let joined = [&piece[..], &piece].concat();
+        assert_eq!(whole(&joined, false), Ok(joined.len()));
+        assert_eq!(whole(&joined[..joined.len() - 1], false), Ok(piece.len() + FILE_HEAD));
     }
 
     #[test]
