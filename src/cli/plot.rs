@@ -22,7 +22,7 @@ const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, 
 const EXAMPLES: &str = "\
 Examples:
   asperity plot line.csv surface.csv --y kappa_r --out both.svg
-  asperity plot curve.npz study.csv --x mean_pressure --y relative_area --out area.pdf --figure-size 85mm";
+  asperity plot curve.npz study.csv --y relative_area --out area.pdf --figure-size 85mm";
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
