@@ -3,10 +3,13 @@
 use asperity::quantity::{length_of, pressure_of, time_of};
 use std::ffi::OsString;
 
-/// A sentence about a number, with the word of the command line that gave it: `-1MPa` in place of `-1000000.0`.
+/// A sentence that says what a number is, with the word of the command line that gave it: `is -1MPa` in place of `is -1000000.0`. A number
+/// that was also given without a unit stays, since it may be meant.
 pub fn in_given_words(sentence: String, words: &[OsString]) -> String {
-    let values = words.iter().filter_map(|word| word.to_str()).map(|word| word.split_once('=').map_or(word, |it| it.1));
-    values.fold(sentence, |sentence, value| match number_of(value) {
+    let values =
+        || words.iter().filter_map(|word| word.to_str()).map(|word| word.split_once('=').map_or(word, |it| it.1));
+    let is_plain = |number: f64| values().flat_map(|word| word.split(',')).any(|word| word.parse() == Ok(number));
+    values().fold(sentence, |sentence, value| match number_of(value).filter(|number| !is_plain(*number)) {
         Some(number) => replaced(&sentence, &format!("{number:?}"), value),
         None => sentence,
     })
@@ -18,13 +21,13 @@ fn number_of(value: &str) -> Option<f64> {
     has_unit.then(|| length_of(value).or_else(|| pressure_of(value)).or_else(|| time_of(value)))?
 }
 
-/// A sentence with other words for a number, where it is not a part of another one.
+/// A sentence with other words for a number that something is, where it is not a part of another one.
 fn replaced(sentence: &str, number: &str, words: &str) -> String {
     let is_part = |letter: Option<char>| letter.is_some_and(|it| it.is_alphanumeric() || matches!(it, '.' | '-'));
     let mut pieces = sentence.split(number);
     let mut whole = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
-        let is_other = is_part(whole.chars().last()) || is_part(piece.chars().next());
+        let is_other = !whole.ends_with(" is ") || is_part(piece.chars().next());
         whole += if is_other { number } else { words };
         whole += piece;
     }
@@ -42,5 +45,8 @@ mod tests {
         assert_eq!(of("the mean pressure is -1000000.0: give more"), "the mean pressure is -1MPa: give more");
         assert_eq!(of("the length is 0.004, of 256"), "the length is 4mm, of 256");
         assert_eq!(of("it is 0.0041, 10.004, -0.004 or 0.004e3"), "it is 0.0041, 10.004, -0.004 or 0.004e3");
+        assert_eq!(of("the ratio is 2.0: give at most 0.004"), "the ratio is 2.0: give at most 0.004");
+        let words = ["solve", "--size=1m", "--hurst", "1.0,0.5"].map(OsString::from);
+        assert_eq!(in_given_words("the Hurst exponent is 1.0".into(), &words), "the Hurst exponent is 1.0");
     }
 }

@@ -440,6 +440,10 @@ fn a_step_that_is_cut_short_says_so() {
     let mut plastic = plastic.with_max_iterations(2);
     let state = plastic.press(Load::MeanPressure(2e-3), &mut ()).unwrap();
     assert!(!state.is_converged && state.iterations == 2 && state.certificate.relative_gap > 1e-6);
+    let state = plastic.press(Load::MeanPressure(1e-3), &mut ()).unwrap();
+    assert!(state.certificate.relative_gap < 1e-6 && !state.is_converged, "it goes on from a strain that is not known");
+    let errors = PlasticErrors::between(plastic.state(), plastic.state());
+    assert!(errors.approach.is_nan() && errors.relative_area.is_nan());
 }
 
 /// The estimated error of the steps is about that against many steps, and the one in depth about three times that against thin layers.

@@ -26,9 +26,11 @@ pub struct PlasticErrors {
 }
 
 impl PlasticErrors {
-    /// The differences of a state and that of a coarser history.
+    /// The differences of a state and that of a coarser history; NaN where one of them is not converged, since they estimate nothing then.
     pub fn between(state: &PlasticState, coarser: &PlasticState) -> Self {
-        let difference = |of: fn(&PlasticState) -> f64| (of(state) - of(coarser)).abs();
+        let is_known = state.is_converged && coarser.is_converged;
+        let difference =
+            |of: fn(&PlasticState) -> f64| if is_known { (of(state) - of(coarser)).abs() } else { f64::NAN };
         Self {
             approach: difference(PlasticState::approach),
             imprint_depth: difference(PlasticState::imprint_depth),

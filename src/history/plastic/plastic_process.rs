@@ -267,6 +267,7 @@ impl<'s> Plastic<'s> {
         let before = &self.state;
         let FlowIterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } =
             reached;
+        let is_converged = is_converged && before.is_converged;
         let mut contact = match contact {
             None => apart(before.contact.problem.clone(), residual.clone(), work, None),
             Some(contact) => {

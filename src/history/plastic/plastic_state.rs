@@ -82,7 +82,7 @@ pub struct PlasticState {
     pub energy: PlasticEnergy,
     /// Iterations of flow in the step.
     pub iterations: usize,
-    /// Whether the certificate met the tolerance.
+    /// Whether the certificates of this step and of all steps before it met the tolerance: a step goes on from the strain of the one before.
     pub is_converged: bool,
     pub(super) layers: DepthLayers,
     /// Accumulated strain below which a place does not count as yielded.
