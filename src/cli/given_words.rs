@@ -3,8 +3,11 @@
 use asperity::quantity::{length_of, pressure_of, time_of};
 use std::ffi::OsString;
 
-/// A sentence that says what a number is, with the word of the command line that gave it: `is -1MPa` in place of `is -1000000.0`. A number
-/// that was also given without a unit stays, since it may be meant.
+/// Words before a number that is a bound, and not one that was given.
+const BEFORE_BOUNDS: [&str; 6] = ["at most ", "at least ", "than ", "from ", "to ", "between "];
+
+/// A sentence about a number, with the word of the command line that gave it: `-1MPa` in place of `-1000000.0`. A bound stays, and so does a
+/// number that was also given without a unit, since that may be meant.
 pub fn in_given_words(sentence: String, words: &[OsString]) -> String {
     let values =
         || words.iter().filter_map(|word| word.to_str()).map(|word| word.split_once('=').map_or(word, |it| it.1));
@@ -21,13 +24,14 @@ fn number_of(value: &str) -> Option<f64> {
     has_unit.then(|| length_of(value).or_else(|| pressure_of(value)).or_else(|| time_of(value)))?
 }
 
-/// A sentence with other words for a number that something is, where it is not a part of another one.
+/// A sentence with other words for a number, where it is neither a bound nor a part of another one.
 fn replaced(sentence: &str, number: &str, words: &str) -> String {
     let is_part = |letter: Option<char>| letter.is_some_and(|it| it.is_alphanumeric() || matches!(it, '.' | '-'));
     let mut pieces = sentence.split(number);
     let mut whole = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
-        let is_other = !whole.ends_with(" is ") || is_part(piece.chars().next());
+        let is_bound = BEFORE_BOUNDS.iter().any(|words| whole.ends_with(words));
+        let is_other = is_bound || is_part(whole.chars().last()) || is_part(piece.chars().next());
         whole += if is_other { number } else { words };
         whole += piece;
     }
