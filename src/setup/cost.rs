@@ -15,6 +15,8 @@ const RANK_FIELDS: f64 = 3.0;
 /// contour of a surface adds memory for each node in contact.
 const ARCHIVE_FIELDS: [f64; 2] = [16.5, 8.8];
 const CONTOUR_FIELDS: f64 = 3.5;
+/// Fields that an archive needs once, however many contacts it has: lines, surfaces.
+const ARCHIVE_ONCE: [f64; 2] = [0.0, 2.0];
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;
 /// Fields of a state of a history that is kept: those of its contact, and further ones such as traction and slip.
@@ -32,7 +34,7 @@ const YIELD_FIELDS: f64 = 1.0;
 const OVERHEAD: f64 = 6e6;
 const OVERHEAD_FIELDS: f64 = 2.0;
 /// Bytes that a recording takes at least, that each point along its pictures adds, and the most of these points: lines, surfaces.
-const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [18e6, 0.11e6, 512.0]];
+const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [16e6, 0.085e6, 512.0]];
 
 /// The memory and the grids that a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,11 +65,11 @@ pub struct Extras {
 }
 
 /// Fields of the solver of flows, with its coarse grids; those of its results, along both axes; and with their archive.
-const FLOW_FIELDS: f64 = 42.0;
+const FLOW_FIELDS: f64 = 35.5;
 const KEPT_FLOW_FIELDS: f64 = 4.0;
 const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
 
-/// Fields of the outer steps on a line, as measured.
+/// Fields of the outer steps of the multilevel solver, as measured.
 const OUTER_FIELDS: f64 = 2.0;
 
 impl Setup {
@@ -81,7 +83,6 @@ impl Setup {
         let solid = Compliance::fields(&grid, self.elastic()?.as_ref());
         let (of_dimension, archived) = (usize::from(!grid.is_line()), extras.archived as f64);
         let one = |is_done: bool, fields: f64| if is_done { fields } else { 0.0 };
-        let outer = one(grid.is_line(), OUTER_FIELDS);
         // the heights, the solver or the three fields of the result, and what watches
         let yielding = one(self.law.hardness().is_some(), YIELD_FIELDS);
         let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
@@ -98,15 +99,16 @@ impl Setup {
                 + one(self.surface.has_target_heights(), RANK_FIELDS),
             solving + recorded + diagnosed + kept,
             one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
-            // the stiffness is found by the correction of the multilevel solver, on lines without the fields of its outer steps
+            // the stiffness is found by the correction of the multilevel solver, without the fields of its outer steps
             one(
                 extras.has_stiffness || self.flow.has_conductance(),
-                1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - outer,
+                1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - OUTER_FIELDS,
             ),
             one(self.flow.leakage, 1.0 + KEPT_FIELDS + FLOW_FIELDS + KEPT_FLOW_FIELDS + kept),
             // the solver is still there when its last state is recorded
             one(is_flow_recorded, solving + recorded + FLOW_FIELDS),
-            archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS)),
+            archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS))
+                + one(archived > 0.0, ARCHIVE_ONCE[of_dimension]),
         ];
         let [least, each, most] = PICTURES[of_dimension];
         let pictures = least + each * most.min(grid.shape()[1] as f64);

@@ -90,7 +90,7 @@ pub struct Gfmd {
 
 impl Gfmd {
     /// Number of fields of doubles that a solve needs at its peak, without the heights.
-    pub const FIELDS: f64 = 10.0;
+    pub const FIELDS: f64 = 9.0;
 
     /// Checks the settings.
     ///

@@ -184,13 +184,10 @@ pub struct Multilevel;
 
 impl Multilevel {
     /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
-    /// contact.
+    /// contact, as measured.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
-        let (fields, with_margins) = if grid.is_line() {
-            (8.6 + 3.0 * relative_area, 5.0)
-        } else {
-            (2.0 + 2.0 / 3.0 + 16.0 * relative_area, 2.0)
-        };
+        let (fields, with_margins) =
+            if grid.is_line() { (8.6 + 3.0 * relative_area, 5.0) } else { (4.2 + 11.0 * relative_area, 2.0) };
         fields + if grid.is_periodic() { 0.0 } else { with_margins }
     }
 
