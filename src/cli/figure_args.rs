@@ -2,7 +2,7 @@
 
 use super::exit_status::usage;
 use anyhow::Result;
-use asperity::plot::{FigureStyle, LegendPlace};
+use asperity::plot::{Colour, FigureStyle, LegendPlace};
 use asperity::quantity::length_of;
 use clap::Args;
 
@@ -35,6 +35,9 @@ pub struct FigureArgs {
     /// Place of the legends: auto, none, top-left, top-right, bottom-left or bottom-right
     #[arg(long, value_name = "PLACE", value_parser = place, help_heading = FIGURE)]
     figure_legend: Option<LegendPlace>,
+    /// Colours of the curves in the order of the legend: names such as blue,orange or hexadecimal ones such as #0072b2
+    #[arg(long, value_name = "COLOUR[,COLOUR]", value_delimiter = ',', help_heading = FIGURE)]
+    figure_colours: Vec<Colour>,
 }
 
 impl FigureArgs {
@@ -53,6 +56,7 @@ impl FigureArgs {
             x: self.figure_x,
             y: self.figure_y.clone(),
             legend: self.figure_legend.unwrap_or_default(),
+            colours: self.figure_colours.clone(),
         };
         if !has_picture && style != FigureStyle::default() {
             return usage(

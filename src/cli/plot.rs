@@ -2,22 +2,19 @@
 
 use super::exit_status::{ExitStatus, usage};
 use super::figure_args::FigureArgs;
+use super::file_curve::{FileCurve, curves_of};
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{ArchiveReader, Quantity};
-use asperity::error::FileError;
-use asperity::files::{check_apart, check_named, read_columns};
-use asperity::plot::{Axis, Colour, Dot, FIGURES, Figure, Mark, Panel, Symbol, write_figure};
+use asperity::contact::Quantity;
+use asperity::files::{check_apart, check_named};
+use asperity::plot::{Axis, Colour, FIGURES, Figure, Mark, Panel, Symbol, write_figure};
 use clap::Args;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A range of positive values has a logarithmic axis if its ends have this ratio.
 const LOGARITHMIC: f64 = 20.0;
 /// Room beyond the extreme values, over their distance, and as a factor on a logarithmic axis.
 const ROOM: [f64; 2] = [0.06, 1.2];
-const COLOURS: [Colour; 6] =
-    [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];
-const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -27,7 +24,8 @@ Examples:
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct PlotCommand {
-    /// Results (.npz) of several loads or states, tables of such runs (.csv), and tables of studies (.csv)
+    /// Results (.npz) of several loads or states, tables of such runs (.csv), and tables of studies (.csv). Bars are the error of
+    /// the grid, and of means over the seeds of a study the standard deviation plus that error
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// The quantity to the right, by its name in tables, such as mean_pressure, or p*
@@ -49,20 +47,21 @@ impl PlotCommand {
         check_named(&self.out, &FIGURES)?;
         check_apart([&self.out], &self.files)?;
         let [x, y] = [quantity(&self.x)?, quantity(&self.y)?];
-        let curves = self.files.iter().map(|path| dots(path, [x, y])).collect::<Result<Vec<_>>>()?;
-        let all = || curves.iter().flatten();
-        let axes = [axis(x, all().map(|dot| dot.x)), axis(y, all().map(|dot| dot.y))];
-        let [across, up] = axes;
-        let mut panel = Panel::new("", across, up);
-        for (i, (path, dots)) in self.files.iter().zip(curves).enumerate() {
-            let symbol = SYMBOLS[i % SYMBOLS.len()];
+        let mut curves: Vec<FileCurve> = Vec::new();
+        for path in &self.files {
+            curves.extend(curves_of(path, [x, y], self.files.len() > 1)?);
+        }
+        let dots = || curves.iter().flat_map(|it| &it.dots);
+        let bars = || dots().flat_map(|dot| [dot.y - dot.spread, dot.y, dot.y + dot.spread]);
+        let mut panel = Panel::new("", axis(x, dots().map(|dot| dot.x)), axis(y, bars()));
+        for (i, FileCurve { name, dots }) in curves.into_iter().enumerate() {
+            let symbol = Symbol::of_curve(i);
             let is_curve = dots.windows(2).all(|pair| pair[0].x < pair[1].x);
             let mark = match is_curve {
                 true => Mark::Joined { symbol, filled: true },
                 false => Mark::Symbol { symbol, filled: true },
             };
-            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            panel.add(name, COLOURS[i % COLOURS.len()], mark, dots);
+            panel.add(name, Colour::of_curve(i), mark, dots);
         }
         write_figure(&self.out, &Figure { title: String::new(), panels: vec![panel] }, &style)?;
         wrote(&self.out);
@@ -79,51 +78,6 @@ fn quantity(name: &str) -> Result<Quantity> {
             "there is no quantity `{name}`: give the name of a column, such as reduced_pressure, relative_area, kappa_r or mean_gap"
         )),
     }
-}
-
-/// The finite pairs of two quantities in a file, in their order.
-fn dots(path: &Path, quantities: [Quantity; 2]) -> Result<Vec<Dot>> {
-    let is_archive = path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz"));
-    let [x, y] = if is_archive { of_archive(path, quantities)? } else { of_table(path, quantities)? };
-    let dots: Vec<Dot> =
-        x.iter().zip(&y).map(|(x, y)| Dot::at(*x, *y)).filter(|dot| is_known(dot, quantities)).collect();
-    match dots.is_empty() {
-        true => usage(format!(
-            "{} has no numbers of {} beside {}: choose other quantities",
-            path.display(),
-            quantities[1].name(),
-            quantities[0].name()
-        )),
-        false => Ok(dots),
-    }
-}
-
-/// Whether both numbers are known. An area of 0, or a `kappa` of it, is that of a contact that is not resolved.
-fn is_known(dot: &Dot, quantities: [Quantity; 2]) -> bool {
-    let is_of_area = |it| matches!(it, Quantity::RelativeArea | Quantity::Kappa | Quantity::KappaR);
-    let is_known = |(value, it): (f64, Quantity)| value.is_finite() && (value != 0.0 || !is_of_area(it));
-    [dot.x, dot.y].into_iter().zip(quantities).all(is_known)
-}
-
-fn of_archive(path: &Path, quantities: [Quantity; 2]) -> Result<[Vec<f64>; 2]> {
-    let archive = ArchiveReader::open(path)?;
-    let missing = |it: Quantity| missing(path, it);
-    let [x, y] = quantities.map(|it| archive.numbers(it.name()).map_err(anyhow::Error::from));
-    Ok([x?.ok_or_else(|| missing(quantities[0]))?, y?.ok_or_else(|| missing(quantities[1]))?])
-}
-
-fn of_table(path: &Path, quantities: [Quantity; 2]) -> Result<[Vec<f64>; 2]> {
-    let columns = read_columns(path)?;
-    let numbers = |it: Quantity| {
-        let column = columns.iter().find(|column| column.name == it.name()).ok_or_else(|| missing(path, it))?;
-        Ok::<_, FileError>(column.words.iter().map(|word| word.text.parse().unwrap_or(f64::NAN)).collect())
-    };
-    Ok([numbers(quantities[0])?, numbers(quantities[1])?])
-}
-
-fn missing(path: &Path, quantity: Quantity) -> FileError {
-    let reason = format!("it has no {}", quantity.name());
-    FileError::Format { path: path.into(), what: "result or table", reason }
 }
 
 /// The axis of a quantity, which holds all values.

@@ -1,10 +1,11 @@
-//! The picture of a survey: the heights with their artefacts, and their power spectrum.
+//! The picture of a survey: the heights with their artefacts, their power spectrum, and how they are distributed.
 
+use super::height_picture::{density, material_ratio};
 use super::picture::{range, wider};
 use super::units::Units;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, label, unit};
 use asperity::quantity::LENGTHS;
-use asperity::surface::{Artefacts, Detrend, Scan, Survey};
+use asperity::surface::{AbbottCurve, Artefacts, Detrend, Scan, Survey};
 use std::f64::consts::{PI, TAU};
 
 /// The most tiles of a map along an axis.
@@ -22,7 +23,10 @@ const BEYOND: f64 = 0.005;
 pub fn of_survey(title: &str, scan: &Scan, survey: &Survey, units: Units) -> Figure {
     let rest = Artefacts::new(scan).rest;
     let first = if scan.is_line() { profile(scan, &rest, units) } else { map(scan, &rest, units) };
-    Figure { title: title.into(), panels: vec![first, spectrum(survey, scan, units)] }
+    let curve = AbbottCurve::from_scan(scan);
+    let heights = curve.iter().flat_map(|curve| [density(curve, units), material_ratio(curve, units)]);
+    let panels = [first, spectrum(survey, scan, units)].into_iter().chain(heights).collect();
+    Figure { title: title.into(), panels }
 }
 
 /// Nodes, rows and columns, that the mending of artefacts takes for voids.

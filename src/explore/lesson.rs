@@ -7,9 +7,11 @@ use super::refusal::{Refusal, RefusalRule};
 use super::top::TopMap;
 use super::words::Words;
 use crate::error::FileError;
+use crate::files::open_regular;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -171,14 +173,17 @@ impl Lesson {
 
     fn from_file(path: &Path) -> Result<Self, Refusal> {
         let unreadable = |source| FileError::Read { path: path.into(), source };
-        let length = std::fs::metadata(path).map_err(unreadable)?.len();
+        let file = open_regular(path).map_err(unreadable)?;
+        let length = file.metadata().map_err(unreadable)?.len();
         if length > MOST_BYTES {
             let name = path.display();
             return Err(Refusal::from(format!(
                 "{name} has {length} bytes, more than a lesson may have: give at most {MOST_BYTES}"
             )));
         }
-        Self::read(&path.display().to_string(), &std::fs::read_to_string(path).map_err(unreadable)?)
+        let mut text = String::new();
+        file.take(MOST_BYTES).read_to_string(&mut text).map_err(unreadable)?;
+        Self::read(&path.display().to_string(), &text)
     }
 
     /// The lesson that a text holds, of the file `name`.

@@ -10,7 +10,7 @@ use super::means::Points;
 use super::measure::{Measure, ObservableFn};
 use super::nayak_trend::{BreadthTrend, SolvedBreadth, SolvedBreadths};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
-use super::rough::{SYMBOLS, shade};
+use super::rough::shade;
 use super::verdict::Verdict;
 use crate::error::SetupError;
 use crate::plot::{Axis, AxisScale, Colour, Dot, Mark, Panel, Symbol};
@@ -209,7 +209,7 @@ fn change(it: &BreadthTrend) -> String {
 /// Symbol and colour of a Hurst exponent.
 fn style(group: &SolvedBreadths<'_>, hurst: f64) -> (Symbol, Colour) {
     let number = group.breadths.hurst.iter().position(|it| *it == hurst).unwrap_or(0);
-    (SYMBOLS[number % SYMBOLS.len()], shade(number))
+    (Symbol::of_curve(number), shade(number))
 }
 
 fn dot(x: f64, it: Estimate) -> Dot {
@@ -263,7 +263,7 @@ fn against_load(group: &SolvedBreadths<'_>) -> Panel {
             let name = if i == 0 { "Bush, Gibson, Thomas" } else { "" };
             panel.add(name, shade(i), Mark::Dashed, model);
         }
-        let mark = Mark::Joined { symbol: SYMBOLS[i % SYMBOLS.len()], filled: true };
+        let mark = Mark::Joined { symbol: Symbol::of_curve(i), filled: true };
         let dots = loads.iter().map(|&load| dot(load, it.limit(load, KAPPA)));
         panel.add(format!("α = {nayak:.1}"), shade(i), mark, dots);
     }

@@ -21,7 +21,6 @@ pub(super) const SIDE: f64 = 4.0;
 const POINTS_PER_WAVE: f64 = 64.0;
 
 /// Symbols of the Hurst exponents.
-pub const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
 /// Colours of the Hurst exponents in recordings, three shades of a kind.
 pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE, Colour::GREY];
 /// Colours beside [`WARM`].
@@ -193,7 +192,7 @@ impl Rough {
 
     /// The Hurst exponents, each with its symbol.
     pub(super) fn exponents(&self) -> impl Iterator<Item = (f64, Symbol)> {
-        self.hurst.iter().copied().zip(SYMBOLS.into_iter().cycle())
+        self.hurst.iter().copied().zip((0..).map(Symbol::of_curve))
     }
 
     /// Means over the realisations against the loads, and the first of `realisations` of each Hurst exponent on the coarsest

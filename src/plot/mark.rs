@@ -52,6 +52,13 @@ pub enum Symbol {
 }
 
 impl Symbol {
+    const CURVES: [Self; 4] = [Self::Circle, Self::Square, Self::Triangle, Self::Diamond];
+
+    /// The symbol of a curve by its number from 0, again and again.
+    pub fn of_curve(number: usize) -> Self {
+        Self::CURVES[number % Self::CURVES.len()]
+    }
+
     /// Corners, right and down from its middle, of a symbol about nine units wide, with its edge `inset` further in.
     pub fn outline(self, inset: f64) -> Vec<[f64; 2]> {
         let (corners, turn, radius) = match self {

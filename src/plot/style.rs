@@ -1,6 +1,8 @@
 //! How figures are drawn: their size on paper, their words, and the limits of their axes.
 
+use super::colour::Colour;
 use super::figure::Figure;
+use super::mark::Mark;
 use strum::EnumString;
 
 /// Metres of an inch, of a point, and of a unit of a figure without a size: a pixel of a page in a browser.
@@ -39,6 +41,8 @@ pub struct FigureStyle {
     pub y: Vec<[f64; 2]>,
     /// Where the legends are.
     pub legend: LegendPlace,
+    /// Colours of the curves in the order of the legends; further curves keep theirs.
+    pub colours: Vec<Colour>,
 }
 
 /// Where the legend of a panel is.
@@ -117,6 +121,20 @@ impl FigureStyle {
                 axis.range = limits.filter(|limits| axis.holds_limits(*limits)).unwrap_or(axis.range);
             }
         }
+        self.colour(&mut figure);
         figure
+    }
+
+    /// Gives the curves their colours. Those of one colour, in whatever panel, keep one in common; tiles of maps keep theirs.
+    fn colour(&self, figure: &mut Figure) {
+        let mut before: Vec<Colour> = Vec::new();
+        let series = figure.panels.iter_mut().flat_map(|panel| &mut panel.series);
+        for series in series.filter(|series| !matches!(series.mark, Mark::Tile { .. })) {
+            let number = before.iter().position(|it| *it == series.colour).unwrap_or_else(|| {
+                before.push(series.colour);
+                before.len() - 1
+            });
+            series.colour = self.colours.get(number).copied().unwrap_or(series.colour);
+        }
     }
 }

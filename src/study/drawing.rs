@@ -9,14 +9,10 @@ use crate::quantity::{LENGTHS, PRESSURES};
 
 /// Largest number of curves; more cannot be distinguished.
 pub(super) const MOST: usize = 12;
-const COLOURS: [Colour; 6] =
-    [Colour::BLUE, Colour::VERMILION, Colour::GREEN, Colour::PURPLE, Colour::ORANGE, Colour::SKY];
-const SYMBOLS: [Symbol; 4] = [Symbol::Circle, Symbol::Square, Symbol::Triangle, Symbol::Diamond];
 
 /// The colour and the symbol of a curve: neighbours differ in both, and of [`MOST`] curves no two have both in common.
 pub(super) fn look(curve: usize) -> (Colour, Mark) {
-    let symbol = SYMBOLS[curve % SYMBOLS.len()];
-    (COLOURS[curve % COLOURS.len()], Mark::Joined { symbol, filled: true })
+    (Colour::of_curve(curve), Mark::Joined { symbol: Symbol::of_curve(curve), filled: true })
 }
 
 impl Plan {

@@ -1,6 +1,6 @@
 //! The material ratio of heights.
 
-use crate::surface::Surface;
+use crate::surface::{Scan, Surface};
 
 /// The share of the heights in the central region.
 const CENTRAL: f64 = 0.4;
@@ -52,9 +52,31 @@ pub struct CoreHeights {
 impl AbbottCurve {
     /// The curve of `surface`.
     pub fn new(surface: &Surface) -> Self {
-        let mut descending = surface.heights().to_vec();
-        descending.sort_unstable_by(|one, other| other.total_cmp(one));
-        Self { descending }
+        Self::from_heights(surface.heights().to_vec())
+    }
+
+    /// The curve of a scan without its voids; none if all heights are void.
+    ///
+    /// ```
+    /// use asperity::surface::{AbbottCurve, Scan};
+    /// let height = ndarray::arr2(&[[5.0, f64::NAN, 3.0, 7.0]]);
+    /// let curve = AbbottCurve::from_scan(&Scan { height, spacing: [1.0; 2] }).expect("three heights are there");
+    /// assert_eq!([curve.height(0.0), curve.height(0.5), curve.height(1.0)], [2.0, 0.0, -2.0]);
+    /// ```
+    pub fn from_scan(scan: &Scan) -> Option<Self> {
+        let heights: Vec<f64> = scan.height.iter().copied().filter(|height| height.is_finite()).collect();
+        let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+        mean.is_finite().then(|| Self::from_heights(heights.iter().map(|height| height - mean).collect()))
+    }
+
+    fn from_heights(mut heights: Vec<f64>) -> Self {
+        heights.sort_unstable_by(|one, other| other.total_cmp(one));
+        Self { descending: heights }
+    }
+
+    /// Root mean square of the heights about the mean, a length.
+    pub fn rms_height(&self) -> f64 {
+        (self.descending.iter().map(|z| z * z).sum::<f64>() / self.descending.len() as f64).sqrt()
     }
 
     /// The height about the mean above which the share `ratio` of the surface lies, a length; beyond the first and the last node theirs.

@@ -50,6 +50,10 @@ fn figures_have_their_size_on_paper() {
         );
         assert!(svg.contains(">Figure</text>"), "{run}");
     }
+    let surface = std::fs::read_to_string(folder.join("c.svg")).unwrap();
+    for words in [">distribution of the heights</text>", ">normal distribution</text>", ">material ratio / %</text>"] {
+        assert!(surface.contains(words), "{words}");
+    }
     let output = folder.run(&format!("solve {line} --out a.pdf {style}"));
     assert!(output.status.success() && std::fs::read(folder.join("a.pdf")).unwrap().starts_with(b"%PDF-"));
     for (flags, words) in [
@@ -60,6 +64,7 @@ fn figures_have_their_size_on_paper() {
         ("--figure-x 1 --out a.svg", "`1` is not a pair of limits"),
         ("--figure-y 2,1 --out a.svg", "an axis from 2 to 1 has no length"),
         ("--figure-dpi 1e9 --out a.png", "a resolution of 1000000000 dpi makes no figure"),
+        ("--figure-colours bluish --out a.svg", "`bluish` is no colour: give blue, vermilion"),
         ("--figure-legend left --out a.svg", "`left` is no place of a legend"),
     ] {
         let output = folder.run(&format!("solve {line} {flags}"));
@@ -110,12 +115,26 @@ fn several_results_are_drawn_together() {
         folder.run("plot line.csv surface.npz study.csv --x p* --y relative_area --out all.svg --figure-size 85mm");
     assert!(output.status.success(), "{}", text(&output.stderr));
     let svg = std::fs::read_to_string(folder.join("all.svg")).unwrap();
-    for words in [">line</text>", ">surface</text>", ">study</text>", ", p*</text>"] {
+    for words in
+        [">line</text>", ">surface</text>", ">study, hurst 0.3</text>", ">study, hurst 0.8</text>", ", p*</text>"]
+    {
         assert!(svg.contains(words), "{words}: {svg}");
     }
-    // three dots of the line, two of the surface, eight rows of the study, and one of each in the legend
-    let filled = |colour: &str| svg.matches(&format!("fill=\"{colour}\" fill-opacity=\"1\"")).count();
-    assert_eq!([filled("#0072b2"), filled("#d55e00"), filled("#009e73")], [4, 3, 9]);
+    // three dots of the line, two of the surface, two loads of the study for each exponent, and one of each in the legend
+    let filled = |svg: &str, colour: &str| svg.matches(&format!("fill=\"{colour}\" fill-opacity=\"1\"")).count();
+    let all = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"];
+    assert_eq!(all.map(|colour| filled(&svg, colour)), [4, 3, 3, 3]);
+    let coloured = "plot line.csv surface.npz --y relative_area --out own.svg --figure-colours black,#ff0080";
+    assert!(folder.run(coloured).status.success());
+    let own = std::fs::read_to_string(folder.join("own.svg")).unwrap();
+    assert_eq!(["#000000", "#ff0080", "#0072b2"].map(|colour| filled(&own, colour)), [4, 3, 0]);
+    // the bars of a study are those of its own figure: the standard deviation over the seeds plus the error of the grid
+    assert!(folder.run("plot study.csv --x mean_pressure --out bars.svg").status.success());
+    let bars = std::fs::read_to_string(folder.join("bars.svg")).unwrap();
+    let of_study = std::fs::read_to_string(folder.join("study.svg")).unwrap();
+    let [bars, of_study] = [bars, of_study].map(|svg| svg.matches("stroke-width=\"1.4\"").count());
+    // the figure of the study has the area as well
+    assert_eq!(2 * bars, of_study);
     for (line, words) in [
         ("plot line.csv --y nonsense --out a.svg", "there is no quantity `nonsense`"),
         ("plot line.csv --y time --out a.svg", "line.csv is not a valid result or table file: it has no time"),

@@ -254,6 +254,12 @@ fn lessons_that_cannot_be_say_where() {
     let none = tempfile::tempdir().unwrap();
     assert!(Lesson::folder(none.path()).unwrap_err().to_string().starts_with("no lessons are in "));
     assert!(Lesson::folder(Path::new("nowhere")).unwrap_err().to_string().starts_with("cannot read nowhere"));
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("/dev/zero", none.path().join("endless.toml")).unwrap();
+        let endless = Lesson::folder(none.path()).unwrap_err().to_string();
+        assert!(endless.contains("it is a directory or a device: give a file"), "{endless}");
+    }
     let long = refused(&format!("{STEP}# {}", "x".repeat(1 << 18)));
     assert!(long.contains("more than a lesson may have: give at most 262144"), "{long}");
 }
