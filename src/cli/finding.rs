@@ -115,11 +115,15 @@ impl Finding {
             true => format!("in contact {:.6e}", it.reduced_pressure_contact),
             false => "in contact not known, since there is no gradient".into(),
         };
+        let gradient = match it.rms_gradient_contact.is_finite() {
+            true => format!("in contact {:.6e}", it.rms_gradient_contact),
+            false => "in contact not known".into(),
+        };
         let energy = Some(it.elastic_energy).filter(|energy| !energy.is_nan());
         let energy = energy.map(|energy| ("elastic energy per area", units.energy_per_area(energy)));
         let rows = [
             ("reduced pressure p*", format!("{:.6e}, {in_contact}", it.reduced_pressure)),
-            ("rms gradient", format!("{:.6e}, in contact {:.6e}", it.rms_gradient, it.rms_gradient_contact)),
+            ("rms gradient", format!("{:.6e}, {gradient}", it.rms_gradient)),
             ("kappa", with_error(it.resolved_kappa(), it.relative_area_error)),
             ("relative area, counted", counted(it.relative_area_counted, it.relative_area_corrected)),
             ("kappa, counted", counted(it.kappa_counted, it.kappa_corrected)),

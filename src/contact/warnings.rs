@@ -27,7 +27,7 @@ const LARGEST_SHARE: f64 = 0.25;
 /// inaccurate pressures, grids that are too coarse, and those of [`warnings_of_strains`].
 pub fn warnings_of(found: &[&Observables], law: Law) -> Vec<Warning> {
     let strains: Vec<Strain> = found.iter().map(|it| Strain::from(*it)).collect();
-    let all = [too_heavy(found), unknown(found), loose(found), coarse(found)];
+    let all = [too_heavy(found), unknown(found), without_gradient(found), loose(found), coarse(found)];
     all.into_iter().flatten().chain(warnings_of_strains(&strains, law)).collect()
 }
 
@@ -42,9 +42,12 @@ pub struct Strain {
 }
 
 impl Strain {
-    /// The strain of a contact with the resolved slope of its surface, or else that of the nodes in contact.
-    fn new(max_pressure: f64, modulus: f64, slopes: [f64; 2]) -> Self {
-        Self { max_pressure, modulus, slope: slopes.into_iter().find(|slope| slope.is_finite()).unwrap_or(0.0) }
+    /// The strain of a contact with the resolved slope of its surface, or else that of the nodes in contact. Where the shape gives the edges, as that
+    /// of a punch does, the slope of the nodes is that of its sides, and is not known.
+    fn new(max_pressure: f64, modulus: f64, [resolved, counted]: [f64; 2], has_edges_of_shape: bool) -> Self {
+        let slopes = [Some(resolved), Some(counted).filter(|_| !has_edges_of_shape)];
+        let slope = slopes.into_iter().flatten().find(|slope| slope.is_finite()).unwrap_or(0.0);
+        Self { max_pressure, modulus, slope }
     }
 }
 
@@ -52,14 +55,16 @@ impl From<&Observables> for Strain {
     fn from(it: &Observables) -> Self {
         let moduli = [it.effective_modulus, it.max_pressure / it.max_pressure_over_modulus];
         let modulus = moduli.into_iter().find(|modulus| modulus.is_finite()).unwrap_or(f64::NAN);
-        Self::new(it.max_pressure, modulus, [it.rms_gradient_contact, it.rms_gradient_contact_counted])
+        let slopes = [it.rms_gradient_contact, it.rms_gradient_contact_counted];
+        Self::new(it.max_pressure, modulus, slopes, it.edges_of_shape > 0.0)
     }
 }
 
 impl From<&Contact> for Strain {
     fn from(contact: &Contact) -> Self {
-        let slopes = [contact.resolved().rms_gradient_contact, contact.counted().rms_gradient_contact];
-        Self::new(contact.max_pressure(), contact.effective_modulus(), slopes)
+        let resolved = contact.resolved();
+        let slopes = [resolved.rms_gradient_contact, contact.counted().rms_gradient_contact];
+        Self::new(contact.max_pressure(), contact.effective_modulus(), slopes, resolved.edges_of_shape > 0)
     }
 }
 
@@ -131,7 +136,7 @@ fn too_heavy(found: &[&Observables]) -> Option<Warning> {
 }
 
 fn unknown(found: &[&Observables]) -> Option<Warning> {
-    let count = found.iter().filter(|it| is_unknown(it)).count();
+    let count = found.iter().filter(|it| is_unknown(it) && !has_no_gradient(it)).count();
     (count > 0).then(|| {
         Warning::new(
             format!(
@@ -141,6 +146,21 @@ fn unknown(found: &[&Observables]) -> Option<Warning> {
             "Use a finer grid, or heights that are neither rounded nor clipped",
         )
         .with_remedy("grid.refine", Some("auto"))
+    })
+}
+
+/// The warning that there is no `kappa_r` where the shape of the surface gives the edges of the contact.
+fn without_gradient(found: &[&Observables]) -> Option<Warning> {
+    let count = found.iter().filter(|it| has_no_gradient(it)).count();
+    (count > 0).then(|| {
+        Warning::new(
+            format!(
+                "The shape of the surface gives most edges of the contact, as those of a punch or of rounded and clipped heights, so there \
+                 is no rms gradient in contact and no kappa_r{}",
+                under(count, found)
+            ),
+            "Read area, pressure and gap, or give heights that are neither rounded nor clipped",
+        )
     })
 }
 
@@ -215,6 +235,11 @@ fn steep(strains: &[Strain]) -> Option<Warning> {
         ),
         "Give heights and size in the same unit, and a slope as a gradient: 5 degrees are 0.087",
     ))
+}
+
+/// Whether the shape gives so many edges of a contact that it has no gradient.
+fn has_no_gradient(it: &Observables) -> bool {
+    it.edges_of_shape > 0.0 && it.rms_gradient_contact.is_nan()
 }
 
 /// Whether there is a contact whose `kappa_r`, or its error, is no number or zero.

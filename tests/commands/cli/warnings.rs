@@ -251,9 +251,22 @@ fn an_error_that_is_not_known_warns() {
     let output = folder.run(&format!("{solve} --json"));
     assert!(json(&output)["kappa_r_error"].is_null(), "the error is not known");
     let warned = warnings(&output);
-    let is_unknown = |it: &&str| it.starts_with("This grid is too coarse for kappa_r and its error estimate");
+    let is_unknown = |it: &&str| it.starts_with("The shape of the surface gives most edges of the contact");
     assert!(warned.iter().any(is_unknown), "{warned:?}");
     assert_eq!(folder.run(&format!("{solve} --strict")).status.code(), Some(2));
+}
+
+/// A punch is flat where it touches, however steep its sides are, and a finer grid gives it no `kappa_r`.
+#[test]
+fn a_punch_has_no_slope() {
+    let folder = Folder::new();
+    let output = folder.run("solve --indenter punch --half-width 0.5 --depth 0.1 --points 256 --size 4 --modulus 1 --pressure 1e-3 --verbose");
+    let warned = warnings(&output);
+    assert!(
+        matches!(warned.as_slice(), [one] if one.starts_with("The shape of the surface gives most edges")),
+        "{warned:?}"
+    );
+    assert!(!text(&output.stdout).contains("NaN"), "{}", text(&output.stdout));
 }
 
 /// A number alone beside a quantity with a unit would be in pascals or metres.
