@@ -1,7 +1,8 @@
 """Solve a contact with another code: the name of the code, and a task as JSON, are the arguments.
 
 The task holds the file of the heights, the file for the pressures, the mean pressure, whether the boundary is free, and the tolerance.
-The cell has the length 1 and the contact modulus 1. The answer is JSON: the version and the seconds of the solve, or why there is none.
+The cell has the length 1 and the contact modulus 1. Of a solid that creeps it also holds the relaxed contact modulus, the modulus and the time of an
+element that relaxes, and the duration and the number of the steps. The answer is JSON: the version and the seconds of the solve, or why there is none.
 """
 
 import json
@@ -57,6 +58,19 @@ def aspher_mixed(height, pressure, free, tolerance):
     return aspher(height, pressure, free, tolerance, precision="float_then_double")
 
 
+def tamaas_creep(height, pressure, tolerance, relaxed, element, time, duration, steps):
+    tm = import_module("tamaas")
+    model = tm.ModelFactory.createModel(tm.model_type.basic_2d, [1.0, 1.0], list(height.shape))
+    model.E, model.nu = relaxed, 0.0
+    # of contact moduli, the shear moduli are a half, as Poisson's ratio is 0
+    solver = tm.MaxwellViscoelastic(model, height, tolerance, duration / steps, [element / 2], [time])
+    solver.max_iter = 100_000
+    for _ in range(steps):
+        solver.solve(pressure)
+    return model.traction
+
+
+CREEP = {"tamaas": ("tamaas", tamaas_creep)}
 CODES = {
     "tamaas": ("tamaas", tamaas),
     "contact-mechanics": ("ContactMechanics", contact_mechanics),
@@ -66,16 +80,17 @@ CODES = {
 
 
 def answer():
-    package, solve = CODES[NAME]
+    files = [TASK.pop(name) for name in ("height", "out")]
+    package, solve = (CREEP if "steps" in TASK else CODES)[NAME]
     try:
         np = import_module("numpy")
         version = metadata.version(package)
         import_module(package)
-        height = np.ascontiguousarray(np.load(TASK["height"]))
+        height = np.ascontiguousarray(np.load(files[0]))
         start = time.perf_counter()
-        pressure = solve(height, TASK["pressure"], TASK["free"], TASK["tolerance"])
+        pressure = solve(height, **TASK)
         seconds = time.perf_counter() - start
-        np.save(TASK["out"], np.asarray(pressure, dtype=float).reshape(height.shape))
+        np.save(files[1], np.asarray(pressure, dtype=float).reshape(height.shape))
         return {"version": version, "seconds": seconds}
     except metadata.PackageNotFoundError:
         return {"skipped": f"{package} is not installed"}

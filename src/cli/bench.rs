@@ -8,7 +8,9 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Status, Stop};
 use asperity::files::{check_named, write_csv};
-use asperity::lab::bench::{Contest, Group, HEAD, PEER_HEAD, PeerTiming, Python, Timing};
+use asperity::lab::bench::{
+    CREEP_HEAD, Contest, CreepTiming, Group, HEAD, HeldCreep, PEER_HEAD, PeerTiming, Python, Timing,
+};
 use asperity::plot::write_svg;
 use asperity::setup::Method;
 use clap::builder::PossibleValue;
@@ -42,7 +44,10 @@ heights, load and tolerance; this program judges all pressures:
   eta         certificate of the pressure; (!) ends a row in which it is above the tolerance
   ratio       seconds divided by those of this program
 The other codes are those that the interpreter finds: tamaas, ContactMechanics and aspher; aspher-mixed is aspher that begins in
-single precision. A code that is missing is skipped. --max-iterations holds for this program only.";
+single precision. A code that is missing is skipped. --max-iterations holds for this program only.
+
+The group histories is run alone, too. Each row is one surface under a held load on a solid that creeps, in 20 equal steps:
+  error       difference of the pressure at the end from that of this program in 320 steps, root mean square, relative";
 
 #[derive(Args)]
 #[command(after_help = HELP)]
@@ -94,6 +99,9 @@ impl Bench {
         if let Some(path) = &self.out {
             check_named(path, &["csv"])?;
         }
+        if self.groups.contains(&Group::Histories) {
+            return self.histories();
+        }
         if self.groups.contains(&Group::Rivals) {
             return self.rivals();
         }
@@ -135,8 +143,7 @@ impl Bench {
         if let Some(path) = &self.figure {
             check_named(path, &["svg"])?;
         }
-        let python = Python { program: self.python.clone(), limit: Duration::from_secs(self.time_limit.get() as u64) };
-        let stop = self.stop(Group::Rivals)?;
+        let (python, stop) = (self.interpreter(), self.stop(Group::Rivals)?);
         let mut rows = Vec::new();
         writeln!(stdout(), "{PEER_HEAD}\n\n{}", self.title(Group::Rivals))?;
         for contest in Contest::all(Group::Rivals, self.quick, self.seed) {
@@ -160,9 +167,46 @@ impl Bench {
         Ok(if all_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
     }
 
+    /// The interpreter with the other codes.
+    fn interpreter(&self) -> Python {
+        Python { program: self.python.clone(), limit: Duration::from_secs(self.time_limit.get() as u64) }
+    }
+
+    /// Histories by this code beside another one.
+    fn histories(&self) -> Result<ExitStatus> {
+        if self.groups.len() > 1 || !self.methods.is_empty() || self.figure.is_some() {
+            return usage(
+                "the group histories has other columns and its own codes: name it alone, and without --solver and --figure",
+            );
+        }
+        let (python, stop) = (self.interpreter(), self.stop(Group::Histories)?);
+        let mut rows = Vec::new();
+        writeln!(stdout(), "{CREEP_HEAD}\n\n{}", self.title(Group::Histories))?;
+        for contest in HeldCreep::all(self.quick, self.seed)? {
+            let mut written = Ok(());
+            CreepTiming::all(&contest, &stop, self.repeats, &python, |row| {
+                if written.is_ok() {
+                    written = writeln!(stdout(), "{row}");
+                }
+                rows.push(row);
+            })?;
+            written?;
+            if let Some(path) = &self.out {
+                write_csv(path, &rows)?;
+            }
+        }
+        self.out.iter().for_each(|path| wrote(path));
+        Ok(ExitStatus::Done)
+    }
+
     fn list(&self) -> Result<ExitStatus> {
         for &group in &self.groups {
             writeln!(stdout(), "\n{}", self.title(group))?;
+            if group == Group::Histories {
+                for contest in HeldCreep::all(self.quick, self.seed)? {
+                    writeln!(stdout(), "{}", contest.name())?;
+                }
+            }
             let solvers: Vec<_> = self.methods(group).iter().map(Method::name).collect();
             for contest in Contest::all(group, self.quick, self.seed) {
                 writeln!(stdout(), "{:<14} {:>11} {}", contest.name, contest.points(), solvers.join(", "))?;

@@ -116,6 +116,21 @@ fn codes_that_are_missing_are_skipped_with_a_sentence() {
     assert!(figure.contains("periodic boundaries") && figure.contains("free boundaries"));
 }
 
+/// A history by this code alone: its error in time is told, and the other code says why it has no numbers.
+#[test]
+fn histories_have_their_error_in_time() {
+    let folder = Folder::new();
+    let output = folder.run("bench histories --quick --python no-such-python --out x.csv --threads 1");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let rows = rows(&folder, "x.csv");
+    assert_eq!(rows.len(), 2 * 2);
+    for pair in rows.chunks(2) {
+        assert!(self::number(&pair[0], "time_error") < 1e-2 && self::number(&pair[0], "ratio") == 1.0, "{pair:?}");
+        assert!(pair[1]["code"] == "tamaas" && pair[1]["skipped"].contains("no-such-python cannot be run"), "{pair:?}");
+    }
+    assert_refused(&folder.run("bench histories growth"), &["histories", "alone"]);
+}
+
 #[test]
 fn cases_are_listed_and_not_run() {
     let output = Folder::new().run("bench --list");
@@ -130,7 +145,7 @@ fn cases_are_listed_and_not_run() {
 #[test]
 fn what_cannot_be_is_refused_before_anything_runs() {
     let folder = Folder::new();
-    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "contact", "large", "rivals"];
+    let groups = ["tiny", "smooth", "surfaces", "lines", "growth", "peers", "contact", "large", "rivals", "histories"];
     assert_refused(&folder.run("bench tiny"), &groups);
     assert_refused(&folder.run("bench --solver newton"), &["newton", "multilevel", "polonsky-keer", "gfmd"]);
     assert_refused(&folder.run("bench --quick growth --out missing/x.csv"), &["the folder missing does not exist"]);

@@ -2,9 +2,9 @@
 
 use crate::contact::Problem;
 use crate::error::reason;
-use crate::surface::{read_field, write_heights};
+use crate::surface::{Surface, read_field, write_heights};
 use serde::Deserialize;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::fs::File;
 use std::io;
 use std::path::PathBuf;
@@ -73,26 +73,34 @@ impl Peer {
         tolerance: f64,
         threads: usize,
     ) -> Result<PeerSolution, String> {
-        self.run(python, problem, tolerance, threads).unwrap_or_else(|error| Err(error.to_string()))
-    }
-
-    fn run(
-        self,
-        python: &Python,
-        problem: &Problem,
-        tolerance: f64,
-        threads: usize,
-    ) -> io::Result<Result<PeerSolution, String>> {
-        let folder = tempfile::tempdir()?;
-        let [height, out, answer] = ["height.npy", "pressure.npy", "answer"].map(|name| folder.path().join(name));
-        write_heights(&height, problem.surface().height().view().into_dyn()).map_err(io::Error::other)?;
         let task = json!({
-            "height": height,
-            "out": out,
             "pressure": problem.expected_mean_pressure(),
             "free": !problem.surface().grid().is_periodic(),
             "tolerance": tolerance,
         });
+        self.run(python, problem.surface(), task, threads)
+    }
+
+    /// Does a task with a surface on a number of threads. The task gets the files of heights and pressure.
+    ///
+    /// # Errors
+    /// Why there is no solution: the code is not installed, cannot do this, or takes too long.
+    pub fn run(self, python: &Python, surface: &Surface, task: Value, threads: usize) -> Result<PeerSolution, String> {
+        self.try_run(python, surface, task, threads).unwrap_or_else(|error| Err(error.to_string()))
+    }
+
+    fn try_run(
+        self,
+        python: &Python,
+        surface: &Surface,
+        mut task: Value,
+        threads: usize,
+    ) -> io::Result<Result<PeerSolution, String>> {
+        let folder = tempfile::tempdir()?;
+        let [height, out, answer] = ["height.npy", "pressure.npy", "answer"].map(|name| folder.path().join(name));
+        write_heights(&height, surface.height().view().into_dyn()).map_err(io::Error::other)?;
+        task["height"] = json!(height);
+        task["out"] = json!(out);
         let count = threads.to_string();
         let mut process = Command::new(&python.program)
             .args(["-c", SCRIPT, self.into(), &task.to_string()])
