@@ -205,7 +205,7 @@ pub enum ProblemError {
     /// A mean pressure that the softer body cannot carry, even if all of it yields.
     #[error(
         "a mean pressure of {mean_pressure:?} is above the hardness of {hardness:?}, the highest pressure that the \
-         body can carry: give less pressure, or a higher hardness"
+         body can carry: give a smaller load, a larger cell, or a higher hardness"
     )]
     AboveHardness { mean_pressure: f64, hardness: f64 },
     /// Values so large or small that sums of their squares are outside the range of doubles.

@@ -444,6 +444,9 @@ def test_forces_have_the_unit_of_their_surface() -> None:
             asp.solve(heights, solid="1 GPa", force=force)
     for heights, force in (line, "1 N/m"), (surface, "10mN"):
         assert asp.solve(heights, solid="1 GPa", force=force).converged
+    for solid, pressure in ("3 GPa", 10), (3e9, "10 MPa"):
+        with pytest.raises(asp.AsperityError, match="has no unit, but .* has one: give a unit for every pressure, or for none"):
+            asp.solve(line, solid=solid, mean_pressure=pressure)
     bare = asp.Surface.indenter("cylinder", 64, 1e-3, radius=1e-3)
     assert asp.solve(bare, solid=1e9, force=5.0).converged
 

@@ -32,6 +32,9 @@ pub struct Finding {
     /// The exact solution under the same mean pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<Exact>,
+    /// Whether the cell repeats.
+    #[serde(skip)]
+    pub has_neighbours: bool,
     /// Leakage and conductance, where `--flow` or `--resistivity` is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flow: Option<FlowFinding>,
@@ -46,6 +49,7 @@ impl Finding {
             seconds: contact.work.seconds,
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),
+            has_neighbours: contact.problem.surface().grid().is_periodic(),
             flow: None,
         }
     }
@@ -80,7 +84,10 @@ impl Finding {
     /// Area, `kappa_r`, gap and pressures, and the certificate.
     fn results(&self, units: Units) -> [(&'static str, String); 6] {
         let it = &self.observables;
-        let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   exact {}", significant(v)));
+        // the solution of a contact that is alone is not exact beside its images
+        let is_apart = self.has_neighbours && self.exact.as_ref().is_some_and(|exact| exact.name.ends_with("isolated"));
+        let words = if is_apart { "without neighbouring cells" } else { "exact" };
+        let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   {words} {}", significant(v)));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
         let error = plus_or_minus("", it.mean_gap_error_bound);

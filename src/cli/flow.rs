@@ -2,7 +2,7 @@
 
 use super::units::{Units, significant};
 use asperity::contact::Quantity;
-use asperity::flow::{FlowAxis, Leakage};
+use asperity::flow::FlowAxis;
 use asperity::quantity::number_in_words;
 use asperity::setup::AxisFlow;
 use serde::Serialize;
@@ -48,11 +48,14 @@ impl FlowFinding {
         let along = self.along.iter().map(|it| {
             let said = match it.leakage {
                 [_, 0.0] => "nothing, the contact seals".to_owned(),
+                [lower, upper] if it.is_unknown() => {
+                    let [least, most] = [lower, upper].map(|cube| units.length(cube.cbrt()));
+                    format!("not known: as between plates {least} to {most} apart")
+                }
                 [lower, upper] => format!(
-                    "as between plates {} apart (bounds within {:.0e}{})",
+                    "as between plates {} apart (bounds within {:.0e})",
                     units.length(it.hydraulic_gap),
                     (upper - lower) / upper,
-                    if upper - lower > Leakage::TOLERANCE * upper { ", not converged" } else { "" }
                 ),
             };
             let joined = if it.contact_percolates { "; the contact connects these sides" } else { "" };

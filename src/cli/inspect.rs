@@ -1,7 +1,7 @@
 //! `asperity inspect`: the iterations of another solver, recorded.
 
 use super::choice::choice;
-use super::exit_status::{ExitStatus, settle};
+use super::exit_status::{ExitStatus, settle, usage};
 use super::fields::{check_one_load, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
@@ -18,6 +18,7 @@ use asperity::diagnosis::{Diagnosis, Reference};
 use asperity::error::{ClaimError, StepsError};
 use asperity::files::check_apart;
 use asperity::foreign::{Claim, Distances, Follow, Frame, GivenField, Replay, Steps, step_files};
+use asperity::record::is_recording;
 use asperity::setup::{Cost, Setup, SetupTable};
 use asperity::surface::{read_field, read_fields, read_fields_shape};
 use clap::Args;
@@ -76,6 +77,12 @@ pub struct Inspect {
 impl Inspect {
     pub fn run(&self) -> Result<ExitStatus> {
         self.shown.check()?;
+        if let Some(recording) = self.steps.iter().find(|path| is_recording(path).unwrap_or(false)) {
+            return usage(format!(
+                "{} is a recording, but the steps of another solver are read: open it with asperity view or in the Rerun viewer",
+                recording.display()
+            ));
+        }
         let mut table = self.scene.table()?;
         check_one_load(&mut table)?;
         if !table.has_load() {

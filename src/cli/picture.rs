@@ -12,6 +12,10 @@ const DOTS: usize = 4096;
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
 
+/// The share of the nodes in contact with the largest pressures that may be beyond the colours, and how many times as much as the others they then have.
+const FEW: f64 = 0.005;
+const SEVERAL: f64 = 1.5;
+
 /// The largest number of pixels of a map along an axis.
 const PIXELS: usize = 1024;
 
@@ -127,11 +131,27 @@ fn profile(contact: &Contact, units: Units) -> Panel {
 
 /// The pressure of a surface; where there is none, the map is white.
 fn map_of_pressure(contact: &Contact, units: Units) -> Panel {
-    let highest = contact.max_pressure();
+    let (highest, end) = (contact.max_pressure(), end_of_colours(contact));
     let (unit, size) = unit(units.pascals, &PRESSURES, highest);
     let value = |p: f64| if p > 0.0 { p / size } else { f64::NAN };
-    let scale = Axis::linear(label("pressure", unit), [0.0, highest / size]);
+    let name = match end < highest {
+        true => format!("pressure, at most {:.3}", highest / size),
+        false => "pressure".into(),
+    };
+    let scale = Axis::linear(label(&name, unit), [0.0, end / size]);
     map("pressure", contact, &contact.pressure.mapv(value), f64::max, scale, units)
+}
+
+/// The pressure at which the colours end: the largest one, unless a few nodes have several times as much as all others, which would be of one colour.
+fn end_of_colours(contact: &Contact) -> f64 {
+    let mut pressures: Vec<f64> = contact.pressure.iter().copied().filter(|p| *p > 0.0).collect();
+    let highest = contact.max_pressure();
+    if pressures.is_empty() {
+        return highest;
+    }
+    let place = ((1.0 - FEW) * (pressures.len() - 1) as f64) as usize;
+    let (_, most, _) = pressures.select_nth_unstable_by(place, f64::total_cmp);
+    if highest > SEVERAL * *most { *most } else { highest }
 }
 
 /// The gap of a surface.

@@ -27,7 +27,7 @@ use asperity::files::{check_apart, write_beside};
 use asperity::flow::Leakage;
 use asperity::job::{Job, JobRun, Solved, write_nodes};
 use asperity::plot::write_figure;
-use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable};
+use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable, warning_of_leakage};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write};
@@ -211,6 +211,7 @@ impl Solve {
         let Solved { setup, contact, slip, .. } = solved;
         let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
         let flow = setup.flow.measure(&contact)?;
+        warnings.extend(warning_of_leakage([flow.numbers.as_slice()]));
         let finding = Finding { flow: FlowFinding::from_numbers(&flow.numbers), ..finding };
         let is_archived = outputs.archive().is_some();
         let fields = flow.leakages.into_iter().filter(|_| is_archived).flat_map(Leakage::into_fields).collect();

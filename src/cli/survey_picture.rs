@@ -23,7 +23,11 @@ const BEYOND: f64 = 0.005;
 pub fn of_survey(title: &str, scan: &Scan, survey: &Survey, units: Units) -> Figure {
     let rest = Artefacts::new(scan).rest;
     let first = if scan.is_line() { profile(scan, &rest, units) } else { map(scan, &rest, units) };
-    let curve = AbbottCurve::from_scan(scan);
+    // heights of a map are shown above their plane, and so are their distributions
+    let curve = match scan.is_line() {
+        true => AbbottCurve::from_scan(scan),
+        false => AbbottCurve::from_scan(&Detrend::Plane.apply(scan.clone())),
+    };
     let heights = curve.iter().flat_map(|curve| [density(curve, units), material_ratio(curve, units)]);
     let panels = [first, spectrum(survey, scan, units)].into_iter().chain(heights).collect();
     Figure { title: title.into(), panels }

@@ -65,7 +65,7 @@ pub enum StudyError {
     Overlap { row: usize, path: PathBuf, other: PathBuf },
     /// A table of another study, which would be overwritten.
     #[error(
-        "{} holds {points} rows of another study, or of another version: give another file, or start again to replace it",
+        "{} holds {points} rows of another study, or of another version: give another file, or start again with --fresh to replace it",
         path.display()
     )]
     OtherStudy { path: PathBuf, points: usize },

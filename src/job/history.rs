@@ -8,7 +8,7 @@ use crate::contact::{
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
-use crate::setup::{ProcessKind, Setup};
+use crate::setup::{ProcessKind, Setup, warning_of_leakage};
 use crate::warning::Warning;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -144,9 +144,15 @@ impl HistoryOutcome {
 
     /// Reasons to doubt the states.
     pub fn warnings(&self) -> Vec<Warning> {
-        if self.kind == ProcessKind::Loads {
-            return self.warnings_of_loads();
-        }
+        let numbers = self.states.iter().map(|state| state.contact.values().numbers());
+        let leakage = warning_of_leakage(numbers);
+        let of_process =
+            if self.kind == ProcessKind::Loads { self.warnings_of_loads() } else { self.warnings_of_process() };
+        of_process.into_iter().chain(leakage).collect()
+    }
+
+    /// Reasons to doubt states that are no list of loads.
+    fn warnings_of_process(&self) -> Vec<Warning> {
         let missed = self.states.iter().filter(|state| !state.contact.is_converged()).count();
         let missed = (missed > 0).then(|| {
             Warning::new(

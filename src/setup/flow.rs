@@ -4,6 +4,7 @@ use super::one_or_more;
 use crate::contact::{Contact, Quantity};
 use crate::error::FlowError;
 use crate::flow::{Conductance, FlowAxis, Leakage, Percolation};
+use crate::warning::Warning;
 use serde::{Deserialize, Serialize};
 
 /// What is found about the flow through a contact, after it is solved: section `flow` of a scene.
@@ -135,18 +136,41 @@ pub struct AxisFlow {
     pub contact_percolates: bool,
     /// Bounds of the cube of the gap of parallel plates that leak as much, a length cubed.
     pub leakage: [f64; 2],
-    /// The gap of these plates, a length.
+    /// The gap of these plates, a length; NaN where the bounds are further apart than the solver aims for.
     pub hydraulic_gap: f64,
 }
 
+/// The warning that the leakage of some contacts is not known, from their numbers.
+pub fn warning_of_leakage<'a>(contacts: impl IntoIterator<Item = &'a [(Quantity, f64)]>) -> Option<Warning> {
+    let unknown = |numbers: &[(Quantity, f64)]| {
+        let get = |quantity: Quantity| numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value);
+        FlowAxis::ALL.into_iter().filter_map(|axis| AxisFlow::find(axis, get)).find(AxisFlow::is_unknown)
+    };
+    let unknown: Vec<AxisFlow> = contacts.into_iter().filter_map(unknown).collect();
+    let AxisFlow { axis, leakage: [lower, upper], .. } = unknown.first()?;
+    Some(Warning::new(
+        format!(
+            "The leakage along {} is not known: the cube of the gap of plates that leak as much lies between {lower:.1e} and {upper:.1e}",
+            axis.name()
+        ),
+        "Use a finer grid or another load: the contact nearly seals, and its passages are not resolved",
+    ))
+}
+
 impl AxisFlow {
+    /// Whether the bounds of the leakage are further apart than the solver aims for.
+    pub fn is_unknown(&self) -> bool {
+        let [lower, upper] = self.leakage;
+        upper - lower > Leakage::TOLERANCE * upper
+    }
+
     fn new(percolation: &Percolation, leakage: &Leakage) -> Self {
         Self {
             axis: leakage.axis,
             open_percolates: percolation.open_percolates(leakage.axis),
             contact_percolates: percolation.contact_percolates(leakage.axis),
             leakage: [leakage.lower, leakage.upper],
-            hydraulic_gap: leakage.sigma().cbrt(),
+            hydraulic_gap: if leakage.width() <= leakage.tolerance { leakage.sigma().cbrt() } else { f64::NAN },
         }
     }
 

@@ -73,7 +73,7 @@ pub use command::{command, lay};
 pub use cost::{Cost, Extras};
 pub use files::FILE_KEYS;
 pub use flag::{Choices, FLAGS, Flag, FlagValue, choices};
-pub use flow::{AxisFlow, Flow, FlowFound};
+pub use flow::{AxisFlow, Flow, FlowFound, warning_of_leakage};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;

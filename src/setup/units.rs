@@ -5,6 +5,9 @@ use crate::error::SetupError;
 use crate::quantity::{ForceUnit, force_unit};
 use toml::Value;
 
+/// The kind of quantities that have nothing to do with forces.
+const TIME: &str = "time";
+
 /// The keys of all pressures, of all lengths and of all times, of which numbers alone mean the same unit.
 const KINDS: [(&str, &[&str]); 3] = [
     ("pressure", &["solid.contact-modulus", "solid.young", "law.hardness", "load.mean-pressure"]),
@@ -25,7 +28,7 @@ const KINDS: [(&str, &[&str]); 3] = [
             "adhesion.range",
         ],
     ),
-    ("time", &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
+    (TIME, &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
 ];
 
 /// The section whose lists are pairs of a ratio, which has no unit, and a time.
@@ -49,21 +52,46 @@ const KELVIN: char = 'K';
 
 impl SetupTable {
     /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
-    /// metres there, which is seldom what is meant.
+    /// metres there, which is seldom what is meant. Beside a force with a unit all of them need one.
     ///
     /// # Errors
     /// [`SetupError::MixedUnits`], [`SetupError::ForceWithoutUnit`] and [`SetupError::ElectricalAndThermal`].
     pub fn check_units(&self) -> Result<(), SetupError> {
-        for (kind, keys) in KINDS {
-            let given = keys.iter().flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word)));
-            let (with, without): (Vec<_>, Vec<_>) = given.partition(|(_, word)| has_unit(word));
-            if let (Some(with), Some(without)) = (with.first(), without.first()) {
-                let named = |(key, word): &(&str, String)| format!("{} {word}", name(key));
-                return Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) });
+        KINDS.iter().try_for_each(|(kind, keys)| self.check_kind(kind, keys))?;
+        // a force belongs to a pressure times an area
+        for (kind, keys) in KINDS.iter().filter(|(kind, _)| *kind != TIME) {
+            let force = self.words_of(FORCE).into_iter().find(|word| has_unit(word));
+            let number = self.given(keys).into_iter().find(|(_, word)| !has_unit(word));
+            if let (Some(force), Some(number)) = (force, number) {
+                return Err(SetupError::MixedUnits { kind, without: named(&number), with: named(&(FORCE, force)) });
             }
         }
         self.check_force_numbers()?;
         self.check_conduction()
+    }
+
+    /// Refuses a setup in which some pressures have a unit and others have none.
+    ///
+    /// # Errors
+    /// [`SetupError::MixedUnits`].
+    pub fn check_pressure_units(&self) -> Result<(), SetupError> {
+        let [(kind, keys), ..] = KINDS;
+        self.check_kind(kind, keys)
+    }
+
+    fn check_kind(&self, kind: &'static str, keys: &[&'static str]) -> Result<(), SetupError> {
+        let (with, without): (Vec<_>, Vec<_>) = self.given(keys).into_iter().partition(|(_, word)| has_unit(word));
+        match (with.first(), without.first()) {
+            (Some(with), Some(without)) => {
+                Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The quantities at some keys, each with its key.
+    fn given(&self, keys: &[&'static str]) -> Vec<(&'static str, String)> {
+        keys.iter().flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word))).collect()
     }
 
     /// Refuses a number alone as the force beside pressures or lengths with units.
@@ -72,15 +100,14 @@ impl SetupTable {
     /// [`SetupError::ForceWithoutUnit`].
     pub fn check_force_numbers(&self) -> Result<(), SetupError> {
         let Some(force) = self.words_of(FORCE).into_iter().find(|word| !has_unit(word)) else { return Ok(()) };
-        let keys = KINDS.iter().filter(|(kind, _)| *kind != "time").flat_map(|(_, keys)| keys.iter());
-        let mut given = keys.flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word)));
-        let Some((key, word)) = given.find(|(_, word)| has_unit(word)) else { return Ok(()) };
+        let mut given = KINDS.iter().filter(|(kind, _)| *kind != TIME).flat_map(|(_, keys)| self.given(keys));
+        let Some(with) = given.find(|(_, word)| has_unit(word)) else { return Ok(()) };
         let example = match self.axes() {
             Some(1) => format!("{force}N/m"),
             Some(_) => format!("{force}N"),
             None => format!("{force}N on a surface or {force}N/m on a line"),
         };
-        Err(SetupError::ForceWithoutUnit { force, with: format!("{} {word}", name(key)), example })
+        Err(SetupError::ForceWithoutUnit { force, with: named(&with), example })
     }
 
     /// Refuses a force per length on a surface, and one that is not per length on a line.
@@ -132,6 +159,11 @@ impl SetupTable {
         }
         Ok(())
     }
+}
+
+/// A quantity with its name.
+fn named((key, word): &(&str, String)) -> String {
+    format!("{} {word}", name(key))
 }
 
 /// The name of the quantity at some keys, with its article where it has one.

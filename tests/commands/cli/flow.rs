@@ -16,6 +16,23 @@ fn json(folder: &Folder, line: &str) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
+/// Near the load that seals, the passages are not resolved and the bounds of the leakage stay apart. This is told, and no gap is made of it.
+#[test]
+fn a_leakage_that_is_not_known_is_told() {
+    let folder = Folder::new();
+    let rough =
+        "solve --hurst 0.8 --rolloff 100um --short-cutoff 8um --rms-gradient 0.1 --points 1024,1024 --size 800um";
+    let line = format!("{rough} --young 10MPa --poisson 0.5 --pressure 0.29MPa --flow");
+    let output = folder.run(&line);
+    assert!(text(&output.stdout).contains("not known: as between plates"), "{}", text(&output.stdout));
+    assert!(text(&output.stderr).contains("warning: The leakage along"), "{}", text(&output.stderr));
+    let found = json(&folder, &line);
+    let along = found["flow"]["along"].as_array().unwrap();
+    let unknown = along.iter().filter(|it| it["hydraulic_gap"].is_null()).count();
+    assert!(unknown > 0 && !found["warnings"].as_array().unwrap().is_empty(), "{along:?}");
+    assert_eq!(folder.run(&format!("{line} --strict")).status.code(), Some(2));
+}
+
 /// A rough seal leaks less under more load, with bounds about what leaks, and then nothing.
 #[test]
 fn a_seal_leaks_until_it_is_closed() {

@@ -121,6 +121,14 @@ fn forces_have_the_unit_of_their_surface() {
             "the force 5 has no unit, but the contact modulus 1GPa has one: give it with a unit, such as 5N",
         ),
         (format!("{line} --force 5"), "such as 5N/m"),
+        (
+            format!("{surface} --force 5N").replace("1GPa", "1000"),
+            "the contact modulus 1000 has no unit, but the force 5N has one: give a unit for every pressure, or for none",
+        ),
+        (
+            format!("{surface} --force 5N").replace("10mm", "10").replace("1mm", "1"),
+            "the radius 10 has no unit, but the force 5N has one",
+        ),
     ] {
         let output = folder.run(&format!("solve {given}"));
         assert_eq!(output.status.code(), Some(2), "{given}");
