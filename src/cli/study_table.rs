@@ -60,15 +60,19 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl Write) -> Result<()> {
     writeln!(
         out,
-        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid)",
+        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid), of the n that are resolved",
         plan.seeds()
     )?;
     let errors = format!("{:>8} {:>8} {:>8}", "std", "sem", "grid");
-    writeln!(out, "\n{:>11} {:>9} {errors} {:>8} {errors}", "p*", "area", "kappa_r")?;
+    writeln!(out, "\n{:>11} {:>9} {errors} {:>8} {errors} {:>4}", "p*", "area", "kappa_r", "n")?;
     for LoadMeans { values, reduced_pressure, relative_area, kappa_r, .. } in means.iter().take(LINES) {
+        let count = relative_area.count.min(kappa_r.count);
         let [area, area_errors] = words(relative_area, 6);
         let [kappa_r, kappa_r_errors] = words(kappa_r, 4);
-        writeln!(out, "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors}  {values}")?;
+        writeln!(
+            out,
+            "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors} {count:>4}  {values}"
+        )?;
     }
     write_rest(means.len(), "lines", out)
 }
