@@ -197,6 +197,17 @@ fn what_is_chosen_is_what_heights_need() {
     assert_eq!(uneven.resample, Some(Resample::Linear));
 }
 
+/// A filter of the noise of noise would leave nothing: heights in which there is no surface are kept, and this is told.
+#[test]
+fn noise_alone_is_not_filtered_away() {
+    for (shape, seed) in [([1, 1000], 1), ([1, 4096], 2), ([96, 128], 3)] {
+        let scan = noisy(Scan { height: ndarray::Array2::zeros(shape), spacing: [0.5; 2] }, 0.02, seed);
+        let choice = PreparationChoice::new(&scan, true, [true; 2]).unwrap();
+        assert_eq!(choice.preparation.low_pass, None, "{:?}", choice.reasons);
+        assert!(choice.reasons.iter().any(|it| it.contains("no surface can be told from it")), "{:?}", choice.reasons);
+    }
+}
+
 /// What the steps that were chosen make of heights needs none of them any more, but for the noise that a filter leaves at its wavelength.
 #[test]
 fn prepared_heights_are_periodic_and_told_from_noise() {

@@ -8,6 +8,9 @@ use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
 /// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
 const NOISE: f64 = 0.12;
 
+/// The share of the mean square gradient from which on a filter of the noise would leave no surface.
+const ALL_NOISE: f64 = 0.98;
+
 /// The error of areas that is told at least after a filter of much noise, since what is left of the noise touches as the surface does not.
 const LEAST_ERROR: f64 = 0.15;
 /// Halvings of the range of cut-offs.
@@ -19,7 +22,7 @@ const BISECTIONS: usize = 6;
 /// heights that stand off, and scars, become voids. Voids are filled. From heights that are not periodic, the polynomial of second
 /// order is subtracted (or only the plane, if the boundary is free and the heights may be a body; nothing, if they have a step). They are then
 /// mirrored along the axes on which they still jump. Waves that cannot be distinguished from noise are filtered out
-/// where the noise makes more than an eighth of the mean square gradient; noise is what is independent from node to node, and the same along all axes.
+/// where the noise makes more than an eighth of the mean square gradient, and not all of it; noise is what is independent from node to node, and the same along all axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparationChoice {
     /// The steps.
@@ -120,6 +123,12 @@ impl PreparationChoice {
                 let error = 100.0 * error;
                 self.because(format!("noise makes {part}, and is kept: areas may be up to {error:.0} % off"));
             }
+            return;
+        }
+        if share > ALL_NOISE {
+            self.because(format!(
+                "noise makes {part}, so that no surface can be told from it: the heights are kept, and what is found is that of the noise"
+            ));
             return;
         }
         let before = full.rms_gradient();
