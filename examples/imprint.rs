@@ -24,7 +24,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut loading = PlasticLoading::new(plastic, loads.into(), 2)?;
     println!(" F, N    area  <p_c>/Y  max alpha  deepest yield, um  plastic volume, um  imprint, um  relative gap");
     while let Some(state) = loading.next(&mut ()) {
-        state?;
+        if state?.point.is_none() {
+            continue;
+        }
         let state = loading.plastic().state();
         assert!(state.is_converged && !state.reaches_the_bottom());
         println!(

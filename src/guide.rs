@@ -27,6 +27,7 @@ macro_rules! pages {
             #[doc = "[time-and-friction]: crate::guide::time_and_friction"]
             #[doc = "[trust]: crate::guide::trust"]
             #[doc = "[words]: crate::guide::words"]
+            #[doc = "[yielding]: crate::guide::yielding"]
             #[doc = ""]
             #[cfg_attr(doc, doc = include_str!(concat!("../", $path)))]
             pub mod $name {}
@@ -39,6 +40,7 @@ pages! {
     measured_surfaces "assets/guide/measured-surfaces.md"
     boundaries_and_solids "assets/guide/boundaries-and-solids.md"
     hardness "assets/guide/hardness.md"
+    yielding "assets/guide/yielding.md"
     history "assets/guide/history.md"
     time_and_friction "assets/guide/time-and-friction.md"
     adhesion "assets/guide/adhesion.md"

@@ -23,8 +23,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds, rolls or has adhesion, in their order: a
-/// sequence of Contact.
+/// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds, rolls, has adhesion or yields below its surface, in
+/// their order: a sequence of Contact.
 ///
 /// history[0] is the contact of the first state. history.numbers["friction"] holds the friction of all states, and
 /// history.fields["traction"] the tractions of all states. A contact of a history has the numbers of its state in its measures.
@@ -62,21 +62,22 @@ impl History {
 
 #[pymethods]
 impl History {
-    /// What the contact does: "creep", "slip", "sliding", "rolling" or "adhesion".
+    /// What the contact does: "creep", "slip", "sliding", "rolling", "adhesion" or "plastic".
     #[getter]
     fn process(&self) -> &'static str {
         self.outcome.kind.into()
     }
 
     /// What the first state claims to be, in words: the solution, a pressure whose error is bounded, rounds that have converged, or a state with
-    /// adhesion. With adhesion, states differ in their claims.
+    /// adhesion, or load steps of a solid that yields. With adhesion, states differ in their claims.
     #[getter]
     fn claim(&self) -> &'static str {
         self.outcome.states.first().map_or("", |state| state.claim.words())
     }
 
     /// What each state claims to be, in a word: with adhesion "solution", "stable", "marginal", "saddle", "stationary", "not-converged", "moving" (a frame of
-    /// a jump) or "separated"; otherwise "solution", "bounded" or "rounds-converged".
+    /// a jump) or "separated"; otherwise "solution", "load-step" (of a solid that yields), "bounded" or
+    /// "rounds-converged".
     #[getter]
     fn claims(&self) -> Vec<&'static str> {
         self.outcome.states.iter().map(|state| state.claim.into()).collect()
@@ -105,7 +106,7 @@ impl History {
         Ok(numbers)
     }
 
-    /// Further fields of the states by their names, such as traction, slip, stored_strain or attraction, each an array with a first axis of states.
+    /// Further fields of the states by their names, such as traction, slip, stored_strain, attraction or imprint, each an array with a first axis of states.
     #[getter]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = PyDict::new(py);

@@ -2,6 +2,7 @@
 
 use crate::arrays::{ArrayLike, field, view};
 use crate::contact::Contact;
+use crate::depth_cut::{CutParts, PickledCut, from_parts, into_parts};
 use crate::error::{bail, py_error};
 use crate::history::History;
 use crate::problem::Problem;
@@ -13,11 +14,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::Arc;
 
-/// The values of a state besides its contact: the point of the path, the claim, and further fields by their names.
-type StateParts<'py> = (Option<usize>, String, Vec<(String, Bound<'py, PyArrayDyn<f64>>)>);
+/// The values of a state besides its contact: the point of the path, the claim, further fields by their names, and the cut below it.
+type StateParts<'py> = (Option<usize>, String, Vec<(String, Bound<'py, PyArrayDyn<f64>>)>, Option<PickledCut<'py>>);
 
 /// The values of a state besides its contact, as a pickle gives them.
-type GivenParts<'py> = (Option<usize>, String, Vec<(String, ArrayLike<'py>)>);
+type GivenParts<'py> = (Option<usize>, String, Vec<(String, ArrayLike<'py>)>, Option<CutParts<'py>>);
 
 /// The values that make a history again: its problem, its contacts, and what else belongs to their states.
 type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
@@ -27,7 +28,7 @@ impl History {
     fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, Self>) -> PyResult<bool> {
         let is_same = |(one, two): (&Arc<State>, &Arc<State>)| {
             let fields = |it: &State| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
-            one.claim == two.claim && one.point == two.point && fields(one) == fields(two)
+            one.claim == two.claim && one.point == two.point && fields(one) == fields(two) && one.cut == two.cut
         };
         let [one, two] = [slf, other].map(|it| &it.get().outcome.states);
         let has_same_contacts = slf.as_super().get().is_same(slf.py(), other.as_super().get())?;
@@ -52,7 +53,8 @@ impl History {
             let named = state.fields.iter();
             named.map(|it| (it.name.to_owned(), view(&it.values, slf.get().rank, slf.clone().into_any()))).collect()
         };
-        let state = |state: &Arc<State>| (state.point, <&str>::from(state.claim).to_owned(), fields(state));
+        let cut = |state: &State| state.cut.as_ref().map(|cut| into_parts(cut, py));
+        let state = |state: &Arc<State>| (state.point, <&str>::from(state.claim).to_owned(), fields(state), cut(state));
         let states = it.outcome.states.iter().map(state).collect();
         Ok((slf.get_type().getattr("_from_parts")?, (problem, contacts.clone_ref(py), states)))
     }
@@ -60,13 +62,14 @@ impl History {
     /// The history that the values of a pickle describe.
     #[staticmethod]
     fn _from_parts(problem: &Problem, contacts: Bound<'_, PyTuple>, states: Vec<GivenParts<'_>>) -> PyResult<Py<Self>> {
-        let state = |(contact, (point, claim, fields)): (Bound<'_, PyAny>, GivenParts<'_>)| -> PyResult<_> {
+        let state = |(contact, (point, claim, fields, cut)): (Bound<'_, PyAny>, GivenParts<'_>)| -> PyResult<_> {
             let contact = contact.cast::<Contact>()?.get();
             let claim: ResultClaim = claim.parse().map_err(|_| py_error(format!("there is no claim {claim:?}")))?;
             let fields = fields.iter().map(|(name, values)| named(name, field(values)?)).collect::<PyResult<_>>()?;
             let number = |quantity: Quantity| contact.contact.values().get(quantity);
             let contact = asperity::Contact::clone(&contact.contact);
-            Ok(Arc::new(State::from_parts(contact, (point, claim), number, fields)))
+            let state = State::from_parts(contact, (point, claim), number, fields);
+            Ok(Arc::new(State { cut: cut.map(from_parts), ..state }))
         };
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;

@@ -22,6 +22,7 @@ mod contact;
 mod contact_files;
 mod contact_parts;
 mod conversion;
+mod depth_cut;
 mod detached;
 mod error;
 mod flow;

@@ -26,7 +26,7 @@ const SECTIONS: [&str; 10] =
 /// flow=None, mean_pressure=None, reduced_pressure=None, mean_gap=None, force=None, approach=None, record=None) takes one kind of load: a mean pressure; a
 /// reduced pressure, which is the mean pressure divided by rms gradient and contact modulus; a mean gap, a length; a force, which is a force per
 /// length of a line; or an approach, a length. A list of loads is solved one load after the other. `solid` is a contact modulus, or a dictionary: contact_modulus, or young and poisson (a number
-/// each, or two for two bodies), and for a layer its thickness as layer, and base. A solid of your own is a function k(q) or a dictionary with stiffness, the stiffness of each wave: see
+/// each, or two for two bodies), and for a layer its thickness as layer, and base; a body that yields has yield_stress and hardening_modulus. A solid of your own is a function k(q) or a dictionary with stiffness, the stiffness of each wave: see
 /// solve(). `law` is a dictionary with a hardness. `friction` is a
 /// dictionary with a coefficient and a tangential load. `adhesion` is a dictionary with work, range, form and method, or with a table.
 /// `viscoelastic` is a dictionary with creep or relaxation, pairs of a ratio and a time.

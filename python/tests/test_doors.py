@@ -11,6 +11,7 @@ DRIVES = {
     "slip": dict(surface="cylinder", load={"force": 0.01}, friction={"coefficient": 0.3}, path={"tangential": [1e-3, 2e-3, -2e-3]}),
     "rolling": dict(surface="cylinder", load={"force": 0.01}, friction={"coefficient": 0.3}, rolling={"tangential": [1e-3, 2e-3]}),
     "adhesion": dict(surface="sine", load={"mean-gap": 0.02}, adhesion={"work": 4e-4, "range": 5e-3}, path={"load": [0.02, 0.005, 0.03], "steps": 6}),
+    "plastic": dict(surface="steel", load={"mean-pressure": [1e-3, 1.5e-3]}),
     "loads": dict(surface="rough", load={"reduced-pressure": [0.02, 0.05]}),
 }
 
@@ -24,6 +25,11 @@ solid = { contact-modulus = 1.0 }
 surface = { indenter = { shape = "cylinder", radius = 1.0 } }
 grid = { points = 128, size = 0.5, boundary = "free" }
 solid = { contact-modulus = 1.0 }
+""",
+    "steel": """
+surface = { indenter = { shape = "cylinder", radius = 1.0 } }
+grid = { points = 128, size = 1.0 }
+solid = { young = 1.0, poisson = 0.3, yield-stress = 0.005, hardening-modulus = 0.05 }
 """,
     "sine": """
 surface = { indenter = { shape = "sine", amplitude = 0.01 } }

@@ -41,11 +41,11 @@ pub fn check_one_load(table: &mut SetupTable) -> Result<()> {
 
 /// Poisson's ratios of the bodies, where they are known.
 pub fn poisson(setup: &Setup) -> Vec<f64> {
-    match &setup.solid {
+    match setup.solid.as_ref().map(Solid::as_elastic) {
         Some(Solid::Bodies(first, second)) => {
             [Some(first), second.as_ref()].into_iter().flatten().map(|it| it.poisson).collect()
         }
         Some(Solid::Layer { poisson, .. }) => vec![*poisson],
-        Some(Solid::ContactModulus(_) | Solid::Stiffness(_)) | None => Vec::new(),
+        Some(_) | None => Vec::new(),
     }
 }

@@ -1,7 +1,8 @@
-//! `asperity solve` with a history: what it writes and prints of creep, slip, sliding, rolling and adhesion.
+//! `asperity solve` with a history: what it writes and prints of creep, slip, sliding, rolling, adhesion and yielding.
 
 use super::adhesion;
 use super::exit_status::ExitStatus;
+use super::imprint;
 use super::output::{write_json, write_rows};
 use super::outputs::Outputs;
 use super::problem_summary::ProblemSummary;
@@ -96,6 +97,9 @@ fn write_files(
     if let Some(path) = outputs.picture() {
         write_figure(path, &super::history_picture::draw(&subject.title, &outcome), &outputs.style()?)?;
     }
+    if let (Some(path), Some(last)) = (&outputs.imprint, outcome.states.last()) {
+        imprint::write(path, last)?;
+    }
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;
     }
@@ -129,7 +133,8 @@ fn write_files(
 /// What is claimed of all states, in words: nothing, where one of them is not converged.
 fn claim_of(states: &[Arc<State>]) -> &'static str {
     let missed = states.iter().find(|state| state.claim == ResultClaim::NotConverged);
-    missed.or(states.first()).map_or("", |state| state.claim.words())
+    // those on the way claim nothing that holds for the others
+    missed.or(states.iter().find(|state| state.claim != ResultClaim::Moving)).map_or("", |state| state.claim.words())
 }
 
 /// The numbers of a state, by their names.
@@ -203,6 +208,10 @@ fn heading(quantity: Quantity) -> &'static str {
         Quantity::MeanAttraction => "attraction",
         Quantity::Jump => "lost in jump",
         Quantity::MaxPressure => "max. pressure",
+        Quantity::ContactPressureOverYield => "p_m / Y",
+        Quantity::MaxPlasticStrain => "largest alpha",
+        Quantity::ImprintDepth => "imprint",
+        Quantity::StepCertificate => "eta of step",
         Quantity::Certificate => "eta",
         Quantity::TractionCertificate => "eta of traction",
         Quantity::HydraulicGapX => "leaks along x",
@@ -219,9 +228,14 @@ fn cell(quantity: Quantity, state: &State, units: Units) -> String {
         (Unit::Length, _) => units.length(value),
         (Unit::Pressure, _) => units.pressure(value),
         (Unit::EnergyPerArea, _) => units.energy_per_area(value),
-        (_, Quantity::Certificate | Quantity::TractionCertificate | Quantity::TimeError | Quantity::Residual) => {
-            format!("{value:.1e}")
-        }
+        (
+            _,
+            Quantity::Certificate
+            | Quantity::TractionCertificate
+            | Quantity::StepCertificate
+            | Quantity::TimeError
+            | Quantity::Residual,
+        ) => format!("{value:.1e}"),
         _ => number_in_words(value),
     }
 }

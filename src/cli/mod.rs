@@ -23,6 +23,7 @@ mod given_words;
 mod height_picture;
 mod history;
 mod history_picture;
+mod imprint;
 mod inspect;
 mod interrupt;
 mod iteration;

@@ -39,6 +39,10 @@ pub struct Outputs {
     /// Row of a surface, counted from 0, below which the stress is computed [default: the row of the largest pressure]
     #[arg(long, value_name = "ROW", requires = "stress")]
     pub stress_row: Option<usize>,
+    /// Write the imprint of a body that yields below its surface: the heights that it would have without load after the last
+    /// state, for asperity surface or --against; a dent is negative (.npy, .x3p, .sdf, .xyz)
+    #[arg(long, value_name = "FILE")]
+    pub imprint: Option<PathBuf>,
     /// Write the setup as a scene that reproduces the results to the last bit
     #[arg(long, value_name = "SCENE.toml")]
     pub save_setup: Option<PathBuf>,
@@ -102,7 +106,8 @@ impl Outputs {
 
     /// The files to write, in their order.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
-        [self.recording(), self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref()]
+        let [out, stress, imprint, setup] = [&self.out, &self.stress, &self.imprint, &self.save_setup];
+        [self.recording(), out.as_deref(), stress.as_deref(), imprint.as_deref(), setup.as_deref()]
             .into_iter()
             .flatten()
     }

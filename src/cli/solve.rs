@@ -5,6 +5,7 @@ use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
 use super::flow::FlowFinding;
 use super::history;
+use super::imprint;
 use super::load_curve;
 use super::output::{Summary, write_json};
 use super::outputs::{GrowingOutputs, Outputs};
@@ -44,7 +45,7 @@ Examples:
 pub struct Solve {
     #[command(flatten)]
     scene: SceneArgs<OfSetup>,
-    /// After the last load, also solve the loads in reverse order
+    /// After the last load, also solve the loads in reverse order; a body that yields below its surface is unloaded to 0 then
     #[arg(long, help_heading = super::flags::LOAD)]
     unload: bool,
     #[command(flatten)]
@@ -66,6 +67,7 @@ impl Solve {
         let (loads, auto) = (table.take_loads()?, table.take_auto()?);
         let setup = table.setup()?;
         self.check(&setup, loads.is_some(), auto.is_some())?;
+        let setup = if self.unload && setup.yields() { setup.unloaded() } else { setup };
         let run = match loads {
             Some(loads) if self.unload => JobRun::of_loads(LoadCurve { setup, loads }.and_back()),
             Some(loads) => JobRun::of_loads(LoadCurve { setup, loads }),
@@ -81,7 +83,7 @@ impl Solve {
             true if is_history => {
                 usage("a history needs one load, but several are given: give one, and a path of loads")
             }
-            false if is_history && (is_auto || self.diagnose || self.unload) => {
+            false if is_history && (is_auto || self.diagnose || self.unload && !setup.yields()) => {
                 usage("--refine auto, --diagnose and --unload do not go with a history: leave them out")
             }
             true if is_auto => {
@@ -103,6 +105,7 @@ impl Solve {
     fn solve(&self, run: JobRun<'static>, auto: Option<Auto>) -> Result<ExitStatus> {
         let Self { outputs, .. } = self;
         let (kind, loads) = (run.kind()?, run.loads.clone());
+        imprint::check(outputs.imprint.as_deref(), &run.setup, self.scene.units(&run.setup.surface))?;
         kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
         let mut growing = outputs.growing();
         let job = self.job(run, kind, auto, &mut growing).with_extras(outputs.extras(loads.len().max(1)));

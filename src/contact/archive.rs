@@ -1,6 +1,6 @@
 //! The fields of contacts in one file.
 
-use crate::contact::{Contact, PartialSlip, Quantity, Reading, Resolved, State};
+use crate::contact::{Contact, DepthCut, PartialSlip, Quantity, Reading, Resolved, State};
 use crate::elastic::Stress;
 use crate::surface::PowerSpectrum;
 use ndarray::{
@@ -126,6 +126,10 @@ pub fn archive_of_stress(
 /// its claim (`claim`), and the point of the path that it has reached (`point`), from 0, or `-` between two points. Where tractions of different
 /// bodies displace the surface into the solid, `displacement` includes it.
 ///
+/// States of a solid that yields below its surface have the cut below the row `cut_row`: the depths of the interfaces of the layers, `cut_interfaces`,
+/// shape `(layers + 1)`, and in the layers the accumulated plastic strain `cut_plastic_strain` and the von Mises stress `cut_von_mises`, shape
+/// `(states, layers, nx)`.
+///
 /// # Errors
 /// The errors of the format, which fields of doubles do not meet, unless there are no states.
 pub fn archive_of_states(states: &[impl Borrow<State>], rank: usize, setup: &str) -> Result<Vec<u8>, WriteNpzError> {
@@ -149,6 +153,7 @@ fn archive_of(states: &[&State], archive: ArchiveWriter, setup: &str) -> Result<
         states.iter().map(|it| it.point.map_or("-".to_owned(), |point| point.to_string())).collect();
     archive.add_words("claim", states.iter().map(|it| it.claim.into()))?;
     archive.add_words("point", points.iter().map(String::as_str))?;
+    archive.add_cuts(states)?;
     for name in states.first().iter().flat_map(|first| first.fields.iter().map(|it| it.name)) {
         archive.add_fields(name, states.iter().filter_map(|state| Some(state.field(name)?.view().into())))?;
     }
@@ -268,6 +273,16 @@ impl ArchiveWriter {
             self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         }
         self.add_field("height", surface.heights_as_given().view())
+    }
+
+    /// Adds what lies below one row of states that have it.
+    fn add_cuts(&mut self, states: &[&State]) -> Result<(), WriteNpzError> {
+        let cuts: Vec<&DepthCut> = states.iter().filter_map(|state| state.cut.as_ref()).collect();
+        let Some(first) = cuts.first().filter(|_| cuts.len() == states.len()) else { return Ok(()) };
+        self.npz.add_array("cut_row", &arr0(first.row as u64))?;
+        self.npz.add_array("cut_interfaces", &ArrayView1::from(&first.interfaces))?;
+        self.add_each("cut_plastic_strain", cuts.iter().map(|cut| cut.plastic_strain.view().into()))?;
+        self.add_each("cut_von_mises", cuts.iter().map(|cut| cut.von_mises.view().into()))
     }
 
     /// Adds the edges of a contact, resolved between the nodes.

@@ -112,7 +112,7 @@ impl ArchiveReader {
     }
 
     /// An array; of a folder, those of its archives along a first axis.
-    fn read(&self, name: &'static str) -> Result<ArrayD<f64>, FileError> {
+    pub(super) fn read(&self, name: &'static str) -> Result<ArrayD<f64>, FileError> {
         let arrays: Vec<ArrayD<f64>> =
             self.parts.iter().map(|part| read_fields(part, name)).collect::<Result<_, _>>()?;
         let views: Vec<_> = arrays.iter().map(|array| array.view()).collect();

@@ -23,6 +23,11 @@ pub enum ResultClaim {
     /// The solution of a convex problem: energy, pressure and mean gap are bounded.
     #[strum(message = "the solution: energy, pressure and mean gap are bounded")]
     Solution,
+    /// The solution of a load step of a solid that yields: contact and flow are those of one least energy, after the steps before.
+    #[strum(
+        message = "the solution of each load step: its distance from the least energy is bounded, on this grid and these layers"
+    )]
+    LoadStep,
     /// The solution of a monotone problem without an energy, of a contact that moves: only the pressure is bounded.
     #[strum(message = "bounded: the error of the pressure is bounded, and no energy belongs to the contact")]
     Bounded,
@@ -46,7 +51,7 @@ pub enum ResultClaim {
     /// A state with adhesion that is in equilibrium; its stability is not known.
     #[strum(message = "stationary: in equilibrium; its stability is not known")]
     Stationary,
-    /// A frame of a motion with adhesion, which is not in equilibrium.
+    /// A frame on the way to the next state, which is not in equilibrium: of a motion with adhesion, or an iteration of a solid that yields.
     #[strum(message = "moving: not in equilibrium; the surfaces are on their way to the next state")]
     Moving,
     /// A contact or a state that was not found: the best one, which misses the tolerance.
@@ -63,7 +68,7 @@ pub enum ResultClaim {
 impl ResultClaim {
     /// The claim of a contact that may have missed its tolerance: nothing, where it has, of what is solved for.
     pub(super) fn if_converged(self, contact: &Contact) -> Self {
-        let is_solved_for = matches!(self, Self::Solution | Self::Bounded | Self::RoundsConverged);
+        let is_solved_for = matches!(self, Self::Solution | Self::LoadStep | Self::Bounded | Self::RoundsConverged);
         if is_solved_for && !contact.is_converged() { Self::NotConverged } else { self }
     }
 

@@ -157,6 +157,22 @@ quantities! {
             "Least curvature of the energy over that of the softest wave; positive where the state is stable.";
         CurvatureError curvature_error, "|dlambda|", "error of the curvature", One, Number, States,
             "Error of the least curvature: there is an eigenvalue that is at most so far away.";
+        PressureInContact pressure_in_contact, "p_m", "mean pressure in contact", Pressure, Number, States,
+            "Mean pressure over the nodes in contact of a solid that yields below its surface; under a ball it rises to about 2.8 times the yield stress.";
+        ContactPressureOverYield contact_pressure_over_yield, "p_m / Y", "contact pressure over yield stress", One, Number, States,
+            "Mean pressure over the nodes in contact divided by the yield stress: 1.1 where a ball begins to dent, about 2.8 where it is fully plastic.";
+        MaxPlasticStrain max_plastic_strain, "alpha_max", "largest plastic strain", One, Number, States,
+            "Largest accumulated plastic strain.";
+        DeepestYield deepest_yield, "z_pl", "deepest yield", Length, Number, States,
+            "Depth at which the deepest layer ends that has yielded, with a plastic strain above a thousandth of the elastic strain at yield; 0 where none has.";
+        PlasticVolume plastic_volume, "V_pl / A", "plastic volume", Length, Number, States,
+            "Volume that has yielded, per area of the cell.";
+        ImprintDepth imprint_depth, "d_imp", "depth of the imprint", Length, Number, States,
+            "Difference of the largest and the smallest displacement of the surface by the plastic strain: the depth of the imprint that stays without load.";
+        PlasticWork plastic_work, "W_pl", "plastic work", EnergyPerArea, Number, States,
+            "Energy that flow has taken up since the beginning, per area of the cell.";
+        StepCertificate step_certificate, "eta_s", "certificate of the load step", One, Number, None,
+            "Bound of the distance of the load step from its least energy, over the energy that flow took up in the step plus a thousandth of the elastic energy.";
         TractionCertificate traction_certificate, "eta_t", "certificate of the traction", One, Number, None,
             "Certificate eta of the traction.";
         OpenPercolatesX open_percolates_x, "open?", "open area percolates along x", One, Flag, None,

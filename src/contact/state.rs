@@ -1,6 +1,6 @@
 //! A state: a contact that a process has made, whatever process it is.
 
-use crate::contact::{Contact, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work};
+use crate::contact::{Contact, DepthCut, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work};
 use crate::surface::Field;
 use std::sync::OnceLock;
 use strum::IntoEnumIterator;
@@ -17,6 +17,8 @@ pub struct State {
     pub claim: ResultClaim,
     /// Further fields of the process.
     pub fields: Vec<StateField>,
+    /// What lies below one row of a solid that yields; none of other solids.
+    pub cut: Option<DepthCut>,
     /// All numbers, after they were read.
     numbers: OnceLock<Vec<(Quantity, f64)>>,
 }
@@ -56,7 +58,7 @@ impl State {
     /// claimed.
     pub fn new(contact: Contact, claim: ResultClaim) -> Self {
         let claim = claim.if_converged(&contact);
-        Self { contact, point: None, claim, fields: Vec::new(), numbers: OnceLock::new() }
+        Self { contact, point: None, claim, fields: Vec::new(), cut: None, numbers: OnceLock::new() }
     }
 
     /// The state at a point of the path, from 0.
@@ -67,6 +69,11 @@ impl State {
     /// The state with further fields.
     pub fn with_fields(self, fields: Vec<StateField>) -> Self {
         Self { fields, ..self }
+    }
+
+    /// The state with what lies below one row.
+    pub fn with_cut(self, cut: DepthCut) -> Self {
+        Self { cut: Some(cut), ..self }
     }
 
     /// The state with more numbers of its process.

@@ -173,6 +173,49 @@ pub enum ConflictRule {
         "the list of {form} has an odd number of values, {values}: give pairs of a ratio and a time")]
     CreepPairs,
 
+    #[strum(props(keys = "solid.yield-stress solid.hardening-modulus"), message =
+        "a yield stress is given without a hardening modulus: give one; a millionth of Young's modulus hardly differs from none")]
+    YieldWithoutHardening,
+    #[strum(props(keys = "solid.yield-stress solid.hardening-modulus solid.kinematic-hardening solid.yield-depth solid.yield-layers"), message =
+        "hardening, or a depth or layers in which the body yields, are given without a yield stress: give it, or leave them out")]
+    HardeningWithoutYield,
+    #[strum(props(keys = "solid.yield-stress solid.layer"), message =
+        "a yield stress and a layer are given, but the stress that a plastic strain leaves is known in a half-space only: leave one of them out")]
+    YieldOfLayer,
+    #[strum(props(keys = "solid.yield-stress solid.young"), message =
+        "a yield stress and two elastic bodies are given, but flow is solved in one body against a rigid one: give one body")]
+    YieldOfTwoBodies,
+    #[strum(props(keys = "solid.yield-stress solid.young solid.poisson solid.contact-modulus"), message =
+        "a yield stress needs Young's modulus and Poisson's ratio, since flow depends on both: give them, and no contact modulus or stiffness")]
+    YieldWithoutConstants,
+    #[strum(props(keys = "solid.yield-stress grid.boundary"), message =
+        "a yield stress and a free boundary are given, but the stress that a plastic strain leaves is computed by waves, and so below a periodic \
+         surface only: leave the boundary out")]
+    YieldOfFree,
+    #[strum(props(keys = "solid.yield-stress law.hardness"), message =
+        "a yield stress and a hardness are given, which are two laws for the same flow: leave one of them out")]
+    YieldAndHardness,
+    #[strum(props(keys = "solid.yield-stress adhesion"), message = "a yield stress and adhesion cannot be combined: leave one of them out")]
+    YieldAndAdhesion,
+    #[strum(props(keys = "solid.yield-stress viscoelastic"), message = "a yield stress and creep cannot be combined: leave one of them out")]
+    YieldAndCreep,
+    #[strum(props(keys = "solid.yield-stress sliding rolling"), message =
+        "a yield stress and steady motion are given, but each pass over the body would deform it further: leave one of them out")]
+    YieldAndMotion,
+    #[strum(props(keys = "solid.yield-stress friction path.tangential"), message =
+        "a yield stress and friction are given, but flow is solved under normal loads only: leave one of them out")]
+    YieldAndFriction,
+    #[strum(props(keys = "solid.yield-stress path.time"), message =
+        "flow of a body that yields does not depend on time: leave the times of the path out")]
+    YieldInTime,
+    #[strum(props(keys = "solid.yield-stress record.what"), message =
+        "the recording parts stress and fringes show the stress of an elastic body, but this one yields, and the cut below it is among the \
+         fields: leave these parts out")]
+    YieldAndStress,
+    #[strum(props(keys = "solid.yield-stress load"), message =
+        "{load} is given, but a body that yields below its surface needs a mean pressure, a reduced pressure or a force")]
+    YieldLoad,
+
     #[strum(props(keys = "path.tangential friction viscoelastic path.time load"), message =
         "the path has no tangential loads, and the solid does not creep: give tangential loads with friction, or creep and times, or \
          several loads instead of a path")]
@@ -198,7 +241,7 @@ pub enum ConflictRule {
     HistoryOfYielding,
     #[strum(props(keys = "solver.method"), message = "gfmd cannot solve histories: choose another solver")]
     HistoryByGfmd,
-    #[strum(props(keys = "path sliding rolling adhesion"), message = "the setup has no history")]
+    #[strum(props(keys = "path sliding rolling adhesion solid.yield-stress"), message = "the setup has no history")]
     NoHistory,
 }
 

@@ -60,8 +60,8 @@ pub enum PlasticError {
     Load { load: &'static str, value: f64 },
     /// A mean pressure under which no depth is deep enough.
     #[error(
-        "the mean pressure of {mean_pressure:?} is above {limit:?}, from which on the solid yields at all depths: give less pressure, or a higher \
-         yield stress"
+        "the mean pressure of {mean_pressure:?} is above {}, (1 - nu)/(1 - 2 nu) times the yield stress, from which on the solid yields at \
+         all depths, and no layers are deep enough: give less pressure, or a higher yield stress", crate::quantity::number_in_words(*limit)
     )]
     YieldsEverywhere { mean_pressure: f64, limit: f64 },
     /// A setting outside its range.

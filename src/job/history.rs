@@ -1,6 +1,7 @@
 //! The states of a run with several: loads, creep, slip, sliding, rolling or adhesion.
 
 use super::posed::Posed;
+use super::yielding::warnings_of_yielding;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{
     Observables, Problem, Quantity, ResultClaim, State, StateKind, Strain, warning_of_trail, warnings_of,
@@ -190,14 +191,17 @@ impl HistoryOutcome {
             .chain(trail)
             .chain(self.unstable())
             .chain(self.warnings_of_strains())
+            .chain(warnings_of_yielding(&self.states))
             .collect()
     }
 
-    /// Reasons to doubt that the solid bears the states. The modulus of one that creeps depends on the time.
+    /// Reasons to doubt that the solid bears the states. The modulus of one that creeps depends on the time, and one that yields has a law for it.
     fn warnings_of_strains(&self) -> Vec<Warning> {
         let contacts = || self.states.iter().map(|state| &state.contact);
-        let strains: Vec<Strain> =
-            contacts().filter(|it| it.values().kind != StateKind::Creep).map(Strain::from).collect();
+        let strains: Vec<Strain> = contacts()
+            .filter(|it| !matches!(it.values().kind, StateKind::Creep | StateKind::Plastic))
+            .map(Strain::from)
+            .collect();
         contacts().next().map_or_else(Vec::new, |first| warnings_of_strains(&strains, first.problem.law()))
     }
 

@@ -39,6 +39,9 @@ mod state_recording;
 mod state_table;
 mod tables;
 mod watch;
+#[cfg(feature = "record")]
+mod yield_zone;
+mod yielding;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved};

@@ -3,8 +3,8 @@
 use super::doubts::Doubts;
 use super::state_check::StateCheck;
 use crate::contact::{
-    ArchiveReader, Contact, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind, StateValues,
-    Status,
+    ArchiveReader, Contact, DepthCut, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind,
+    StateValues, Status,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
@@ -24,6 +24,8 @@ struct StateColumns {
     fields: Vec<StateFields>,
     claims: Vec<ResultClaim>,
     points: Vec<Option<usize>>,
+    /// The cuts below a solid that yields, if there are any.
+    cuts: Vec<DepthCut>,
 }
 
 impl StateColumns {
@@ -42,7 +44,7 @@ impl StateColumns {
         let claim = |word: String| word.parse().map_err(|_| wrong(format!("its claim {word:?} is not known")));
         let claims = reader.words("claim")?.into_iter().map(claim).collect::<Result<_, _>>()?;
         let points = reader.words("point")?.iter().map(|word| word.parse().ok()).collect();
-        Ok(Self { numbers, fields, claims, points })
+        Ok(Self { numbers, fields, claims, points, cuts: DepthCut::read_all(reader)?.unwrap_or_default() })
     }
 
     /// A number of a state, if it has it.
@@ -81,6 +83,7 @@ pub(super) fn certified_states(
         let contact = Contact::from_parts(under, parts.0, parts.1, saved.solver, saved.coarser);
         let contact = contact.map_err(SetupError::from)?.with_values(StateValues::new(kind));
         let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
+        state.cut = columns.cuts.get(number).cloned();
         let found = check.doubts(&mut state)?;
         if !found.is_empty() {
             state.claim = ResultClaim::Unchecked;

@@ -23,7 +23,7 @@ const SHIFTED: f64 = 10.0;
 
 /// The check of the states of a history, in their order.
 ///
-/// A state has a pressure `p` and a further displacement `v`: by the memory `A eps` of a solid that creeps, by the attraction `-A sigma`, or by a
+/// A state has a pressure `p` and a further displacement `v`: by the memory `A eps` of a solid that creeps, by the attraction `-A sigma`, by a plastic strain, or by a
 /// traction across `beta S tau`. So its pressure is that of the heights `h - v`, and its certificate follows from these.
 pub(super) struct StateCheck<'a> {
     setup: &'a Setup,
@@ -68,6 +68,7 @@ impl<'a> StateCheck<'a> {
         if doubts.is_empty() {
             doubts.extend(match self.attraction.is_some() {
                 true => self.adhesion_doubts(state),
+                false if state.claim == ResultClaim::Moving => Vec::new(),
                 false => self.certificate_doubt(&problem, state)?.into_iter().collect(),
             });
         }
@@ -191,6 +192,9 @@ impl<'a> StateCheck<'a> {
         }
         if let Some(attraction) = state.field("attraction") {
             problem.response().displacement(values(&(-attraction)), &mut further);
+        }
+        if let Some(imprint) = state.field("imprint") {
+            further.iter_mut().zip(imprint).for_each(|(further, imprint)| *further += imprint);
         }
         let beta = self.setup.dundurs_beta();
         if let Some(traction) = state.field("traction").filter(|_| beta != 0.0) {

@@ -4,6 +4,7 @@ use super::history::HistoryOutcome;
 use super::posed::Posed;
 use super::run::JobRun;
 use super::sink::StateSink;
+use super::yield_zone::{fields_of_cut, zone};
 use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Unit};
 use crate::error::FileError;
 use crate::plot::Colour;
@@ -22,8 +23,14 @@ const MOST_APART: f64 = 3.0;
 const ROOM: f64 = 4.0;
 
 /// Quantities whose curves stand first, in the rows of their own.
-const FIRST: [Quantity; 5] =
-    [Quantity::Friction, Quantity::MeanPressure, Quantity::RelativeArea, Quantity::Dissipated, Quantity::KappaR];
+const FIRST: [Quantity; 6] = [
+    Quantity::Friction,
+    Quantity::MeanPressure,
+    Quantity::RelativeArea,
+    Quantity::Dissipated,
+    Quantity::PlasticWork,
+    Quantity::KappaR,
+];
 
 /// A recording of the states of a run, which grows state by state.
 ///
@@ -88,6 +95,7 @@ impl<'a> StateRecording<'a> {
             exact: None,
             loads: posed.loads.to_vec(),
             further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
+            zone: zone(posed.setup, &[first], ROOM),
             ..Scene::from_setup(&setup, posed.problem)
         };
         let title = self.title.clone().unwrap_or_else(|| scene.title.clone());
@@ -167,6 +175,7 @@ impl HistoryOutcome {
             exact: None,
             apart: self.apart(problem),
             further: further(&posed, &states, 1.0),
+            zone: zone(setup, &states, 1.0),
             ..Scene::from_setup(setup, &highest.contact.problem)
         };
         let curves = curves(&self.changing());
@@ -225,8 +234,9 @@ fn numbered(states: usize) -> LoadAxis {
 
 /// Adds the fields of a state of a scene to a recording.
 fn add(recording: &LoadRecording, scene: usize, number: usize, state: &State) -> Result<(), FileError> {
-    let further: Vec<(&'static str, &[f64])> =
+    let mut further: Vec<(&'static str, &[f64])> =
         state.fields.iter().map(|it| (it.name, it.values.as_slice().unwrap_or_default())).collect();
+    further.extend(state.cut.iter().flat_map(fields_of_cut));
     recording.state(scene, number, &state.contact, &further)
 }
 

@@ -57,7 +57,7 @@ impl From<&Setup> for Options {
 }
 
 impl From<&Record> for Options {
-    fn from(Record { what, every, length_unit, raster_at, theme }: &Record) -> Self {
+    fn from(Record { what, every, length_unit, raster_at, theme, .. }: &Record) -> Self {
         let what = if what.is_empty() { Parts::USUAL } else { what.iter().copied().collect() };
         Self {
             what,

@@ -31,6 +31,25 @@ pub struct Scene<'a> {
     pub apart: f64,
     /// Fields besides pressure and gap that its states have.
     pub further: Vec<FurtherField>,
+    /// The layers below its surface, where its solid yields.
+    pub zone: Option<YieldZone>,
+}
+
+/// The names of the fields of the cut below a contact that yields, shape `(layers, nx)`, among those of its states.
+pub(crate) const PLASTIC_STRAIN: &str = "plastic_strain";
+pub(crate) const VON_MISES: &str = "von_mises";
+
+/// The layers below the surface of a solid that yields, and the range of what is drawn of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct YieldZone {
+    /// The depths of their interfaces, lengths.
+    pub interfaces: Vec<f64>,
+    /// The yield stress, a pressure.
+    pub yield_stress: f64,
+    /// The largest accumulated plastic strain of all states.
+    pub strain: f64,
+    /// The largest von Mises stress of all states, a pressure.
+    pub stress: f64,
 }
 
 /// A field that the states of a scene have besides pressure and gap.
@@ -74,6 +93,7 @@ impl<'a> Scene<'a> {
             reference: None,
             apart: 0.0,
             further: Vec::new(),
+            zone: None,
         }
     }
 

@@ -1,6 +1,6 @@
 //! What no process can have: rules on the sections of a setup, one after the other.
 
-use super::{LoadPath, Method, ProcessKind, Setup};
+use super::{LoadPath, Method, ProcessKind, Setup, Solid};
 use crate::error::{Conflict, ConflictRule, SetupError};
 use crate::grid::Grid;
 
@@ -15,6 +15,22 @@ type ProcessRule = (ConflictRule, fn(&Setup, ProcessKind, &Grid) -> Option<Given
 
 /// Sections that do not go together, or that lack something. Of several that are broken, the first is reported.
 const OF_SECTIONS: &[SectionRule] = &[
+    (ConflictRule::HardeningWithoutYield, |it| it.yield_law().is_some() && !it.yields()),
+    (ConflictRule::YieldWithoutHardening, |it| {
+        it.yields() && it.yield_law().is_some_and(|law| law.hardening_modulus.is_none())
+    }),
+    (ConflictRule::YieldOfLayer, |it| it.yields_on(|solid| matches!(solid, Solid::Layer { .. }))),
+    (ConflictRule::YieldOfTwoBodies, |it| it.yields_on(|solid| matches!(solid, Solid::Bodies(_, Some(_))))),
+    (ConflictRule::YieldWithoutConstants, |it| it.yields_on(|solid| !matches!(solid, Solid::Bodies(..)))),
+    (ConflictRule::YieldAndHardness, |it| it.yields() && !it.law.is_hard_wall()),
+    (ConflictRule::YieldAndAdhesion, |it| it.yields() && it.adhesion.is_some()),
+    (ConflictRule::YieldAndCreep, |it| it.yields() && it.viscoelastic.is_some()),
+    (ConflictRule::YieldAndMotion, |it| it.yields() && (it.sliding.is_some() || it.rolling.is_some())),
+    (ConflictRule::YieldAndFriction, |it| {
+        it.yields() && (it.friction.is_some() || it.has_path(|path| !path.tangential.is_empty()))
+    }),
+    (ConflictRule::YieldAndStress, |it| it.yields() && it.record.what.iter().any(|part| part.is_stress())),
+    (ConflictRule::YieldInTime, |it| it.yields() && it.has_path(|path| !path.time.is_empty())),
     (ConflictRule::AdhesionAndCreep, |it| it.adhesion.is_some() && it.viscoelastic.is_some()),
     (ConflictRule::AdhesionAndFriction, |it| it.adhesion.is_some() && it.friction.is_some()),
     (ConflictRule::AdhesionAndSliding, |it| it.adhesion.is_some() && it.sliding.is_some()),
@@ -36,7 +52,8 @@ const OF_SECTIONS: &[SectionRule] = &[
         it.viscoelastic.is_some() && it.has_path(|path| !path.tangential.is_empty() || it.friction.is_some())
     }),
     (ConflictRule::PathWithoutTangential, |it| {
-        it.viscoelastic.is_none() && it.adhesion.is_none() && it.has_path(|path| path.tangential.is_empty())
+        let has_other = it.viscoelastic.is_some() || it.adhesion.is_some() || it.yields();
+        !has_other && it.has_path(|path| path.tangential.is_empty())
     }),
     (ConflictRule::TangentialWithoutFriction, |it| {
         it.friction.is_none() && it.has_path(|path| !path.tangential.is_empty())
@@ -54,6 +71,11 @@ const OF_PROCESSES: &[ProcessRule] = &[
     (ConflictRule::AdhesionByGfmd, |it, kind, _| broken(kind == ProcessKind::Adhesion && it.is_by_gfmd())),
     (ConflictRule::HistoryByGfmd, |it, _, _| broken(it.is_by_gfmd())),
     (ConflictRule::AdhesionBySolver, |it, kind, _| it.other_solver().filter(|_| kind == ProcessKind::Adhesion)),
+    (ConflictRule::YieldOfFree, |_, kind, grid| broken(kind == ProcessKind::Plastic && !grid.is_periodic())),
+    (ConflictRule::YieldLoad, |it, kind, _| {
+        let is_broken = kind == ProcessKind::Plastic && !it.load.is_pressure();
+        is_broken.then(|| vec![("load", it.load.to_string())])
+    }),
     (ConflictRule::SlidingOfFree, |_, kind, grid| broken(kind == ProcessKind::Sliding && !grid.is_periodic())),
     (ConflictRule::SlidingBySolver, |it, kind, _| it.other_solver().filter(|_| kind == ProcessKind::Sliding)),
     (ConflictRule::SlipLoad, |it, kind, _| {
@@ -93,6 +115,10 @@ impl Setup {
     pub(super) fn check_beside(&self, process: ProcessKind, grid: &Grid) -> Result<(), SetupError> {
         let broken = |(rule, of): &ProcessRule| Some(Conflict { rule: *rule, given: of(self, process, grid)? });
         OF_PROCESSES.iter().find_map(broken).map_or(Ok(()), |conflict| Err(conflict.into()))
+    }
+
+    fn yields_on(&self, is_so: impl Fn(&Solid) -> bool) -> bool {
+        self.yields() && self.solid.as_ref().is_some_and(|solid| is_so(solid.as_elastic()))
     }
 
     fn has_path(&self, is_so: impl Fn(&LoadPath) -> bool) -> bool {

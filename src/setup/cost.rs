@@ -110,10 +110,12 @@ impl Setup {
             archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS))
                 + one(archived > 0.0, ARCHIVE_ONCE[of_dimension]),
         ];
+        let process = self.process()?.map_or(Ok(0.0), |kind| (kind.row().bytes)(self, &grid))?;
         let [least, each, most] = PICTURES[of_dimension];
         let pictures = least + each * most.min(grid.shape()[1] as f64);
         let overhead = OVERHEAD.min(bytes(&grid, OVERHEAD_FIELDS));
-        let bytes = bytes(&grid, phases.into_iter().fold(0.0, f64::max)) + overhead + one(extras.is_recorded, pictures);
+        let fields = bytes(&grid, phases.into_iter().fold(0.0, f64::max));
+        let bytes = fields + process + overhead + one(extras.is_recorded, pictures);
         Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes, states })
     }
 }

@@ -27,9 +27,19 @@ const IDLE: &[IdleKey] = &[
         reason: "it has an effect only on a solid that creeps: leave it out",
     },
     IdleKey {
+        path: "stop.pressure-tolerance",
+        is_idle: |it| it.find("solid.yield-stress").is_some(),
+        reason: "it has no effect on the load steps of a body that yields below its surface: leave it out",
+    },
+    IdleKey {
         path: "grid.datum",
         is_idle: |it| ["solid.layer", "solid.stiffness"].iter().any(|key| it.find(key).is_some()),
         reason: "it has an effect only on a half-space: leave it out",
+    },
+    IdleKey {
+        path: "record.iterations",
+        is_idle: |it| it.find("solid.yield-stress").is_none(),
+        reason: "it has an effect only on a body that yields below its surface: leave it out",
     },
     IdleKey {
         path: "record.raster-at",

@@ -11,6 +11,8 @@ impl SetupTable {
     /// or no load. A list such as `[1e5, "1 MPa"]` may contain ranges such as `"1e-3..1e-1:13"`, which means 13 loads
     /// with equal ratios.
     ///
+    /// A solid that yields below its surface remembers its loads: there the list becomes the path of the history, and none is returned.
+    ///
     /// ```
     /// use asperity::contact::Load;
     /// use asperity::setup::SetupTable;
@@ -37,6 +39,11 @@ impl SetupTable {
             return Err(wrong_load("the list is empty: give at least one load".into()));
         };
         self.lay(&format!("load.{kind}"), first.value().into());
+        if self.find("solid.yield-stress").is_some() && self.find("path.load").is_none() {
+            let values: Vec<toml::Value> = loads.iter().map(|load| load.value().into()).collect();
+            self.lay("path.load", values.into());
+            return Ok(None);
+        }
         Ok(Some(loads))
     }
 

@@ -63,6 +63,7 @@ mod units;
 mod viscoelastic;
 mod warnings;
 mod words;
+mod yielding;
 
 pub use crate::memory::{available_bytes, check_room};
 pub use adhesion::Adhesion;
@@ -84,6 +85,7 @@ pub use text::SetupTable;
 pub use theme::Theme;
 pub use viscoelastic::{RollingMotion, SlidingMotion, Viscoelastic};
 pub use words::{differences, differences_of_tables, in_words};
+pub use yielding::YieldLaw;
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
@@ -104,7 +106,7 @@ const ANY: f64 = 0.01;
 /// |-----------|--------------------------------------------------------------|---------------------------------|
 /// | `surface` | a height file, an indenter, a spectrum, or a sum of them     | must be there                   |
 /// | `grid`    | points, size and boundary of the cell                        | must be there; periodic         |
-/// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios; a layer | a half-space, pressures over its modulus |
+/// | `solid`   | the contact modulus, or Young's moduli and Poisson's ratios; a layer; a yield stress | a half-space, pressures over its modulus |
 /// | `law`     | the hardness of the softer body, a pressure                  | elastic at any pressure         |
 /// | `load`    | a mean pressure or a force (of a `solid`), a reduced pressure, a mean gap, an approach | must be there |
 /// | `friction` | a coefficient of friction and a tangential load            | none                            |
@@ -243,7 +245,7 @@ impl Setup {
         self.solver.check()?;
         self.stop.check()?;
         self.record.check(grid)?;
-        if self.record.what.iter().any(|part| matches!(part, Part::Stress | Part::Fringes)) {
+        if self.record.what.iter().any(|part| part.is_stress()) {
             self.check_stress(grid)?;
         }
         self.elastic()?;

@@ -63,6 +63,11 @@ impl Part {
         (self as u16) < Self::Spectrum as u16
     }
 
+    /// Whether it shows the stress of an elastic solid.
+    pub fn is_stress(self) -> bool {
+        matches!(self, Self::Stress | Self::Fringes)
+    }
+
     /// Its name in scenes.
     pub fn name(self) -> &'static str {
         self.into()
@@ -87,12 +92,22 @@ pub struct Record {
     /// Background of the pictures.
     #[serde(skip_serializing_if = "Theme::is_dark")]
     pub theme: Theme,
+    /// Whether each iteration of flow of a body that yields below its surface is a state as well.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub iterations: bool,
 }
 
 impl Default for Record {
     /// All usual parts, all early steps, later ones less often, lengths in metres, a dark background.
     fn default() -> Self {
-        Self { what: Vec::new(), every: None, length_unit: "m".into(), raster_at: None, theme: Theme::Dark }
+        Self {
+            what: Vec::new(),
+            every: None,
+            length_unit: "m".into(),
+            raster_at: None,
+            theme: Theme::Dark,
+            iterations: false,
+        }
     }
 }
 

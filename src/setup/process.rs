@@ -1,20 +1,23 @@
 //! The process of a setup: which history it describes, and what makes it.
 
 use super::process_kind::STEPS_OF_ADHESION;
-use super::{ProcessKind, RollingMotion, Setup, Solid};
+use super::{ProcessKind, RollingMotion, Setup, Solid, YieldLaw};
 use crate::adhesion::{AdhesiveMethod, AdhesiveMotion, AdhesiveProblem};
 use crate::contact::{Load, Problem};
-use crate::elastic::Prony;
-use crate::error::{AdhesionError, SetupError, SlipError};
+use crate::elastic::{DepthLayers, Prony};
+use crate::error::{AdhesionError, ConflictRule, HistoryError, PlasticError, SetupError, SlipError};
 use crate::grid::Grid;
 use crate::history::{
-    AdhesiveProcess, CreepProcess, PathPoint, Process, RollingConditions, RollingDrive, RollingProcess, SlidingProcess,
-    SlipHistory, SlipProcess,
+    AdhesiveProcess, CreepProcess, PathPoint, Plastic, PlasticLoading, PlasticSolid, Process, RollingConditions,
+    RollingDrive, RollingProcess, SlidingProcess, SlipHistory, SlipProcess,
 };
 use strum::IntoEnumIterator;
 
 /// The estimated relative error in time, if none is given.
 const TIME_TOLERANCE: f64 = 1e-2;
+
+/// The iterations of a load step that are expected.
+const ITERATIONS: usize = 30;
 
 impl Setup {
     /// The process that the setup describes; none for a contact without a history.
@@ -72,11 +75,86 @@ impl Setup {
         Ok(self.prony()?.terms().iter().map(|term| (term.ratio, term.time)).collect())
     }
 
-    /// The points of the path of a history; with adhesion the load alone if it has no path, and else none.
+    /// The points of the path of a history; with adhesion or a yield stress the load alone if it has no path, and else none.
     pub fn path_points(&self) -> Vec<PathPoint> {
-        let alone =
-            || self.adhesion.iter().map(|_| PathPoint { time: None, load: self.load, tangential: None }).collect();
+        let has_load = self.adhesion.is_some() || self.yields();
+        let alone = || has_load.then(|| PathPoint::under(self.load)).into_iter().collect();
         self.path.as_ref().map_or_else(alone, |path| path.points(self.load))
+    }
+
+    /// How the solid yields below its surface, if anything of it is given.
+    pub(super) fn yield_law(&self) -> Option<&YieldLaw> {
+        self.solid.as_ref().and_then(Solid::yield_law)
+    }
+
+    /// Whether the solid yields below its surface.
+    pub fn yields(&self) -> bool {
+        self.yield_stress().is_some()
+    }
+
+    /// The yield stress of a solid that yields below its surface, a pressure.
+    pub fn yield_stress(&self) -> Option<f64> {
+        self.yield_law()?.yield_stress
+    }
+
+    /// The setup of a solid that yields whose loads go back after the last one, and then to 0.
+    pub fn unloaded(mut self) -> Self {
+        let mut loads: Vec<f64> = self.path_points().iter().map(|point| point.load.value()).collect();
+        let back: Vec<f64> = loads.iter().rev().skip(1).copied().collect();
+        loads.extend(back);
+        loads.push(0.0);
+        self.path.get_or_insert_default().load = loads;
+        self
+    }
+
+    /// The solid that yields below a grid, and the layers in which it may.
+    fn plastic_solid(&self, grid: &Grid) -> Result<(PlasticSolid, DepthLayers), SetupError> {
+        let body = self.solid.as_ref().and_then(Solid::yielding_body);
+        let (Some(law), Some(body)) = (self.yield_law(), body) else { return Err(ConflictRule::NoHistory.into()) };
+        let made = law.solid(body).and_then(|solid| Ok((solid, law.layers(grid)?)));
+        Ok(made.map_err(HistoryError::from)?)
+    }
+
+    /// Refuses a solid or layers that cannot be, and mean pressures under which it yields at all depths.
+    pub(super) fn check_plastic(&self, grid: &Grid) -> Result<(), SetupError> {
+        let limit = self.plastic_solid(grid)?.0.deep_limit();
+        let pressures = self.path_points().into_iter().filter_map(|point| match point.load {
+            Load::MeanPressure(pressure) => Some(pressure),
+            Load::Force(force) => Some(force / grid.area()),
+            _ => None,
+        });
+        match pressures.into_iter().find(|pressure| *pressure > limit) {
+            Some(mean_pressure) => {
+                Err(HistoryError::from(PlasticError::YieldsEverywhere { mean_pressure, limit }).into())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The states of a solid that yields, with the iterations if these are kept.
+    pub(super) fn states_of_yielding(&self) -> usize {
+        let each = if self.record.iterations { ITERATIONS } else { 1 };
+        self.states_of_path(1).max(1).saturating_mul(each)
+    }
+
+    /// The bytes that flow below a grid takes, with those of the states that are kept.
+    pub(super) fn plastic_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
+        let (_, layers) = self.plastic_solid(grid)?;
+        Ok(Plastic::bytes(grid, &layers)
+            + self.states_of_path(1) as f64 * PlasticLoading::bytes_of_state(grid, &layers))
+    }
+
+    /// What makes the states of a solid that yields, one for each step of the path.
+    pub(super) fn plastic(&self, problem: Problem) -> Result<PlasticLoading<'_>, SetupError> {
+        let (solid, layers) = self.plastic_solid(problem.surface().grid())?;
+        let loads = self.path_points().into_iter().map(|point| point.load).collect();
+        let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
+        let loading = Plastic::new(problem, solid, layers, self.solver.solver())
+            .and_then(|plastic| plastic.with_tolerance(self.stop.tolerance()))
+            .map(|plastic| plastic.with_max_iterations(self.stop.max_iterations()))
+            .map(|plastic| if self.record.iterations { plastic.with_iterations() } else { plastic })
+            .and_then(|plastic| PlasticLoading::new(plastic, loads, steps));
+        Ok(loading.map_err(HistoryError::from)?)
     }
 
     /// Checks what belongs to a process.

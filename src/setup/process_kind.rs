@@ -23,6 +23,8 @@ pub enum ProcessKind {
     Rolling,
     /// Adhesion under loads up and down.
     Adhesion,
+    /// A solid that yields below its surface, under loads up and down.
+    Plastic,
 }
 
 /// What makes a process, what it takes, and what is shown of its states.
@@ -34,6 +36,8 @@ pub struct ProcessRow {
     pub(super) states: fn(&Setup) -> usize,
     /// Refuses what it cannot have on a grid.
     pub(super) check: fn(&Setup, &Grid) -> Result<(), SetupError>,
+    /// The bytes that it takes besides the solves.
+    pub(super) bytes: fn(&Setup, &Grid) -> Result<f64, SetupError>,
     /// What makes its states.
     pub(super) make: MakeProcess,
     /// Whether its surfaces may yield under a hardness.
@@ -89,6 +93,7 @@ const LOADS: ProcessRow = ProcessRow {
     is_given: |_| false,
     states: |_| 0,
     check: |_, _| Ok(()),
+    bytes: |_, _| Ok(0.0),
     make: |it, problem| Ok(Box::new(Loading::new(problem, it.solver(), it.stop).along(vec![it.load]))),
     takes_hardness: true,
     needs_pressure: false,
@@ -120,6 +125,7 @@ const CREEP: ProcessRow = ProcessRow {
     is_given: |it| it.viscoelastic.is_some() && it.sliding.is_none(),
     states: |it| it.states_of_path(STEPS_OF_TIME),
     check: |_, _| Ok(()),
+    bytes: |_, _| Ok(0.0),
     make: |it, problem| Ok(Box::new(it.creep(problem)?)),
     takes_hardness: true,
     needs_pressure: false,
@@ -145,9 +151,10 @@ const CREEP: ProcessRow = ProcessRow {
 };
 
 const SLIP: ProcessRow = ProcessRow {
-    is_given: |it| it.path.is_some() && it.viscoelastic.is_none() && it.adhesion.is_none(),
+    is_given: |it| it.path.is_some() && it.viscoelastic.is_none() && it.adhesion.is_none() && !it.yields(),
     states: |it| it.states_of_path(1),
     check: |it, _| it.check_slip(),
+    bytes: |_, _| Ok(0.0),
     make: |it, problem| Ok(Box::new(it.slip(problem)?)),
     takes_hardness: false,
     needs_pressure: true,
@@ -175,6 +182,7 @@ const SLIDING: ProcessRow = ProcessRow {
     is_given: |it| it.sliding.is_some(),
     states: |it| it.sliding.as_ref().map_or(0, |it| it.speed.len()),
     check: |_, _| Ok(()),
+    bytes: |_, _| Ok(0.0),
     make: |it, problem| Ok(Box::new(it.slides(problem)?)),
     takes_hardness: false,
     needs_pressure: false,
@@ -202,6 +210,7 @@ const ROLLING: ProcessRow = ProcessRow {
     is_given: |it| it.rolling.is_some(),
     states: |it| it.rolling.as_ref().map_or(0, |it| it.creepage.len() + it.tangential.len()),
     check: |_, _| Ok(()),
+    bytes: |_, _| Ok(0.0),
     make: |it, problem| Ok(Box::new(it.rolls(problem)?)),
     takes_hardness: false,
     needs_pressure: true,
@@ -228,6 +237,7 @@ const ADHESION: ProcessRow = ProcessRow {
     is_given: |it| it.adhesion.is_some(),
     states: |it| it.states_of_path(STEPS_OF_ADHESION).max(1).saturating_add(it.expected_frames()),
     check: Setup::check_adhesion,
+    bytes: |_, _| Ok(0.0),
     make: |it, problem| Ok(Box::new(it.adhesive(problem)?)),
     takes_hardness: false,
     needs_pressure: false,
@@ -252,6 +262,38 @@ const ADHESION: ProcessRow = ProcessRow {
     state: StateKind::Adhesion,
 };
 
+const PLASTIC: ProcessRow = ProcessRow {
+    is_given: Setup::yields,
+    states: Setup::states_of_yielding,
+    check: Setup::check_plastic,
+    bytes: Setup::plastic_bytes,
+    make: |it, problem| Ok(Box::new(it.plastic(problem)?)),
+    takes_hardness: false,
+    needs_pressure: true,
+    missed: WITHOUT_CERTIFICATE,
+    axis: None,
+    is_logarithmic: false,
+    charts: [
+        against(Quantity::MeanPressure, Quantity::RelativeArea),
+        against(Quantity::MeanPressure, Quantity::ImprintDepth),
+    ],
+    columns: &[
+        Quantity::MeanPressure,
+        Quantity::RelativeArea,
+        Quantity::MeanGap,
+        Quantity::ContactPressureOverYield,
+        Quantity::MaxPlasticStrain,
+        Quantity::DeepestYield,
+        Quantity::ImprintDepth,
+        Quantity::PlasticWork,
+        Quantity::StepCertificate,
+    ],
+    caption: &[Quantity::MeanPressure, Quantity::DeepestYield],
+    has_claims: false,
+    needed: &["imprint"],
+    state: StateKind::Plastic,
+};
+
 impl ProcessKind {
     /// What is shown of its states.
     pub fn row(self) -> &'static ProcessRow {
@@ -262,6 +304,7 @@ impl ProcessKind {
             Self::Sliding => &SLIDING,
             Self::Rolling => &ROLLING,
             Self::Adhesion => &ADHESION,
+            Self::Plastic => &PLASTIC,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The elastic solid.
 
-use super::one_or_more;
+use super::{YieldLaw, one_or_more};
 use crate::elastic::{self, Base, HalfSpace, StiffnessTable};
 use crate::error::SolidError;
 use crate::quantity;
@@ -38,6 +38,8 @@ pub enum Solid {
     },
     /// A solid with a given stiffness of its waves.
     Stiffness(StiffnessTable),
+    /// An elastic solid that yields below its surface.
+    Yielding(Box<Solid>, YieldLaw),
 }
 
 /// The stiffness of a layer.
@@ -79,19 +81,20 @@ impl Solid {
                 }
             }
             Self::Stiffness(ref table) => Ok(elastic::ElasticSolid::contact_modulus(table)),
+            Self::Yielding(ref elastic, _) => elastic.contact_modulus(),
         }
     }
 
     /// The shares of two elastic bodies in their compliance, `(1 - nu^2)/E` over its sum.
     pub fn compliance_shares(&self) -> Option<[f64; 2]> {
-        let Self::Bodies(first, Some(second)) = self else { return None };
+        let Self::Bodies(first, Some(second)) = self.as_elastic() else { return None };
         let [first, second] = [first.compliance().ok()?, second.compliance().ok()?];
         Some([first, second].map(|it| it / (first + second)))
     }
 
     /// Whether pressures have a unit: a layer without a modulus has none.
     pub fn has_modulus(&self) -> bool {
-        !matches!(self, Self::Layer { modulus: LayerModulus::Unit, .. })
+        !matches!(self.as_elastic(), Self::Layer { modulus: LayerModulus::Unit, .. })
     }
 
     /// The solid that responds, a half-space with a datum of line loads.
@@ -108,6 +111,7 @@ impl Solid {
                 Ok(elastic::Layer { contact_modulus, poisson, thickness, base }.into())
             }
             Self::Stiffness(ref table) => Ok(table.clone().into()),
+            Self::Yielding(ref elastic, _) => elastic.elastic(datum),
             _ => Ok(HalfSpace { contact_modulus, datum }.into()),
         }
     }
@@ -117,6 +121,7 @@ impl Solid {
         match self {
             Self::ContactModulus(_) | Self::Stiffness(_) => None,
             Self::Bodies(Body { poisson, .. }, _) | Self::Layer { poisson, .. } => Some(*poisson),
+            Self::Yielding(elastic, _) => elastic.poisson(),
         }
     }
 
@@ -129,7 +134,7 @@ impl Solid {
     /// # Source
     /// Johnson, Contact Mechanics (1985), eq. 5.3.
     pub fn dundurs_beta(&self) -> Option<f64> {
-        let Self::Bodies(first, second) = self else { return None };
+        let Self::Bodies(first, second) = self.as_elastic() else { return None };
         let terms = |Body { young, poisson }: Body| {
             let shear = young / (2.0 * (1.0 + poisson));
             [(1.0 - 2.0 * poisson) / shear, (1.0 - poisson) / shear]
@@ -144,7 +149,7 @@ impl Solid {
     /// # Source
     /// Johnson, Contact Mechanics (1985), Eq. 3.75.
     pub fn shear_ratio(&self) -> Option<f64> {
-        let Self::Bodies(first, second) = self else { return None };
+        let Self::Bodies(first, second) = self.as_elastic() else { return None };
         let bodies = || [Some(*first), *second].into_iter().flatten();
         let sum = |of: fn(f64) -> f64| -> f64 {
             bodies().map(|Body { young, poisson }| of(poisson) * 2.0 * (1.0 + poisson) / young).sum()
@@ -164,6 +169,10 @@ impl Solid {
             }
             Self::Layer { poisson, .. } => format!("of a layer, nu {poisson}"),
             Self::Stiffness(_) => "of the shortest wave with a given stiffness".into(),
+            Self::Yielding(ref elastic, ref law) => match law.yield_stress {
+                Some(yield_stress) => format!("{}, yield stress {yield_stress:e}", elastic.description()),
+                None => elastic.description(),
+            },
         }
     }
 }
@@ -210,12 +219,23 @@ struct SolidKeys {
     /// Stiffness under a uniform pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     uniform_stiffness: Option<f64>,
+    /// Those of a solid that yields below its surface.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
+    yield_stress: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
+    hardening_modulus: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_pressure")]
+    kinematic_hardening: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "quantity::some_length")]
+    yield_depth: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    yield_layers: Option<usize>,
 }
 
 impl SolidKeys {
     /// The solid whose stiffness the keys give, if they give any.
     fn stiffness(&self) -> Option<Result<Solid, SolidError>> {
-        let Self { contact_modulus, young, poisson, layer, base, wavenumber, stiffness, uniform_stiffness } = self;
+        let Self { contact_modulus, young, poisson, layer, base, wavenumber, stiffness, uniform_stiffness, .. } = self;
         if wavenumber.is_empty() && stiffness.is_empty() && uniform_stiffness.is_none() {
             return None;
         }
@@ -233,6 +253,20 @@ impl SolidKeys {
     }
 }
 
+impl SolidKeys {
+    /// How the solid yields.
+    fn yield_law(&self) -> YieldLaw {
+        let Self { yield_stress, hardening_modulus, kinematic_hardening, yield_depth, yield_layers, .. } = *self;
+        YieldLaw { yield_stress, hardening_modulus, kinematic_hardening, depth: yield_depth, layers: yield_layers }
+    }
+
+    /// The keys of the same solid that yields in another way.
+    fn with_yield_law(self, law: YieldLaw) -> Self {
+        let YieldLaw { yield_stress, hardening_modulus, kinematic_hardening, depth, layers } = law;
+        Self { yield_stress, hardening_modulus, kinematic_hardening, yield_depth: depth, yield_layers: layers, ..self }
+    }
+}
+
 fn some_pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     quantity::pressure(from).map(Some)
 }
@@ -241,6 +275,11 @@ impl TryFrom<SolidKeys> for Solid {
     type Error = SolidError;
 
     fn try_from(keys: SolidKeys) -> Result<Self, SolidError> {
+        let law = keys.yield_law();
+        if law.is_given() {
+            let elastic = Self::try_from(keys.with_yield_law(YieldLaw::default()))?;
+            return Ok(Self::Yielding(elastic.into(), law));
+        }
         if let Some(solid) = keys.stiffness() {
             return solid;
         }
@@ -309,6 +348,7 @@ impl From<Solid> for SolidKeys {
                 let uniform_stiffness = table.uniform();
                 Self { wavenumber: column(0), stiffness: column(1), uniform_stiffness, ..Self::default() }
             }
+            Solid::Yielding(elastic, law) => Self::from(*elastic).with_yield_law(law),
         }
     }
 }

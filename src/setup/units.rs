@@ -10,7 +10,18 @@ const TIME: &str = "time";
 
 /// The keys of all pressures, of all lengths and of all times, of which numbers alone mean the same unit.
 const KINDS: [(&str, &[&str]); 3] = [
-    ("pressure", &["solid.contact-modulus", "solid.young", "law.hardness", "load.mean-pressure"]),
+    (
+        "pressure",
+        &[
+            "solid.contact-modulus",
+            "solid.young",
+            "solid.yield-stress",
+            "solid.hardening-modulus",
+            "solid.kinematic-hardening",
+            "law.hardness",
+            "load.mean-pressure",
+        ],
+    ),
     (
         "length",
         &[
@@ -23,6 +34,7 @@ const KINDS: [(&str, &[&str]); 3] = [
             "surface.spectrum.rms-height",
             "grid.size",
             "solid.layer",
+            "solid.yield-depth",
             "load.mean-gap",
             "load.approach",
             "adhesion.range",

@@ -16,6 +16,8 @@ const CYLINDER: &str = "--indenter cylinder --radius 1 --points 128 --size 0.5 -
 const STICKY: &str =
     "--indenter sine --amplitude 0.01 --points 256 --size 1 --modulus 1 --adhesion 4e-4 --adhesion-range 5e-3";
 
+const YIELDING: &str = "--indenter cylinder --radius 1 --points 128 --size 1 --young 1 --poisson 0.3 --yield-stress 0.005 --hardening-modulus 0.05";
+
 /// A drive: its name, its surface and solid, and what moves them. All of them but the first kind give several states.
 pub struct Drive {
     pub name: &'static str,
@@ -33,7 +35,7 @@ const fn several(name: &'static str, surface: &'static str, motion: &'static str
     Drive { name, surface, motion, is_single: false }
 }
 
-pub const DRIVES: [Drive; 18] = [
+pub const DRIVES: [Drive; 20] = [
     single("rest", ROUGH, "--reduced-pressure 0.05"),
     single("rest with flow", SURFACE, "--modulus 1GPa --reduced-pressure 0.05 --flow --resistivity 1e-7,2e-7"),
     single("rest that yields", ROUGH, "--modulus 1 --reduced-pressure 0.05 --hardness 0.04"),
@@ -59,6 +61,12 @@ pub const DRIVES: [Drive; 18] = [
     several("sliding", ROUGH, "--reduced-pressure 0.05 --creep 9,1 --speed 1e-3,1e-1"),
     several("rolling", CYLINDER, "--force 0.01 --friction 0.3 --rolling 0.001,0.002"),
     several("adhesion", STICKY, "--mean-gap 0.02 --path-load 0.02,0.005,0.03 --path-steps 6"),
+    several("loads that yield below the surface", YIELDING, "--pressure 0.001,0.0015 --unload --path-steps 2"),
+    several(
+        "loads that yield below a rough surface",
+        SURFACE,
+        "--young 1 --poisson 0.3 --yield-stress 0.02 --hardening-modulus 0.05 --reduced-pressure 0.05,0.1 --unload",
+    ),
     several("adhesion under loads", STICKY, "--pressure 1e-4 --path-load 1e-4,2e-3,-1e-3 --path-steps 4"),
 ];
 

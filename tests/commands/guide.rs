@@ -42,6 +42,7 @@ pages! {
     measured_surfaces "assets/guide/measured-surfaces.md"
     boundaries_and_solids "assets/guide/boundaries-and-solids.md"
     hardness "assets/guide/hardness.md"
+    yielding "assets/guide/yielding.md"
     history "assets/guide/history.md"
     time_and_friction "assets/guide/time-and-friction.md"
     adhesion "assets/guide/adhesion.md"

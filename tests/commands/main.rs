@@ -18,3 +18,4 @@ mod peer;
 mod reproduction;
 mod rows;
 mod stability;
+mod yielding;

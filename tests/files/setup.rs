@@ -3,7 +3,7 @@
 
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
-use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, SetupTable, Solid, Theme};
+use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, SetupTable, Solid, Theme, YieldLaw};
 use asperity::surface::{Spectrum, read_heights, write_heights};
 use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
@@ -43,6 +43,7 @@ fn setups() -> Vec<Setup> {
             length_unit: "um".into(),
             raster_at: Some([2, 35]),
             theme: Theme::Light,
+            iterations: false,
         },
         ..Setup::new(crossed, Cell::surface([24, 36], [1.0, 1.0 / 0.7]), Load::MeanPressure(1e8 / 3.0))
     };
@@ -52,7 +53,15 @@ fn setups() -> Vec<Setup> {
     let [one, other] = [(210e9 / 7.0, 0.3), (0.1 + 0.2, -1.0 / 3.0)].map(|(young, poisson)| Body { young, poisson });
     let on_body = line.clone().on(Solid::Bodies(one, None));
     let on_bodies = apart.clone().on(Solid::Bodies(one, Some(other)));
-    vec![line, wide, apart, on_body, on_bodies]
+    let law = YieldLaw {
+        yield_stress: Some(210e9 / 70.0),
+        hardening_modulus: Some(1e9 / 3.0),
+        kinematic_hardening: Some(1e8 / 7.0),
+        depth: Some(1.0 / 3.0),
+        layers: Some(7),
+    };
+    let yielding = line.clone().on(Solid::Yielding(Box::new(Solid::Bodies(one, None)), law));
+    vec![line, wide, apart, on_body, on_bodies, yielding]
 }
 
 #[test]

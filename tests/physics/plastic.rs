@@ -1,7 +1,7 @@
 //! Solids that yield below the surface: numbers of another implementation, onset of yield, the law of flow, the certificate, energy and symmetry.
 
 use asperity::contact::{
-    Contact, ContactModulus, Each, Law, Load, Multilevel, Observer, PolonskyKeer, Quantity, Solver, Step,
+    Contact, ContactModulus, Each, Law, Load, Multilevel, Observer, PolonskyKeer, Quantity, ResultClaim, Solver, Step,
 };
 use asperity::elastic::{DepthLayers, DepthResponse};
 use asperity::error::{HistoryError, PlasticError, SolveError};
@@ -474,7 +474,7 @@ fn coarser_histories_estimate_errors() {
     assert!((1.5..8.0).contains(&ratio), "{ratio}");
 }
 
-/// A list of loads as a process: states at its points, with the imprint, and energies in the usual quantities.
+/// A list of loads as a process: a state for each step, with the imprint, what yields, and the cut below the highest peak.
 #[test]
 fn a_list_of_loads_is_a_process() {
     let layers = DepthLayers::uniform(8, 0.2).unwrap();
@@ -488,10 +488,20 @@ fn a_list_of_loads_is_a_process() {
             Ok(())
         })
         .unwrap();
-    assert_eq!(states.iter().map(|state| state.point).collect::<Vec<_>>(), [Some(0), Some(1)]);
+    assert_eq!(states.iter().map(|state| state.point).collect::<Vec<_>>(), [None, Some(0), None, Some(1)]);
+    let pressures: Vec<f64> = states.iter().map(|state| state.value(Quantity::MeanPressure)).collect();
+    assert!(pressures.iter().zip([0.75e-3, 1.5e-3, 0.75e-3, 0.0]).all(|(p, expected)| (p - expected).abs() < 1e-12));
     let last = loading.plastic().state();
-    assert_eq!(states[1].value(Quantity::Dissipated), last.energy.plastic);
-    assert_eq!(states[1].field("imprint"), Some(&last.residual));
+    assert_eq!(states[3].value(Quantity::PlasticWork), last.energy.plastic);
+    assert_eq!(states[3].field("imprint"), Some(&last.residual));
+    assert_eq!(states[3].claim, ResultClaim::LoadStep);
+    let cut = states[1].cut.as_ref().unwrap();
+    let most = cut.plastic_strain.iter().copied().fold(0.0, f64::max);
+    assert_eq!(most, states[1].value(Quantity::MaxPlasticStrain), "a line is its own cut");
+    // where the solid flows, the stress is at the yield stress that hardening has left
+    let flows = cut.plastic_strain.iter().zip(&cut.von_mises).filter(|(alpha, _)| **alpha > 0.5 * most);
+    let off = flows.map(|(alpha, stress)| (stress / (0.005 + 0.05 * alpha) - 1.0).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-3, "{off}");
     // quantities of an elastic solid have no meaning
     assert!(states[0].get(Quantity::ElasticEnergy).is_none() && states[0].get(Quantity::MaxPressure).is_some());
     assert!(PlasticLoading::new(loading.plastic().branched().unwrap(), Vec::new(), 0).is_err());

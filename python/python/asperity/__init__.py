@@ -242,6 +242,9 @@ def solve(
         that returns the stiffness, pressure over displacement, of waves of the wavenumbers q = 2 pi / wavelength; or a dictionary with such
         a function or array as stiffness, with the wavenumbers of an array as wavenumber, and with uniform_stiffness, the stiffness
         under a uniform pressure. Its boundary is periodic.
+        A body that yields below its surface also has yield_stress and hardening_modulus, pressures; and, if you want, kinematic_hardening, yield_depth
+        (where the layers end in which it may yield) and yield_layers (their number). It returns a History: a list of loads, or the loads of a
+        path, follow each other, up and down. History.fields["imprint"] has what stays, History.cut the strain and the stress below.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.
     adhesion: {"work": w, "range": rho} attracts the surfaces, with "form" "exponential", "cubic" or "dugdale", or {"table": file.csv}. Its
@@ -251,7 +254,7 @@ def solve(
         constants are those at once after loading. It needs a path with times, or sliding. Of two bodies both creep alike.
     path: {"time": ..., "load": ..., "tangential": ...}: lists of one length, of which some may be missing. Between two points loads change
         linearly. It returns a History: creep where there are times, partial slip where there are tangential loads and friction. With
-        adhesion it has loads alone. A path may be a file: a table with the columns time, load and tangential.
+        adhesion or a yield stress it has loads alone. A path may be a file: a table with the columns time, load and tangential.
     sliding: {"speed": v}: slides steadily along x; measures["friction"] is the friction. Several speeds return a History.
     rolling: {"creepage": ...} or {"tangential": ...}: lines roll steadily with friction, which needs friction={"coefficient": mu}. It returns a History.
     flow: {"leakage": True} finds percolation and leakage, {"resistivity": rho} or {"conductivity": k} (one for both bodies, or two) the conductance.

@@ -38,11 +38,14 @@ pub(super) struct LoadStep<'s, 'o> {
     pub response: &'s mut DepthResponse,
     pub solver: &'s dyn Solver,
     pub observer: &'o mut dyn Observer,
+    /// Gets each iterate but the last one.
+    pub each: &'o mut dyn FnMut(&FlowIterate),
     pub tolerance: f64,
     pub most_iterations: usize,
 }
 
 /// An increment, and what belongs to it.
+#[derive(Clone)]
 pub(super) struct FlowIterate {
     pub increment: Array3<f64>,
     pub stress: Array3<f64>,
@@ -91,6 +94,7 @@ impl LoadStep<'_, '_> {
             if now.is_converged || now.iterations >= self.most_iterations {
                 return Ok(now);
             }
+            (self.each)(&now);
             accelerated.add(begun, next.dim().1);
             let [energy, size] = now.energy;
             if accelerated.is_combined() && energy > best {

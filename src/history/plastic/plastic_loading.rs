@@ -1,11 +1,16 @@
 //! The process of a list of loads on a solid that yields below its surface.
 
 use super::{Plastic, PlasticErrors, PlasticState};
-use crate::contact::{Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues};
+use crate::contact::{Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status};
+use crate::elastic::DepthLayers;
 use crate::error::{HistoryError, PlasticError};
+use crate::grid::Grid;
 use crate::history::process::{PathPoint, Process};
+use std::collections::VecDeque;
 
-/// The process of a list of loads, up and down, on a solid that yields below its surface, with a number of equal steps from each load to the next.
+/// The process of a list of loads, up and down, on a solid that yields below its surface, with a number of equal steps from each load to the next. Each
+/// step is a state; those at the loads have a [point](State::point). If the process keeps its [iterations](Plastic::with_iterations), they are states as well,
+/// with the claim [`ResultClaim::Moving`].
 ///
 /// With [`PlasticLoading::with_step_errors`] the same loads are solved beside it in steps of twice the length, and the difference of both estimates the error of the
 /// steps.
@@ -23,7 +28,7 @@ use crate::history::process::{PathPoint, Process};
 /// let mut loading = PlasticLoading::new(plastic, loads.into(), 4)?.with_step_errors()?;
 /// let mut work = Vec::new();
 /// loading.run(&mut (), &mut |state| {
-///     work.push(state.value(Quantity::WorkDone));
+///     work.extend(state.point.map(|_| state.value(Quantity::WorkDone)));
 ///     Ok(())
 /// })?;
 /// // a part of the work comes back
@@ -36,21 +41,29 @@ pub struct PlasticLoading<'s> {
     plastic: Plastic<'s>,
     /// The same in half as many steps.
     coarser: Option<Plastic<'s>>,
+    /// The number of the load before the first one.
+    start: f64,
     loads: Vec<Load>,
     steps: usize,
+    /// The number of the next step.
     next: usize,
+    /// States that are found, the next one first.
+    queue: VecDeque<State>,
 }
 
 impl<'s> PlasticLoading<'s> {
-    /// The process along some loads, from the last state on, with a number of steps between two loads, at least one.
+    /// The process along some loads of one kind, from the last state on, with a number of steps between two loads, at least one.
     ///
     /// # Errors
-    /// [`PlasticError::Range`] for no steps.
+    /// [`PlasticError::Range`] for no steps, and those of [`Plastic::check`] for one of the loads.
     pub fn new(plastic: Plastic<'s>, loads: Vec<Load>, steps: usize) -> Result<Self, PlasticError> {
         if steps == 0 {
             return Err(PlasticError::Range { name: "the number of steps", value: 0.0, range: "[1, infinity)" });
         }
-        Ok(Self { plastic, coarser: None, loads, steps, next: 0 })
+        loads.iter().try_for_each(|load| plastic.check(*load))?;
+        let is_like_first = |last: &Load| loads.first().is_some_and(|first| first.name() == last.name());
+        let start = plastic.state().load.filter(is_like_first).map_or(0.0, |last| last.value());
+        Ok(Self { plastic, coarser: None, start, loads, steps, next: 0, queue: VecDeque::new() })
     }
 
     /// The process with twice as many steps, beside another one with as many as now. It takes half as much work again, and twice the memory.
@@ -67,40 +80,90 @@ impl<'s> PlasticLoading<'s> {
         &self.plastic
     }
 
-    /// The estimated error of the last state by its steps; none if it was not asked for.
+    /// The estimated error of the last state by its steps; none if it was not asked for, and between two steps of twice the length.
     pub fn step_errors(&self) -> Option<PlasticErrors> {
-        self.coarser.as_ref().map(|coarser| PlasticErrors::between(self.plastic.state(), coarser.state()))
+        let coarser = self.coarser.as_ref().filter(|it| it.state().load == self.plastic.state().load)?;
+        Some(PlasticErrors::between(self.plastic.state(), coarser.state()))
+    }
+
+    /// The bytes of a state that is kept, besides those of its contact.
+    pub fn bytes_of_state(grid: &Grid, layers: &DepthLayers) -> f64 {
+        let fields = grid.len() + 2 * layers.count() * grid.shape()[1];
+        fields as f64 * size_of::<f64>() as f64
+    }
+
+    /// The load of a step by its number, from 0, and the point of the path that it reaches, if it does.
+    fn step(&self, number: usize) -> Option<(Load, Option<usize>)> {
+        let (index, part) = (number / self.steps, number % self.steps + 1);
+        let to = *self.loads.get(index)?;
+        if part == self.steps {
+            return Some((to, Some(index)));
+        }
+        let from = index.checked_sub(1).map_or(self.start, |before| self.loads[before].value());
+        let share = part as f64 / self.steps as f64;
+        Some((to.with_value(from + share * (to.value() - from)), None))
+    }
+}
+
+impl PlasticLoading<'_> {
+    /// Presses one step. Its states stand in the queue then: the iterations that are kept, and the end.
+    fn press(&mut self, load: Load, point: Option<usize>, observer: &mut dyn Observer) -> Result<(), PlasticError> {
+        if let Some(coarser) = self.coarser.as_mut().filter(|_| self.next.is_multiple_of(2)) {
+            coarser.press(load, &mut ())?;
+        }
+        let state = self.plastic.press(load, observer)?.to_state().at(point);
+        self.queue.extend(self.plastic.take_iterations().iter().map(PlasticState::to_frame));
+        self.queue.push_back(state);
+        Ok(())
     }
 }
 
 impl Process for PlasticLoading<'_> {
     fn next(&mut self, observer: &mut dyn Observer) -> Option<Result<State, HistoryError>> {
-        let (number, &load) = (self.next, self.loads.get(self.next)?);
-        self.next += 1;
-        let state = self.move_to(PathPoint::under(load), observer);
-        if state.is_err() {
-            self.next = self.loads.len();
+        if self.queue.is_empty() {
+            let (load, point) = self.step(self.next)?;
+            self.next += 1;
+            if let Err(error) = self.press(load, point, observer) {
+                self.loads.clear();
+                return Some(Err(error.into()));
+            }
         }
-        Some(state.map(|state| state.at(Some(number))))
+        self.queue.pop_front().map(Ok)
     }
 
     fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
         if let Some(coarser) = &mut self.coarser {
             coarser.press_in(self.steps / 2, point.load, &mut ())?;
         }
+        self.queue.clear();
         Ok(self.plastic.press_in(self.steps, point.load, observer)?.to_state())
     }
 }
 
 impl PlasticState {
-    /// The state as one of any history, with the imprint as a further field.
+    /// The state as one of any history, with the imprint as a further field and the cut below the highest peak.
     pub fn to_state(&self) -> State {
         let values = StateValues::new(StateKind::Plastic)
-            .with(Quantity::ReducedPressure, self.load.and_then(|load| load.reduced_pressure()))
-            .with(Quantity::Dissipated, self.energy.plastic)
+            .with(Quantity::ReducedPressure, self.reduced_pressure())
+            .with(Quantity::PlasticWork, self.energy.plastic)
             .with(Quantity::Stored, self.energy.elastic)
-            .with(Quantity::WorkDone, self.energy.work);
+            .with(Quantity::WorkDone, self.energy.work)
+            .with(Quantity::PressureInContact, self.mean_contact_pressure())
+            .with(Quantity::ContactPressureOverYield, self.mean_contact_pressure() / self.solid.yield_stress())
+            .with(Quantity::MaxPlasticStrain, self.max_accumulated())
+            .with(Quantity::DeepestYield, self.deepest_yield().unwrap_or(0.0))
+            .with(Quantity::PlasticVolume, self.plastic_volume())
+            .with(Quantity::ImprintDepth, self.imprint_depth())
+            .with(Quantity::StepCertificate, self.certificate.relative_gap);
         let fields = vec![StateField::imprint(self.residual.clone())];
-        State::new(self.contact.clone().with_values(values), ResultClaim::Solution).with_fields(fields)
+        let contact = self.contact.clone().with_values(values);
+        State::new(contact, ResultClaim::LoadStep).with_fields(fields).with_cut(self.cut())
+    }
+
+    /// The state as one on the way, of an iteration.
+    fn to_frame(&self) -> State {
+        let mut state = self.to_state();
+        (state.contact.status, state.claim) = (Status::Converged, ResultClaim::Moving);
+        state
     }
 }

@@ -20,8 +20,6 @@ const MOST_ITERATIONS: usize = 1000;
 const TENSORS: f64 = 22.0;
 /// Further numbers for each place: two accumulated strains, and where a place is that flows.
 const NUMBERS: f64 = 5.0;
-/// The part of the elastic strain at yield up to which an accumulated strain is negligible.
-const NEGLIGIBLE: f64 = 1e-3;
 /// The largest relative difference of the contact moduli of problem and solid.
 const SAME_MODULUS: f64 = 1e-9;
 
@@ -74,6 +72,8 @@ pub struct Plastic<'s> {
     most_iterations: usize,
     /// Whether layers are added where the last one yields.
     grows: bool,
+    /// The iterates of the last step, if they are kept.
+    iterations: Option<Vec<PlasticState>>,
     state: PlasticState,
 }
 
@@ -102,7 +102,7 @@ impl<'s> Plastic<'s> {
         let response = DepthResponse::new(&grid, solid.young(), solid.poisson(), layers)?;
         let state = Self::at_rest(&problem, &solid, &response);
         let (tolerance, most_iterations) = (TOLERANCE, MOST_ITERATIONS);
-        Ok(Self { problem, solid, response, solver, tolerance, most_iterations, grows: false, state })
+        Ok(Self { problem, solid, response, solver, tolerance, most_iterations, grows: false, iterations: None, state })
     }
 
     /// The process with another tolerance of the [relative gap](PlasticCertificate::relative_gap) of each step, dimensionless; 1e-6 if it is not given.
@@ -125,6 +125,17 @@ impl<'s> Plastic<'s> {
     /// The process that adds layers with [`DepthLayers::deepened`] and repeats the step where the last layer yields.
     pub fn with_growing_depth(self) -> Self {
         Self { grows: true, ..self }
+    }
+
+    /// The process that keeps the iterates of each step, see [`Plastic::take_iterations`].
+    pub fn with_iterations(self) -> Self {
+        Self { iterations: Some(Vec::new()), ..self }
+    }
+
+    /// The states on the way of the last step, one for each iteration but the last one: contact and flow do not belong together in them yet. Empty unless they are
+    /// [kept](Plastic::with_iterations).
+    pub fn take_iterations(&mut self) -> Vec<PlasticState> {
+        self.iterations.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
     /// The last state; before the first load that without pressure and strain.
@@ -158,6 +169,21 @@ impl<'s> Plastic<'s> {
         &self.solid
     }
 
+    /// The bytes that the process takes below a grid.
+    pub fn bytes(grid: &Grid, layers: &DepthLayers) -> f64 {
+        let tensors = TENSORS * size_of::<f64>() as f64 + DepthResponse::BYTES;
+        let places = layers.count() as f64 * grid.len() as f64;
+        places * (DepthResponse::components(grid) as f64 * tensors + NUMBERS * size_of::<f64>() as f64)
+    }
+
+    /// Refuses a load that cannot be.
+    ///
+    /// # Errors
+    /// Those of [`Plastic::press`] that do not come of a solve.
+    pub fn check(&self, load: Load) -> Result<(), PlasticError> {
+        self.posed(load).map(drop)
+    }
+
     /// Solves one step to a load, which may be zero. A step that has not converged is returned, and says so.
     ///
     /// # Errors
@@ -166,18 +192,24 @@ impl<'s> Plastic<'s> {
     pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<&PlasticState, PlasticError> {
         let problem = self.posed(load)?;
         loop {
+            let (before, of_problem, iterations) = (&self.state, &self.problem, &mut self.iterations);
+            iterations.iter_mut().for_each(Vec::clear);
+            let mut each = |now: &FlowIterate| {
+                iterations.iter_mut().for_each(|all| all.push(before.after(of_problem, load, now.clone())));
+            };
             let step = LoadStep {
                 law: FlowLaw::new(&self.solid),
-                before: &self.state,
+                before,
                 problem: problem.clone(),
                 response: &mut self.response,
                 solver: self.solver,
                 observer: &mut *observer,
+                each: &mut each,
                 tolerance: self.tolerance,
                 most_iterations: self.most_iterations,
             };
             let reached = step.run()?;
-            let state = self.next_state(load, reached);
+            let state = self.state.after(&self.problem, load, reached);
             if !(self.grows && state.reaches_the_bottom()) {
                 self.state = state;
                 return Ok(&self.state);
@@ -258,13 +290,15 @@ impl<'s> Plastic<'s> {
             iterations: 0,
             is_converged: true,
             layers: response.layers().clone(),
-            negligible: NEGLIGIBLE * solid.yield_stress() / solid.young(),
+            solid: *solid,
         }
     }
+}
 
-    /// The state after a step.
-    fn next_state(&self, load: Load, reached: FlowIterate) -> PlasticState {
-        let before = &self.state;
+impl PlasticState {
+    /// The state that an iterate of a step reaches.
+    fn after(&self, problem: &Problem, load: Load, reached: FlowIterate) -> Self {
+        let before = self;
         let FlowIterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } =
             reached;
         let is_converged = is_converged && before.is_converged;
@@ -272,7 +306,7 @@ impl<'s> Plastic<'s> {
             None => apart(before.contact.problem.clone(), residual.clone(), work, None),
             Some(contact) => {
                 let certificate = contact.certificate;
-                let problem = self.problem.clone().with_load(load).expect("the load was posed before");
+                let problem = problem.clone().with_load(load).expect("the load was posed before");
                 let added = residual.as_slice().expect("standard layout").to_vec();
                 contact.with_work(work).displaced_by(problem, &added, certificate)
             }
@@ -294,7 +328,7 @@ impl<'s> Plastic<'s> {
             iterations,
             is_converged,
             layers: before.layers.clone(),
-            negligible: before.negligible,
+            solid: before.solid,
         };
         let mean = 0.5 * (before.contact.mean_pressure() + state.contact.mean_pressure());
         state.energy.work = before.energy.work + mean * (state.approach() - before.approach());
@@ -315,9 +349,7 @@ fn accumulate(accumulated: &mut Array2<f64>, increment: &Array3<f64>) {
 
 /// Refuses more layers and nodes than fit in memory.
 fn check_memory(grid: &Grid, layers: &DepthLayers) -> Result<(), PlasticError> {
-    let tensors = TENSORS * size_of::<f64>() as f64 + DepthResponse::BYTES;
-    let places = layers.count() as f64 * grid.len() as f64;
-    let needed = places * (DepthResponse::components(grid) as f64 * tensors + NUMBERS * size_of::<f64>() as f64);
+    let needed = Plastic::bytes(grid, layers);
     let refuse = |free| PlasticError::Memory { layers: layers.count(), shape: grid.shape(), needed, free };
     check_bytes(needed).map_err(|missing| refuse(missing.free))
 }

@@ -1,9 +1,13 @@
 //! A state of a solid that has yielded below its surface.
 
-use crate::contact::{Contact, Load};
+use super::PlasticSolid;
+use crate::contact::{Contact, DepthCut, Load};
 use crate::elastic::DepthLayers;
 use crate::surface::Field;
-use ndarray::{Array2, Array3};
+use ndarray::{Array2, Array3, Axis};
+
+/// The part of the elastic strain at yield up to which an accumulated strain is negligible.
+const NEGLIGIBLE: f64 = 1e-3;
 
 /// How far a load step is from the minimum of its energy, all per area of the cell (pressure times length), and relative.
 ///
@@ -85,8 +89,7 @@ pub struct PlasticState {
     /// Whether the certificates of this step and of all steps before it met the tolerance: a step goes on from the strain of the one before.
     pub is_converged: bool,
     pub(super) layers: DepthLayers,
-    /// Accumulated strain below which a place does not count as yielded.
-    pub(super) negligible: f64,
+    pub(super) solid: PlasticSolid,
 }
 
 impl PlasticState {
@@ -102,7 +105,7 @@ impl PlasticState {
 
     /// Whether a place has yielded: its accumulated plastic strain is more than a thousandth of the elastic strain at yield, `Y/E`.
     pub fn has_yielded(&self, layer: usize, node: usize) -> bool {
-        self.accumulated[[layer, node]] > self.negligible
+        self.accumulated[[layer, node]] > NEGLIGIBLE * self.solid.yield_stress() / self.solid.young()
     }
 
     /// The depth of the end of the last layer that has yielded somewhere, a length; none if none has.
@@ -145,10 +148,44 @@ impl PlasticState {
         self.contact.pressure.iter().filter(|p| **p > 0.0).count() as f64 / self.contact.pressure.len() as f64
     }
 
+    /// The prescribed reduced pressure, or that of the mean pressure.
+    pub fn reduced_pressure(&self) -> f64 {
+        let problem = &self.contact.problem;
+        let found = || self.contact.mean_pressure() / (problem.rms_gradient() * problem.contact_modulus());
+        self.load.and_then(|load| load.reduced_pressure()).unwrap_or_else(found)
+    }
+
     /// Mean pressure over the nodes in contact; zero where nothing touches.
     pub fn mean_contact_pressure(&self) -> f64 {
         let area = self.relative_area();
         if area > 0.0 { self.contact.mean_pressure() / area } else { 0.0 }
+    }
+
+    /// What lies below the row of the highest peak.
+    pub fn cut(&self) -> DepthCut {
+        let [ny, nx] = self.contact.problem.surface().grid().shape();
+        let heights = self.contact.problem.height();
+        let highest = (0..heights.len()).max_by(|&a, &b| heights[a].total_cmp(&heights[b])).unwrap_or(0);
+        let row = (highest / nx).min(ny - 1);
+        let field = |of: &dyn Fn(usize, usize) -> f64| {
+            Field::from_shape_fn((self.layers.count(), nx), |(layer, column)| of(layer, row * nx + column))
+        };
+        DepthCut {
+            row,
+            interfaces: self.layers.interfaces().to_vec(),
+            plastic_strain: field(&|layer, node| self.accumulated[[layer, node]]),
+            von_mises: field(&|layer, node| self.von_mises(layer, node)),
+        }
+    }
+
+    /// The von Mises stress of a place, a pressure.
+    pub fn von_mises(&self, layer: usize, node: usize) -> f64 {
+        let of_layer = self.stress.index_axis(Axis(0), layer);
+        let stress = of_layer.index_axis(Axis(1), node);
+        let [x, y, z] = [stress[0], stress[1], stress[2]];
+        let shears: f64 = stress.iter().skip(3).map(|shear| shear * shear).sum();
+        let differences = (x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2);
+        (0.5 * differences + 3.0 * shears).sqrt()
     }
 
     /// How far the rigid surface has moved into the solid since its highest peak touched the solid that had not yielded, a length, without what the

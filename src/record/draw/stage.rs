@@ -5,7 +5,7 @@ use super::chart::load_axis::LoadAxis;
 use super::chart::traces::ExactValues;
 use super::curve_ends::CurveEnds;
 use super::drawing::{Drawing, Place, RunDrawing, Subject};
-use super::field::further;
+use super::field::{further, zone};
 use super::fields::{FieldExtent, FrameFields};
 use super::ink::canvas;
 use super::ink::line_plane::caption;
@@ -70,7 +70,9 @@ impl Stage {
         let plane = Plane::new(scene, &root, &options);
         let subject = Subject { scene, forecast, root: &root, options: &options, palette, plane: &plane, place };
         let rows = parts::all().filter(|row| options.what.has(row.part));
-        let further = if options.what.has(Part::Fields) { further::draw(&subject) } else { Vec::new() };
+        let has_fields = options.what.has(Part::Fields);
+        let further = if has_fields { further::draw(&subject) } else { Vec::new() };
+        let zone = if has_fields { zone::draw(&subject) } else { None };
         Self {
             title: scene.title.clone(),
             palette,
@@ -83,7 +85,7 @@ impl Stage {
             has_ghost: options.ghost.is_some(),
             highest_pressure: forecast.max_pressure,
             ends: Mutex::new(CurveEnds::before(kappa_r, forecast, properties::reduced_pressure(scene.problem))),
-            drawings: rows.filter_map(|row| (row.draw)(&subject)).chain(further).collect(),
+            drawings: rows.filter_map(|row| (row.draw)(&subject)).chain(further).chain(zone).collect(),
             plane,
             contact_modulus: scene.problem.contact_modulus(),
             reference: scene.reference.clone(),

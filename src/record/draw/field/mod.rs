@@ -11,6 +11,7 @@ pub mod relief;
 mod spectrum;
 mod stress;
 pub mod surface_relief;
+pub mod zone;
 
 use super::drawing::{Bytes, Drawing, PartRow, Subject};
 use super::ink::reduce::{Columns, curve_points, pixels};

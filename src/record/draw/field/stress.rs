@@ -18,8 +18,8 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Columns of the pictures, whose pixels are square in space, and the fewest and the most rows: as many as the pane has room for.
-const COLUMNS: usize = 256;
-const ROWS: [usize; 2] = [64, 256];
+pub(super) const COLUMNS: usize = 256;
+pub(super) const ROWS: [usize; 2] = [64, 256];
 /// Largest number of pixels of a picture.
 pub const MOST_PIXELS: usize = COLUMNS * ROWS[1];
 /// Blocks of the pressure per column of a picture of a line, and their largest number on the whole line.
@@ -194,7 +194,7 @@ impl Drawing for StressDrawing {
 }
 
 /// The frame of the pictures, a unit for each pixel.
-fn frame(ends: [f64; 2], pixel: f64, rows: usize, length_unit: &str) -> AxesFrame {
+pub(super) fn frame(ends: [f64; 2], pixel: f64, rows: usize, length_unit: &str) -> AxesFrame {
     let size = [COLUMNS, rows].map(|n| n as f64);
     let x = Ruler::new("x", length_unit, ends).axis;
     let y = Ruler::new("z", length_unit, [-size[1] * pixel, 0.0]).axis;
@@ -202,7 +202,7 @@ fn frame(ends: [f64; 2], pixel: f64, rows: usize, length_unit: &str) -> AxesFram
 }
 
 /// The depth of the middle of each row.
-fn depths(rows: usize, pixel: f64) -> Vec<f64> {
+pub(super) fn depths(rows: usize, pixel: f64) -> Vec<f64> {
     (0..rows).map(|row| (row as f64 + 0.5) * pixel).collect()
 }
 

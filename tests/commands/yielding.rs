@@ -1,0 +1,225 @@
+//! Bodies that yield below their surface on the command line: loads up and down, their files, and what is refused.
+
+use crate::command::{Folder, text};
+use crate::rows::assert_refused;
+use ndarray::{Array1, Array2, Array3, Axis};
+use ndarray_npy::NpzReader;
+use serde_json::Value;
+use std::fs::File;
+
+const CYLINDER: &str = "solve --indenter cylinder --radius 10mm --points 128 --size 1mm --young 210GPa --poisson 0.3 --yield-stress 350MPa";
+const STEEL: &str = "--hardening-modulus 2GPa";
+
+fn json(folder: &Folder, line: &str) -> Value {
+    let output = folder.run(line);
+    assert!(output.status.success(), "{line}: {}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The values of a quantity in all states.
+fn column(found: &Value, name: &str) -> Vec<f64> {
+    found["states"].as_array().unwrap().iter().map(|state| state[name].as_f64().unwrap()).collect()
+}
+
+#[test]
+fn loads_up_and_down_leave_an_imprint() {
+    let folder = Folder::new();
+    let line =
+        format!("{CYLINDER} {STEEL} --pressure 20MPa,100MPa --unload --json --out all.npz --save-setup scene.toml");
+    let found = json(&folder, &line);
+    assert_eq!(found["process"], "plastic");
+    assert!(found["claim"].as_str().unwrap().starts_with("the solution of each load step"));
+    let pressures = column(&found, "mean_pressure");
+    assert!(pressures.iter().zip([20e6, 100e6, 20e6, 0.0]).all(|(p, q)| (p - q).abs() < 1.0), "{pressures:?}");
+    let [area, imprint, work, depth, strain, over] = [
+        "relative_area",
+        "imprint_depth",
+        "plastic_work",
+        "deepest_yield",
+        "max_plastic_strain",
+        "contact_pressure_over_yield",
+    ]
+    .map(|name| column(&found, name));
+    // the first load is elastic; the second one dents the body, which fits the cylinder better then
+    assert!(imprint[0] == 0.0 && work[0] == 0.0 && depth[0] == 0.0 && strain[0] == 0.0);
+    assert!(area[2] > 1.1 * area[0], "{area:?}");
+    assert!(imprint[1] > 50e-9 && (imprint[3] / imprint[1] - 1.0).abs() < 1e-3, "{imprint:?}");
+    assert!(work.windows(2).all(|pair| pair[1] >= pair[0]) && work[1] > 0.0, "{work:?}");
+    assert!(over[1] > 1.0 && over[3] == 0.0 && area[3] == 0.0, "{over:?}");
+    // what the load puts in beyond the plastic work and the stored energy is the error of two long steps
+    let [done, stored] = ["work_done", "stored"].map(|name| column(&found, name));
+    assert!(done[1] > work[1] && stored[3] > 0.0 && stored[3] < stored[1]);
+
+    let mut archive = NpzReader::new(File::open(folder.join("all.npz")).unwrap()).unwrap();
+    let interfaces: Array1<f64> = archive.by_name("cut_interfaces").unwrap();
+    let cut: Array3<f64> = archive.by_name("cut_plastic_strain").unwrap();
+    let stress: Array3<f64> = archive.by_name("cut_von_mises").unwrap();
+    let residual: Array2<f64> = archive.by_name("imprint").unwrap();
+    assert_eq!((cut.dim(), stress.dim(), residual.dim()), ((4, interfaces.len() - 1, 128), cut.dim(), (4, 128)));
+    // half the cell deep, from half a spacing on
+    assert!(interfaces[interfaces.len() - 1] >= 0.5e-3 && (interfaces[1] / (1e-3 / 256.0) - 1.0).abs() < 1e-9);
+    let most = cut.iter().copied().fold(0.0, f64::max);
+    assert_eq!(most, strain[3], "below a line the cut is all there is");
+    // yield begins below the surface
+    let last = cut.index_axis(Axis(0), 3);
+    let row = |layer: usize| last.row(layer).iter().copied().fold(0.0, f64::max);
+    assert!(row(0) < 0.5 * most, "{} {most}", row(0));
+
+    for again in ["solve scene.toml --json", "solve --setup-of all.npz --json"] {
+        assert_eq!(json(&folder, again)["states"], found["states"], "{again}");
+    }
+}
+
+#[test]
+fn steps_between_loads_are_states_and_shorten_the_error() {
+    let folder = Folder::new();
+    let of = |steps: usize| {
+        json(&folder, &format!("{CYLINDER} {STEEL} --pressure 100MPa --path-load 100MPa,0 --path-steps {steps} --json"))
+    };
+    let [few, more, most] = [1, 4, 16].map(of);
+    assert_eq!(column(&more, "mean_pressure").len(), 8);
+    let imprint = |found: &Value| *column(found, "imprint_depth").last().unwrap();
+    let [a, b, c] = [&few, &more, &most].map(imprint);
+    assert!((b - c).abs() < 0.6 * (a - c).abs(), "{a:e} {b:e} {c:e}");
+}
+
+#[test]
+fn an_imprint_is_a_file_of_heights() {
+    let folder = Folder::new();
+    let found = json(&folder, &format!("{CYLINDER} {STEEL} --pressure 100MPa --unload --json --imprint dent.x3p"));
+    let imprint = *column(&found, "imprint_depth").last().unwrap();
+    let read = json(&folder, "surface dent.x3p --json");
+    assert!(read["points"][0] == 128 && (read["size"][0].as_f64().unwrap() / 1e-3 - 1.0).abs() < 1e-9, "{read}");
+    let again = json(&folder, &format!("{CYLINDER} {STEEL} --pressure 100MPa --unload --json --imprint dent.npy"));
+    assert_eq!(column(&again, "imprint_depth").last(), Some(&imprint));
+    let height: Array1<f64> = ndarray_npy::read_npy(folder.join("dent.npy")).unwrap();
+    let deepest = (0..height.len()).min_by(|&i, &j| height[i].total_cmp(&height[j])).unwrap();
+    assert!(deepest.abs_diff(64) <= 2, "the dent is below the cylinder, not at {deepest}");
+    let ends = height.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], h| [a.min(*h), b.max(*h)]);
+    assert!(((ends[1] - ends[0]) / imprint - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_does_not_go_with_a_yield_stress_is_refused() {
+    let folder = Folder::new();
+    let steel = format!("{CYLINDER} {STEEL} --pressure 20MPa");
+    let bare = "solve --indenter cylinder --radius 10mm --points 128 --size 1mm --pressure 20MPa";
+    for (line, words) in [
+        (format!("{CYLINDER} --pressure 20MPa"), &["--hardening-modulus", "millionth"][..]),
+        (format!("{bare} --young 210GPa --poisson 0.3 {STEEL}"), &["--yield-stress"]),
+        (format!("{bare} --modulus 210GPa --yield-stress 350MPa {STEEL}"), &["--young", "--poisson"]),
+        (
+            format!("{bare} --young 210GPa,70GPa --poisson 0.3,0.3 --yield-stress 350MPa {STEEL}"),
+            &["two elastic bodies"],
+        ),
+        (format!("{steel} --layer 1mm"), &["--layer", "half-space"]),
+        (format!("{steel} --boundary free"), &["--boundary", "waves"]),
+        (format!("{steel} --hardness 1GPa"), &["--hardness"]),
+        (format!("{steel} --adhesion 50mJ/m^2 --adhesion-range 10nm"), &["adhesion"]),
+        (format!("{steel} --creep 9,1ms --path-time 1s"), &["creep"]),
+        (format!("{steel} --friction 0.3 --tangential 1MPa"), &["friction", "normal loads"]),
+        (format!("{steel} --friction 0.3 --path-tangential 1MPa"), &["friction", "normal loads"]),
+        (format!("{steel} --path-time 1s"), &["time"]),
+        (format!("{steel} --solver gfmd"), &["gfmd"]),
+        (format!("{steel} --pressure-tolerance 1e-3"), &["no effect"]),
+        (format!("{steel} --record-what stress --record x.rrd"), &["stress and fringes"]),
+        (format!("{steel} --stress x.npz"), &["--stress"]),
+        (format!("{steel} --diagnose"), &["--diagnose"]),
+        (format!("{steel} --yield-depth 0"), &["depth at which the layers end"]),
+        (format!("{steel} --yield-layers 0"), &["layers"]),
+        (format!("{CYLINDER} {STEEL} --mean-gap 1um"), &["mean gap", "mean pressure"]),
+        (format!("{CYLINDER} {STEEL} --pressure 700MPa"), &["700MPa", "at all depths"]),
+        (format!("{CYLINDER} {STEEL} --pressure 20MPa,700MPa"), &["700MPa", "at all depths"]),
+        (format!("{CYLINDER} {STEEL} --reduced-pressure 20"), &["at all depths"]),
+        (format!("{CYLINDER} --hardening-modulus=0 --pressure 20MPa"), &["hardening modulus is 0"]),
+        (format!("{bare} --young 210GPa --poisson 0.3 --imprint x.npz"), &["--imprint", "--yield-stress"]),
+        (format!("{steel} --imprint x.npz"), &[".npy"]),
+        (format!("{steel} --yield-layers 10000 --points 100000 --dry-run").replace("--points 128 ", ""), &["memory"]),
+    ] {
+        let output = folder.run(&line);
+        let stderr = text(&output.stderr).to_owned();
+        assert_eq!(output.status.code(), Some(2), "{line}: {stderr}");
+        assert!(words.iter().all(|word| stderr.contains(word)), "{line}: {stderr}");
+        if !line.contains("--dry-run") {
+            assert_refused(&output, words);
+        }
+        assert_eq!(stderr.matches("error: ").count(), 1, "{line}: {stderr}");
+    }
+    assert!(std::fs::read_dir(folder.join("")).unwrap().next().is_none(), "something was written");
+}
+
+#[test]
+fn a_plan_tells_the_memory_of_the_layers() {
+    let folder = Folder::new();
+    let memory = |layers: usize| {
+        let line = format!("{CYLINDER} {STEEL} --pressure 20MPa --yield-depth 0.5mm --yield-layers {layers} --dry-run");
+        let output = folder.run(&line.replace("--points 128", "--points 65536"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let told = text(&output.stdout).lines().find(|line| line.contains("memory")).unwrap().to_owned();
+        let words: Vec<&str> = told.split_whitespace().collect();
+        let unit = if words[3].starts_with("GB") { 1e9 } else { 1e6 };
+        words[2].parse::<f64>().unwrap() * unit
+    };
+    let [few, many] = [10, 80].map(memory);
+    // 22 tensors of four components for each place, and more
+    let each = (many - few) / (70.0 * 65536.0);
+    assert!((700.0..1000.0).contains(&each), "{each} bytes");
+}
+
+#[test]
+fn iterations_are_states_on_the_way_if_they_are_asked_for() {
+    let folder = Folder::new();
+    let line = format!("{CYLINDER} {STEEL} --pressure 20MPa,100MPa --unload --json");
+    let (plain, with) = (json(&folder, &line), json(&folder, &format!("{line} --record-iterations --out all.npz")));
+    assert_eq!(with["claim"], plain["claim"]);
+    let (few, many) = (plain["states"].as_array().unwrap(), with["states"].as_array().unwrap());
+    assert!(few.len() == 4 && many.len() > 10, "{}", many.len());
+    // the ends of the steps are the same to the bit
+    let numbers = |state: &Value| {
+        let mut numbers = state.as_object().unwrap().clone();
+        numbers.remove("state");
+        numbers
+    };
+    let all: Vec<_> = many.iter().map(numbers).collect();
+    assert!(few.iter().map(numbers).all(|state| all.contains(&state)));
+    // the bound of the distance from the end of a step falls on the way
+    let bounds = column(&with, "step_certificate");
+    let steps: Vec<&[f64]> = bounds.split_inclusive(|bound| *bound <= 1e-8).collect();
+    assert_eq!(steps.len(), 4);
+    assert!(steps[1].len() > 5 && steps[1][0] > 1e3 * steps[1][steps[1].len() - 2], "{bounds:?}");
+    let refused = folder.run("solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 512 --size 1 --reduced-pressure 0.05 --record-iterations");
+    assert_refused(&refused, &["--record-iterations", "no effect"]);
+}
+
+#[test]
+fn doubts_about_what_yields_are_told() {
+    let folder = Folder::new();
+    let warned = |more: &str| {
+        let output = folder.run(&format!("{CYLINDER} --pressure 100MPa {more}"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stderr).to_owned()
+    };
+    let shallow = warned(&format!("{STEEL} --yield-depth 0.1mm"));
+    assert!(shallow.contains("--yield-depth") && shallow.contains("last layer"), "{shallow}");
+    let deep = warned(STEEL);
+    assert!(!deep.contains("last layer") && !deep.contains("ripple"), "{deep}");
+    let sharp = "solve --indenter cylinder --radius 0.2mm --points 128 --size 1mm --young 210GPa --poisson 0.3 --yield-stress 350MPa";
+    let output =
+        folder.run(&format!("{sharp} --hardening-modulus 200MPa --path-steps 8 --path-load 150MPa --pressure 150MPa"));
+    let told = text(&output.stderr);
+    assert!(told.contains("from node to node") && told.contains("Report sums"), "{told}");
+}
+
+#[test]
+fn a_study_has_a_row_for_each_yield_stress() {
+    let folder = Folder::new();
+    let scene = "surface.indenter = { shape = 'cylinder', radius = '10 mm' }\ngrid = { points = 128, size = '1 mm' }\n\
+        solid = { young = '210 GPa', poisson = 0.3, yield-stress = ['350 MPa', '700 MPa'], hardening-modulus = '2 GPa' }\n\
+        load.mean-pressure = '100 MPa'\npath.load = [100e6, 0]\n";
+    std::fs::write(folder.join("study.toml"), scene).unwrap();
+    let output = folder.run("study study.toml --out rows.csv");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let rows = crate::rows::rows(&folder, "rows.csv");
+    let imprint: Vec<f64> = rows.iter().map(|row| row["imprint_depth"].parse().unwrap()).collect();
+    assert!(imprint.len() == 2 && imprint[0] > 10.0 * imprint[1], "{imprint:?}");
+}
