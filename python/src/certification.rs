@@ -189,6 +189,11 @@ impl Problem {
         displacement: Option<Bound<'_, PyAny>>,
         tolerance: Option<f64>,
     ) -> PyResult<Certification> {
+        if slf.get().setup.setup.yields() {
+            return bail(
+                "a yield stress is given, but results are certified of bodies that have not yielded before: leave it out",
+            );
+        }
         if slf.get().setup.loads.is_some() {
             return bail("a result belongs to one load, but a list of loads is given: give one load");
         }

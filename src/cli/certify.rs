@@ -3,7 +3,7 @@
 use super::claim_report::ClaimReport;
 use super::density;
 use super::exit_status::{ExitStatus, usage};
-use super::fields::{lay_load, poisson, rows};
+use super::fields::{check_elastic, lay_load, poisson, rows};
 use super::figure_args::FigureArgs;
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
@@ -76,6 +76,7 @@ impl Certify {
         let read = self.scene.files(&table).into_iter().chain([path.into()]);
         check_apart(self.out.as_deref().into_iter().chain(recorded), read)?;
         let setup = table.setup()?;
+        check_elastic(&setup)?;
         let grid = setup.check()?;
         Cost::from_fields(&grid, FIELDS).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {

@@ -39,6 +39,16 @@ pub fn check_one_load(table: &mut SetupTable) -> Result<()> {
     }
 }
 
+/// Refuses a body that yields below its surface, whose contact depends on its past.
+pub fn check_elastic(setup: &Setup) -> Result<()> {
+    if setup.yields() {
+        return usage(
+            "a yield stress is given, but this command is for bodies that have not yielded before: leave it out",
+        );
+    }
+    Ok(())
+}
+
 /// Poisson's ratios of the bodies, where they are known.
 pub fn poisson(setup: &Setup) -> Vec<f64> {
     match setup.solid.as_ref().map(Solid::as_elastic) {

@@ -63,7 +63,7 @@ impl Extent for OfProblem {
 
     fn takes(flag: &Flag) -> bool {
         let is_goal = ["tolerance", "pressure-tolerance"].contains(&flag.name);
-        is_goal || !OF_A_SOLVE.contains(&flag.section()) && OfSetup::takes(flag)
+        is_goal || !OF_A_SOLVE.contains(&flag.section()) && !flag.is_of_yielding()
     }
 
     fn name(flag: &'static Flag) -> &'static str {
@@ -82,7 +82,7 @@ impl Extent for OfSealing {
     const LOAD: &'static str = LOAD;
 
     fn takes(flag: &Flag) -> bool {
-        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&flag.section())
+        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&flag.section()) && !flag.is_of_yielding()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::choice::choice;
 use super::exit_status::{ExitStatus, settle, usage};
-use super::fields::{check_one_load, rows};
+use super::fields::{check_elastic, check_one_load, rows};
 use super::finding::Finding;
 use super::flags::{OfProblem, SceneArgs};
 use super::interrupt::interrupted;
@@ -90,6 +90,7 @@ impl Inspect {
         }
         check_apart(self.shown.record.as_deref(), self.read(&table)?)?;
         let setup = table.setup()?;
+        check_elastic(&setup)?;
         Cost::from_fields(&setup.check()?, FIELDS).check("an iteration")?;
         let problem = setup.problem()?;
         match &self.follow {

@@ -2,6 +2,7 @@
 
 use super::choice::choice;
 use super::exit_status::ExitStatus;
+use super::fields::check_elastic;
 use super::flags::{OfSealing, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::problem_summary::ProblemSummary;
@@ -56,6 +57,7 @@ impl Seal {
         table.remove("load");
         table.lay("load.reduced-pressure", 1e-9.into());
         let setup = table.setup()?;
+        check_elastic(&setup)?;
         setup.cost(&Extras::default())?.check(setup.solver.name())?;
         let problem = setup.problem()?;
         let warnings = warnings::in_flags(&setup.surface.warnings(problem.surface()));

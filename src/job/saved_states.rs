@@ -4,7 +4,7 @@ use super::doubts::Doubts;
 use super::state_check::StateCheck;
 use crate::contact::{
     ArchiveReader, Contact, DepthCut, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind,
-    StateValues, Status,
+    StateValues, Status, read_cuts,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
@@ -44,7 +44,7 @@ impl StateColumns {
         let claim = |word: String| word.parse().map_err(|_| wrong(format!("its claim {word:?} is not known")));
         let claims = reader.words("claim")?.into_iter().map(claim).collect::<Result<_, _>>()?;
         let points = reader.words("point")?.iter().map(|word| word.parse().ok()).collect();
-        Ok(Self { numbers, fields, claims, points, cuts: DepthCut::read_all(reader)?.unwrap_or_default() })
+        Ok(Self { numbers, fields, claims, points, cuts: read_cuts(reader)? })
     }
 
     /// A number of a state, if it has it.

@@ -178,6 +178,11 @@ const fn flag(
 }
 
 impl Flag {
+    /// Whether it belongs to a body that yields below its surface.
+    pub fn is_of_yielding(&self) -> bool {
+        ["solid.yield", "solid.hardening", "solid.kinematic"].iter().any(|start| self.path.starts_with(start))
+    }
+
     /// The section of the setup that it belongs to.
     pub fn section(&self) -> &'static str {
         self.path.split('.').next().unwrap_or_default()

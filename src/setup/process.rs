@@ -111,7 +111,7 @@ impl Setup {
     fn plastic_solid(&self, grid: &Grid) -> Result<(PlasticSolid, DepthLayers), SetupError> {
         let body = self.solid.as_ref().and_then(Solid::yielding_body);
         let (Some(law), Some(body)) = (self.yield_law(), body) else { return Err(ConflictRule::NoHistory.into()) };
-        let made = law.solid(body).and_then(|solid| Ok((solid, law.layers(grid)?)));
+        let made = law.solid(body.young, body.poisson).and_then(|solid| Ok((solid, law.layers(grid)?)));
         Ok(made.map_err(HistoryError::from)?)
     }
 

@@ -157,6 +157,24 @@ impl Solid {
         Some(sum(|nu| nu) / sum(|nu| 1.0 - nu))
     }
 
+    /// How the solid yields below its surface, if it does.
+    pub fn yield_law(&self) -> Option<&YieldLaw> {
+        let Self::Yielding(_, law) = self else { return None };
+        Some(law)
+    }
+
+    /// The solid without what yields.
+    pub fn as_elastic(&self) -> &Self {
+        let Self::Yielding(elastic, _) = self else { return self };
+        elastic
+    }
+
+    /// The body that yields against a rigid one, if it is a single one.
+    pub(super) fn yielding_body(&self) -> Option<Body> {
+        let Self::Bodies(body, None) = self.as_elastic() else { return None };
+        Some(*body)
+    }
+
     /// The solid in words.
     pub fn description(&self) -> String {
         let words = |Body { young, poisson }: Body| format!("E {young:e}, nu {poisson}");

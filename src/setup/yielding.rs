@@ -1,6 +1,5 @@
 //! How a solid yields below its surface.
 
-use super::{Body, Solid};
 use crate::elastic::DepthLayers;
 use crate::error::PlasticError;
 use crate::grid::Grid;
@@ -31,13 +30,13 @@ impl YieldLaw {
         *self != Self::default()
     }
 
-    /// The solid of an elastic body.
+    /// The solid of an elastic body of Young's modulus, a pressure, and Poisson's ratio.
     ///
     /// # Errors
     /// The errors of [`PlasticSolid::new`] and of [`PlasticSolid::with_kinematic_hardening`].
-    pub fn solid(&self, body: Body) -> Result<PlasticSolid, PlasticError> {
+    pub fn solid(&self, young: f64, poisson: f64) -> Result<PlasticSolid, PlasticError> {
         let [yield_stress, hardening] = [self.yield_stress, self.hardening_modulus].map(Option::unwrap_or_default);
-        PlasticSolid::new(body.young, body.poisson, yield_stress, hardening)?
+        PlasticSolid::new(young, poisson, yield_stress, hardening)?
             .with_kinematic_hardening(self.kinematic_hardening.unwrap_or_default())
     }
 
@@ -55,25 +54,5 @@ impl YieldLaw {
             Some(count) => DepthLayers::uniform(count, depth),
             None => DepthLayers::below(grid.spacing()[1], depth),
         }
-    }
-}
-
-impl Solid {
-    /// How the solid yields below its surface, if it does.
-    pub fn yield_law(&self) -> Option<&YieldLaw> {
-        let Self::Yielding(_, law) = self else { return None };
-        Some(law)
-    }
-
-    /// The solid without what yields.
-    pub fn as_elastic(&self) -> &Self {
-        let Self::Yielding(elastic, _) = self else { return self };
-        elastic
-    }
-
-    /// The body that yields against a rigid one, if it is a single one.
-    pub(super) fn yielding_body(&self) -> Option<Body> {
-        let Self::Bodies(body, None) = self.as_elastic() else { return None };
-        Some(*body)
     }
 }

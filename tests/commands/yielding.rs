@@ -105,16 +105,16 @@ fn what_does_not_go_with_a_yield_stress_is_refused() {
     let steel = format!("{CYLINDER} {STEEL} --pressure 20MPa");
     let bare = "solve --indenter cylinder --radius 10mm --points 128 --size 1mm --pressure 20MPa";
     for (line, words) in [
-        (format!("{CYLINDER} --pressure 20MPa"), &["--hardening-modulus", "millionth"][..]),
-        (format!("{bare} --young 210GPa --poisson 0.3 {STEEL}"), &["--yield-stress"]),
-        (format!("{bare} --modulus 210GPa --yield-stress 350MPa {STEEL}"), &["--young", "--poisson"]),
+        (format!("{CYLINDER} --pressure 20MPa"), &["hardening modulus", "millionth"][..]),
+        (format!("{bare} --young 210GPa --poisson 0.3 {STEEL}"), &["without a yield stress"]),
+        (format!("{bare} --modulus 210GPa --yield-stress 350MPa {STEEL}"), &["Young's modulus", "Poisson's ratio"]),
         (
             format!("{bare} --young 210GPa,70GPa --poisson 0.3,0.3 --yield-stress 350MPa {STEEL}"),
             &["two elastic bodies"],
         ),
-        (format!("{steel} --layer 1mm"), &["--layer", "half-space"]),
-        (format!("{steel} --boundary free"), &["--boundary", "waves"]),
-        (format!("{steel} --hardness 1GPa"), &["--hardness"]),
+        (format!("{steel} --layer 1mm"), &["layer", "half-space"]),
+        (format!("{steel} --boundary free"), &["boundary", "waves"]),
+        (format!("{steel} --hardness 1GPa"), &["hardness"]),
         (format!("{steel} --adhesion 50mJ/m^2 --adhesion-range 10nm"), &["adhesion"]),
         (format!("{steel} --creep 9,1ms --path-time 1s"), &["creep"]),
         (format!("{steel} --friction 0.3 --tangential 1MPa"), &["friction", "normal loads"]),
@@ -146,6 +146,14 @@ fn what_does_not_go_with_a_yield_stress_is_refused() {
         assert_eq!(stderr.matches("error: ").count(), 1, "{line}: {stderr}");
     }
     assert!(std::fs::read_dir(folder.join("")).unwrap().next().is_none(), "something was written");
+    // commands for bodies that have not yielded before
+    let scene = "surface.indenter = { shape = 'cylinder', radius = 1 }\ngrid = { points = 64, size = 1 }\n\
+        solid = { young = 1, poisson = 0.3, yield-stress = 0.005, hardening-modulus = 0.05 }\nload.mean-pressure = 1e-3\n";
+    std::fs::write(folder.join("steel.toml"), scene).unwrap();
+    ndarray_npy::write_npy(folder.join("p.npy"), &Array1::from_elem(64, 1e-3)).unwrap();
+    for line in ["certify --setup steel.toml --pressure p.npy", "inspect --setup steel.toml p.npy", "seal steel.toml"] {
+        assert_refused(&folder.run(line), &["yield stress", "leave it out"]);
+    }
 }
 
 #[test]
@@ -170,7 +178,7 @@ fn a_plan_tells_the_memory_of_the_layers() {
 fn iterations_are_states_on_the_way_if_they_are_asked_for() {
     let folder = Folder::new();
     let line = format!("{CYLINDER} {STEEL} --pressure 20MPa,100MPa --unload --json");
-    let (plain, with) = (json(&folder, &line), json(&folder, &format!("{line} --record-iterations --out all.npz")));
+    let (plain, with) = (json(&folder, &line), json(&folder, &format!("{line} --record-iterations --record all.rrd")));
     assert_eq!(with["claim"], plain["claim"]);
     let (few, many) = (plain["states"].as_array().unwrap(), with["states"].as_array().unwrap());
     assert!(few.len() == 4 && many.len() > 10, "{}", many.len());
@@ -187,8 +195,8 @@ fn iterations_are_states_on_the_way_if_they_are_asked_for() {
     let steps: Vec<&[f64]> = bounds.split_inclusive(|bound| *bound <= 1e-8).collect();
     assert_eq!(steps.len(), 4);
     assert!(steps[1].len() > 5 && steps[1][0] > 1e3 * steps[1][steps[1].len() - 2], "{bounds:?}");
-    let refused = folder.run("solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 512 --size 1 --reduced-pressure 0.05 --record-iterations");
-    assert_refused(&refused, &["--record-iterations", "no effect"]);
+    let refused = folder.run("solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 512 --size 1 --reduced-pressure 0.05 --record-iterations --record x.rrd");
+    assert_refused(&refused, &["iterations", "it has an effect only"]);
 }
 
 #[test]

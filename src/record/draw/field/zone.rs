@@ -86,7 +86,10 @@ impl ZoneDrawing {
 
 impl Drawing for ZoneDrawing {
     fn panes(&self) -> Vec<(Place, Pane)> {
-        self.images.iter().map(|(_, title, image)| (Place::Deep, image.pane(title))).collect()
+        // the cells of a surface are two in a row
+        let places = [Place::Deep, if self.grid.is_line() { Place::Deep } else { Place::Field }];
+        let images = self.images.iter().zip(places);
+        images.map(|((_, title, image), place)| (place, image.pane(title))).collect()
     }
 
     fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
