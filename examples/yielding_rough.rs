@@ -60,17 +60,21 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (a, b) in cap.iter().zip(&flow) {
         println!("{:>8.4} {:>8.4}{:>8.4} {:>8.4}{:>8.4} {:>8.4}{:>8.4}", a[0], a[1], b[1], a[2], b[2], a[3], b[3]);
     }
-    let panels =
-        ["relative area", "mean gap over rms height", "depth of the imprint over rms height"].into_iter().enumerate();
-    let panel = |(i, title): (usize, &str)| {
-        let highest = cap.iter().chain(&flow).map(|row| row[i + 1]).fold(0.0, f64::max);
+    let panels: [(&str, fn(&Row) -> f64); 4] = [
+        ("relative area", |row| row[1]),
+        ("mean pressure in contact over yield stress", |row| row[0] / row[1]),
+        ("mean gap over rms height", |row| row[2]),
+        ("depth of the imprint over rms height", |row| row[3]),
+    ];
+    let panel = |(title, of): (&str, fn(&Row) -> f64)| {
+        let highest = cap.iter().chain(&flow).map(of).fold(0.0, f64::max);
         let mut panel = Panel::new(title, Axis::log("<p> / Y", [8e-3, 0.5]), Axis::linear("", [0.0, 1.1 * highest]));
-        let dots = |rows: &[Row]| rows.iter().map(|row| Dot::at(row[0], row[i + 1])).collect::<Vec<_>>();
+        let dots = |rows: &[Row]| rows.iter().map(|row| Dot::at(row[0], of(row))).collect::<Vec<_>>();
         panel.add("hardness 2.8 Y", Colour::ORANGE, Mark::Dashed, dots(&cap));
         panel.add("J2 flow", Colour::BLUE, Mark::Line, dots(&flow));
         panel
     };
-    let figure = Figure { title: "a rough surface on a metal".into(), panels: panels.map(panel).collect() };
+    let figure = Figure { title: "a rough surface on a metal".into(), panels: panels.map(panel).into() };
     write_figure(&std::env::temp_dir().join("yielding_rough.png"), &figure, &FigureStyle::default())?;
     Ok(())
 }
