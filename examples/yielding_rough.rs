@@ -45,8 +45,8 @@ fn flowing(loads: &[f64]) -> Result<Vec<Row>, StudyError> {
     let setup = Setup { path: Some(path), ..Setup::from_toml(&scene)? };
     let outcome = HistoryOutcome::solve(&setup, &setup.problem()?, &mut ())?;
     let of = |quantity: Quantity| outcome.values(quantity);
-    let (pressure, area, gap) = (of(Quantity::MeanPressure), of(Quantity::RelativeAreaCounted), of(Quantity::MeanGap));
-    let (imprint, height) = (of(Quantity::ImprintDepth), of(Quantity::RmsHeight));
+    let [pressure, area] = [Quantity::MeanPressure, Quantity::RelativeAreaCounted].map(of);
+    let [gap, imprint, height] = [Quantity::MeanGap, Quantity::ImprintDepth, Quantity::RmsHeight].map(of);
     println!("largest plastic strain: {:.3}", of(Quantity::MaxPlasticStrain).into_iter().fold(0.0, f64::max));
     let row = |i: usize| [pressure[i] / YIELD_STRESS, area[i], gap[i] / height[i], imprint[i] / height[i]];
     Ok((0..loads.len()).map(row).collect())
@@ -55,8 +55,7 @@ fn flowing(loads: &[f64]) -> Result<Vec<Row>, StudyError> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let loads: Vec<f64> = (0..9).map(|i| 10e6 * 40f64.powf(f64::from(i) / 8.0)).collect();
     let (cap, flow) = (capped(&loads)?, flowing(&loads)?);
-    println!("{:>8} {:>16} {:>16} {:>16}", "<p> / Y", "area", "gap / h_rms", "imprint / h_rms");
-    println!("{:>8} {:>8}{:>8} {:>8}{:>8} {:>8}{:>8}", "", "cap", "flow", "cap", "flow", "cap", "flow");
+    println!("{:>8} {:>16} {:>16} {:>16} (by hardness, by flow)", "<p> / Y", "area", "gap / h_rms", "imprint / h_rms");
     for (a, b) in cap.iter().zip(&flow) {
         println!("{:>8.4} {:>8.4}{:>8.4} {:>8.4}{:>8.4} {:>8.4}{:>8.4}", a[0], a[1], b[1], a[2], b[2], a[3], b[3]);
     }
