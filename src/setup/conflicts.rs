@@ -45,7 +45,7 @@ const OF_SECTIONS: &[SectionRule] = &[
     (ConflictRule::SlidingWithoutCreep, |it| it.sliding.is_some() && it.viscoelastic.is_none()),
     (ConflictRule::RollingAndCreep, |it| it.rolling.is_some() && it.viscoelastic.is_some()),
     (ConflictRule::RollingWithoutFriction, |it| it.rolling.is_some() && it.friction.is_none()),
-    (ConflictRule::PathWithoutPoints, |it| it.has_path(LoadPath::is_empty)),
+    (ConflictRule::PathWithoutPoints, |it| !it.yields() && it.has_path(LoadPath::is_empty)),
     (ConflictRule::CreepWithoutPath, |it| it.viscoelastic.is_some() && it.path.is_none() && it.sliding.is_none()),
     (ConflictRule::CreepWithoutTimes, |it| it.viscoelastic.is_some() && it.has_path(|path| path.time.is_empty())),
     (ConflictRule::CreepAndFriction, |it| {

@@ -75,11 +75,11 @@ impl Setup {
         Ok(self.prony()?.terms().iter().map(|term| (term.ratio, term.time)).collect())
     }
 
-    /// The points of the path of a history; with adhesion or a yield stress the load alone if it has no path, and else none.
+    /// The points of the path of a history; with adhesion or a yield stress the load alone if it has none, and else none.
     pub fn path_points(&self) -> Vec<PathPoint> {
-        let has_load = self.adhesion.is_some() || self.yields();
-        let alone = || has_load.then(|| PathPoint::under(self.load)).into_iter().collect();
-        self.path.as_ref().map_or_else(alone, |path| path.points(self.load))
+        let points = self.path.as_ref().map_or_else(Vec::new, |path| path.points(self.load));
+        let has_load = self.yields() || (self.adhesion.is_some() && self.path.is_none());
+        if points.is_empty() && has_load { vec![PathPoint::under(self.load)] } else { points }
     }
 
     /// How the solid yields below its surface, if anything of it is given.
@@ -134,7 +134,8 @@ impl Setup {
     /// The states of a solid that yields, with the iterations if these are kept.
     pub(super) fn states_of_yielding(&self) -> usize {
         let each = if self.record.iterations { ITERATIONS } else { 1 };
-        self.states_of_path(1).max(1).saturating_mul(each)
+        let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
+        self.path_points().len().saturating_mul(steps).saturating_mul(each)
     }
 
     /// The bytes that flow below a grid takes, with those of the states that are kept.
@@ -160,7 +161,8 @@ impl Setup {
     /// Checks what belongs to a process.
     pub(super) fn check_process(&self, process: ProcessKind, grid: &Grid) -> Result<(), SetupError> {
         self.viscoelastic.as_ref().map_or(Ok(()), |it| it.prony().map(drop))?;
-        self.path.as_ref().map_or(Ok(()), |path| path.check(self.adhesion.is_some()))?;
+        let path = self.path.as_ref().filter(|path| !(path.is_empty() && self.yields()));
+        path.map_or(Ok(()), |path| path.check(self.adhesion.is_some()))?;
         self.adhesion.as_ref().map_or(Ok(()), |it| it.attraction().map(drop))?;
         self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;
