@@ -11,9 +11,9 @@ use asperity::study::LoadCurve;
 
 /// Under one load: mean pressure over yield stress, relative area, and mean gap and depth of the imprint over the rms height.
 type Row = [f64; 4];
+type ValueOf = fn(&Row) -> f64;
 
-/// The hardness of a metal is about 2.8 times its yield stress (Tabor).
-const TABOR: f64 = 2.8;
+const TABOR: f64 = 2.8; // the hardness of a metal over its yield stress
 const YIELD_STRESS: f64 = 1e9;
 const SCENE: &str = "
     surface = { spectrum = { hurst = 0.8, rolloff-wavelength = '50 um', short-cutoff = '10 um', rms-gradient = 0.03 }, seed = 3 }
@@ -59,13 +59,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (a, b) in cap.iter().zip(&flow) {
         println!("{:>8.4} {:>8.4}{:>8.4} {:>8.4}{:>8.4} {:>8.4}{:>8.4}", a[0], a[1], b[1], a[2], b[2], a[3], b[3]);
     }
-    let panels: [(&str, fn(&Row) -> f64); 4] = [
+    let panels: [(&str, ValueOf); 4] = [
         ("relative area", |row| row[1]),
         ("mean pressure in contact over yield stress", |row| row[0] / row[1]),
         ("mean gap over rms height", |row| row[2]),
         ("depth of the imprint over rms height", |row| row[3]),
     ];
-    let panel = |(title, of): (&str, fn(&Row) -> f64)| {
+    let panel = |(title, of): (&str, ValueOf)| {
         let highest = cap.iter().chain(&flow).map(of).fold(0.0, f64::max);
         let mut panel = Panel::new(title, Axis::log("<p> / Y", [8e-3, 0.5]), Axis::linear("", [0.0, 1.1 * highest]));
         let dots = |rows: &[Row]| rows.iter().map(|row| Dot::at(row[0], of(row))).collect::<Vec<_>>();
