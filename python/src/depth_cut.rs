@@ -6,7 +6,7 @@ use crate::history::History;
 use asperity::contact::DepthCut;
 use asperity::surface::Field;
 use numpy::ndarray::{Axis, stack};
-use numpy::{PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
+use numpy::{PyArray2, PyArray3, PyReadonlyArray2, ToPyArray};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

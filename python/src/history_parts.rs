@@ -68,8 +68,9 @@ impl History {
             let fields = fields.iter().map(|(name, values)| named(name, field(values)?)).collect::<PyResult<_>>()?;
             let number = |quantity: Quantity| contact.contact.values().get(quantity);
             let contact = asperity::Contact::clone(&contact.contact);
-            let state = State::from_parts(contact, (point, claim), number, fields);
-            Ok(Arc::new(State { cut: cut.map(from_parts), ..state }))
+            let mut state = State::from_parts(contact, (point, claim), number, fields);
+            state.cut = cut.map(from_parts);
+            Ok(Arc::new(state))
         };
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;
