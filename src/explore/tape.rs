@@ -109,6 +109,7 @@ impl SweepTape {
                 .map(|&(view, name, kind, colour, _)| RecordedCurve {
                     view: view.into(),
                     name: name.into(),
+                    unit: String::new(),
                     colour: colour.0,
                     kind,
                 })

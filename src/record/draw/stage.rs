@@ -14,7 +14,7 @@ use super::ink::pane::Pane;
 use super::parts;
 use super::patch::patch_map::PatchMap;
 use super::plane::Plane;
-use crate::contact::{Contact, Observables, Phase};
+use crate::contact::{Contact, Observables, Phase, Quantity};
 use crate::diagnosis::{Diagnosis, Reference};
 use crate::grid::Grid;
 use crate::record::description;
@@ -74,7 +74,7 @@ impl Stage {
         Self {
             title: scene.title.clone(),
             palette,
-            description: description::of_scene(scene, &options.length_unit),
+            description: description::of_scene(scene, &options.units()),
             properties: properties::of_scene(scene),
             setup: scene.text(),
             what: options.what,
@@ -178,9 +178,13 @@ impl Stage {
             true => String::new(),
             false => format!(". kappa_r is {kappa_r:.4}, with an error of about {:.1} % on this grid", 100.0 * error),
         };
+        let certified = match Quantity::Certificate.tells_of(contact) {
+            true => format!(" with the certificate {:.2e}", certificate.eta),
+            false => String::new(),
+        };
         format!(
-            "{how} with the certificate {:.2e}, after {} steps, {} transforms and {:.3} s{grid}",
-            certificate.eta, work.iterations, work.transforms, work.seconds
+            "{how}{certified}, after {} steps, {} transforms and {:.3} s{grid}",
+            work.iterations, work.transforms, work.seconds
         )
     }
 

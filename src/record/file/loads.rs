@@ -18,6 +18,7 @@ use crate::record::layout::{TEXT, fit_loads, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::record::units::with_unit;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TextDocument};
 use std::collections::BTreeSet;
@@ -244,7 +245,8 @@ impl LoadRecording {
         send_loads(&recording.stages, figure.as_ref(), charts, curves, self.timeline.name(), stream)?;
         curves.log_static(stream)?;
         charts.iter().try_for_each(|chart| chart.log_static(stream))?;
-        stream.log_static(VALUE, &SeriesLines::new().with_names([self.axis.name.as_str()]))?;
+        let value = with_unit(&self.axis.name, &self.axis.unit);
+        stream.log_static(VALUE, &SeriesLines::new().with_names([value.as_str()]))?;
         if let Some(figure) = figure {
             figure.log_static(stream)?;
         }

@@ -138,10 +138,11 @@ fn pictures_of_surface(stage: &Stage) -> Pane {
 /// The pictures that are recorded, in groups that share a pane; the first one represents the scene.
 fn views(stage: &Stage) -> Vec<Vec<(Place, Pane)>> {
     let mut groups: Vec<Vec<(Place, Pane)>> = Vec::new();
-    for (place, pane) in stage.panes(&[Place::Main, Place::Field]) {
-        match groups.last_mut().filter(|group| group[0].0 == Place::Field) {
-            Some(group) if stage.grid.is_line() && place == Place::Field => group.push((place, pane)),
-            _ => groups.push(vec![(place, pane)]),
+    for (place, pane) in stage.panes(&[Place::Main, Place::Field, Place::OfState]) {
+        let has_tabs = stage.grid.is_line() && place != Place::Main;
+        match groups.last_mut().filter(|group| has_tabs && group[0].0 == place) {
+            Some(group) => group.push((place, pane)),
+            None => groups.push(vec![(place, pane)]),
         }
     }
     groups.push(stage.panes(&[Place::Further, Place::Deep]));

@@ -27,7 +27,7 @@ fn figure() -> Figure {
 }
 
 fn curve(view: &str, name: &str) -> RecordedCurve {
-    RecordedCurve { view: view.into(), name: name.into(), colour: [0, 0, 0], kind: CurveKind::Computed }
+    RecordedCurve { view: view.into(), name: name.into(), unit: String::new(), colour: [0, 0, 0], kind: CurveKind::Computed }
 }
 
 fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {

@@ -30,7 +30,7 @@ fn record_loads(path: &Path, problem: &Problem, theme: Theme) {
         description: "about".into(),
         captions: vec!["light".into()],
         axis: LoadAxis::log("x", vec![0.1]),
-        curves: vec![RecordedCurve { view: "y".into(), name: "y".into(), colour: [0; 3], kind: CurveKind::Computed }],
+        curves: vec![RecordedCurve { view: "y".into(), name: "y".into(), unit: String::new(), colour: [0; 3], kind: CurveKind::Computed }],
         figure: Some(&figure),
         timeline: Timeline::Loads,
         scenes: &[Scene::new("it", problem)],
