@@ -116,6 +116,7 @@ impl SweepTape {
                 .collect(),
             figure: None,
             timeline: Timeline::Loads,
+            followed: None,
             scenes: &[Scene { title, exact: None, ..Scene::from_setup(setup, problem) }],
         };
         let mut parts = setup.record.clone();

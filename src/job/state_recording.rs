@@ -108,6 +108,7 @@ impl<'a> StateRecording<'a> {
             axis: if is_list { axis_of_loads(posed.loads, is_line, &units) } else { numbered(expected) },
             figure: None,
             timeline: if is_list { Timeline::Loads } else { Timeline::States(Vec::new()) },
+            followed: is_list.then(|| posed.setup.surface.own_shape(posed.problem.surface().grid().shape())),
             scenes: &scenes,
         };
         let recording = LoadRecording::to(target, &loads, self.options.clone())?;
@@ -180,6 +181,7 @@ impl HistoryOutcome {
             axis: self.axis(&units),
             figure: None,
             timeline: Timeline::States(states.iter().filter_map(|state| state.get(Quantity::Time)).collect()),
+            followed: None,
             scenes: &[scene],
         };
         let recording = LoadRecording::create(path, &loads, options)?;
@@ -213,7 +215,9 @@ impl HistoryOutcome {
     fn axis(&self, units: &RecordUnits) -> LoadAxis {
         let row = self.kind.row();
         match row.axis {
-            Some(it) if row.is_logarithmic => LoadAxis::log(it.name(), self.values(it)).with_unit(units.of(it.row().unit)),
+            Some(it) if row.is_logarithmic => {
+                LoadAxis::log(it.name(), self.values(it)).with_unit(units.of(it.row().unit))
+            }
             Some(it) => LoadAxis::linear(it.name(), self.values(it)).with_unit(units.of(it.row().unit)),
             None => numbered(self.states.len()),
         }

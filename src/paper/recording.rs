@@ -24,6 +24,7 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
         curves: ramp.curves.iter().map(curve).collect(),
         figure: Some(figure),
         timeline: Timeline::Loads,
+        followed: None,
         scenes: &scenes,
     };
     let options = Options { length_unit: ramp.length_unit.into(), ..Options::default() };
@@ -58,5 +59,11 @@ fn scene<'a>(contact: &Realisation, problem: &'a Problem) -> Scene<'a> {
 }
 
 fn curve(RampCurve { view, name, colour, .. }: &RampCurve) -> RecordedCurve {
-    RecordedCurve { view: (*view).into(), name: name.clone(), unit: String::new(), colour: colour.0, kind: CurveKind::Computed }
+    RecordedCurve {
+        view: (*view).into(),
+        name: name.clone(),
+        unit: String::new(),
+        colour: colour.0,
+        kind: CurveKind::Computed,
+    }
 }

@@ -1,9 +1,9 @@
 //! Descriptions of scenes, as rows of a table in Markdown.
 
 use super::scene::Scene;
-use crate::contact::{Solver, Stop};
 use super::units::{RecordUnits, value_with_unit};
 use crate::contact::{Load, Unit};
+use crate::contact::{Solver, Stop};
 use crate::quantity::number_in_words;
 use crate::setup::{fnv1a, in_words};
 
@@ -25,7 +25,12 @@ pub fn name(scenes: &[Scene<'_>]) -> String {
 pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
     let describe = |scene: &Scene<'_>| {
         let setup = scene.setup.as_ref().map_or_else(String::new, |setup| setup.clone().with_full_path().to_toml());
-        format!("{}\n{}\n{}\n{setup}", scene.name, scene.title, of_scene(scene, &RecordUnits { length: String::new(), pressure: String::new() }))
+        format!(
+            "{}\n{}\n{}\n{setup}",
+            scene.name,
+            scene.title,
+            of_scene(scene, &RecordUnits { length: String::new(), pressure: String::new() })
+        )
     };
     application_of(&[&[title.to_owned()], scenes.iter().map(describe).collect::<Vec<_>>().as_slice()].concat())
 }
@@ -53,7 +58,8 @@ pub fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
     let length = |value: f64| value_with_unit(value, units.of(Unit::Length));
     let pressure = |value: f64| value_with_unit(value, units.of(Unit::Pressure));
     let along = |values: [String; 2]| if grid.is_line() { values[1].clone() } else { values.join(" x ") };
-    let mut rows: Vec<(&str, String)> = scene.setup.iter().map(|it| ("surface", it.surface.described(Some(&length)))).collect();
+    let mut rows: Vec<(&str, String)> =
+        scene.setup.iter().map(|it| ("surface", it.surface.described(Some(&length)))).collect();
     rows.extend([
         ("points", along(grid.shape().map(|n| n.to_string()))),
         ("cell", along(grid.size().map(length))),

@@ -89,6 +89,11 @@ pub fn with_unit(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.into() } else { format!("{name} [{unit}]") }
 }
 
+/// A name without the unit that [`with_unit`] has added, and that unit; empty if there is none.
+pub fn split_unit(name: &str) -> (&str, &str) {
+    name.strip_suffix(']').and_then(|name| name.rsplit_once(" [")).unwrap_or((name, ""))
+}
+
 /// The multiple of three that leaves numbers between 1 and 1000; pure numbers from 0.1 stay as they are.
 pub fn engineering_exponent(largest: f64, is_pure: bool) -> i32 {
     let stays = largest == 0.0 || is_pure && (0.1..1000.0).contains(&largest);
@@ -112,9 +117,16 @@ mod tests {
 
     #[test]
     fn values_have_the_prefix_that_fits_them() {
-        let words = [(1e9, "Pa"), (2e7, "Pa"), (113.8e-9, "m"), (0.0, "Pa"), (2e7, "kPa"), (0.05, ""), (-3.5e-5, "J/m²")];
+        let words =
+            [(1e9, "Pa"), (2e7, "Pa"), (113.8e-9, "m"), (0.0, "Pa"), (2e7, "kPa"), (0.05, ""), (-3.5e-5, "J/m²")];
         let words = words.map(|(value, unit)| value_with_unit(value, unit));
         assert_eq!(words, ["1 GPa", "20 MPa", "113.8 nm", "0 Pa", "2e7 kPa", "0.05", "-35 µJ/m²"]);
+    }
+
+    #[test]
+    fn a_name_and_its_unit_are_told_apart_again() {
+        assert_eq!(split_unit(&with_unit("mean pressure", "Pa")), ("mean pressure", "Pa"));
+        assert_eq!(split_unit(&with_unit("p*", "")), ("p*", ""));
     }
 
     #[test]

@@ -326,7 +326,8 @@ impl Recipe {
 
     /// The parts of the surface, in words, with its lengths as `in_words` writes them.
     pub fn described(&self, in_words: Option<&dyn Fn(f64) -> String>) -> String {
-        let random = |it: &RandomRoughness| in_words.map_or_else(|| it.description(), |in_words| it.described(in_words));
+        let random =
+            |it: &RandomRoughness| in_words.map_or_else(|| it.description(), |in_words| it.described(in_words));
         let steps = if self.prepare.is_none() { String::new() } else { format!(" ({})", self.prepare.description()) };
         let file = self.height.as_ref().map(|file| format!("heights from {}{steps}", file.display()));
         let against = self.against.as_ref().map(|file| format!("pressed on heights from {}{steps}", file.display()));

@@ -13,6 +13,7 @@ use super::ink::palette::Palette;
 use super::ink::pane::Pane;
 use super::parts;
 use super::patch::patch_map::PatchMap;
+use super::patch::patch_tree::PatchTreePicture;
 use super::plane::Plane;
 use crate::contact::{Contact, Observables, Phase, Quantity};
 use crate::diagnosis::{Diagnosis, Reference};
@@ -55,6 +56,8 @@ pub struct Stage {
     reference: Option<Arc<Reference>>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
+    /// The tree of contact patches over loads, if they are followed.
+    pub tree: Option<PatchTreePicture>,
     /// Height of the window that the pictures are drawn for, in points.
     pub window_height: f64,
 }
@@ -88,6 +91,7 @@ impl Stage {
             contact_modulus: scene.problem.contact_modulus(),
             reference: scene.reference.clone(),
             patches: None,
+            tree: None,
             window_height: options.window[1],
             root,
         }
@@ -121,6 +125,11 @@ impl Stage {
         }
     }
 
+    /// Adds the tree of contact patches under `loads`, if contacts are recorded.
+    pub fn follow_patches(&mut self, loads: &LoadAxis) {
+        self.tree = self.what.has(Part::Mask).then(|| PatchTreePicture::new(&self.root, self.palette, loads));
+    }
+
     /// The panes of the drawings that stand in some places.
     pub fn panes(&self, places: &[Place]) -> Vec<(Place, Pane)> {
         let panes = self.drawings.iter().flat_map(|drawing| drawing.panes());
@@ -134,6 +143,11 @@ impl Stage {
             self.plane.fit(size);
             self.patches.iter_mut().for_each(|map| map.fit(size));
         }
+        if let Some(tree) = &mut self.tree
+            && let Some(size) = size(tree.root())
+        {
+            tree.fit(size);
+        }
         self.drawings.iter_mut().for_each(|drawing| drawing.fit(&size));
     }
 
@@ -144,6 +158,7 @@ impl Stage {
         }
         properties::send(to, &self.root, &self.properties)?;
         self.patches.as_ref().map_or(Ok(()), |patches| patches.log_static(to))?;
+        self.tree.as_ref().map_or(Ok(()), |tree| tree.log_static(to))?;
         self.drawings.iter().try_for_each(|drawing| drawing.log_static(to))
     }
 

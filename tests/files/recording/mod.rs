@@ -36,6 +36,7 @@ mod properties;
 mod survey;
 mod theme;
 mod types;
+mod words;
 
 fn cylinder() -> Problem {
     let cylinder = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(64, 4.0).unwrap()).unwrap();

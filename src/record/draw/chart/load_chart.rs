@@ -121,8 +121,7 @@ impl Chart {
         values: &[f64],
     ) -> RecordingStreamResult<()> {
         self.values.insert(load, values.to_vec());
-        let FittingUnit { name, size } = self.unit();
-        let y = around(&with_unit(&self.name, &name), self.all_known().map(|value| value / size));
+        let y = self.fitted();
         if y == self.frame.y {
             return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, turn, load));
         }
@@ -134,6 +133,16 @@ impl Chart {
     pub fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
         self.frame.x = self.loads.over(self.values.keys().copied());
         self.draw_again(to, turn)
+    }
+
+    /// Draws the values of all curves of the recording under all loads at once, for all times.
+    pub fn log_all(&mut self, to: &RecordingStream, values: &[Vec<f64>]) -> RecordingStreamResult<()> {
+        self.values = values.iter().cloned().enumerate().collect();
+        self.frame.x = self.loads.whole();
+        self.frame.y = self.fitted();
+        self.log_static(to)?;
+        to.log_static(format!("{}/lines", self.root), &self.lines(values.len()))?;
+        to.log_static(format!("{}/dots", self.root), &self.dots(values.len()))
     }
 
     fn draw_again(&self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
@@ -185,6 +194,12 @@ impl Chart {
         let (points, styles): (Vec<_>, Vec<_>) = dots.unzip();
         let (colours, radii): (Vec<_>, Vec<_>) = styles.into_iter().unzip();
         Points2D::new(points).with_colors(colours).with_radii(radii).with_draw_order(36.0)
+    }
+
+    /// The axis around all values.
+    fn fitted(&self) -> Axis {
+        let FittingUnit { name, size } = self.unit();
+        around(&with_unit(&self.name, &name), self.all_known().map(|value| value / size))
     }
 
     /// The unit that fits all values.

@@ -29,7 +29,7 @@ const ABOVE: f32 = 0.02;
 const EDGE: f32 = 1.0;
 const CONTACT: f32 = 3.0;
 /// Heights of the eye that are tried, in radians above the horizon.
-const ELEVATIONS: [f32; 3] = [0.38, 0.44, 0.5];
+const ELEVATIONS: [f32; 2] = [0.45, 0.55];
 
 /// The relief of the solid in a scene.
 pub struct Relief {
@@ -61,7 +61,7 @@ impl Relief {
         let (_, cut) = mesh.first();
         let drawn = f64::from(0.5 - cut / mesh.size[0]);
         Self {
-            title: format!("{}: the solid cut in the middle, coloured by pressure, below the rigid surface", scene.title),
+            title: format!("{}: solid cut below the rigid surface", scene.title),
             walls: [Wall::section(&root, cut, palette), Wall::side(&root, 0.5 * mesh.size[1], palette)],
             length_unit: unit.clone(),
             lengths: [measured("y", unit, drawn * grid.size()[0]), measured("x", unit, grid.size()[1])],
@@ -120,12 +120,7 @@ impl Relief {
     }
 
     /// Records the edge of the section, and the contact along it.
-    fn log_edge(
-        &self,
-        to: &RecordingStream,
-        edge: &[Vec3],
-        fields: &FrameFields<'_>,
-    ) -> RecordingStreamResult<()> {
+    fn log_edge(&self, to: &RecordingStream, edge: &[Vec3], fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         let in_front = |vertex: Vec3| [vertex.x, vertex.y - ABOVE, vertex.z];
         let line: Vec<[f32; 3]> = edge.iter().map(|vertex| in_front(*vertex)).collect();
         let touching = self.mesh.touching(fields);

@@ -217,11 +217,8 @@ impl ReliefMesh {
 
 /// A colour in a light.
 fn lit(colour: Colour, light: f64) -> Color {
-    let Colour([r, g, b]) = if light <= 1.0 {
-        mixed(Colour::BLACK, colour, light)
-    } else {
-        mixed(colour, Colour::WHITE, light - 1.0)
-    };
+    let Colour([r, g, b]) =
+        if light <= 1.0 { mixed(Colour::BLACK, colour, light) } else { mixed(colour, Colour::WHITE, light - 1.0) };
     Color::from_rgb(r, g, b)
 }
 

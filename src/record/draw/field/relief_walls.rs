@@ -43,10 +43,7 @@ impl Wall {
 
     /// Records what joins the vertices of an edge of a number of them.
     pub fn log_static(&self, to: &RecordingStream, vertices: usize) -> RecordingStreamResult<()> {
-        to.log_static(
-            self.root.as_str(),
-            &Mesh3D::update_fields().with_triangle_indices(triangles([2, vertices])),
-        )
+        to.log_static(self.root.as_str(), &Mesh3D::update_fields().with_triangle_indices(triangles([2, vertices])))
     }
 
     /// Records the wall below an edge.

@@ -1,17 +1,22 @@
 //! The rigid surface above a relief, as a grid of lines through which the solid is seen.
 
 use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, Stretch};
-use crate::record::draw::ink::palette::colour;
+use crate::record::draw::ink::palette::{colour, mixed};
 use glam::Vec3;
 use rerun::{LineStrips3D, Radius, RecordingStream, RecordingStreamResult};
 
 /// The height above the highest place of the solid at which the rigid surface is cut off.
-pub const CEILING: f32 = 0.7 * RELIEF as f32;
+pub const CEILING: f32 = 0.65 * RELIEF as f32;
+/// The height at which the grid of a rough surface is cut off: of more than some parts for each line on average, which would hide the solid.
+const LOW_CEILING: f32 = 0.25 * RELIEF as f32;
+const MOST_PARTS: usize = 3;
 /// The largest number of lines along the longer side.
 const LINES: usize = 20;
 /// Radii of the lines of the grid, and of the line along the cut.
 const FINE: f32 = 0.4;
-const THICK: f32 = 1.6;
+const THICK: f32 = 1.4;
+/// How near the colour of the grid is to that of the rigid surface, from that of the ground on.
+const FAINT: f64 = 0.75;
 
 /// Records the part of the rigid surface of a mesh that is below the ceiling.
 pub fn log(to: &RecordingStream, root: &str, mesh: &ReliefMesh, stretch: Stretch) -> RecordingStreamResult<()> {
@@ -21,9 +26,12 @@ pub fn log(to: &RecordingStream, root: &str, mesh: &ReliefMesh, stretch: Stretch
     let row = |row: usize| (0..columns).map(|column| vertices[row * columns + column]).collect::<Vec<_>>();
     let column = |column: usize| (0..rows).map(|row| vertices[row * columns + column]).collect::<Vec<_>>();
     let every = (columns - 1).max(rows - 1).div_ceil(LINES);
-    let lines = (0..rows).step_by(every).map(row).chain((0..columns).step_by(every).map(column));
-    let grid = LineStrips3D::new(lines.flat_map(|line| below(&line, CEILING)))
-        .with_colors([colour(mesh.palette.indenter)])
+    let lines: Vec<Vec<Vec3>> =
+        (0..rows).step_by(every).map(row).chain((0..columns).step_by(every).map(column)).collect();
+    let parts = |ceiling: f32| lines.iter().flat_map(|line| below(line, ceiling)).collect::<Vec<_>>();
+    let smooth = Some(parts(CEILING)).filter(|parts| parts.len() <= MOST_PARTS * lines.len());
+    let grid = LineStrips3D::new(smooth.unwrap_or_else(|| parts(LOW_CEILING)))
+        .with_colors([colour(mixed(mesh.palette.ground, mesh.palette.indenter, FAINT))])
         .with_radii([Radius::new_ui_points(FINE)]);
     to.log_static(format!("{root}/rigid/grid"), &grid)?;
     let edge = LineStrips3D::new(below(&row(0), CEILING))
