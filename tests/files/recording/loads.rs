@@ -259,6 +259,6 @@ fn patches_are_followed_from_load_to_load() {
     assert_eq!(numbers("event_other")[2].1, [1.0]);
     let kinds = latest::<Text>(&path, "/contact/it/patch_tree/events", &ComponentDescriptor::partial("event_kind"));
     let kinds: Vec<Vec<String>> =
-        kinds.into_values().map(|kinds| kinds.iter().map(ToString::to_string).collect()).collect();
+        kinds.into_values().map(|kinds| kinds.iter().map(|kind| kind.as_str().to_owned()).collect()).collect();
     assert_eq!(kinds, [vec![], vec!["born".to_owned()], vec!["merged".to_owned()]]);
 }

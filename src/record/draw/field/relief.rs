@@ -1,15 +1,15 @@
 //! The solid under the indenter as a relief in three dimensions, coloured by the pressure. The front half is cut away, so that everyone sees where the
 //! solid is and where the rigid surface: the section shows both, and the rigid surface is a grid above the solid.
 
-use crate::plot::{letters, width};
+use crate::plot::width;
 use crate::record::draw::drawing::{Drawing, Place, Subject};
 use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, Stretch};
 use crate::record::draw::field::relief_walls::{FOOT, Wall, edge};
 use crate::record::draw::field::rigid_grid;
 use crate::record::draw::fields::{FieldExtent, FrameFields, range};
-use crate::record::draw::ink::canvas::{LETTER, PANE};
+use crate::record::draw::ink::canvas::PANE;
 use crate::record::draw::ink::eye::Eye;
-use crate::record::draw::ink::fill;
+use crate::record::draw::ink::letter_lines::{RADIUS, letter_lines};
 use crate::record::draw::ink::mirror::MeasuredPart;
 use crate::record::draw::ink::palette::{Palette, colour};
 use crate::record::draw::ink::pane::{Pane, PaneView};
@@ -113,7 +113,7 @@ impl Relief {
         let words = measured("z", &self.length_unit, height);
         let beside = lines(&words, |[along, down]| [left - NAME_GAP + down, cut, 0.5 * bottom + along]);
         let bar = [[left, cut, 0.0], [left, cut, bottom]];
-        let radius = Radius::new_scene_units(LETTER[1] * NAME as f32);
+        let radius = Radius::new_scene_units(RADIUS * NAME as f32);
         let strips = LineStrips3D::new(beside.into_iter().map(|line| line.to_vec()).chain([bar.to_vec()]));
         let strips = strips.with_colors([colour(self.mesh.palette.ink)]).with_radii([radius]);
         to.log_static(format!("{}/height", self.root), &strips)
@@ -225,14 +225,13 @@ pub fn log_names(
     let beside = lines(along_y, |[along, down]| [beside.x + down, beside.y + along, beside.z]);
     let words = LineStrips3D::new(below.into_iter().chain(beside))
         .with_colors([colour(palette.ink)])
-        .with_radii([Radius::new_scene_units(LETTER[1] * NAME as f32)]);
+        .with_radii([Radius::new_scene_units(RADIUS * NAME as f32)]);
     to.log_static(format!("{root}/labels"), &words)
 }
 
 /// The lines that fill the letters of words. `place` puts each end from its distance from the middle along the words, and below it.
 fn lines(words: &str, place: impl Fn([f32; 2]) -> [f32; 3]) -> Vec<[[f32; 3]; 2]> {
     let half = 0.5 * width(words, NAME) as f32;
-    let pitch = f64::from(LETTER[0]) * NAME;
-    let spans = letters(words, NAME).into_iter().flat_map(|letter| fill::spans(&letter, pitch));
-    spans.map(|span| span.map(|[along, down]| place([along - half, down]))).collect()
+    let lines = letter_lines(words, NAME).into_iter();
+    lines.map(|line| line.map(|[along, down]| place([along - half, down]))).collect()
 }

@@ -210,9 +210,10 @@ impl PatchTreePicture {
             }
         }
         let y = self.height(0);
+        let drawn = tree.lives.len();
         let all = match tree.left_out {
-            0 => format!("{} patches", state.patches.len()),
-            _ => format!("{}, {MOST} drawn", state.patches.len()),
+            0 => format!("{drawn} patches"),
+            left_out => format!("{drawn} of {} drawn", drawn + left_out),
         };
         names.words(&all, [self.frame.size[0] + 0.5 * text, y], NUMBER * text, Align::Left);
         names
