@@ -21,6 +21,9 @@ const MOST_APART: f64 = 3.0;
 /// Room for further fields while their largest values are not known, over those of the first state.
 const ROOM: f64 = 4.0;
 
+/// Changes of a quantity below this part of it are rounding, and no curve.
+const ROUNDING: f64 = 1e-7;
+
 /// Quantities whose curves stand first, in the rows of their own.
 const FIRST: [Quantity; 5] =
     [Quantity::Friction, Quantity::MeanPressure, Quantity::RelativeArea, Quantity::Dissipated, Quantity::KappaR];
@@ -205,7 +208,9 @@ impl HistoryOutcome {
         let changes = |it: &Quantity| {
             let values = self.states.iter().filter_map(|state| state.get(*it));
             let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
-            values.iter().any(|value| *value != values[0]) || values.len() == 1
+            let ends = [f64::INFINITY, f64::NEG_INFINITY];
+            let [low, high] = values.iter().fold(ends, |[low, high], &value| [low.min(value), high.max(value)]);
+            high - low > ROUNDING * low.abs().max(high.abs()) || values.len() == 1
         };
         let all = self.quantities().into_iter();
         all.filter(|it| Some(*it) != axis && it.row().has_curve && changes(it)).collect()

@@ -9,13 +9,16 @@ const PASCAL: &str = "Pa";
 const ENERGY_PER_AREA: &str = "J/m²";
 const FORCE: &str = "N";
 const FORCE_PER_LENGTH: &str = "N/m";
+const SECOND: &str = "s";
+const SPEED: &str = "m/s";
+
+/// Units that take prefixes, each with the largest power of ten that has one.
+const WITH_PREFIXES: [(&str, i32); 7] =
+    [(METRE, 3), (PASCAL, 9), (ENERGY_PER_AREA, 9), (FORCE, 9), (FORCE_PER_LENGTH, 9), (SECOND, 0), (SPEED, 0)];
 
 /// Powers of ten with their prefixes.
 const PREFIXES: [(i32, &str); 8] =
     [(-15, "f"), (-12, "p"), (-9, "n"), (-6, "µ"), (-3, "m"), (3, "k"), (6, "M"), (9, "G")];
-
-/// The largest power of ten with a prefix of lengths.
-const LONGEST: i32 = 3;
 
 /// The units of lengths and of pressures in a recording; empty where they are not known.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,7 +41,11 @@ impl RecordUnits {
         match unit {
             Unit::Length => &self.length,
             Unit::Pressure => &self.pressure,
-            Unit::EnergyPerArea if self.is_of_metres_and_pascals() => ENERGY_PER_AREA,
+            _ if !self.is_of_metres_and_pascals() => "",
+            Unit::EnergyPerArea => ENERGY_PER_AREA,
+            // beside metres and pascals, numbers alone are in units of the SI as well
+            Unit::Time => SECOND,
+            Unit::Speed => SPEED,
             _ => "",
         }
     }
@@ -72,8 +79,10 @@ pub struct FittingUnit {
 impl FittingUnit {
     /// The unit with a prefix that fits a largest value in `unit`; another unit than those of the SI stays as it is.
     pub fn new(unit: &str, largest: f64) -> Self {
-        let has_prefixes = [METRE, PASCAL, ENERGY_PER_AREA, FORCE, FORCE_PER_LENGTH].contains(&unit);
-        let power = if has_prefixes && largest.is_finite() { engineering_exponent(largest, false) } else { 0 };
+        let power = match largest_power(unit) {
+            Some(most) if largest.is_finite() => engineering_exponent(largest, false).min(most),
+            _ => 0,
+        };
         Self { name: scaled_unit(unit, power), size: 10f64.powi(power) }
     }
 }
@@ -102,13 +111,17 @@ pub fn engineering_exponent(largest: f64, is_pure: bool) -> i32 {
 
 /// The unit times a power of ten: units of the SI take a prefix.
 pub fn scaled_unit(unit: &str, exponent: i32) -> String {
-    let most = if unit == METRE { LONGEST } else { i32::MAX };
-    let prefix = PREFIXES.iter().find(|(power, _)| *power == exponent && *power <= most);
-    match (unit, prefix) {
+    let prefix = PREFIXES.iter().find(|(power, _)| *power == exponent);
+    match prefix {
         _ if exponent == 0 => unit.into(),
-        (METRE | PASCAL | ENERGY_PER_AREA | FORCE | FORCE_PER_LENGTH, Some((_, prefix))) => format!("{prefix}{unit}"),
+        Some((power, prefix)) if largest_power(unit).is_some_and(|most| *power <= most) => format!("{prefix}{unit}"),
         _ => format!("1e{exponent} {unit}").trim_end().into(),
     }
+}
+
+/// The largest power of ten with a prefix of a unit, if it takes any.
+fn largest_power(unit: &str) -> Option<i32> {
+    WITH_PREFIXES.iter().find(|(name, _)| *name == unit).map(|(_, most)| *most)
 }
 
 #[cfg(test)]
@@ -117,10 +130,18 @@ mod tests {
 
     #[test]
     fn values_have_the_prefix_that_fits_them() {
-        let words =
-            [(1e9, "Pa"), (2e7, "Pa"), (113.8e-9, "m"), (0.0, "Pa"), (2e7, "kPa"), (0.05, ""), (-3.5e-5, "J/m²")];
+        let words = [
+            (1e9, "Pa"),
+            (2e7, "Pa"),
+            (113.8e-9, "m"),
+            (0.0, "Pa"),
+            (2e7, "kPa"),
+            (0.05, ""),
+            (-3.5e-5, "J/m²"),
+            (3600.0, "s"),
+        ];
         let words = words.map(|(value, unit)| value_with_unit(value, unit));
-        assert_eq!(words, ["1 GPa", "20 MPa", "113.8 nm", "0 Pa", "2e7 kPa", "0.05", "-35 µJ/m²"]);
+        assert_eq!(words, ["1 GPa", "20 MPa", "113.8 nm", "0 Pa", "2e7 kPa", "0.05", "-35 µJ/m²", "3600 s"]);
     }
 
     #[test]
@@ -134,6 +155,7 @@ mod tests {
         let si = RecordUnits { length: "m".into(), pressure: "Pa".into() };
         let plain = RecordUnits { length: "m".into(), pressure: String::new() };
         assert_eq!([&si, &plain].map(|it| it.of(Unit::EnergyPerArea)), ["J/m²", ""]);
+        assert_eq!([&si, &plain].map(|it| it.of(Unit::Time)), ["s", ""]);
         assert_eq!([true, false].map(|is_line| si.of_load(Load::Force(1.0), is_line)), ["N/m", "N"]);
         assert_eq!((plain.of_load(Load::Force(1.0), true), plain.of_load(Load::MeanGap(1.0), true)), ("", "m"));
     }
