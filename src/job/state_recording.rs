@@ -221,9 +221,9 @@ impl HistoryOutcome {
         let row = self.kind.row();
         match row.axis {
             Some(it) if row.is_logarithmic => {
-                LoadAxis::log(it.name(), self.values(it)).with_unit(units.of(it.row().unit))
+                LoadAxis::log(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit))
             }
-            Some(it) => LoadAxis::linear(it.name(), self.values(it)).with_unit(units.of(it.row().unit)),
+            Some(it) => LoadAxis::linear(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit)),
             None => numbered(self.states.len()),
         }
     }
@@ -255,7 +255,7 @@ fn curves(quantities: &[Quantity], units: &RecordUnits) -> Vec<StateCurve> {
     let of = |it: Quantity| {
         let colour = if it.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
         let title = it.row().title;
-        let curve = RecordedCurve { unit: units.of(it.row().unit).into(), ..curve(&view(title), title, colour) };
+        let curve = RecordedCurve { unit: units.of_kind(it.row().unit).into(), ..curve(&view(title), title, colour) };
         (curve, Box::new(move |state: &State| state.value(it)) as Box<_>)
     };
     quantities.into_iter().map(of).collect()
@@ -302,7 +302,7 @@ fn axis_of_loads(loads: &[Load], is_line: bool, units: &RecordUnits) -> LoadAxis
 fn caption(kind: ProcessKind, number: usize, state: &State, units: &RecordUnits) -> String {
     let words = kind.row().caption.iter().filter_map(|it| {
         let value = state.get(*it)?;
-        Some(format!("{} {}", it.row().title, value_with_unit(value, units.of(it.row().unit))))
+        Some(format!("{} {}", it.row().title, value_with_unit(value, units.of_kind(it.row().unit))))
     });
     let words: Vec<String> = words.collect();
     if words.is_empty() { format!("state {}", number + 1) } else { words.join(", ") }

@@ -55,8 +55,8 @@ pub fn load_in_words(load: Load, is_line: bool, units: &RecordUnits) -> String {
 pub fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
     let problem = scene.problem;
     let grid = problem.surface().grid();
-    let length = |value: f64| value_with_unit(value, units.of(Unit::Length));
-    let pressure = |value: f64| value_with_unit(value, units.of(Unit::Pressure));
+    let length = |value: f64| value_with_unit(value, units.of_kind(Unit::Length));
+    let pressure = |value: f64| value_with_unit(value, units.of_kind(Unit::Pressure));
     let along = |values: [String; 2]| if grid.is_line() { values[1].clone() } else { values.join(" x ") };
     let mut rows: Vec<(&str, String)> =
         scene.setup.iter().map(|it| ("surface", it.surface.described(Some(&length)))).collect();

@@ -37,7 +37,7 @@ impl From<&Record> for RecordUnits {
 
 impl RecordUnits {
     /// The unit of a kind of numbers.
-    pub fn of(&self, unit: Unit) -> &str {
+    pub fn of_kind(&self, unit: Unit) -> &str {
         match unit {
             Unit::Length => &self.length,
             Unit::Pressure => &self.pressure,
@@ -154,8 +154,8 @@ mod tests {
     fn energies_and_forces_have_units_where_lengths_and_pressures_do() {
         let si = RecordUnits { length: "m".into(), pressure: "Pa".into() };
         let plain = RecordUnits { length: "m".into(), pressure: String::new() };
-        assert_eq!([&si, &plain].map(|it| it.of(Unit::EnergyPerArea)), ["J/m²", ""]);
-        assert_eq!([&si, &plain].map(|it| it.of(Unit::Time)), ["s", ""]);
+        assert_eq!([&si, &plain].map(|it| it.of_kind(Unit::EnergyPerArea)), ["J/m²", ""]);
+        assert_eq!([&si, &plain].map(|it| it.of_kind(Unit::Time)), ["s", ""]);
         assert_eq!([true, false].map(|is_line| si.of_load(Load::Force(1.0), is_line)), ["N/m", "N"]);
         assert_eq!((plain.of_load(Load::Force(1.0), true), plain.of_load(Load::MeanGap(1.0), true)), ("", "m"));
     }

@@ -3,7 +3,7 @@
 
 use crate::plot::width;
 use crate::record::draw::drawing::{Drawing, Place, Subject};
-use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, Stretch};
+use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, ReliefStretch};
 use crate::record::draw::field::relief_walls::{FOOT, Wall, edge};
 use crate::record::draw::field::rigid_grid;
 use crate::record::draw::fields::{FieldExtent, FrameFields, range};
@@ -97,8 +97,8 @@ impl Relief {
 
     /// Stretches everything for all times, and writes how high the relief is.
     fn stretch(&self, to: &RecordingStream, [low, high]: [f64; 2]) -> RecordingStreamResult<()> {
-        let stretch = Stretch::new([low, high]);
-        let Stretch { factor, shift } = stretch;
+        let stretch = ReliefStretch::new([low, high]);
+        let ReliefStretch { factor, shift } = stretch;
         let transform = Transform3D::from_scale([1.0, 1.0, factor]).with_translation([0.0, 0.0, shift]);
         to.log_static(self.solid(), &transform)?;
         self.walls.iter().try_for_each(|wall| wall.stretch(to, stretch))?;

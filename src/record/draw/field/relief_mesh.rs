@@ -22,7 +22,7 @@ const BRIGHT: f64 = 1.2;
 /// The colour of the smallest pressure along the map of colours.
 const FIRST_COLOUR: f64 = 0.25;
 
-/// A mesh over the cell, or over the rows behind a cut. Its heights are exaggerated: [`Stretch`] makes the final relief [`RELIEF`] high.
+/// A mesh over the cell, or over the rows behind a cut. Its heights are exaggerated: [`ReliefStretch`] makes the final relief [`RELIEF`] high.
 ///
 /// A block of nodes belongs to each vertex, which lies at the first of them.
 pub struct ReliefMesh {
@@ -44,12 +44,12 @@ pub struct ReliefMesh {
 
 /// How the heights of a mesh are stretched and shifted: the highest place comes to zero.
 #[derive(Debug, Clone, Copy)]
-pub struct Stretch {
+pub struct ReliefStretch {
     pub factor: f32,
     pub shift: f32,
 }
 
-impl Stretch {
+impl ReliefStretch {
     /// The stretch of a relief between two heights.
     pub fn new([low, high]: [f64; 2]) -> Self {
         let factor = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
@@ -57,7 +57,7 @@ impl Stretch {
     }
 
     /// A stretched height.
-    pub fn of(self, height: f32) -> f32 {
+    pub fn stretched(self, height: f32) -> f32 {
         self.factor * height + self.shift
     }
 }
@@ -162,11 +162,11 @@ impl ReliefMesh {
     /// The light on each vertex.
     fn light(&self, vertices: &[Vec3], stride: [usize; 2]) -> Vec<f64> {
         let [rows, columns] = self.counts();
-        let stretch = Stretch::new(range(vertices.iter().map(|vertex| f64::from(vertex.z))));
+        let stretch = ReliefStretch::new(range(vertices.iter().map(|vertex| f64::from(vertex.z))));
         let [down, right] = [0, 1].map(|axis| (stride[axis] / self.spacing[axis]).max(1));
         let at = |row: usize, column: usize| {
             let vertex = vertices[row.min(rows - 1) * columns + column.min(columns - 1)];
-            Vec3::new(vertex.x, vertex.y, stretch.of(vertex.z))
+            Vec3::new(vertex.x, vertex.y, stretch.stretched(vertex.z))
         };
         let light = |i: usize| {
             let (row, column) = (i / columns, i % columns);

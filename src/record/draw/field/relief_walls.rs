@@ -1,7 +1,7 @@
 //! The walls of a solid that is cut: the section in front, and the side.
 
 use crate::plot::Colour;
-use crate::record::draw::field::relief_mesh::{RELIEF, Stretch, triangles};
+use crate::record::draw::field::relief_mesh::{RELIEF, ReliefStretch, triangles};
 use crate::record::draw::ink::palette::{Palette, colour, mixed};
 use glam::Vec3;
 use rerun::{Color, Mesh3D, RecordingStream, RecordingStreamResult, Transform3D};
@@ -33,12 +33,18 @@ pub struct Wall {
 impl Wall {
     /// The section in front, at a place along y.
     pub fn section(root: &str, place: f32, palette: &Palette) -> Self {
-        Self { root: format!("{root}/section"), across: 1, place, towards: -1.0, colours: of(palette, SECTION) }
+        Self {
+            root: format!("{root}/section"),
+            across: 1,
+            place,
+            towards: -1.0,
+            colours: wall_colours(palette, SECTION),
+        }
     }
 
     /// The side on the right, at a place along x.
     pub fn side(root: &str, place: f32, palette: &Palette) -> Self {
-        Self { root: format!("{root}/side"), across: 0, place, towards: 1.0, colours: of(palette, SIDE) }
+        Self { root: format!("{root}/side"), across: 0, place, towards: 1.0, colours: wall_colours(palette, SIDE) }
     }
 
     /// Records what joins the vertices of an edge of a number of them.
@@ -63,7 +69,7 @@ impl Wall {
     }
 
     /// Puts the edge where the stretched relief is, and leaves the foot where it is.
-    pub fn stretch(&self, to: &RecordingStream, stretch: Stretch) -> RecordingStreamResult<()> {
+    pub fn stretch(&self, to: &RecordingStream, stretch: ReliefStretch) -> RecordingStreamResult<()> {
         let mut columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, stretch.factor]];
         columns[self.across][self.across] = LEAN;
         columns[self.across][2] = self.towards * (FOOT - stretch.shift);
@@ -74,7 +80,7 @@ impl Wall {
 }
 
 /// Colours between that of the solid and that of its surface, at the top and at the foot.
-fn of(palette: &Palette, shares: [f64; 2]) -> [Color; 2] {
+fn wall_colours(palette: &Palette, shares: [f64; 2]) -> [Color; 2] {
     let Palette { solid_fill, solid, .. } = palette;
     shares.map(|share| colour(mixed(*solid_fill, *solid, share)))
 }

@@ -1,6 +1,6 @@
 //! The rigid surface above a relief, as a grid of lines through which the solid is seen.
 
-use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, Stretch};
+use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, ReliefStretch};
 use crate::record::draw::ink::palette::{colour, mixed};
 use glam::Vec3;
 use rerun::{LineStrips3D, Radius, RecordingStream, RecordingStreamResult};
@@ -19,10 +19,10 @@ const THICK: f32 = 1.4;
 const FAINT: f64 = 0.75;
 
 /// Records the part of the rigid surface of a mesh that is below the ceiling.
-pub fn log(to: &RecordingStream, root: &str, mesh: &ReliefMesh, stretch: Stretch) -> RecordingStreamResult<()> {
+pub fn log(to: &RecordingStream, root: &str, mesh: &ReliefMesh, stretch: ReliefStretch) -> RecordingStreamResult<()> {
     let [rows, columns] = mesh.counts();
     let vertices: Vec<Vec3> =
-        mesh.rigid().into_iter().map(|vertex| Vec3::new(vertex.x, vertex.y, stretch.of(vertex.z))).collect();
+        mesh.rigid().into_iter().map(|vertex| Vec3::new(vertex.x, vertex.y, stretch.stretched(vertex.z))).collect();
     let row = |row: usize| (0..columns).map(|column| vertices[row * columns + column]).collect::<Vec<_>>();
     let column = |column: usize| (0..rows).map(|row| vertices[row * columns + column]).collect::<Vec<_>>();
     let every = (columns - 1).max(rows - 1).div_ceil(LINES);
