@@ -91,7 +91,7 @@ mod tests {
         let corners: Vec<Vec3> =
             (0..8).map(|i| Vec3::new([-5.0, 6.0][i & 1], [-6.0, 5.0][i >> 1 & 1], [-1.6, 0.0][i >> 2 & 1])).collect();
         for aspect in [0.5, 1.2, 2.6, 5.0] {
-            let places = places(Eye::around(&corners, aspect, [0.5, 0.75, 1.0]), &corners, aspect);
+            let places = places(Eye::around(&corners, aspect, [0.5, 0.6, 0.7, 0.8, 0.9, 1.0]), &corners, aspect);
             assert!(places.iter().flatten().all(|place| place.abs() < 1.0), "{aspect}: {places:?}");
             let reach = |axis: usize| {
                 places.iter().fold([1.0f32, -1.0], |[low, high], at| [low.min(at[axis]), high.max(at[axis])])
