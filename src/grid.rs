@@ -176,16 +176,26 @@ impl Grid {
     pub fn neighbour(&self, node: usize, [dy, dx]: [isize; 2]) -> usize {
         let [ny, nx] = self.shape;
         let along = |i: usize, step: isize, n: usize, free: bool| match i as isize + step {
+            to if (0..n as isize).contains(&to) => to as usize,
             to if free => to.clamp(0, n as isize - 1) as usize,
             to => to.rem_euclid(n as isize) as usize,
         };
-        along(node / nx, dy, ny, self.free[0]) * nx + along(node % nx, dx, nx, self.free[1])
+        let [y, x] = self.place(node);
+        along(y, dy, ny, self.free[0]) * nx + along(x, dx, nx, self.free[1])
+    }
+
+    /// Row and column of a node. A line needs no division.
+    pub(crate) fn place(&self, node: usize) -> [usize; 2] {
+        match self.shape {
+            [1, _] => [0, node],
+            [_, nx] => [node / nx, node % nx],
+        }
     }
 
     /// The nearest neighbours of a node: next and previous along x, then along y. If there is no neighbour (along y of
     /// a line, and at a free rim), it is the node itself.
     pub(crate) fn neighbours(&self, node: usize) -> [usize; 4] {
-        let ([ny, nx], x) = (self.shape, node % self.shape[1]);
+        let ([ny, nx], [_, x]) = (self.shape, self.place(node));
         let last_row = (ny - 1) * nx;
         let [over_y, over_x] = [if self.free[0] { 0 } else { last_row }, if self.free[1] { 0 } else { nx - 1 }];
         [

@@ -3,7 +3,7 @@
 use crate::detached::Detached;
 use crate::error::bail;
 use crate::output::check_output;
-use asperity::record::{Pieces, Target};
+use asperity::record::{LeftOut, Pieces, Target};
 use asperity::setup;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -80,7 +80,7 @@ impl RecordingSink {
         let path = self.path.clone();
         match &self.stream {
             Some(stream) => Some(Target::Pieces(stream.pieces.clone(), path)),
-            None if self.is_live => Some(Target::Viewer(path)),
+            None if self.is_live => Some(Target::Viewer(path, LeftOut::default())),
             None => path.map(Target::File),
         }
     }

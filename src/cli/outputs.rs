@@ -7,6 +7,7 @@ use asperity::contact::Contact;
 use asperity::files::check_named;
 use asperity::job::{StateArchive, StateTable};
 use asperity::plot::{FigureStyle, is_figure};
+use asperity::record::LeftOut;
 use asperity::setup::{Extras, Part, ProcessKind, Setup};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -28,6 +29,9 @@ pub struct Outputs {
     /// Show the steps live in the installed Rerun viewer
     #[arg(long)]
     pub live: bool,
+    /// What the viewer was too slow to get.
+    #[arg(skip)]
+    pub left_out: LeftOut,
     /// Write fields, distributions, spectra, numbers and setup (.npz), a table of the loads or of the nodes of a line
     /// (.csv), or a picture of the contact or the load curve (.svg, .pdf, .png)
     #[arg(long, value_name = "FILE")]

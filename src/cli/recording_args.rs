@@ -1,5 +1,6 @@
 //! The recording of results of another code.
 
+use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Contact, Observer, Problem, Solver};
@@ -7,7 +8,7 @@ use asperity::diagnosis::Reference;
 use asperity::error::FileError;
 use asperity::files::check_named;
 use asperity::job::{self, Job, JobRun};
-use asperity::record::Target;
+use asperity::record::{LeftOut, Target};
 use asperity::setup::Setup;
 use clap::{ArgGroup, Args};
 use std::path::{Path, PathBuf};
@@ -23,6 +24,9 @@ pub struct RecordingArgs {
     /// Show it in the installed Rerun viewer
     #[arg(long)]
     pub live: bool,
+    /// What the viewer was too slow to get.
+    #[arg(skip)]
+    left_out: LeftOut,
 }
 
 impl RecordingArgs {
@@ -34,6 +38,7 @@ impl RecordingArgs {
     /// Says that the recording was written, if one was.
     pub fn report(&self) {
         self.record.iter().for_each(|path| wrote(path));
+        say_left_out(&self.left_out);
     }
 
     /// Goes through the steps of another code, shown to `observer` and recorded under `title` on request, compared with
@@ -48,7 +53,7 @@ impl RecordingArgs {
     ) -> Result<Contact> {
         let run = JobRun { reference, ..JobRun::from_other(title, setup.clone(), problem.clone(), steps) };
         let job = Job::from_run(run);
-        let job = match target(self.record.as_deref(), self.live) {
+        let job = match target(self.record.as_deref(), self.live, &self.left_out) {
             None => job,
             Some(target) => job.recorded(target),
         };
@@ -57,7 +62,17 @@ impl RecordingArgs {
 }
 
 /// The installed viewer if the recording is live, else a file; none if nothing is recorded.
-pub fn target(path: Option<&Path>, is_live: bool) -> Option<Target<'static>> {
+pub fn target(path: Option<&Path>, is_live: bool, left_out: &LeftOut) -> Option<Target<'static>> {
     let path = path.map(PathBuf::from);
-    if is_live { Some(Target::Viewer(path)) } else { path.map(Target::File) }
+    if is_live { Some(Target::Viewer(path, left_out.clone())) } else { path.map(Target::File) }
+}
+
+/// Says how many pictures the viewer was too slow to get, if there are any.
+pub fn say_left_out(left_out: &LeftOut) {
+    if let pictures @ 1.. = left_out.pictures() {
+        warnings::print(&[format!(
+            "The viewer was too slow for {pictures} pictures of steps or states, which it did not get. It has all numbers, and a file that is \
+             recorded has everything. Record into a file and open that, or record fewer pictures (--record-every N)."
+        )]);
+    }
 }

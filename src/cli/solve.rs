@@ -12,7 +12,7 @@ use super::outputs::{GrowingOutputs, Outputs};
 use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
-use super::recording_args::target;
+use super::recording_args::{say_left_out, target};
 use super::slip::SlipFinding;
 use super::solve_plan::{self, SolvePlan};
 use super::state_watch::StateWatch;
@@ -126,12 +126,14 @@ impl Solve {
             let mut outcome = ready.run(&mut Bars::default())?;
             let solved = outcome.solved.swap_remove(0);
             outputs.complete(&solved.contact);
+            say_left_out(&outputs.left_out);
             return self.write(solved, outcome.diagnosis);
         };
         let setup = ready.setup().clone();
         let problem = ready.problem().clone();
         let mut watch = StateWatch::new(&setup, outputs, kind)?;
         let solved = ready.run(&mut watch).map_err(before_the_first)?.solved.swap_remove(0);
+        say_left_out(&outputs.left_out);
         let written = match kind {
             ProcessKind::Loads => {
                 load_curve::write(solved, &loads, &problem, watch, (outputs, self.scene.units(&setup.surface)))
@@ -191,7 +193,7 @@ impl Solve {
             Some(auto) => job.refined(auto),
             None => job,
         };
-        let job = match target(outputs.recording(), outputs.live) {
+        let job = match target(outputs.recording(), outputs.live, &outputs.left_out) {
             Some(target) => job.recorded(target),
             None => job,
         };

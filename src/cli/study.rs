@@ -71,6 +71,10 @@ pub struct Study {
     /// The recording of that row
     #[arg(long, value_name = "FILE.rrd", requires = "record_row")]
     record: Option<PathBuf>,
+    /// Show the study in the installed Rerun viewer, one realisation after the other, instead of writing a table: the steps under one load, the
+    /// contacts under several, or the states of a history
+    #[arg(long, conflicts_with_all = ["record_row", "shard", "out", "dry_run", "fresh", "json", "strict", "workers"])]
+    live: bool,
 }
 
 impl Study {
@@ -79,6 +83,9 @@ impl Study {
         if let (Some(row), Some(path)) = (self.record_row, &self.record) {
             check_apart([path], [self.study.as_path()].into_iter().chain(plan.files()))?;
             return study_row::record(&plan, row, path);
+        }
+        if self.live {
+            return study_row::show_all(&plan);
         }
         let campaign = self.campaign();
         let style = self.figure.style(campaign.shard == Shard::WHOLE)?;

@@ -1,16 +1,17 @@
-//! `asperity study --record-row`: the recording of one row.
+//! `asperity study --record-row` and `--live`: the recordings of one row, and of one realisation after the other.
 
 use super::exit_status::{ExitStatus, settle, usage};
 use super::progress::{Bars, Progress};
+use super::recording_args::say_left_out;
 use super::warnings;
 use super::wrote::wrote;
-use anyhow::Result;
+use anyhow::{Context, Result};
 use asperity::files::check_named;
 use asperity::history::{Loading, PathPoint, Process};
 use asperity::job::{Job, JobRun};
-use asperity::record::Target;
-use asperity::setup::Extras;
-use asperity::study::Plan;
+use asperity::record::{LeftOut, Target};
+use asperity::setup::{Extras, Setup};
+use asperity::study::{LoadCurve, Plan, Realisation};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
@@ -38,5 +39,33 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
     if solved.contact.failure.is_none() {
         wrote(path);
     }
+    settle(&solved.contact)
+}
+
+/// Solves the realisations of a study one after the other, and shows each in the viewer: the steps under one load, the contacts under several, or
+/// the states of a history.
+pub fn show_all(plan: &Plan) -> Result<ExitStatus> {
+    plan.check()?;
+    let left_out = LeftOut::default();
+    let show = |i: usize| show(plan, i, &left_out).with_context(|| format!("row {}", 1 + i * plan.loads().len()));
+    let status = (0..plan.realisations()).map(show).try_fold(ExitStatus::Done, |worst, it| Ok(worst.max(it?)));
+    say_left_out(&left_out);
+    status
+}
+
+/// Solves a realisation and shows it in the viewer.
+fn show(plan: &Plan, number: usize, left_out: &LeftOut) -> Result<ExitStatus> {
+    let Realisation { setup, loads, .. } = plan.realisation(number)?;
+    let title = setup.surface.title(&setup.surface.grid(&setup.grid)?);
+    let words = plan.words(number);
+    let title = if words.is_empty() { title } else { format!("{title}, {words}") };
+    let run = match loads.as_slice() {
+        [load] => JobRun::new(Setup { load: *load, ..setup }),
+        _ => JobRun::of_loads(LoadCurve { setup, loads }),
+    };
+    let job = Job::from_run(JobRun { title: Some(title), ..run }).recorded(Target::Viewer(None, left_out.clone()));
+    job.cost()?.check(job.setup().solver.name())?;
+    let solved = job.run(&mut Bars::default())?.solved.swap_remove(0);
+    warnings::print(&warnings::in_flags(&solved.warnings()));
     settle(&solved.contact)
 }

@@ -62,6 +62,17 @@ impl Load {
         }
     }
 
+    /// Its symbol, such as `p*`.
+    pub fn symbol(&self) -> &'static str {
+        match self {
+            Self::MeanPressure(_) => "p",
+            Self::ReducedPressure(_) => "p*",
+            Self::MeanGap(_) => "mean gap",
+            Self::Force(_) => "force",
+            Self::Approach(_) => "approach",
+        }
+    }
+
     /// Whether it depends on the displacement by a uniform pressure.
     pub(super) fn keeps_uniform(&self) -> bool {
         matches!(self, Self::Approach(_))
@@ -83,13 +94,7 @@ impl Load {
 /// ```
 impl fmt::Display for Load {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let symbol = match self {
-            Self::MeanPressure(_) => "p",
-            Self::ReducedPressure(_) => "p*",
-            Self::MeanGap(_) => "mean gap",
-            Self::Force(_) => "force",
-            Self::Approach(_) => "approach",
-        };
+        let symbol = self.symbol();
         let rounded: f64 = format!("{:.3e}", self.value()).parse().unwrap_or(f64::NAN);
         match rounded.abs() {
             1e-4..1e4 => write!(f, "{symbol} = {rounded}"),

@@ -109,12 +109,14 @@ impl SweepTape {
                 .map(|&(view, name, kind, colour, _)| RecordedCurve {
                     view: view.into(),
                     name: name.into(),
+                    unit: String::new(),
                     colour: colour.0,
                     kind,
                 })
                 .collect(),
             figure: None,
             timeline: Timeline::Loads,
+            followed: None,
             scenes: &[Scene { title, exact: None, ..Scene::from_setup(setup, problem) }],
         };
         let mut parts = setup.record.clone();

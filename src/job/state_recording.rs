@@ -8,9 +8,9 @@ use super::yield_zone::{fields_of_cut, zone};
 use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Unit};
 use crate::error::FileError;
 use crate::plot::Colour;
-use crate::quantity::number_in_words;
 use crate::record::{
-    CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordedCurve, Scene, Target, Timeline,
+    CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordUnits, RecordedCurve, Scene, Target,
+    Timeline, load_in_words, value_with_unit,
 };
 use crate::seen::capital;
 use crate::setup::{ProcessKind, Setup};
@@ -21,6 +21,9 @@ const MOST_APART: f64 = 3.0;
 
 /// Room for further fields while their largest values are not known, over those of the first state.
 const ROOM: f64 = 4.0;
+
+/// Changes of a quantity below this part of it are rounding, and no curve.
+const ROUNDING: f64 = 1e-7;
 
 /// Quantities whose curves stand first, in the rows of their own.
 const FIRST: [Quantity; 6] = [
@@ -88,7 +91,8 @@ impl<'a> StateRecording<'a> {
         let Some(target) = self.target.take() else { return Ok(()) };
         let is_list = posed.kind == ProcessKind::Loads;
         let draft = self.path.take().filter(|_| !is_list && self.beside.is_empty());
-        let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first)) };
+        let (units, is_line) = (self.options.units(), posed.problem.surface().grid().is_line());
+        let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first), &units) };
         let expected = posed.setup.expected_states().unwrap_or(0).max(2);
         let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
         let scene = Scene {
@@ -99,7 +103,7 @@ impl<'a> StateRecording<'a> {
             ..Scene::from_setup(&setup, posed.problem)
         };
         let title = self.title.clone().unwrap_or_else(|| scene.title.clone());
-        let description = posed.setup.surface.description();
+        let description = surface_in_words(posed.setup, &units);
         let count = posed.loads.len();
         let beside =
             self.beside.iter().filter_map(|run| Some(Scene { exact: None, ..run.scene(run.problem.as_ref()?) }));
@@ -110,11 +114,12 @@ impl<'a> StateRecording<'a> {
                 true => format!("{description}, each load solved from the previous contact."),
                 false => format!("{description}. {}.", first.claim.words()),
             },
-            captions: posed.loads.iter().map(Load::to_string).collect(),
+            captions: posed.loads.iter().map(|load| load_in_words(*load, is_line, &units)).collect(),
             curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
-            axis: if is_list { axis_of_loads(posed.loads) } else { numbered(expected) },
+            axis: if is_list { axis_of_loads(posed.loads, is_line, &units) } else { numbered(expected) },
             figure: None,
             timeline: if is_list { Timeline::Loads } else { Timeline::States(Vec::new()) },
+            followed: is_list.then(|| posed.setup.surface.own_shape(posed.problem.surface().grid().shape())),
             scenes: &scenes,
         };
         let recording = LoadRecording::to(target, &loads, self.options.clone())?;
@@ -130,7 +135,7 @@ impl StateSink for StateRecording<'_> {
         }
         let Some(Begun { recording, curves, .. }) = &mut self.begun else { return Ok(()) };
         if posed.kind != ProcessKind::Loads {
-            recording.caption(number, caption(posed.kind, number, state));
+            recording.caption(number, caption(posed.kind, number, state, &self.options.units()));
         }
         if posed.run == 0 {
             recording.values(number, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
@@ -178,15 +183,17 @@ impl HistoryOutcome {
             zone: zone(setup, &states, 1.0),
             ..Scene::from_setup(setup, &highest.contact.problem)
         };
-        let curves = curves(&self.changing());
+        let units = options.units();
+        let curves = curves(&self.changing(), &units);
         let loads = Loads {
             title: format!("{}, {} states", scene.title, states.len()),
-            description: format!("{}. {}.", setup.surface.description(), states[0].claim.words()),
-            captions: states.iter().enumerate().map(|(i, state)| caption(self.kind, i, state)).collect(),
+            description: format!("{}. {}.", surface_in_words(setup, &units), states[0].claim.words()),
+            captions: states.iter().enumerate().map(|(i, state)| caption(self.kind, i, state, &units)).collect(),
             curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
-            axis: self.axis(),
+            axis: self.axis(&units),
             figure: None,
             timeline: Timeline::States(states.iter().filter_map(|state| state.get(Quantity::Time)).collect()),
+            followed: None,
             scenes: &[scene],
         };
         let recording = LoadRecording::create(path, &loads, options)?;
@@ -210,18 +217,22 @@ impl HistoryOutcome {
         let changes = |it: &Quantity| {
             let values = self.states.iter().filter_map(|state| state.get(*it));
             let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
-            values.iter().any(|value| *value != values[0]) || values.len() == 1
+            let ends = [f64::INFINITY, f64::NEG_INFINITY];
+            let [low, high] = values.iter().fold(ends, |[low, high], &value| [low.min(value), high.max(value)]);
+            high - low > ROUNDING * low.abs().max(high.abs()) || values.len() == 1
         };
         let all = self.quantities().into_iter();
         all.filter(|it| Some(*it) != axis && it.row().has_curve && changes(it)).collect()
     }
 
     /// The axis of the charts: the quantity along which the process goes, or the number of the state.
-    fn axis(&self) -> LoadAxis {
+    fn axis(&self, units: &RecordUnits) -> LoadAxis {
         let row = self.kind.row();
         match row.axis {
-            Some(it) if row.is_logarithmic => LoadAxis::log(it.name(), self.values(it)),
-            Some(it) => LoadAxis::linear(it.name(), self.values(it)),
+            Some(it) if row.is_logarithmic => {
+                LoadAxis::log(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit))
+            }
+            Some(it) => LoadAxis::linear(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit)),
             None => numbered(self.states.len()),
         }
     }
@@ -248,13 +259,14 @@ fn told(posed: &Posed<'_>, first: &State) -> Vec<Quantity> {
 }
 
 /// The curves of quantities, the most important ones first.
-fn curves(quantities: &[Quantity]) -> Vec<StateCurve> {
+fn curves(quantities: &[Quantity], units: &RecordUnits) -> Vec<StateCurve> {
     let mut quantities = quantities.to_vec();
     quantities.sort_by_key(|it| FIRST.iter().position(|first| first == it).unwrap_or(FIRST.len()));
     let of = |it: Quantity| {
         let colour = if it.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
         let title = it.row().title;
-        (curve(&view(title), title, colour), Box::new(move |state: &State| state.value(it)) as Box<_>)
+        let curve = RecordedCurve { unit: units.of_kind(it.row().unit).into(), ..curve(&view(title), title, colour) };
+        (curve, Box::new(move |state: &State| state.value(it)) as Box<_>)
     };
     quantities.into_iter().map(of).collect()
 }
@@ -274,26 +286,33 @@ fn curves_of_loads() -> Vec<StateCurve> {
 }
 
 fn curve(view: &str, name: &str, colour: Colour) -> RecordedCurve {
-    RecordedCurve { view: view.into(), name: name.into(), colour: colour.0, kind: CurveKind::Computed }
+    let (view, name, unit) = (view.into(), name.into(), String::new());
+    RecordedCurve { view, name, unit, colour: colour.0, kind: CurveKind::Computed }
+}
+
+/// The surface of a setup in words.
+fn surface_in_words(setup: &Setup, units: &RecordUnits) -> String {
+    setup.surface.described(Some(&|length| value_with_unit(length, &units.length)))
 }
 
 /// The axis of a list of loads: logarithmic for pressures, linear for mean gaps.
-fn axis_of_loads(loads: &[Load]) -> LoadAxis {
+fn axis_of_loads(loads: &[Load], is_line: bool, units: &RecordUnits) -> LoadAxis {
     let values = loads.iter().map(Load::value).collect();
-    match loads.first() {
+    let axis = match loads.first() {
         Some(Load::MeanGap(_)) => LoadAxis::linear("mean gap", values),
         Some(Load::MeanPressure(_)) => LoadAxis::log("mean pressure", values),
         Some(Load::Force(_)) => LoadAxis::log("force", values),
         Some(Load::Approach(_)) => LoadAxis::log("approach", values),
         Some(Load::ReducedPressure(_)) | None => LoadAxis::log("p*", values),
-    }
+    };
+    axis.with_unit(loads.first().map_or("", |load| units.of_load(*load, is_line)))
 }
 
 /// A state in a few words.
-fn caption(kind: ProcessKind, number: usize, state: &State) -> String {
+fn caption(kind: ProcessKind, number: usize, state: &State, units: &RecordUnits) -> String {
     let words = kind.row().caption.iter().filter_map(|it| {
         let value = state.get(*it)?;
-        Some(format!("{} {}", it.row().title, number_in_words(value)))
+        Some(format!("{} {}", it.row().title, value_with_unit(value, units.of_kind(it.row().unit))))
     });
     let words: Vec<String> = words.collect();
     if words.is_empty() { format!("state {}", number + 1) } else { words.join(", ") }

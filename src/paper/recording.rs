@@ -20,10 +20,11 @@ pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation
         title: figure.title.clone(),
         description: DESCRIPTION.into(),
         captions: ramp.captions.clone(),
-        axis: LoadAxis { name: ramp.quantity.0.into(), scale: ramp.quantity.1, values: ramp.cursor.clone() },
+        axis: LoadAxis { scale: ramp.quantity.1, ..LoadAxis::linear(ramp.quantity.0, ramp.cursor.clone()) },
         curves: ramp.curves.iter().map(curve).collect(),
         figure: Some(figure),
         timeline: Timeline::Loads,
+        followed: None,
         scenes: &scenes,
     };
     let options = Options { length_unit: ramp.length_unit.into(), ..Options::default() };
@@ -58,5 +59,11 @@ fn scene<'a>(contact: &Realisation, problem: &'a Problem) -> Scene<'a> {
 }
 
 fn curve(RampCurve { view, name, colour, .. }: &RampCurve) -> RecordedCurve {
-    RecordedCurve { view: (*view).into(), name: name.clone(), colour: colour.0, kind: CurveKind::Computed }
+    RecordedCurve {
+        view: (*view).into(),
+        name: name.clone(),
+        unit: String::new(),
+        colour: colour.0,
+        kind: CurveKind::Computed,
+    }
 }

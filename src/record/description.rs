@@ -1,8 +1,10 @@
 //! Descriptions of scenes, as rows of a table in Markdown.
 
 use super::scene::Scene;
+use super::units::{RecordUnits, value_with_unit};
+use crate::contact::{Load, Unit};
 use crate::contact::{Solver, Stop};
-use crate::quantity::{length_in_words, number_in_words};
+use crate::quantity::number_in_words;
 use crate::setup::{fnv1a, in_words};
 
 /// The name of a recording, which distinguishes it from other recordings: surface, load and solver with its settings,
@@ -10,8 +12,9 @@ use crate::setup::{fnv1a, in_words};
 pub fn name(scenes: &[Scene<'_>]) -> String {
     match scenes {
         [Scene { setup: Some(setup), problem, .. }] => {
-            let surface = setup.surface.title(problem.surface().grid());
-            format!("{surface}, {}", in_words(setup, &["load", "solver"]))
+            let grid = problem.surface().grid();
+            let load = load_in_words(setup.load, grid.is_line(), &RecordUnits::from(&setup.record));
+            format!("{}, {load}, {}", setup.surface.title(grid), in_words(setup, &["solver"]))
         }
         _ => scenes.iter().map(|scene| scene.title.as_str()).collect::<Vec<_>>().join(", "),
     }
@@ -22,7 +25,12 @@ pub fn name(scenes: &[Scene<'_>]) -> String {
 pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
     let describe = |scene: &Scene<'_>| {
         let setup = scene.setup.as_ref().map_or_else(String::new, |setup| setup.clone().with_full_path().to_toml());
-        format!("{}\n{}\n{}\n{setup}", scene.name, scene.title, of_scene(scene, ""))
+        format!(
+            "{}\n{}\n{}\n{setup}",
+            scene.name,
+            scene.title,
+            of_scene(scene, &RecordUnits { length: String::new(), pressure: String::new() })
+        )
     };
     application_of(&[&[title.to_owned()], scenes.iter().map(describe).collect::<Vec<_>>().as_slice()].concat())
 }
@@ -35,16 +43,23 @@ pub fn application_of(words: &[String]) -> String {
 /// The head of the table.
 pub const HEAD: &str = "| | |\n|---|---|\n";
 
-/// Surface, load and exact values of a scene, lengths in `unit`.
-pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
+/// A load in words, such as `p = 20 MPa`.
+pub fn load_in_words(load: Load, is_line: bool, units: &RecordUnits) -> String {
+    match units.of_load(load, is_line) {
+        "" => load.to_string(),
+        unit => format!("{} = {}", load.symbol(), value_with_unit(load.value(), unit)),
+    }
+}
+
+/// Surface, load and exact values of a scene.
+pub fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
     let problem = scene.problem;
     let grid = problem.surface().grid();
-    let length = |value: f64| match unit {
-        "m" => length_in_words(value),
-        unit => format!("{} {unit}", number_in_words(value)).trim_end().to_owned(),
-    };
+    let length = |value: f64| value_with_unit(value, units.of_kind(Unit::Length));
+    let pressure = |value: f64| value_with_unit(value, units.of_kind(Unit::Pressure));
     let along = |values: [String; 2]| if grid.is_line() { values[1].clone() } else { values.join(" x ") };
-    let mut rows: Vec<(&str, String)> = scene.setup.iter().map(|it| ("surface", it.surface.description())).collect();
+    let mut rows: Vec<(&str, String)> =
+        scene.setup.iter().map(|it| ("surface", it.surface.described(Some(&length)))).collect();
     rows.extend([
         ("points", along(grid.shape().map(|n| n.to_string()))),
         ("cell", along(grid.size().map(length))),
@@ -52,11 +67,12 @@ pub fn of_scene(scene: &Scene<'_>, unit: &str) -> String {
         ("rms gradient", number_in_words(problem.rms_gradient())),
         ("boundary", grid.boundary().to_owned()),
         ("solid", problem.solid().description()),
-        ("contact modulus E*", number_in_words(problem.contact_modulus())),
+        ("contact modulus E*", pressure(problem.contact_modulus())),
     ]);
     if let Some(mean) = problem.mean_pressure() {
         let reduced = mean / (problem.contact_modulus() * problem.rms_gradient());
-        rows.push(("mean pressure", format!("{}, in the unit of E*", number_in_words(mean))));
+        let unit = if units.pressure.is_empty() { ", in the unit of E*" } else { "" };
+        rows.push(("mean pressure", format!("{}{unit}", pressure(mean))));
         rows.push(("reduced pressure p*", number_in_words(reduced)));
     }
     rows.extend(problem.mean_gap().map(|gap| ("mean gap", length(gap))));

@@ -49,12 +49,17 @@ mod sdk;
 mod setups;
 mod size;
 mod stores;
+mod units;
 
+pub use description::load_in_words;
 pub use draw::{CurveKind, Ghost, LoadAxis, RecordedCurve};
-pub use file::{LoadRecording, Loads, Output, Pieces, Recorder, Recording, Target, Timeline, compare, record_survey};
+pub use file::{
+    LeftOut, LoadRecording, Loads, Output, Pieces, Recorder, Recording, Target, Timeline, compare, record_survey,
+};
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::{FurtherField, Scene, YieldZone};
 pub(crate) use scene::{PLASTIC_STRAIN, VON_MISES};
 pub use setups::{is_cut_off, is_recording, setups};
 pub use size::Size;
+pub use units::{RecordUnits, value_with_unit};

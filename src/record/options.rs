@@ -2,6 +2,7 @@
 
 use super::draw::Ghost;
 use super::parts::Parts;
+use super::units::RecordUnits;
 use crate::setup::{Record, Setup, Theme};
 use std::sync::Arc;
 
@@ -18,6 +19,8 @@ pub struct Options {
     pub every: Option<usize>,
     /// Unit of the lengths of the problems, for the axes. Metres (`m`) are shown as mm, µm or nm.
     pub length_unit: String,
+    /// Unit of the pressures of the problems, for titles and tables; empty if it is not known. Pascals (`Pa`) are shown as kPa, MPa or GPa.
+    pub pressure_unit: String,
     /// Row and column of a surface along which the raster runs; those of its highest peak if none are given.
     pub raster_at: Option<[usize; 2]>,
     /// Ground of the pictures, and with it all their colours.
@@ -32,15 +35,21 @@ pub struct Options {
 impl Options {
     /// Height of the bars of a viewer above and below its panes, in points.
     pub const BARS: f64 = 57.0;
+
+    /// The units of the problems.
+    pub fn units(&self) -> RecordUnits {
+        RecordUnits { length: self.length_unit.clone(), pressure: self.pressure_unit.clone() }
+    }
 }
 
 impl Default for Options {
-    /// The usual parts, the automatic schedule, lengths in metres, a dark ground, a window of 1600 x 1000 points, no earlier solve.
+    /// The usual parts, the automatic schedule, lengths in metres, pressures without a unit, a dark ground, a window of 1600 x 1000 points, no earlier solve.
     fn default() -> Self {
         Self {
             what: Parts::USUAL,
             every: None,
             length_unit: "m".into(),
+            pressure_unit: String::new(),
             raster_at: None,
             theme: Theme::Dark,
             window: WINDOW,
@@ -57,12 +66,13 @@ impl From<&Setup> for Options {
 }
 
 impl From<&Record> for Options {
-    fn from(Record { what, every, length_unit, raster_at, theme, .. }: &Record) -> Self {
+    fn from(Record { what, every, length_unit, pressure_unit, raster_at, theme, .. }: &Record) -> Self {
         let what = if what.is_empty() { Parts::USUAL } else { what.iter().copied().collect() };
         Self {
             what,
             every: *every,
             length_unit: length_unit.clone(),
+            pressure_unit: pressure_unit.clone(),
             raster_at: *raster_at,
             theme: *theme,
             window: WINDOW,

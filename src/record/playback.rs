@@ -9,7 +9,7 @@ use crate::error::FileError;
 use crate::setup::{Setup, SetupTable};
 use rerun::log::Chunk;
 use rerun::{ChunkStore, Scalars, SeriesLines, StoreKind, TextDocument};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -81,6 +81,28 @@ impl Playback {
         let mut curves: Vec<(String, String)> = self.chunks.iter().filter_map(named).collect();
         curves.sort_by_key(|(_, entity)| entity[CURVE.len()..].parse().unwrap_or(usize::MAX));
         curves
+    }
+
+    /// The name of the quantity along the loads or states, with the unit of its values; and these by the numbers of the loads or states.
+    pub fn axis(&self) -> Option<(String, BTreeMap<i64, f64>)> {
+        let component = SeriesLines::descriptor_names().component;
+        let mut names = self.chunks_of(VALUE.into()).flat_map(|chunk| chunk.iter_slices::<String>(component).flatten());
+        let name = names.next()?.to_string();
+        Some((name, self.values(self.chunks_of(VALUE.into()))))
+    }
+
+    /// The values of the curve over loads or states that has a name, by the numbers of the loads or states.
+    pub fn curve_values(&self, name: &str) -> BTreeMap<i64, f64> {
+        self.values(self.curve(name))
+    }
+
+    fn values<'a>(&self, chunks: impl Iterator<Item = &'a Chunk>) -> BTreeMap<i64, f64> {
+        let (component, timeline) = (Scalars::descriptor_scalars().component, self.played().timeline());
+        let of_chunk = |chunk: &Chunk| {
+            let times = chunk.iter_component_indices(timeline.into(), component).map(|(time, _)| time.as_i64());
+            times.zip(chunk.iter_slices::<f64>(component).map(|values| values[0])).collect::<Vec<_>>()
+        };
+        chunks.flat_map(of_chunk).collect()
     }
 
     /// The chunks of the curve over loads or states that has a name.

@@ -34,7 +34,7 @@ impl Played {
             Self::Steps => {
                 "The curves use the selected timeline: choose `transforms` or `seconds` instead of `step` to compare the work."
             }
-            Self::Loads => "The curves are over the numbers of the loads: compare runs that have the same loads.",
+            Self::Loads => "The curves are over the loads. Behind other tabs they are over the numbers of the loads.",
             Self::States => {
                 "The curves use the selected timeline: the numbers of the states, or, where they have times, `time`. Compare runs along the \
                  same path."

@@ -164,6 +164,7 @@ pub const FLAGS: &[Flag] = &[
     flag("record-every", "record.every", FlagValue::One, "N", "Record the fields of every N-th step [default: all early steps, later ones less often]"),
     flag("record-iterations", "record.iterations", FlagValue::Switch, "", "Of a body that yields below its surface, also keep each iteration of flow as a state, on the way from load to load"),
     flag("length-unit", "record.length-unit", FlagValue::One, "UNIT", "Unit of the given lengths, for the recording; metres are shown as mm, um or nm [default: m]"),
+    flag("pressure-unit", "record.pressure-unit", FlagValue::One, "UNIT", "Unit of the given pressures, for the recording; pascals are shown as kPa, MPa or GPa [default: Pa if a pressure has a unit]"),
     flag("theme", "record.theme", FlagValue::Choice(choices::<Theme>), "THEME", "Background of the pictures in the recording [default: dark]"),
 ];
 

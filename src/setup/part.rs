@@ -86,6 +86,10 @@ pub struct Record {
     pub every: Option<usize>,
     /// Unit of lengths in the recording; metres are shown as mm, um or nm.
     pub length_unit: String,
+    /// Unit of pressures in the recording, empty if it is not known; pascals are shown as kPa, MPa or GPa. A setup that is read from a text in
+    /// which a pressure has a unit is in pascals.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub pressure_unit: String,
     /// Row and column of a surface that the raster shows, counted from 0; if it is left out, those of the highest peak.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub raster_at: Option<[usize; 2]>,
@@ -98,12 +102,13 @@ pub struct Record {
 }
 
 impl Default for Record {
-    /// All usual parts, all early steps, later ones less often, lengths in metres, a dark background.
+    /// All usual parts, all early steps, later ones less often, lengths in metres, pressures without a unit, a dark background.
     fn default() -> Self {
         Self {
             what: Vec::new(),
             every: None,
             length_unit: "m".into(),
+            pressure_unit: String::new(),
             raster_at: None,
             theme: Theme::Dark,
             iterations: false,

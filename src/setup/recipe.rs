@@ -321,17 +321,29 @@ impl Recipe {
 
     /// The parts of the surface, in words.
     pub fn description(&self) -> String {
+        self.described(None)
+    }
+
+    /// The parts of the surface, in words, with its lengths as `in_words` writes them.
+    pub fn described(&self, in_words: Option<&dyn Fn(f64) -> String>) -> String {
+        let random =
+            |it: &RandomRoughness| in_words.map_or_else(|| it.description(), |in_words| it.described(in_words));
         let steps = if self.prepare.is_none() { String::new() } else { format!(" ({})", self.prepare.description()) };
         let file = self.height.as_ref().map(|file| format!("heights from {}{steps}", file.display()));
         let against = self.against.as_ref().map(|file| format!("pressed on heights from {}{steps}", file.display()));
         let smooth = self.indenter.map(|indenter| {
-            let values = indenter.parameters().into_iter().map(|(name, value)| format!(", {name} {value:?}"));
+            let number = |name: &str, value: f64| match in_words.filter(|_| Indenter::LENGTHS.contains(&name)) {
+                Some(in_words) => in_words(value),
+                None => format!("{value:?}"),
+            };
+            let values = indenter.parameters().into_iter();
+            let values = values.map(|(name, value)| format!(", {name} {}", number(name, value)));
             format!("{}{}", indenter.name(), values.collect::<String>().replace('_', " "))
         });
-        let rough = self.spectrum.as_ref().map(|it| format!("{}, seed {}", it.description(), self.seed()));
+        let rough = self.spectrum.as_ref().map(|it| format!("{}, seed {}", random(it), self.seed()));
         let second = self.second_spectrum.as_ref().map(|it| match self.joined.unwrap_or_default() {
-            Joined::Sum => it.description(),
-            Joined::Lower => format!("the lower of it and {}", it.description()),
+            Joined::Sum => random(it),
+            Joined::Lower => format!("the lower of it and {}", random(it)),
         });
         let files = [file, against].into_iter().flatten().reduce(|one, other| format!("{one}, {other}"));
         let bumps = self.some_bumps().map(|bumps| match bumps.0.len() {

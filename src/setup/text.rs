@@ -194,6 +194,7 @@ impl SetupTable {
         self.check_sections()?;
         self.choose_preparation()?;
         self.complete_solver()?;
+        self.complete_units();
         let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());
         // an unknown key, such as a misspelt load, is said first
         self.read_as().and_then(|setup| loads.map(|()| setup))

@@ -2,7 +2,7 @@
 
 use super::SetupTable;
 use crate::error::SetupError;
-use crate::quantity::{ForceUnit, force_unit};
+use crate::quantity::{ForceUnit, force_unit, has_pressure_unit};
 use toml::Value;
 
 /// The kind of quantities that have nothing to do with forces.
@@ -62,7 +62,18 @@ const LOADS: [&str; 5] = [FORCE, "friction.tangential", "path.load", "path.tange
 const CONDUCTION: [&str; 2] = ["flow.resistivity", "flow.conductivity"];
 const KELVIN: char = 'K';
 
+/// The key of the unit of pressures in a recording, and the unit of those that are given with theirs.
+const PRESSURE_UNIT: &str = "record.pressure-unit";
+const PASCAL: &str = "Pa";
+
 impl SetupTable {
+    /// States that pressures are in pascals, where one is given with its unit and the recording has none.
+    pub(super) fn complete_units(&mut self) {
+        if self.find(PRESSURE_UNIT).is_none() && self.texts().iter().any(|text| has_pressure_unit(text)) {
+            self.lay(PRESSURE_UNIT, PASCAL.into());
+        }
+    }
+
     /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
     /// metres there, which is seldom what is meant. Beside a force with a unit all of them need one.
     ///

@@ -95,6 +95,9 @@ pub enum Indenter {
 }
 
 impl Indenter {
+    /// The names of its parameters that are lengths.
+    pub const LENGTHS: [&'static str; 4] = ["radius", "amplitude", "half_width", "depth"];
+
     /// Its name.
     pub fn name(&self) -> &'static str {
         match self {

@@ -190,14 +190,15 @@ impl Surface {
     /// free rim the only difference is used for both. A surface has the sum over both directions. The function panics
     /// where there is no node.
     pub fn square_gradient(&self) -> impl Fn(usize) -> f64 + Sync {
-        let (h, nx) = (self.heights(), self.grid.shape()[1]);
+        let (h, grid) = (self.heights(), self.grid);
+        let nx = grid.shape()[1];
         let [per_dy, per_dx] = self.grid.spacing().map(f64::recip);
         // from a rim to its neighbour: across the period, or back into the cell
         let [round_y, round_x] = self.grid.periodic();
         let [over_left, over_right] = if round_x { [nx - 1; 2] } else { [1; 2] };
         let [over_above, over_below] = if round_y { [h.len() - nx; 2] } else { [nx; 2] };
         move |node| {
-            let x = node % nx;
+            let [_, x] = grid.place(node);
             let left = if x > 0 { node - 1 } else { node + over_left };
             let right = if x + 1 < nx { node + 1 } else { node - over_right };
             let above = if node >= nx { node - nx } else { node + over_above };
@@ -226,7 +227,7 @@ impl Surface {
         };
         let [round_y, round_x] = grid.periodic();
         move |node| {
-            let (y, x) = (node / nx, node % nx);
+            let [y, x] = grid.place(node);
             let along_x = slope(x, nx, 1, y * nx, round_x) * per_dx;
             let along_y = if ny == 1 { 0.0 } else { slope(y, ny, nx, x, round_y) * per_dy };
             along_x.powi(2) + along_y.powi(2)

@@ -41,6 +41,7 @@ fn setups() -> Vec<Setup> {
             what: vec![Part::Traces, Part::Mesh],
             every: Some(3),
             length_unit: "um".into(),
+            pressure_unit: "kPa".into(),
             raster_at: Some([2, 35]),
             theme: Theme::Light,
             iterations: false,

@@ -1,6 +1,7 @@
 //! The outline of a contact: segments of a line, the contour of a surface.
 
-use crate::contact::{Edge, Edges};
+use super::STEPS;
+use crate::contact::Edges;
 
 impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
     /// The segments of contact along a line (of a surface, along its first row), from left to right, as their first and
@@ -87,8 +88,9 @@ impl<G: Fn(usize) -> f64 + Sync> Edges<'_, G> {
     /// The place of the edge on the link from a node in contact to a neighbour that is not, kept on the link.
     fn crossing(&self, [node, next]: [usize; 2]) -> Option<[f64; 2]> {
         let nx = self.grid.shape()[1];
-        let is_there = |edge: &Edge| self.grid.neighbour(node, edge.towards) == next;
-        let edge = self.around(node).find(is_there)?;
+        let mut links = self.grid.neighbours(node).into_iter().zip(STEPS);
+        let (_, towards) = links.find(|(other, _)| *other == next)?;
+        let edge = self.edge([node, next], towards);
         let [dy, dx] = edge.towards.map(|step| step as f64 * edge.place.clamp(0.0, 1.0));
         Some([(node / nx) as f64 + dy, (node % nx) as f64 + dx])
     }

@@ -90,6 +90,8 @@ pub enum Place {
     Main,
     /// A field: on a surface a cell of its own, on a line beside the other fields.
     Field,
+    /// A field that a history has besides pressure and gap: on a surface a cell of its own, on a line a row beside others of its kind.
+    OfState,
     /// Behind all other pictures of the state.
     Further,
     /// Behind all other pictures of the state, in a higher row, as its proportions are those in space.

@@ -30,7 +30,7 @@ pub use field::surface_relief::SurfaceRelief;
 pub use fields::{FieldExtent, FrameFields};
 pub use ink::canvas::PANE;
 pub use ink::eye::Eye;
-pub use ink::palette::Palette;
+pub use ink::palette::{Palette, SERIES};
 pub use ink::pane::{ContainerKind, Corner, GRID_COLUMNS, Pane, PaneView};
 pub use parts::all as parts;
 pub use run::DrawnRun;

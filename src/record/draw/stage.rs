@@ -13,8 +13,9 @@ use super::ink::palette::Palette;
 use super::ink::pane::Pane;
 use super::parts;
 use super::patch::patch_map::PatchMap;
+use super::patch::patch_tree::PatchTreePicture;
 use super::plane::Plane;
-use crate::contact::{Contact, Observables, Phase};
+use crate::contact::{Contact, Observables, Phase, Quantity};
 use crate::diagnosis::{Diagnosis, Reference};
 use crate::grid::Grid;
 use crate::record::description;
@@ -55,6 +56,8 @@ pub struct Stage {
     reference: Option<Arc<Reference>>,
     /// The map of contact patches over loads, once there are loads.
     pub patches: Option<PatchMap>,
+    /// The tree of contact patches over loads, if they are followed.
+    pub tree: Option<PatchTreePicture>,
     /// Height of the window that the pictures are drawn for, in points.
     pub window_height: f64,
 }
@@ -76,7 +79,7 @@ impl Stage {
         Self {
             title: scene.title.clone(),
             palette,
-            description: description::of_scene(scene, &options.length_unit),
+            description: description::of_scene(scene, &options.units()),
             properties: properties::of_scene(scene),
             setup: scene.text(),
             what: options.what,
@@ -90,6 +93,7 @@ impl Stage {
             contact_modulus: scene.problem.contact_modulus(),
             reference: scene.reference.clone(),
             patches: None,
+            tree: None,
             window_height: options.window[1],
             root,
         }
@@ -123,6 +127,11 @@ impl Stage {
         }
     }
 
+    /// Adds the tree of contact patches under `loads`, if contacts are recorded.
+    pub fn follow_patches(&mut self, loads: &LoadAxis) {
+        self.tree = self.what.has(Part::Mask).then(|| PatchTreePicture::new(&self.root, self.palette, loads));
+    }
+
     /// The panes of the drawings that stand in some places.
     pub fn panes(&self, places: &[Place]) -> Vec<(Place, Pane)> {
         let panes = self.drawings.iter().flat_map(|drawing| drawing.panes());
@@ -136,6 +145,11 @@ impl Stage {
             self.plane.fit(size);
             self.patches.iter_mut().for_each(|map| map.fit(size));
         }
+        if let Some(tree) = &mut self.tree
+            && let Some(size) = size(tree.root())
+        {
+            tree.fit(size);
+        }
         self.drawings.iter_mut().for_each(|drawing| drawing.fit(&size));
     }
 
@@ -146,6 +160,7 @@ impl Stage {
         }
         properties::send(to, &self.root, &self.properties)?;
         self.patches.as_ref().map_or(Ok(()), |patches| patches.log_static(to))?;
+        self.tree.as_ref().map_or(Ok(()), |tree| tree.log_static(to))?;
         self.drawings.iter().try_for_each(|drawing| drawing.log_static(to))
     }
 
@@ -180,9 +195,13 @@ impl Stage {
             true => String::new(),
             false => format!(". kappa_r is {kappa_r:.4}, with an error of about {:.1} % on this grid", 100.0 * error),
         };
+        let certified = match Quantity::Certificate.tells_of(contact) {
+            true => format!(" with the certificate {:.2e}", certificate.eta),
+            false => String::new(),
+        };
         format!(
-            "{how} with the certificate {:.2e}, after {} steps, {} transforms and {:.3} s{grid}",
-            certificate.eta, work.iterations, work.transforms, work.seconds
+            "{how}{certified}, after {} steps, {} transforms and {:.3} s{grid}",
+            work.iterations, work.transforms, work.seconds
         )
     }
 

@@ -1,10 +1,11 @@
 //! Recordings made of several others.
 
+use super::load_comparison::LoadComparison;
 use super::recording::{Name, write_whole};
 use crate::contact::Quantity;
 use crate::error::FileError;
 use crate::record::draw::{COMPARED, drawn, log_run_style, title, traced};
-use crate::record::layout::{Compared, copy, send_comparison};
+use crate::record::layout::{Compared, copy, send_comparison, send_load_comparison};
 use crate::record::playback::Playback;
 use crate::record::played::Played;
 use crate::setup::differences_of_tables;
@@ -120,8 +121,8 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
         );
     }
     let played = recordings.first().map_or(Played::Steps, Playback::played);
-    let curves = match played {
-        Played::Steps => log_traces(to, runs)?,
+    let (curves, over_values) = match played {
+        Played::Steps => (log_traces(to, runs)?, None),
         Played::Loads | Played::States => log_curves_of_states(to, runs)?,
     };
     let rows: String = runs.iter().map(ComparedRun::row).collect();
@@ -130,7 +131,13 @@ fn log(to: &RecordingStream, recordings: &[Playback], runs: &[ComparedRun<'_>]) 
         "| run | recording | result | differs in |\n|---|---|---|---|\n{rows}\n{about}"
     ));
     to.log_static(TEXT, &text)?;
-    send_comparison(curves, TEXT.into(), layouts, played.timeline(), to)
+    match over_values {
+        Some(mut comparison) => {
+            send_load_comparison(&mut comparison.charts, curves, TEXT.into(), layouts, played.timeline(), to)?;
+            comparison.log(to)
+        }
+        None => send_comparison(curves, TEXT.into(), layouts, played.timeline(), to),
+    }
 }
 
 /// Records the traces of all runs over their steps.
@@ -140,8 +147,12 @@ fn log_traces(to: &RecordingStream, runs: &[ComparedRun<'_>]) -> RecordingStream
     observables.into_iter().map(|observable| log_curves(to, runs, observable)).collect()
 }
 
-/// Records the curves of all runs over their loads or states, those of one name together.
-fn log_curves_of_states(to: &RecordingStream, runs: &[ComparedRun<'_>]) -> RecordingStreamResult<Vec<Compared>> {
+/// Records the curves of all runs over the numbers of their loads or states, those of one name together; and draws them over the quantity along
+/// the loads or states, if all runs have the same.
+fn log_curves_of_states(
+    to: &RecordingStream,
+    runs: &[ComparedRun<'_>],
+) -> RecordingStreamResult<(Vec<Compared>, Option<LoadComparison>)> {
     let mut names: Vec<String> = Vec::new();
     for (name, _) in runs.iter().flat_map(|run| run.playback.curves()) {
         if !names.contains(&name) {
@@ -159,7 +170,9 @@ fn log_curves_of_states(to: &RecordingStream, runs: &[ComparedRun<'_>]) -> Recor
         }
         Ok(Compared { title: name.clone(), entities, most: None })
     };
-    names.iter().enumerate().map(log).collect()
+    let curves = names.iter().enumerate().map(log).collect::<RecordingStreamResult<Vec<_>>>()?;
+    let named: Vec<_> = runs.iter().map(|run| (run.playback, run.name.as_str())).collect();
+    Ok((curves, LoadComparison::new(&named, &names)))
 }
 
 /// Records the curves of an observable of all runs, and those of its exact values as far as they differ.

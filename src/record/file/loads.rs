@@ -8,7 +8,7 @@ use super::output::Output;
 use super::recording::{Name, Recording, stages};
 use super::state_times::StateTimes;
 use super::target::Target;
-use crate::contact::Contact;
+use crate::contact::{Contact, PatchHistory};
 use crate::error::FileError;
 use crate::plot;
 use crate::record::draw::{
@@ -18,6 +18,7 @@ use crate::record::layout::{TEXT, fit_loads, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
+use crate::record::units::with_unit;
 use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, TextDocument};
 use std::collections::BTreeSet;
@@ -46,6 +47,8 @@ pub struct Loads<'a> {
     pub figure: Option<&'a plot::Figure>,
     /// The timeline of the recording.
     pub timeline: Timeline,
+    /// Rows and columns from the first node on whose contact patches are followed from load to load in the first scene; none if they are not.
+    pub followed: Option<[usize; 2]>,
     /// Contacts that grow; each problem is the one under the heaviest load, as is its exact solution.
     pub scenes: &'a [Scene<'a>],
 }
@@ -91,6 +94,8 @@ struct LoadsSoFar {
     loads: BTreeSet<usize>,
     extents: Vec<FieldExtent>,
     charts: Vec<Chart>,
+    /// The contact patches, as long as loads come in their order.
+    patches: Option<PatchHistory>,
 }
 
 impl LoadRecording {
@@ -128,6 +133,9 @@ impl LoadRecording {
         for stage in &mut stages {
             stage.map_patches(&loads.axis);
         }
+        if let (Some(_), Some(first)) = (loads.followed, stages.first_mut()) {
+            first.follow_patches(&loads.axis);
+        }
         let palette = Palette::new(options.theme);
         let extents = vec![FieldExtent::NONE; stages.len()];
         let mut charts = Chart::all(&curves, &loads.axis, palette);
@@ -145,7 +153,12 @@ impl LoadRecording {
             axis: loads.axis.clone(),
             timeline: loads.timeline.clone(),
             times,
-            progress: Mutex::new(LoadsSoFar { loads: BTreeSet::new(), extents, charts }),
+            progress: Mutex::new(LoadsSoFar {
+                loads: BTreeSet::new(),
+                extents,
+                charts,
+                patches: loads.followed.map(PatchHistory::new),
+            }),
             curves,
             figure,
         };
@@ -209,13 +222,32 @@ impl LoadRecording {
             }
             let fields = FrameFields::from_contact(contact).with_further(further);
             let extent = stage.extent(&fields);
-            let extents = &mut self.progress().extents;
-            extents[scene] = extents[scene].and(extent);
+            let widened = self.progress().extents[scene].and(extent);
+            self.progress().extents[scene] = widened;
             stage.log_frame(stream, &fields)?;
             stage.log_contact(stream, contact)?;
+            if scene == 0 {
+                self.follow_patches(stream, load, contact)?;
+            }
             let Some(patches) = &stage.patches else { return Ok(()) };
             patches.log(stream, load, &fields)
         })
+    }
+
+    /// Records what happened to the contact patches since the load before. They are followed no longer if it was not recorded.
+    fn follow_patches(&self, stream: &RecordingStream, load: usize, contact: &Contact) -> RecordingStreamResult<()> {
+        let Some(tree) = &self.recording.stages[0].tree else { return Ok(()) };
+        let patches = &mut self.progress().patches;
+        match patches.as_mut().filter(|patches| patches.states.len() == load) {
+            Some(patches) => {
+                patches.add(contact);
+                tree.log(stream, patches)
+            }
+            None => {
+                *patches = None;
+                Ok(())
+            }
+        }
     }
 
     /// Fits axes and colours to the contacts, writes what is left, and the index of the file.
@@ -228,7 +260,11 @@ impl LoadRecording {
     }
 
     fn settle(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
-        let LoadsSoFar { loads, extents, charts } = &mut *self.progress();
+        let LoadsSoFar { loads, extents, charts, patches } = &mut *self.progress();
+        let tree = self.recording.stages.first().and_then(|stage| stage.tree.as_ref());
+        if let (Some(tree), Some(patches)) = (tree, patches) {
+            tree.settle(stream, &|to, load| self.set_time(to, load), patches)?;
+        }
         for (stage, extent) in self.recording.stages.iter().zip(extents).filter(|(_, it)| **it != FieldExtent::NONE) {
             stage.settle(stream, *extent)?;
             if let Some(patches) = &stage.patches {
@@ -244,7 +280,8 @@ impl LoadRecording {
         send_loads(&recording.stages, figure.as_ref(), charts, curves, self.timeline.name(), stream)?;
         curves.log_static(stream)?;
         charts.iter().try_for_each(|chart| chart.log_static(stream))?;
-        stream.log_static(VALUE, &SeriesLines::new().with_names([self.axis.name.as_str()]))?;
+        let value = with_unit(&self.axis.name, &self.axis.unit);
+        stream.log_static(VALUE, &SeriesLines::new().with_names([value.as_str()]))?;
         if let Some(figure) = figure {
             figure.log_static(stream)?;
         }

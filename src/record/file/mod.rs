@@ -2,6 +2,7 @@
 
 mod background_task;
 mod comparison;
+mod load_comparison;
 mod loads;
 mod output;
 mod pace;
@@ -12,6 +13,7 @@ mod schedule;
 mod state_times;
 mod survey;
 mod target;
+mod viewer_feed;
 mod writer;
 mod writer_thread;
 
@@ -24,3 +26,4 @@ pub use recording::Recording;
 pub use schedule::Schedule;
 pub use survey::record_survey;
 pub use target::Target;
+pub use viewer_feed::LeftOut;

@@ -1,6 +1,7 @@
 //! The file behind a recording.
 
 use super::pace::FlushPace;
+use super::viewer_feed::{LeftOut, ViewerFeed};
 use crate::error::{FileError, reason};
 use crate::files::{Draft, check_target};
 use rerun::SpawnOptions;
@@ -58,10 +59,11 @@ impl Output {
         Self::begin(&folder, (file, None), FlushPace::LIVE, None)
     }
 
-    /// Makes the file that becomes the one at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs.
-    pub(super) fn shown(path: Option<&Path>) -> Result<Self, FileError> {
+    /// Makes the file that becomes the one at `path`, if there is one, and shows what it gets in the installed viewer, or in the one that runs,
+    /// which misses pictures if it is slow.
+    pub(super) fn shown(path: Option<&Path>, left_out: LeftOut) -> Result<Self, FileError> {
         path.map_or(Ok(()), check_target)?;
-        Self::seen(path, Box::new(start_viewer()?))
+        Self::seen(path, Box::new(ViewerFeed::new(start_viewer()?, left_out)))
     }
 
     /// Makes the file that becomes the one at `path`, if there is one; `viewer` gets each message as well.

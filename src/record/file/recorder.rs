@@ -77,7 +77,7 @@ impl Drop for Recorder<'_> {
     fn drop(&mut self) {
         let written = self.worker.take().and_then(|worker| worker.end().ok());
         if let Some(mut writer) = written.or(self.writer.take()) {
-            writer.flush_traces();
+            writer.leave();
         }
     }
 }

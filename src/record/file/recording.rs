@@ -3,7 +3,7 @@
 use super::background_task::BackgroundTask;
 use super::output::Output;
 use super::target::Target;
-use super::writer::{UNFINISHED, Writer};
+use super::writer::{NOT_BEGUN, Writer};
 use crate::error::FileError;
 use crate::record::description;
 use crate::record::draw::{Ghost, Stage};
@@ -54,7 +54,7 @@ impl Recording {
         recording.write(|stream| {
             layout::send_steps(&recording.stages, stream)?;
             let mut stages = recording.stages.iter();
-            stages.try_for_each(|stage| stream.log_static(stage.description(), &stage.described(UNFINISHED, "")))
+            stages.try_for_each(|stage| stream.log_static(stage.description(), &stage.described(NOT_BEGUN, "")))
         })?;
         let (stream, output, stages) = (recording.stream.clone(), recording.output.clone(), recording.stages.clone());
         let ghost = recording.options.ghost.clone();

@@ -2,6 +2,7 @@
 
 use super::output::Output;
 use super::pieces::Pieces;
+use super::viewer_feed::LeftOut;
 use crate::error::FileError;
 use std::path::{Path, PathBuf};
 
@@ -9,8 +10,9 @@ use std::path::{Path, PathBuf};
 pub enum Target<'a> {
     /// Into a file, which grows as a [`Draft`](crate::files::Draft) until it is whole.
     File(PathBuf),
-    /// Into the installed viewer, or the one that runs, and into a file, if there is one.
-    Viewer(Option<PathBuf>),
+    /// Into the installed viewer, or the one that runs, and into a file, if there is one. The solver does not wait for the viewer: pictures that it is
+    /// too slow to get are left out there and counted. Numbers are not left out, and the file has everything.
+    Viewer(Option<PathBuf>, LeftOut),
     /// To others, who take it in pieces as it grows, and into a file, if there is one.
     Pieces(Pieces, Option<PathBuf>),
     /// Into a temporary file under a name. The function gets the means to read it when the recording begins.
@@ -24,7 +26,7 @@ impl Target<'_> {
     pub fn file(&self) -> Option<&Path> {
         match self {
             Self::File(path) => Some(path),
-            Self::Viewer(path) | Self::Pieces(_, path) => path.as_deref(),
+            Self::Viewer(path, _) | Self::Pieces(_, path) => path.as_deref(),
             Self::Temporary(..) | Self::Opened(..) => None,
         }
     }
@@ -49,7 +51,7 @@ impl Target<'_> {
     pub(super) fn open(self) -> Result<(Output, Option<String>), FileError> {
         Ok(match self {
             Self::File(path) => (Output::create(&path)?, None),
-            Self::Viewer(path) => (Output::shown(path.as_deref())?, None),
+            Self::Viewer(path, left_out) => (Output::shown(path.as_deref(), left_out)?, None),
             Self::Pieces(pieces, path) => (Output::seen(path.as_deref(), Box::new(pieces))?, None),
             Self::Temporary(name, begun) => {
                 let output = Output::temporary()?;

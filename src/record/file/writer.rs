@@ -14,8 +14,10 @@ use rerun::{RecordingStream, RecordingStreamResult};
 use std::io;
 use std::sync::Arc;
 
-/// The result of a run until there is one.
-pub const UNFINISHED: &str = "still running, or killed";
+/// The result of a run before it begins, until there is one, and where it ended without one.
+pub const NOT_BEGUN: &str = "not begun";
+const UNFINISHED: &str = "still running, or killed";
+const WITHOUT_RESULT: &str = "ended without a result";
 
 /// The end of an axis of a running solve, divided by the highest pressure: when the axis is fitted, and its largest
 /// value later.
@@ -50,6 +52,8 @@ pub struct Writer {
     highest: f64,
     /// Rows on the run in the table of parameters.
     run: String,
+    /// Whether it has begun and has no result yet.
+    is_open: bool,
 }
 
 impl Writer {
@@ -75,6 +79,7 @@ impl Writer {
             axis_end: stage.highest_pressure,
             highest: 0.0,
             run: String::new(),
+            is_open: false,
             stream,
             output,
             stages,
@@ -85,6 +90,7 @@ impl Writer {
     /// Writes the name of the solver.
     pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
         self.run = description::of_run(solver, stop);
+        self.is_open = true;
         self.steps.begin(solver, problem, stop);
         let properties = properties::of_run(solver, stop);
         self.attempt(|writer| {
@@ -110,8 +116,16 @@ impl Writer {
         }
     }
 
+    /// Sends the numbers that wait at the end of a run, and says that it has no result if there is none.
+    pub fn leave(&mut self) {
+        self.flush_traces();
+        if self.is_open {
+            self.attempt(|writer| writer.log_description(WITHOUT_RESULT));
+        }
+    }
+
     /// Sends the numbers that wait.
-    pub fn flush_traces(&mut self) {
+    fn flush_traces(&mut self) {
         self.attempt(|writer| writer.steps.flush(&writer.stream));
     }
 
@@ -151,6 +165,7 @@ impl Writer {
             format!("\n\n**Why it was slow**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table())
         });
         self.log_description(&(Stage::result(contact) + &found))?;
+        self.is_open = false;
         properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))
     }
 

@@ -2,6 +2,7 @@
 
 use crate::record::draw::{ContainerKind, GRID_COLUMNS, Pane, PaneView};
 use crate::record::sdk::{Uuid, layout};
+use crate::setup::fnv1a;
 use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::{RecordingStream, RecordingStreamResult};
@@ -20,7 +21,8 @@ pub fn send(panes: Vec<Pane>, played: PlayedTimeline, recording: &RecordingStrea
     let Some(shown) = recording.store_info() else { return Ok(()) };
     let (store, storage) = layout(shown.application_id())?;
     store.set_time_sequence("blueprint", 0);
-    let mut blueprint = Blueprint { store, panes: 0 };
+    let application = fnv1a([shown.application_id().as_str().as_bytes()]);
+    let mut blueprint = Blueprint { store, application, panes: 0 };
     blueprint.log(panes, played)?;
     let Some(info) = blueprint.store.store_info() else { return Ok(()) };
     let command = BlueprintActivationCommand { blueprint_id: info.store_id, make_active: true, make_default: true };
@@ -31,6 +33,8 @@ pub fn send(panes: Vec<Pane>, played: PlayedTimeline, recording: &RecordingStrea
 /// A blueprint in the making, whose panes are named by their paths.
 struct Blueprint {
     store: RecordingStream,
+    /// A number of the application of the recording.
+    application: u64,
     panes: u16,
 }
 
@@ -97,11 +101,12 @@ impl Blueprint {
         self.store.log("time_panel", &time)
     }
 
-    /// A new identity. It distinguishes classes of panes, because the viewer keeps what it knows of a pane when the
-    /// next recording brings another layout.
+    /// A new identity. It distinguishes recordings and classes of panes, because the viewer keeps what it knows of a pane, such as the part of a
+    /// curve that it shows, when the next recording brings another layout.
     fn next_id(&mut self, class: &str) -> Uuid {
         self.panes += 1;
-        let mut bytes = *b"asperity\x80\0\0\0\0\0\0\0";
+        let mut bytes = *b"\0\0\0\0\0\0\0\0\x80\0\0\0\0\0\0\0";
+        bytes[..8].copy_from_slice(&self.application.to_be_bytes());
         bytes[9..14].iter_mut().zip(class.bytes()).for_each(|(byte, letter)| *byte = letter);
         bytes[14..].copy_from_slice(&self.panes.to_be_bytes());
         Uuid { bytes }
@@ -120,6 +125,16 @@ mod tests {
     use super::*;
 
     #[test]
+    fn panes_of_different_recordings_have_different_identities() {
+        let ids = ["one", "other"].map(|application| {
+            let (store, _) = layout(&application.into()).unwrap();
+            let mut blueprint = Blueprint { store, application: fnv1a([application.as_bytes()]), panes: 0 };
+            [blueprint.next_id("TimeSeries"), blueprint.next_id("TimeSeries")]
+        });
+        assert!(ids[0] != ids[1] && ids[0][0] != ids[0][1]);
+    }
+
+    #[test]
     fn a_blueprint_arrives_and_its_store_ends_with_it() {
         let (recording, storage) = layout(&"test".into()).unwrap();
         let text = PaneView::text("text", "/text".into());
@@ -128,7 +143,7 @@ mod tests {
         recording.disconnect();
         let (store, storage) = layout(&"test".into()).unwrap();
         let weak = store.clone_weak();
-        drop((Blueprint { store, panes: 0 }, storage));
+        drop((Blueprint { store, application: 0, panes: 0 }, storage));
         assert_eq!(weak.ref_count(), 0);
     }
 }

@@ -1,8 +1,11 @@
 //! The layout of a comparison: the curves of all runs together, and each recording in its own tab.
 
 use super::blueprint::{PlayedTimeline, send};
+use super::loads::chart;
 use super::steps::FRAMES_PER_SEC;
-use crate::record::draw::{ContainerKind, Corner, Pane, PaneView};
+use super::window::Sizes;
+use crate::record::draw::{Chart, ContainerKind, Corner, PANE, Pane, PaneView};
+use crate::record::options::WINDOW;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// The number of curves that stand one above the other where none settles.
@@ -40,6 +43,35 @@ pub fn send_comparison(
         PlayedTimeline { timeline, frames_per_sec: FRAMES_PER_SEC },
         stream,
     )
+}
+
+/// Writes the layout of charts over the quantity along the loads or states, of the same curves over their numbers, a text about them and the
+/// `recordings`. The charts get the proportions of their panes.
+pub fn send_load_comparison(
+    charts: &mut [Chart],
+    curves: Vec<Compared>,
+    text: String,
+    recordings: Vec<Pane>,
+    timeline: &'static str,
+    stream: &RecordingStream,
+) -> RecordingStreamResult<()> {
+    let sizes = Sizes::new(&[of_charts(charts, Vec::new(), String::new()), PaneView::text("", String::new())], WINDOW);
+    charts.iter_mut().for_each(|chart| chart.fit(sizes.get(&chart.root).unwrap_or(PANE)));
+    let comparison = of_charts(charts, curves, text);
+    let played = PlayedTimeline { timeline, frames_per_sec: FRAMES_PER_SEC };
+    send([comparison].into_iter().chain(recordings).collect(), played, stream)
+}
+
+/// The first charts one above the other, and beside them the next one above the text, the other charts and the curves over numbers.
+fn of_charts(charts: &[Chart], curves: Vec<Compared>, text: String) -> Pane {
+    let mut charts = charts.iter().map(chart);
+    let left = charts.by_ref().take(FIRST).collect();
+    let next = charts.next();
+    let numbered = curves.into_iter().map(|it| view(Compared { title: format!("{}, by number", it.title), ..it }));
+    let rest = [PaneView::text("Runs", text)].into_iter().chain(charts).chain(numbered).collect();
+    let right = next.into_iter().chain([Pane::even(ContainerKind::Tabs, "more", rest)]).collect();
+    let columns = [left, right].map(|panes| Pane::even(ContainerKind::Vertical, "curves", panes));
+    Pane::even(ContainerKind::Horizontal, "Comparison", columns.into())
 }
 
 fn view(Compared { title, entities, most }: Compared) -> Pane {

@@ -75,7 +75,8 @@ fn rows(figure: Option<&FigurePicture>, mut charts: Vec<Pane>) -> (Vec<(Pane, f3
     (rows.collect(), Vec::new())
 }
 
-fn chart(chart: &Chart) -> Pane {
+/// The view of a chart.
+pub fn chart(chart: &Chart) -> Pane {
     let picture = (chart.root.clone(), chart.bounds());
     PaneView::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], picture, chart.palette)
 }

@@ -9,7 +9,7 @@ mod steps;
 mod survey;
 mod window;
 
-pub use comparison::{Compared, send_comparison};
+pub use comparison::{Compared, send_comparison, send_load_comparison};
 pub use copy::copy;
 pub use loads::{TEXT, fit_loads, send_loads};
 pub use steps::{fit_steps, send_steps};

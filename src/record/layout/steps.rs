@@ -112,6 +112,7 @@ fn pictures_of_line(stage: &Stage) -> Pane {
         rows.resize_with(rows.len().max(2), Vec::new);
         rows[1].insert(0, map.pane());
     }
+    rows.extend(stage.tree.iter().map(|tree| vec![tree.pane()]));
     let heights = heights.into_iter().chain(std::iter::repeat(1.0));
     let rows = rows.into_iter().zip(heights).filter(|(row, _)| !row.is_empty());
     let rows = rows.map(|(row, height)| (Pane::even(ContainerKind::Tabs, "pictures", row), height));
@@ -125,10 +126,11 @@ fn pictures_of_surface(stage: &Stage) -> Pane {
     }
     let mut panes: Vec<Pane> = rows.into_iter().map(|row| Pane::even(ContainerKind::Tabs, "pictures", row)).collect();
     if panes.len() == 3 {
-        panes.push(if stage.what.has(Part::Traces) {
-            area(stage)
-        } else {
-            PaneView::text("Parameters", stage.description())
+        let text = || PaneView::text("Parameters", stage.description());
+        panes.push(match &stage.tree {
+            Some(tree) => Pane::even(ContainerKind::Tabs, "patches", vec![tree.pane(), text()]),
+            None if stage.what.has(Part::Traces) => area(stage),
+            None => text(),
         });
     }
     let kind = if panes.len() > 2 { ContainerKind::Grid } else { ContainerKind::Vertical };
@@ -138,10 +140,11 @@ fn pictures_of_surface(stage: &Stage) -> Pane {
 /// The pictures that are recorded, in groups that share a pane; the first one represents the scene.
 fn views(stage: &Stage) -> Vec<Vec<(Place, Pane)>> {
     let mut groups: Vec<Vec<(Place, Pane)>> = Vec::new();
-    for (place, pane) in stage.panes(&[Place::Main, Place::Field]) {
-        match groups.last_mut().filter(|group| group[0].0 == Place::Field) {
-            Some(group) if stage.grid.is_line() && place == Place::Field => group.push((place, pane)),
-            _ => groups.push(vec![(place, pane)]),
+    for (place, pane) in stage.panes(&[Place::Main, Place::Field, Place::OfState]) {
+        let has_tabs = stage.grid.is_line() && place != Place::Main;
+        match groups.last_mut().filter(|group| has_tabs && group[0].0 == place) {
+            Some(group) => group.push((place, pane)),
+            None => groups.push(vec![(place, pane)]),
         }
     }
     groups.push(stage.panes(&[Place::Further, Place::Deep]));

@@ -187,14 +187,19 @@ impl RandomRoughness {
 
     /// The roughness in words.
     pub fn description(&self) -> String {
+        self.described(&|length| format!("{length:e}"))
+    }
+
+    /// The roughness in words, with its lengths as `in_words` writes them.
+    pub fn described(&self, in_words: &dyn Fn(f64) -> String) -> String {
         let spectrum = match &self.spectrum {
             SpectralDensity::SelfAffine(SelfAffine { hurst, rolloff, short_cutoff }) => {
                 let rolloff = match rolloff {
-                    Rolloff::Plateau(wavelength) => format!("roll-off {wavelength:e}"),
-                    Rolloff::Drop(wavelength) => format!("no waves longer than {wavelength:e}"),
+                    Rolloff::Plateau(wavelength) => format!("roll-off {}", in_words(*wavelength)),
+                    Rolloff::Drop(wavelength) => format!("no waves longer than {}", in_words(*wavelength)),
                     Rolloff::None => "no roll-off".into(),
                 };
-                format!("self-affine roughness, H = {hurst}, {rolloff}, short cut-off {short_cutoff:e}")
+                format!("self-affine roughness, H = {hurst}, {rolloff}, short cut-off {}", in_words(*short_cutoff))
             }
             SpectralDensity::Measured(MeasuredSpectrum { file, .. }) => {
                 format!("roughness by the spectrum in {}", file.path().display())
@@ -204,7 +209,7 @@ impl RandomRoughness {
             .then(|| format!("Peklenik number {}, lay at {} degrees", self.lay.peklenik, self.lay.angle));
         let scale = match self.scale {
             RoughnessScale::RmsGradient(gradient) => Some(format!("rms gradient {gradient:e}")),
-            RoughnessScale::RmsHeight(height) => Some(format!("rms height {height:e}")),
+            RoughnessScale::RmsHeight(height) => Some(format!("rms height {}", in_words(height))),
             RoughnessScale::AsGiven => None,
         };
         let heights = self.heights.as_ref().map(|heights| heights.distribution.description());

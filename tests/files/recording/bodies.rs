@@ -90,14 +90,58 @@ fn a_relief_shows_the_displacement_downwards() {
         let positions = rerun::Mesh3D::descriptor_vertex_positions();
         let path = folder.path().join("it.rrd");
         let (_, mesh) = rows::<rerun::components::Position3D>(&path, "/it/relief/solid", positions).pop().unwrap();
-        assert_eq!(mesh.len(), (rows_of + 1) * (columns + 1));
-        let inner = (0..rows_of).flat_map(|row| (0..columns).map(move |column| row * (columns + 1) + column));
+        // the half behind the middle row, which is the cut
+        let behind = rows_of / 2;
+        assert_eq!(mesh.len(), (rows_of - behind + 1) * (columns + 1));
+        assert!(mesh[..=columns].iter().all(|vertex| vertex.y() == 0.0));
+        let inner = (0..rows_of - behind).flat_map(|row| (0..columns).map(move |column| row * (columns + 1) + column));
         let upwards: Vec<f64> = inner.map(|vertex| f64::from(mesh[vertex].z())).collect();
-        let displacement: Vec<f64> = contact.displacement.iter().copied().collect();
+        let displacement: Vec<f64> = contact.displacement.iter().skip(behind * columns).copied().collect();
         let (rest, scale) = likeness(&upwards, &displacement);
         assert!(rest < 1e-3 && scale < 0.0, "{rest}, {scale}");
-        let pressure: Vec<f64> = contact.pressure.iter().copied().collect();
+        let pressure: Vec<f64> = contact.pressure.iter().skip(behind * columns).copied().collect();
         let lowest = (0..upwards.len()).min_by(|&a, &b| upwards[a].total_cmp(&upwards[b])).unwrap();
         assert!(pressure[lowest] > 0.0, "the lowest place of the solid is not pressed");
     }
+}
+
+/// The section of a sphere's dent, in the coordinates of the viewer: the solid fills it from its foot up to its surface, the rigid surface is nowhere
+/// below it, and meets it where it is in contact.
+#[test]
+fn the_section_of_a_dent_shows_solid_contact_and_rigid_surface() {
+    let sphere = Indenter::Sphere { radius: 1.0 }.surface(Grid::surface([64, 64], [1.0, 1.0]).unwrap()).unwrap();
+    let sphere = Problem::new(sphere, asperity::contact::ContactModulus(1.0), Load::ReducedPressure(0.1)).unwrap();
+    let (folder, contact) = records_of(&sphere, 0.1, Part::Mesh);
+    let path = folder.path().join("it.rrd");
+    let stretch = |entity: &str| {
+        let scale = rerun::Transform3D::descriptor_scale();
+        let (_, scale) = rows::<rerun::components::Scale3D>(&path, entity, scale).pop().unwrap();
+        let shift = rerun::Transform3D::descriptor_translation();
+        let (_, shift) = rows::<rerun::components::Translation3D>(&path, entity, shift).pop().unwrap();
+        (scale[0].z(), shift[0].z())
+    };
+    let strips = |entity: &str| {
+        let strips = rerun::LineStrips3D::descriptor_strips();
+        let (_, strips) = rows::<rerun::components::LineStrip3D>(&path, entity, strips).pop().unwrap();
+        strips.into_iter().flat_map(|strip| strip.0).map(|point| [point.x(), point.y(), point.z()]).collect::<Vec<_>>()
+    };
+    let (factor, shift) = stretch("/it/relief/solid");
+    let stretched = |points: Vec<[f32; 3]>| points.into_iter().map(|[x, y, z]| [x, y, factor * z + shift]).collect();
+    let solid: Vec<[f32; 3]> = stretched(strips("/it/relief/solid/edge"));
+    let touching: Vec<[f32; 3]> = stretched(strips("/it/relief/solid/contact"));
+    let [low, high] =
+        solid.iter().fold([f32::MAX, f32::MIN], |[low, high], point| [low.min(point[2]), high.max(point[2])]);
+    assert!((high - low - 1.6).abs() < 0.05, "a dent of the height of the relief: {low} to {high}");
+    let rigid = strips("/it/relief/rigid/edge");
+    let height = |line: &[[f32; 3]], x: f32| {
+        let pair = line.windows(2).find(|pair| (pair[0][0]..=pair[1][0]).contains(&x))?;
+        let share = (x - pair[0][0]) / (pair[1][0] - pair[0][0]);
+        Some(pair[0][2] + share * (pair[1][2] - pair[0][2]))
+    };
+    let above = |point: &[f32; 3]| height(&rigid, point[0]).map(|rigid| rigid - point[2]);
+    assert!(solid.iter().filter_map(above).all(|gap| gap > -1e-2), "the rigid surface is inside of the solid");
+    assert!(touching.iter().filter_map(above).all(|gap| gap < 0.1), "a contact without the rigid surface");
+    let width = touching.iter().fold([f32::MAX, f32::MIN], |[a, b], point| [a.min(point[0]), b.max(point[0])]);
+    let counted = contact.pressure.row(32).iter().filter(|pressure| **pressure > 0.0).count() as f32;
+    assert!(((width[1] - width[0]) - counted * 10.0 / 64.0).abs() < 0.05, "{width:?} for {counted} nodes");
 }

@@ -99,7 +99,7 @@ fn setups_have_applications_and_names_of_their_own() {
         Setup { grid: Cell::line(64, 2.0), ..setup.clone() },
     ];
     let [application, name] = identity(&path, &setup);
-    assert_eq!(name, "Sine, reduced-pressure 0.02, multilevel");
+    assert_eq!(name, "Sine, p* = 0.02, multilevel");
     assert_eq!(identity(&path, &setup), [application.clone(), name]);
     let applications = others.iter().map(|other| identity(&path, other)[0].clone()).chain([application]);
     assert_eq!(applications.collect::<BTreeSet<_>>().len(), 5);

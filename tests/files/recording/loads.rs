@@ -27,7 +27,13 @@ fn figure() -> Figure {
 }
 
 fn curve(view: &str, name: &str) -> RecordedCurve {
-    RecordedCurve { view: view.into(), name: name.into(), colour: [0, 0, 0], kind: CurveKind::Computed }
+    RecordedCurve {
+        view: view.into(),
+        name: name.into(),
+        unit: String::new(),
+        colour: [0, 0, 0],
+        kind: CurveKind::Computed,
+    }
 }
 
 fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {
@@ -39,6 +45,7 @@ fn loads<'a>(scenes: &'a [Scene<'a>], figure: Option<&'a Figure>) -> Loads<'a> {
         curves: vec![curve("kappa", "kappa_r"), curve("kappa", "kappa"), curve("area", "area")],
         figure,
         timeline: Timeline::Loads,
+        followed: None,
         scenes,
     }
 }
@@ -217,4 +224,41 @@ fn the_picture_of_patches_is_filled_by_the_loads_that_came() {
     assert!(ends[0][1] < box_height && ends[0][1] > box_height - 0.2 * row, "{ends:?}");
     let axes = words(&path, &format!("{map}/axes/words"));
     assert!(axes.contains(&"p*".into()) && axes.contains(&"10⁻²".into()), "{axes:?}");
+}
+
+/// Two waves, of which one has the higher crest: the other one touches under the second load, and both are one patch under the third.
+#[test]
+fn patches_are_followed_from_load_to_load() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.rrd");
+    let grid = Grid::line(256, 2.0).unwrap();
+    let crest = |node: f64, waves: f64| (node * waves * std::f64::consts::PI / 128.0).cos();
+    let heights = asperity::surface::Field::from_shape_fn(grid.shape(), |(_, node)| {
+        0.01 * crest(node as f64, 2.0) + 0.001 * crest(node as f64, 1.0)
+    });
+    let heights = asperity::Surface::new(grid, heights).unwrap();
+    let problem = Problem::new(heights, ContactModulus(1.0), Load::MeanPressure(0.2)).unwrap();
+    let scenes = [Scene::new("it", &problem)];
+    let axis = LoadAxis::log("p", vec![1e-4, 1e-2, 0.2]);
+    let followed = Some(grid.shape());
+    let loads = Loads { captions: CAPTIONS.map(String::from).to_vec(), axis, followed, ..loads(&scenes, None) };
+    let recording = LoadRecording::create(&path, &loads, Options::default()).unwrap();
+    for (number, load) in [1e-4, 1e-2, 0.2].into_iter().enumerate() {
+        let problem = problem.clone().with_load(Load::MeanPressure(load)).unwrap();
+        let contact = PolonskyKeer.solve(&problem, &Stop::default(), &mut ()).unwrap();
+        recording.contact(0, number, &contact).unwrap();
+    }
+    recording.finish().unwrap();
+    let numbers = |component: &str| -> Vec<(i64, Vec<f64>)> {
+        let entity = "/contact/it/patch_tree/events";
+        let rows = latest::<rerun::components::Scalar>(&path, entity, &ComponentDescriptor::partial(component));
+        rows.into_iter().map(|(load, values)| (load, values.iter().map(|value| value.0.0).collect())).collect()
+    };
+    assert_eq!(numbers("event_patch"), [(1, vec![]), (2, vec![2.0]), (3, vec![2.0])]);
+    assert!(numbers("event_other")[1].1[0].is_nan());
+    assert_eq!(numbers("event_other")[2].1, [1.0]);
+    let kinds = latest::<Text>(&path, "/contact/it/patch_tree/events", &ComponentDescriptor::partial("event_kind"));
+    let kinds: Vec<Vec<String>> =
+        kinds.into_values().map(|kinds| kinds.iter().map(|kind| kind.as_str().to_owned()).collect()).collect();
+    assert_eq!(kinds, [vec![], vec!["born".to_owned()], vec!["merged".to_owned()]]);
 }

@@ -36,6 +36,7 @@ mod properties;
 mod survey;
 mod theme;
 mod types;
+mod words;
 mod yielding;
 
 fn cylinder() -> Problem {

@@ -30,9 +30,16 @@ fn record_loads(path: &Path, problem: &Problem, theme: Theme) {
         description: "about".into(),
         captions: vec!["light".into()],
         axis: LoadAxis::log("x", vec![0.1]),
-        curves: vec![RecordedCurve { view: "y".into(), name: "y".into(), colour: [0; 3], kind: CurveKind::Computed }],
+        curves: vec![RecordedCurve {
+            view: "y".into(),
+            name: "y".into(),
+            unit: String::new(),
+            colour: [0; 3],
+            kind: CurveKind::Computed,
+        }],
         figure: Some(&figure),
         timeline: Timeline::Loads,
+        followed: None,
         scenes: &[Scene::new("it", problem)],
     };
     let recording = LoadRecording::create(path, &loads, themed(theme)).unwrap();

@@ -3,6 +3,7 @@
 use crate::plot::Colour;
 use crate::record::draw::ink::legible;
 use crate::record::draw::ink::palette;
+use crate::record::units::{value_with_unit, with_unit};
 use rerun::{RecordingStream, RecordingStreamResult, Scalars, SeriesLines, SeriesPoints};
 
 /// A curve over the loads.
@@ -12,6 +13,8 @@ pub struct RecordedCurve {
     pub view: String,
     /// Name in the legend.
     pub name: String,
+    /// The unit of its values, such as `Pa`; empty if there is none.
+    pub unit: String,
     /// Red, green and blue, as on paper: on other grounds it is drawn as pale or dark as it must be to be seen.
     pub colour: [u8; 3],
     /// What it shows.
@@ -47,7 +50,8 @@ impl Curves {
 
     /// Records names and colours.
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        for (i, RecordedCurve { name, colour, .. }) in self.0.iter().enumerate() {
+        for (i, RecordedCurve { name, colour, unit, .. }) in self.0.iter().enumerate() {
+            let name = &with_unit(name, unit);
             let (name, colour) = (name.as_str(), palette::colour(legible(Colour(*colour))));
             let line = SeriesLines::new().with_names([name]).with_colors([colour]).with_widths([1.8]);
             let points = SeriesPoints::new().with_names([name]).with_colors([colour]).with_marker_sizes([3.0]);
@@ -65,7 +69,12 @@ impl Curves {
     /// The values with their names, in Markdown.
     pub fn table(&self, values: &[f64]) -> String {
         let finite = self.0.iter().zip(values).filter(|(_, value)| value.is_finite());
-        let rows: String = finite.map(|(curve, value)| format!("| {} | {} |\n", curve.name, number(*value))).collect();
+        let written = |curve: &RecordedCurve, value: f64| match curve.unit.as_str() {
+            "" => number(value),
+            unit => value_with_unit(value, unit),
+        };
+        let rows: String =
+            finite.map(|(curve, value)| format!("| {} | {} |\n", curve.name, written(curve, *value))).collect();
         if rows.is_empty() { rows } else { format!("| curve | value |\n|---|---|\n{rows}") }
     }
 }
@@ -76,5 +85,5 @@ fn entity(i: usize) -> String {
 
 /// A number of five digits, in powers of ten where it is far from 1.
 fn number(value: f64) -> String {
-    if (1e-3..1e4).contains(&value.abs()) { format!("{value:.4}") } else { format!("{value:.4e}") }
+    if value == 0.0 || (1e-3..1e4).contains(&value.abs()) { format!("{value:.4}") } else { format!("{value:.4e}") }
 }

@@ -1,13 +1,16 @@
 //! The axis of the loads of a recording.
 
 use crate::plot::{Axis, AxisScale};
+use crate::record::units::{FittingUnit, with_unit};
 
 /// The quantity that distinguishes the loads, and its value at each load, in order. A value that has no place on the
 /// axis leaves its load without one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadAxis {
-    /// Name of the quantity, with its unit.
+    /// Name of the quantity.
     pub name: String,
+    /// Unit of the values, such as `Pa`; empty if there is none. The axis shows them in the power of a thousand that fits them.
+    pub unit: String,
     /// Spacing of the values.
     pub scale: AxisScale,
     /// Values of all loads.
@@ -20,12 +23,33 @@ const ALONE: f64 = 0.5;
 impl LoadAxis {
     /// Loads on a logarithmic axis.
     pub fn log(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), scale: AxisScale::Log, values }
+        Self { name: name.into(), unit: String::new(), scale: AxisScale::Log, values }
     }
 
     /// Loads on a linear axis.
     pub fn linear(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), scale: AxisScale::Linear, values }
+        Self { name: name.into(), unit: String::new(), scale: AxisScale::Linear, values }
+    }
+
+    /// The axis of values in a unit.
+    pub fn with_unit(self, unit: &str) -> Self {
+        Self { unit: unit.into(), ..self }
+    }
+
+    /// The name of the quantity with the unit of the numbers along the axis.
+    pub(in crate::record) fn title(&self) -> String {
+        with_unit(&self.name, &self.fitting().name)
+    }
+
+    /// The number of a load along the axis.
+    pub(in crate::record) fn number(&self, load: usize) -> Option<f64> {
+        Some(*self.values.get(load)? / self.fitting().size)
+    }
+
+    /// The unit along the axis.
+    fn fitting(&self) -> FittingUnit {
+        let sizes = self.values.iter().map(|value| value.abs()).filter(|size| size.is_finite());
+        FittingUnit::new(&self.unit, sizes.fold(0.0, f64::max))
     }
 
     /// The axis over the rooms of some loads.
@@ -33,8 +57,8 @@ impl LoadAxis {
         let rooms = loads.into_iter().filter_map(|load| self.room(load)).flatten();
         let ends = rooms.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], end| [low.min(end), high.max(end)]);
         match ends {
-            [low, high] if low < high => Axis { name: self.name.clone(), scale: self.scale, range: ends },
-            _ => Axis::linear(self.name.as_str(), [0.0, 1.0]),
+            [low, high] if low < high => Axis { name: self.title(), scale: self.scale, range: ends },
+            _ => Axis::linear(self.title(), [0.0, 1.0]),
         }
     }
 
@@ -67,7 +91,7 @@ impl LoadAxis {
 
     /// The value of a load, or its logarithm, where it has one.
     fn level(&self, load: usize) -> Option<f64> {
-        let value = *self.values.get(load)?;
+        let value = self.number(load)?;
         let level = match self.scale {
             AxisScale::Linear => value,
             AxisScale::Log => value.log10(),
@@ -84,6 +108,15 @@ mod tests {
     fn the_load_that_turns_back_has_room_on_both_sides() {
         let there_and_back = LoadAxis::linear("d", vec![1.0, 2.0, 1.0]);
         assert_eq!(there_and_back.room(1), Some([1.5, 2.5]));
+    }
+
+    #[test]
+    fn values_are_shown_in_the_unit_that_fits_them() {
+        let pressures = LoadAxis::log("mean pressure", vec![1e5, 1e6, 2e7]).with_unit("Pa");
+        let gaps = LoadAxis::linear("mean gap", vec![2e-7, 1e-7]).with_unit("m");
+        assert_eq!((pressures.title(), pressures.number(2)), ("mean pressure [MPa]".into(), Some(20.0)));
+        assert_eq!((gaps.title(), gaps.whole().name), ("mean gap [nm]".into(), "mean gap [nm]".into()));
+        assert!((gaps.whole().range[1] - 250.0).abs() < 1e-9);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use crate::record::draw::chart::load_axis::LoadAxis;
 use crate::record::draw::fields::range;
 use crate::record::draw::ink::canvas::{self, PANE, strips};
 use crate::record::draw::ink::palette::{Palette, colour};
+use crate::record::units::{FittingUnit, with_unit};
 use rerun::{LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
 use std::collections::BTreeMap;
 use std::ops::RangeBounds;
@@ -83,7 +84,7 @@ impl Chart {
 
     /// What is drawn against what.
     pub fn title(&self) -> String {
-        format!("{} against {}", self.name, self.loads.name)
+        format!("{} against {}", self.name, self.loads.title())
     }
 
     pub fn bounds(&self) -> [f64; 4] {
@@ -120,7 +121,7 @@ impl Chart {
         values: &[f64],
     ) -> RecordingStreamResult<()> {
         self.values.insert(load, values.to_vec());
-        let y = around(&self.name, self.curves.iter().flat_map(|(number, _)| self.known(*number)));
+        let y = self.fitted();
         if y == self.frame.y {
             return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, turn, load));
         }
@@ -132,6 +133,16 @@ impl Chart {
     pub fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
         self.frame.x = self.loads.over(self.values.keys().copied());
         self.draw_again(to, turn)
+    }
+
+    /// Draws the values of all curves of the recording under all loads at once, for all times.
+    pub fn log_all(&mut self, to: &RecordingStream, values: &[Vec<f64>]) -> RecordingStreamResult<()> {
+        self.values = values.iter().cloned().enumerate().collect();
+        self.frame.x = self.loads.whole();
+        self.frame.y = self.fitted();
+        self.log_static(to)?;
+        to.log_static(format!("{}/lines", self.root), &self.lines(values.len()))?;
+        to.log_static(format!("{}/dots", self.root), &self.dots(values.len()))
     }
 
     fn draw_again(&self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
@@ -185,6 +196,23 @@ impl Chart {
         Points2D::new(points).with_colors(colours).with_radii(radii).with_draw_order(36.0)
     }
 
+    /// The axis around all values.
+    fn fitted(&self) -> Axis {
+        let FittingUnit { name, size } = self.unit();
+        around(&with_unit(&self.name, &name), self.all_known().map(|value| value / size))
+    }
+
+    /// The unit that fits all values.
+    fn unit(&self) -> FittingUnit {
+        let unit = self.curves.first().map_or("", |(_, curve)| &curve.unit);
+        FittingUnit::new(unit, self.all_known().map(f64::abs).fold(0.0, f64::max))
+    }
+
+    /// Finite values of all curves.
+    fn all_known(&self) -> impl Iterator<Item = f64> {
+        self.curves.iter().flat_map(|(number, _)| self.known(*number))
+    }
+
     /// Finite values of a curve.
     fn known(&self, number: usize) -> impl Iterator<Item = f64> {
         self.values.values().filter_map(move |values| values.get(number).copied()).filter(|value| value.is_finite())
@@ -192,9 +220,9 @@ impl Chart {
 
     /// Where a curve lies under some loads, with these.
     fn points(&self, number: usize, loads: impl RangeBounds<usize>) -> impl Iterator<Item = (usize, [f64; 2])> {
-        let frame = &self.frame;
+        let (frame, size) = (&self.frame, self.unit().size);
         self.values.range(loads).filter_map(move |(&load, values)| {
-            let places = frame.places(*self.loads.values.get(load)?, *values.get(number)?);
+            let places = frame.places(self.loads.number(load)?, *values.get(number)? / size);
             places.iter().all(|place| place.is_finite()).then(|| (load, frame.position(places)))
         })
     }

@@ -57,7 +57,7 @@ impl Drawing for FurtherPicture {
             Shape::Curve { plane, .. } => plane.pane(name, title, true),
             Shape::Image { plane, .. } => plane.pane(name, title, false),
         };
-        vec![(Place::Field, pane)]
+        vec![(Place::OfState, pane)]
     }
 
     fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {

@@ -8,6 +8,9 @@ mod fringes;
 pub mod further;
 mod images;
 pub mod relief;
+mod relief_mesh;
+mod relief_walls;
+mod rigid_grid;
 mod spectrum;
 mod stress;
 pub mod surface_relief;
@@ -24,7 +27,7 @@ pub const PARTS: &[PartRow] = &[
     PartRow {
         part: Part::Mesh,
         draw: relief::draw,
-        bytes: |grid| Bytes::per_frame(28.0 * relief::vertices(grid) as f64),
+        bytes: |grid| Bytes::per_frame(28.0 * relief_mesh::vertices(grid) as f64),
     },
     PartRow { part: Part::Fields, draw: fields, bytes: bytes_of_fields },
     PartRow { part: Part::Stress, draw: stress::draw, bytes: |_| Bytes::per_frame((4 * stress::MOST_PIXELS) as f64) },

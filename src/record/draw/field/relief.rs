@@ -1,50 +1,44 @@
-//! The solid under the indenter as a relief in three dimensions, coloured by the pressure.
+//! The solid under the indenter as a relief in three dimensions, coloured by the pressure. The front half is cut away, so that everyone sees where the
+//! solid is and where the rigid surface: the section shows both, and the rigid surface is a grid above the solid.
 
-use crate::grid::Grid;
-use crate::plot::{letters, width};
+use crate::plot::width;
 use crate::record::draw::drawing::{Drawing, Place, Subject};
+use crate::record::draw::field::relief_mesh::{RELIEF, ReliefMesh, ReliefStretch};
+use crate::record::draw::field::relief_walls::{FOOT, Wall, edge};
+use crate::record::draw::field::rigid_grid;
 use crate::record::draw::fields::{FieldExtent, FrameFields, range};
-use crate::record::draw::ink::canvas::{LETTER, PANE};
+use crate::record::draw::ink::canvas::PANE;
 use crate::record::draw::ink::eye::Eye;
-use crate::record::draw::ink::fill;
+use crate::record::draw::ink::letter_lines::{RADIUS, letter_lines};
 use crate::record::draw::ink::mirror::MeasuredPart;
-use crate::record::draw::ink::palette::{ColourMap, FAINT, Palette, colour};
+use crate::record::draw::ink::palette::{Palette, colour};
 use crate::record::draw::ink::pane::{Pane, PaneView};
-use crate::record::draw::ink::reduce::Blocks;
 use crate::record::draw::ink::ruler::measured;
 use glam::Vec3;
-use rerun::{Color, LineStrips3D, Mesh3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+use rerun::{LineStrips3D, Mesh3D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
+use std::ops::Range;
 
-/// Largest number of vertices along a side, without the one that closes the period.
-const VERTICES: usize = 128;
-/// Length of the longer side.
-const LENGTH: f64 = 10.0;
 /// Size of the names of the sides, and from a side to the middle of its name.
-const NAME: f64 = 0.6;
-const NAME_GAP: f32 = 0.6;
-/// Height of the final relief.
-const RELIEF: f64 = 1.6;
-/// Height of the outline of the measured part above the relief, which would hide it else.
+const NAME: f64 = 0.5;
+pub const NAME_GAP: f32 = 0.5;
+/// Room for a name beside a side.
+pub const NAMES: f32 = NAME_GAP + NAME as f32;
+/// How far lines lie above the relief, which would hide them else, and in front of the section.
 const ABOVE: f32 = 0.02;
+/// Radii of the edges of the section, and of the contact in it.
+const EDGE: f32 = 1.0;
+const CONTACT: f32 = 3.0;
+/// Heights of the eye that are tried, in radians above the horizon.
+const ELEVATIONS: [f32; 2] = [0.45, 0.55];
 
-/// A mesh over the cell. Its heights are exaggerated so that the final relief is [`RELIEF`] high.
-///
-/// A block of nodes belongs to each vertex, which lies at the first of them.
+/// The relief of the solid in a scene.
 pub struct Relief {
     /// The title of its pane.
     title: String,
-    blocks: Blocks,
-    /// Nodes from vertex to vertex along y and x.
-    spacing: [usize; 2],
-    /// Height of the indenter at the vertices.
-    height: Vec<f64>,
-    size: [f32; 2],
-    /// Height of the drawing over that of the solid, before the final state is known.
-    exaggeration: f64,
-    highest_pressure: f64,
-    shades: ColourMap,
-    palette: &'static Palette,
-    /// Lengths along y and x, in words.
+    mesh: ReliefMesh,
+    walls: [Wall; 2],
+    length_unit: String,
+    /// The length of the side and of the section, in words.
     lengths: [String; 2],
     /// The part that was measured, if the rest is its mirror images.
     measured: Option<MeasuredPart>,
@@ -59,222 +53,185 @@ pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
 }
 
 impl Relief {
-    /// The relief of the solid in a scene.
     fn new(subject: &Subject<'_>) -> Self {
         let Subject { scene, forecast, root, options, palette, .. } = subject;
-        let unit = &options.length_unit;
-        let relief = Self::over(subject.grid(), scene.problem.height(), forecast.max_pressure, palette, root, unit);
-        let title = format!("{}: the solid's surface, coloured by pressure", scene.title);
-        Self { title, measured: MeasuredPart::new(scene), ..relief }
-    }
-
-    /// The relief of what lies at a gap below heights, coloured up to the highest pressure.
-    pub fn over(
-        grid: &Grid,
-        heights: &[f64],
-        highest_pressure: f64,
-        palette: &'static Palette,
-        root: &str,
-        unit: &str,
-    ) -> Self {
-        let shape = grid.shape();
-        let spacing = spacing(grid);
-        let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
-        let of_row = |y: usize| columns.clone().map(move |x| heights[y * shape[1] + x]);
-        let height: Vec<f64> = rows.clone().flat_map(of_row).collect();
-        let [low, high] = range(height.iter().copied());
-        let longest = grid.longest_wavelength();
+        let grid = subject.grid();
+        let mesh = ReliefMesh::new(grid, scene.problem.height(), forecast.max_pressure, palette).behind_the_middle();
+        let (root, unit) = (format!("{root}/relief"), &options.length_unit);
+        let (_, cut) = mesh.first();
+        let drawn = f64::from(0.5 - cut / mesh.size[0]);
         Self {
-            title: String::new(),
-            blocks: Blocks { shape, cells: [rows.len(), columns.len()] },
-            spacing,
-            exaggeration: RELIEF / (high - low).max(f64::MIN_POSITIVE),
-            height,
-            size: grid.size().map(|length| (LENGTH * length / longest) as f32),
-            highest_pressure,
-            shades: ColourMap::inferno(),
-            palette,
-            lengths: [0, 1].map(|axis| measured(["y", "x"][axis], unit, grid.size()[axis])),
-            measured: None,
+            title: format!("{}: solid cut below the rigid surface", scene.title),
+            walls: [Wall::section(&root, cut, palette), Wall::side(&root, 0.5 * mesh.size[1], palette)],
+            length_unit: unit.clone(),
+            lengths: [measured("y", unit, drawn * grid.size()[0]), measured("x", unit, grid.size()[1])],
+            measured: MeasuredPart::new(scene),
             pane: PANE,
-            root: format!("{root}/relief"),
+            mesh,
+            root,
         }
     }
 
-    /// Takes the proportions of a pane, width and height in points.
-    pub fn fit_pane(&mut self, pane: [f64; 2]) {
-        self.pane = pane;
-    }
-
     /// The eye that sees it, with the names of its sides, as large as its pane allows.
-    pub fn eye(&self) -> Eye {
-        let [y, x] = self.size.map(|length| length / 2.0);
-        let names = NAME_GAP + NAME as f32;
+    fn eye(&self) -> Eye {
+        let [y, x] = self.mesh.size.map(|length| 0.5 * length);
+        let (_, cut) = self.mesh.first();
         let ends = |side: bool, low: f32, high: f32| if side { high } else { low };
         let corner = |i: u8| {
             let [right, back, up] = [0, 1, 2].map(|axis| i >> axis & 1 == 1);
-            let names = if up { 0.0 } else { names };
-            Vec3::new(ends(right, -x, x + names), ends(back, -y - names, y), ends(up, -RELIEF as f32, 0.0))
+            let names = if up { 0.0 } else { NAMES };
+            let x = ends(right, -x - names, x + names);
+            Vec3::new(x, ends(back, cut - names, y), ends(up, FOOT, rigid_grid::CEILING))
         };
-        Eye::around(&[0, 1, 2, 3, 4, 5, 6, 7].map(corner), (self.pane[0] / self.pane[1]) as f32)
+        Eye::around(&[0, 1, 2, 3, 4, 5, 6, 7].map(corner), (self.pane[0] / self.pane[1]) as f32, ELEVATIONS)
     }
 
-    /// The root of its entities.
-    pub fn root(&self) -> &str {
-        &self.root
-    }
-
-    fn mesh(&self) -> String {
+    fn solid(&self) -> String {
         format!("{}/solid", self.root)
     }
 
     /// The outline of the measured part, which is stretched with the mesh.
-    fn measured(&self) -> String {
-        format!("{}/measured", self.mesh())
+    fn outline(&self) -> String {
+        format!("{}/measured", self.solid())
     }
 
-    /// Vertices along y and x, with the ones that close the period.
-    fn counts(&self) -> [usize; 2] {
-        self.blocks.cells.map(|n| n + 1)
+    /// Stretches everything for all times, and writes how high the relief is.
+    fn stretch(&self, to: &RecordingStream, [low, high]: [f64; 2]) -> RecordingStreamResult<()> {
+        let stretch = ReliefStretch::new([low, high]);
+        let ReliefStretch { factor, shift } = stretch;
+        let transform = Transform3D::from_scale([1.0, 1.0, factor]).with_translation([0.0, 0.0, shift]);
+        to.log_static(self.solid(), &transform)?;
+        self.walls.iter().try_for_each(|wall| wall.stretch(to, stretch))?;
+        rigid_grid::log(to, &self.root, &self.mesh, stretch)?;
+        self.log_height(to, self.mesh.length(RELIEF / f64::from(factor)))
     }
 
-    /// The results of `value` at the positions of all vertices along y and x, in nodes of the scene. On a grid coarser than
-    /// the mesh, vertices fall on the node before them: what is left of the triangles spans the nodes of that grid.
-    fn at_vertices<T>(&self, stride: [usize; 2], value: impl Fn([usize; 2]) -> T) -> Vec<T> {
-        let [rows, columns] = self.counts();
-        let node = |axis: usize, i: usize| {
-            let node = (i * self.spacing[axis]).min(self.blocks.shape[axis]);
-            node - node % stride[axis]
-        };
-        (0..rows * columns).map(|i| value([node(0, i / columns), node(1, i % columns)])).collect()
+    /// Records the height of the relief, at a bar on the left of the section.
+    fn log_height(&self, to: &RecordingStream, height: f64) -> RecordingStreamResult<()> {
+        let (_, cut) = self.mesh.first();
+        let (left, bottom) = (-0.5 * self.mesh.size[1] - 0.5 * NAME_GAP, -RELIEF as f32);
+        let words = measured("z", &self.length_unit, height);
+        let beside = lines(&words, |[along, down]| [left - NAME_GAP + down, cut, 0.5 * bottom + along]);
+        let bar = [[left, cut, 0.0], [left, cut, bottom]];
+        let radius = Radius::new_scene_units(RADIUS * NAME as f32);
+        let strips = LineStrips3D::new(beside.into_iter().map(|line| line.to_vec()).chain([bar.to_vec()]));
+        let strips = strips.with_colors([colour(self.mesh.palette.ink)]).with_radii([radius]);
+        to.log_static(format!("{}/height", self.root), &strips)
     }
 
-    /// The block whose vertex lies at `node`, which may be the one that closes the period.
-    fn block(&self, node: [usize; 2]) -> usize {
-        let [y, x] = self.within(node);
-        y / self.spacing[0] * self.blocks.cells[1] + x / self.spacing[1]
-    }
-
-    /// `node`, or its image in the period.
-    fn within(&self, node: [usize; 2]) -> [usize; 2] {
-        [0, 1].map(|axis| node[axis] % self.blocks.shape[axis])
-    }
-
-    fn vertices(&self, fields: &FrameFields<'_>) -> Vec<Vec3> {
-        let FrameFields { stride, gap, .. } = fields;
-        let ([ny, nx], [ly, lx]) = (self.blocks.shape, self.size);
-        let place = |node: usize, nodes: usize, length: f32| (node as f32 / nodes as f32 - 0.5) * length;
-        self.at_vertices(*stride, |node| {
-            let [y, x] = self.within(node);
-            let level = self.height[self.block(node)] + gap[y / stride[0] * (nx / stride[1]) + x / stride[1]];
-            Vec3::new(place(node[1], nx, lx), place(node[0], ny, ly), (-level * self.exaggeration) as f32)
-        })
-    }
-
-    fn normals(&self, vertices: &[Vec3], stride: [usize; 2]) -> Vec<Vec3> {
-        let [rows, columns] = self.counts();
-        let [down, right] = [0, 1].map(|axis| (stride[axis] / self.spacing[axis]).max(1));
-        let at = |row: usize, column: usize| vertices[row.min(rows - 1) * columns + column.min(columns - 1)];
-        let normal = |i: usize| {
-            let (row, column) = (i / columns, i % columns);
-            let along_x = at(row, column + right) - at(row, column.saturating_sub(right));
-            let along_y = at(row + down, column) - at(row.saturating_sub(down), column);
-            along_x.cross(along_y).normalize_or(Vec3::Z)
-        };
-        (0..vertices.len()).map(normal).collect()
-    }
-
-    fn colours(&self, fields: &FrameFields<'_>) -> Vec<Color> {
-        let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
-        let shade = |p: f64| {
-            if p > 0.0 { self.shades.at(0.25 + 0.75 * p / self.highest_pressure) } else { colour(self.palette.relief) }
-        };
-        self.at_vertices(fields.stride, |node| shade(pressure[self.block(node)]))
-    }
-
-    fn triangles(&self) -> Vec<[u32; 3]> {
-        let [rows, columns] = self.counts().map(|n| n as u32);
-        let square = |row: u32, column: u32| {
-            let corner = row * columns + column;
-            [[corner, corner + 1, corner + columns + 1], [corner, corner + columns + 1, corner + columns]]
-        };
-        (0..rows - 1).flat_map(|row| (0..columns - 1).flat_map(move |column| square(row, column))).collect()
+    /// Records the edge of the section, and the contact along it.
+    fn log_edge(&self, to: &RecordingStream, edge: &[Vec3], fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+        let in_front = |vertex: Vec3| [vertex.x, vertex.y - ABOVE, vertex.z];
+        let line: Vec<[f32; 3]> = edge.iter().map(|vertex| in_front(*vertex)).collect();
+        let touching = self.mesh.touching(fields);
+        let contact = runs(&touching[..edge.len()]).map(|run| {
+            let half_way = |vertex: usize| {
+                let [one, other] = [vertex.saturating_sub(1), vertex.min(edge.len() - 1)].map(|i| Vec3::from(line[i]));
+                one.midpoint(other).to_array()
+            };
+            let ends = [half_way(run.start), half_way(run.end)];
+            ends[..1].iter().chain(&line[run]).chain(&ends[1..]).copied().collect::<Vec<_>>()
+        });
+        let contact: Vec<Vec<[f32; 3]>> = contact.collect();
+        to.log(format!("{}/edge", self.solid()), &LineStrips3D::update_fields().with_strips([line.clone()]))?;
+        to.log(format!("{}/contact", self.solid()), &LineStrips3D::update_fields().with_strips(contact))
     }
 }
 
 impl Drawing for Relief {
     fn panes(&self) -> Vec<(Place, Pane)> {
-        vec![(Place::Main, PaneView::space(&self.title, (&self.root, self.eye()), self.palette))]
+        vec![(Place::Main, PaneView::space(&self.title, (&self.root, self.eye()), self.mesh.palette))]
     }
 
     fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
-        size(&self.root).into_iter().for_each(|size| self.fit_pane(size));
+        self.pane = size(&self.root).unwrap_or(self.pane);
     }
 
     fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        to.log_static(self.mesh(), &Mesh3D::update_fields().with_triangle_indices(self.triangles()))?;
+        let Self { mesh, root, .. } = self;
+        let palette = mesh.palette;
+        to.log_static(self.solid(), &Mesh3D::update_fields().with_triangle_indices(mesh.triangles()))?;
+        let counts = mesh.counts();
+        let [section, side] = &self.walls;
+        section.log_static(to, counts[1])?;
+        side.log_static(to, counts[0])?;
+        let style = |rgb, radius| {
+            let style = LineStrips3D::update_fields().with_colors([colour(rgb)]);
+            style.with_radii([Radius::new_ui_points(radius)])
+        };
         if self.measured.is_some() {
-            let style = LineStrips3D::update_fields().with_colors([colour(self.palette.exact)]);
-            to.log_static(self.measured(), &style.with_radii([Radius::new_ui_points(1.5)]))?;
+            to.log_static(self.outline(), &style(palette.exact, 1.5))?;
         }
-        let [y, x] = self.size.map(|length| length / 2.0);
-        let base = -RELIEF as f32;
-        let outline = [[-x, -y, base], [x, -y, base], [x, y, base], [-x, y, base], [-x, -y, base]];
-        let strip = LineStrips3D::new([outline]).with_colors([colour(FAINT)]);
-        to.log_static(format!("{}/outline", self.root), &strip.with_radii([Radius::new_ui_points(0.8)]))?;
-        let [along_y, along_x] = self.lengths.clone();
-        let below = lines(&along_x, |[along, down]| [along, -y - NAME_GAP - down, base]);
-        let beside = lines(&along_y, |[along, down]| [x + NAME_GAP + down, along, base]);
-        let words = LineStrips3D::new(below.into_iter().chain(beside))
-            .with_colors([colour(self.palette.ink)])
-            .with_radii([Radius::new_scene_units(LETTER[1] * NAME as f32)]);
-        to.log_static(format!("{}/labels", self.root), &words)
+        to.log_static(format!("{}/edge", self.solid()), &style(edge(palette), EDGE))?;
+        to.log_static(format!("{}/contact", self.solid()), &style(palette.contact, CONTACT))?;
+        let [along_y, along_x] = &self.lengths;
+        let (_, cut) = mesh.first();
+        let [y, x] = mesh.size.map(|length| 0.5 * length);
+        let below = (along_x.as_str(), Vec3::new(0.0, cut - NAME_GAP, FOOT));
+        let beside = (along_y.as_str(), Vec3::new(x + NAME_GAP, cut.midpoint(y), FOOT));
+        log_names(to, root, palette, [below, beside])?;
+        let [low, _] = mesh.rigid_range();
+        self.stretch(to, [low, low + RELIEF])
     }
 
     fn log_frame(&self, to: &RecordingStream, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
-        let vertices = self.vertices(fields);
+        let mesh = &self.mesh;
+        let vertices = mesh.vertices(fields);
+        let [_, columns] = mesh.counts();
         if let Some(measured) = &self.measured {
-            let above = |vertex: usize| (vertices[vertex] + ABOVE * Vec3::Z).to_array();
-            let dashes =
-                measured.dashes(self.counts()).into_iter().map(|dash| dash.into_iter().map(above).collect::<Vec<_>>());
-            to.log(self.measured(), &LineStrips3D::update_fields().with_strips(dashes))?;
+            let hidden = mesh.first().0 * columns;
+            let above = |vertex: &usize| Some((vertices[vertex.checked_sub(hidden)?] + ABOVE * Vec3::Z).to_array());
+            let dashes = measured.dashes(mesh.all_counts());
+            let dashes = dashes.iter().map(|dash| dash.iter().filter_map(above).collect::<Vec<_>>());
+            to.log(self.outline(), &LineStrips3D::update_fields().with_strips(dashes.filter(|dash| dash.len() > 1)))?;
         }
-        let mesh = Mesh3D::update_fields()
-            .with_vertex_normals(self.normals(&vertices, fields.stride).into_iter().map(|n| n.to_array()))
-            .with_vertex_positions(vertices.into_iter().map(|v| v.to_array()))
-            .with_vertex_colors(self.colours(fields));
-        to.log(self.mesh(), &mesh)
+        let edge = &vertices[..columns];
+        let right: Vec<Vec3> = vertices.iter().skip(columns - 1).step_by(columns).copied().collect();
+        let [section, side] = &self.walls;
+        section.log(to, edge)?;
+        side.log(to, &right)?;
+        self.log_edge(to, edge, fields)?;
+        let relief = Mesh3D::update_fields()
+            .with_vertex_colors(mesh.colours(fields, &vertices))
+            .with_vertex_positions(vertices.iter().map(|vertex| vertex.to_array()));
+        to.log(self.solid(), &relief)
     }
 
     fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
-        let relief = range(self.vertices(fields).into_iter().map(|v| f64::from(v.z)));
+        let relief = range(self.mesh.vertices(fields).into_iter().map(|vertex| f64::from(vertex.z)));
         FieldExtent { relief, ..FieldExtent::NONE }
     }
 
     /// Stretches the relief so that the final state is [`RELIEF`] high, for all times.
     fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
-        let [low, high] = extent.relief;
-        let stretch = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
-        let transform = Transform3D::from_scale([1.0, 1.0, stretch]);
-        to.log_static(self.mesh(), &transform.with_translation([0.0, 0.0, -stretch * high as f32]))
+        self.stretch(to, extent.relief)
     }
+}
+
+/// The runs of true values.
+fn runs(values: &[bool]) -> impl Iterator<Item = Range<usize>> {
+    let starts = (0..values.len()).filter(|&i| values[i] && (i == 0 || !values[i - 1]));
+    starts.map(|start| start..start + values[start..].iter().take_while(|value| **value).count())
+}
+
+/// Records the names of the sides on the ground, each with the place of its middle: the one along x in front, the one along y on the right.
+pub fn log_names(
+    to: &RecordingStream,
+    root: &str,
+    palette: &Palette,
+    [(along_x, below), (along_y, beside)]: [(&str, Vec3); 2],
+) -> RecordingStreamResult<()> {
+    let below = lines(along_x, |[along, down]| [below.x + along, below.y - down, below.z]);
+    let beside = lines(along_y, |[along, down]| [beside.x + down, beside.y + along, beside.z]);
+    let words = LineStrips3D::new(below.into_iter().chain(beside))
+        .with_colors([colour(palette.ink)])
+        .with_radii([Radius::new_scene_units(RADIUS * NAME as f32)]);
+    to.log_static(format!("{root}/labels"), &words)
 }
 
 /// The lines that fill the letters of words. `place` puts each end from its distance from the middle along the words, and below it.
 fn lines(words: &str, place: impl Fn([f32; 2]) -> [f32; 3]) -> Vec<[[f32; 3]; 2]> {
     let half = 0.5 * width(words, NAME) as f32;
-    let pitch = f64::from(LETTER[0]) * NAME;
-    let spans = letters(words, NAME).into_iter().flat_map(|letter| fill::spans(&letter, pitch));
-    spans.map(|span| span.map(|[along, down]| place([along - half, down]))).collect()
-}
-
-/// Nodes from vertex to vertex along y and x.
-fn spacing(grid: &Grid) -> [usize; 2] {
-    grid.shape().map(|nodes| nodes.div_ceil(VERTICES).next_power_of_two())
-}
-
-/// Vertices of the mesh of a surface on `grid`.
-pub fn vertices(grid: &Grid) -> usize {
-    let (shape, spacing) = (grid.shape(), spacing(grid));
-    (0..2).map(|axis| shape[axis].div_ceil(spacing[axis]) + 1).product()
+    let lines = letter_lines(words, NAME).into_iter();
+    lines.map(|line| line.map(|[along, down]| place([along - half, down]))).collect()
 }

@@ -5,8 +5,9 @@
 //! size in every pane. The box of a curve is [`WIDTH`] wide on every canvas, so that what stands at a share of its width has the same
 //! coordinate everywhere; its height, and the size of words, follow from the pane.
 
-use crate::plot::{Align, AxesFrame, Axis, AxisSide, Colour, Element, NAME, Sheet, dashes, letters, width};
+use crate::plot::{Align, AxesFrame, Axis, AxisSide, Colour, Element, NAME, Sheet, dashes, width};
 use crate::record::draw::ink::fill;
+use crate::record::draw::ink::letter_lines::{RADIUS, letter_lines};
 use crate::record::draw::ink::palette::{Palette, colour};
 use rerun::components::Text;
 use rerun::{AnyValues, AsComponents, Color, LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
@@ -33,9 +34,6 @@ const ABOVE: [f64; 2] = [5.2, 1.3];
 pub const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
-/// Distance of the lines that fill a letter, over its size, and their radius. Every letter has two of them at least: those of
-/// a minus are together as high as a pixel in the smallest windows, so that it is never left out.
-pub const LETTER: [f32; 2] = [0.052, 0.036];
 
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
@@ -177,7 +175,7 @@ pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
     }
     let lines = LineStrips2D::new(lines)
         .with_colors([colour(palette.ink)])
-        .with_radii([Radius::new_scene_units(LETTER[1] * size as f32)])
+        .with_radii([Radius::new_scene_units(RADIUS * size as f32)])
         .with_draw_order(40.0);
     let lines: Vec<_> = lines.as_serialized_batches();
     lines
@@ -198,9 +196,7 @@ fn lines_of(words: &Element) -> Vec<[[f32; 2]; 2]> {
         let (along, down) = (f64::from(along) + start, f64::from(down));
         if *upwards { [x + down, y - along] } else { [x + along, y + down] }.map(|p| p as f32)
     };
-    let pitch = f64::from(LETTER[0]) * size;
-    let spans = letters(words, *size).into_iter().flat_map(|letter| fill::spans(&letter, pitch));
-    spans.map(|span| span.map(place)).collect()
+    letter_lines(words, *size).into_iter().map(|line| line.map(place)).collect()
 }
 
 #[cfg(test)]
@@ -273,7 +269,7 @@ mod tests {
             rows
         };
         let minus = rows([0.0, width("−", 100.0) as f32]);
-        let height = minus.last().unwrap() - minus[0] + 200.0 * LETTER[1];
+        let height = minus.last().unwrap() - minus[0] + 200.0 * RADIUS;
         assert!(minus.len() >= 2 && f64::from(height) / 100.0 * 0.7 * TEXT >= 1.0, "{minus:?}");
     }
 

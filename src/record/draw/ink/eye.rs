@@ -4,8 +4,6 @@ use glam::Vec3;
 
 /// From what is looked at towards the eye, seen from above: from the front and the right.
 const TOWARDS: [f32; 2] = [0.43, -0.9];
-/// Heights of the eye that are tried, in radians above the horizon.
-const ELEVATIONS: [f32; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 /// Half of the angle of view of the viewer from below to above, in radians.
 const HALF_VIEW: f32 = 27.5 * std::f32::consts::PI / 180.0;
 /// Share of the pane that is filled.
@@ -23,11 +21,12 @@ pub struct Eye {
 }
 
 impl Eye {
-    /// The eye that sees all `corners` as large as possible in a pane that is `aspect` times as wide as it is high.
-    pub fn around(corners: &[Vec3], aspect: f32) -> Self {
-        let eyes = ELEVATIONS.map(|elevation| Self::nearest(corners, aspect, elevation));
-        let [(first, _), ..] = eyes;
-        eyes.into_iter().fold((first, 0.0), |best, other| if other.1 > best.1 { other } else { best }).0
+    /// The eye that sees all `corners` as large as possible in a pane that is `aspect` times as wide as it is high, at one of some
+    /// elevations in radians above the horizon.
+    pub fn around<const N: usize>(corners: &[Vec3], aspect: f32, elevations: [f32; N]) -> Self {
+        let nowhere = Self { position: [0.0; 3], target: [0.0; 3] };
+        let eyes = elevations.map(|elevation| Self::nearest(corners, aspect, elevation));
+        eyes.into_iter().fold((nowhere, f32::NEG_INFINITY), |best, other| if other.1 > best.1 { other } else { best }).0
     }
 
     /// The nearest eye at a height that sees all corners, and the share of the pane that they fill.
@@ -92,7 +91,7 @@ mod tests {
         let corners: Vec<Vec3> =
             (0..8).map(|i| Vec3::new([-5.0, 6.0][i & 1], [-6.0, 5.0][i >> 1 & 1], [-1.6, 0.0][i >> 2 & 1])).collect();
         for aspect in [0.5, 1.2, 2.6, 5.0] {
-            let places = places(Eye::around(&corners, aspect), &corners, aspect);
+            let places = places(Eye::around(&corners, aspect, [0.5, 0.6, 0.7, 0.8, 0.9, 1.0]), &corners, aspect);
             assert!(places.iter().flatten().all(|place| place.abs() < 1.0), "{aspect}: {places:?}");
             let reach = |axis: usize| {
                 places.iter().fold([1.0f32, -1.0], |[low, high], at| [low.min(at[axis]), high.max(at[axis])])

@@ -2,8 +2,6 @@
 
 /// Bars under a curve.
 const BARS: usize = 512;
-/// The step to which ends of spans are rounded, over their distance: the same numbers take less room in a file.
-const FINE: f64 = 0.125;
 
 /// Bars side by side from `left` to `right`, as one strip that runs up and down: `ends(i, x)` are the ends of bar `i`, which
 /// stands at `x`. Bars whose ends are not finite are left out.
@@ -37,16 +35,14 @@ pub fn shape(corners: &[[f32; 2]], pitch: f32) -> Vec<[f32; 2]> {
 
 /// Lines from side to side of what lies within closed outlines, at most `pitch` below one another and two at least: inside is where outlines go around once
 /// more in one sense than in the other, as those of letters do.
-pub fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f32; 2]; 2]> {
+pub fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f64; 2]; 2]> {
     let ends = outlines
         .iter()
         .flatten()
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)]);
     let rows = if ends[0] < ends[1] { ((ends[1] - ends[0]) / pitch).ceil().max(2.0) as usize } else { 0 };
     let step = (ends[1] - ends[0]) / rows as f64;
-    let rounded = |place: f64| ((place / (FINE * pitch)).round() * FINE * pitch) as f32;
-    let spans = (0..rows).flat_map(|row| spans_at(outlines, ends[0] + (row as f64 + 0.5) * step));
-    spans.map(|span| span.map(|end| end.map(rounded))).collect()
+    (0..rows).flat_map(|row| spans_at(outlines, ends[0] + (row as f64 + 0.5) * step)).collect()
 }
 
 /// The spans at a height.
@@ -121,7 +117,7 @@ mod tests {
     fn spans_fill_what_lies_within_and_leave_holes_free() {
         let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
         let hole: Vec<[f64; 2]> = square(4.0, 6.0).into_iter().rev().collect();
-        let length = |spans: &[[[f32; 2]; 2]]| spans.iter().map(|[from, to]| to[0] - from[0]).sum::<f32>();
+        let length = |spans: &[[[f64; 2]; 2]]| spans.iter().map(|[from, to]| to[0] - from[0]).sum::<f64>();
         let ring = spans(&[square(0.0, 10.0), hole], 1.0);
         assert_eq!((ring.len(), length(&ring)), (12, 96.0));
         let both = spans(&[square(0.0, 10.0), square(4.0, 6.0)], 1.0);

@@ -5,6 +5,7 @@ mod contrast;
 pub mod eye;
 pub mod fill;
 pub mod image;
+pub mod letter_lines;
 pub mod line_plane;
 pub mod mirror;
 pub mod palette;

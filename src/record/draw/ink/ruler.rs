@@ -1,6 +1,7 @@
 //! Rulers: axes whose numbers are in a power of a thousand of a unit.
 
 use crate::plot::Axis;
+use crate::record::units::{engineering_exponent, scaled_unit, with_unit};
 
 /// The smallest gap, over the rms height, that an axis is fitted to: below it a full contact would show its rounding errors.
 const LEAST_GAP: f64 = 1e-3;
@@ -25,8 +26,7 @@ impl Ruler {
         let exponent = engineering_exponent(low.abs().max(high.abs()), unit.is_empty());
         let power = 10f64.powi(exponent);
         let unit = scaled_unit(unit, exponent);
-        let name = if unit.is_empty() { symbol.into() } else { format!("{symbol} [{unit}]") };
-        Self { axis: Axis::linear(name, [low / power, high / power]), unit: power, least: 0.0 }
+        Self { axis: Axis::linear(with_unit(symbol, &unit), [low / power, high / power]), unit: power, least: 0.0 }
     }
 
     /// An axis for pressures from 0 to `highest`, in `contact_modulus`.
@@ -81,30 +81,6 @@ pub fn measured(symbol: &str, unit: &str, length: f64) -> String {
     let number = format!("{:.3}", length / 10f64.powi(exponent));
     let number = number.trim_end_matches('0').trim_end_matches('.');
     format!("{symbol}: {number} {}", scaled_unit(unit, exponent)).trim_end().into()
-}
-
-/// The multiple of three that leaves numbers between 1 and 1000; pure numbers from 0.1 stay as they are.
-fn engineering_exponent(largest: f64, pure: bool) -> i32 {
-    if pure && (0.1..1000.0).contains(&largest) { 0 } else { (largest.log10() / 3.0).floor() as i32 * 3 }
-}
-
-/// The unit times a power of ten: metres take a prefix.
-fn scaled_unit(unit: &str, exponent: i32) -> String {
-    let prefix = match exponent {
-        -15 => "f",
-        -12 => "p",
-        -9 => "n",
-        -6 => "µ",
-        -3 => "m",
-        0 => return unit.into(),
-        3 => "k",
-        _ => "",
-    };
-    if unit == "m" && !prefix.is_empty() {
-        format!("{prefix}m")
-    } else {
-        format!("1e{exponent} {unit}").trim_end().into()
-    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 mod mask;
 pub mod patch_map;
 mod patch_points;
+pub mod patch_tree;
 mod segments;
 
 use super::drawing::{Bytes, Drawing, PartRow, Subject};

@@ -39,7 +39,7 @@ impl PatchMap {
 
     /// The view of the map.
     pub fn pane(&self) -> Pane {
-        self.plane.pane("patches", &format!("Contact patches against {}", self.loads.name), false)
+        self.plane.pane("patches", &format!("Contact patches against {}", self.loads.title()), false)
     }
 
     pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
