@@ -80,7 +80,8 @@ pub fn sketched(program: &Path, more: &str) -> (Explorer, Page) {
     opened_in(Chromium::without_graphics(program), more)
 }
 
-fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
+/// The page in a browser, with more in its address, at the end of its first run.
+pub fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut explorer = Explorer::start();
     let mut page = Page { chromium };
     page.resize(ROOMY);

@@ -1,8 +1,8 @@
 //! Measurements of the explorer in a browser, asked for by name:
 //! `cargo test --release --test page browser::measures:: -- --ignored --nocapture --test-threads 1`.
 
-use super::chromium::installed;
-use super::explorer::{Explorer, opened, rested, sketched};
+use super::chromium::{Chromium, installed};
+use super::explorer::{Explorer, opened, opened_in, rested};
 use super::page::Page;
 use serde_json::{Value, json};
 
@@ -137,18 +137,20 @@ const PRESS: &str = "async (seconds) => { takeGrip('press'); const gap = section
 #[ignore = "a measurement"]
 fn rate() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = sketched(&program, "");
+    let (_explorer, mut page) = opened_in(Chromium::start(&program), "&view=picture");
     for (domain, points) in [("line", 1024), ("line", 4096), ("line", 16384), ("surface", 128), ("surface", 256)] {
         page.value(&format!(
             "(() => {{ {TURN} turn('domain', '{domain}'); turn('points', {}); }})()",
             f64::from(points).log2()
         ));
         rested(&mut page);
-        for (name, manner) in [
-            ("section alone", "byId('fringes').checked = false"),
-            ("stress below", "byId('fringes').checked = true"),
-            ("in space", "byId('fringes').checked = false; byId('map-solid').click()"),
-        ] {
+        page.value("byId('fringes').checked = false; byId('map-pressure').click()");
+        let other = if domain == "line" {
+            ("stress below", "byId('fringes').checked = true")
+        } else {
+            ("in space", "byId('map-solid').click()")
+        };
+        for (name, manner) in [("plain", ""), other] {
             page.value(manner);
             let rates = page.value(&format!("({PRESS})(5)"));
             println!("{domain} of {points}, {name}: {rates} pictures and frames a second");

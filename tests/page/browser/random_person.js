@@ -138,13 +138,16 @@
     done.push(what);
     if (page.words(page.knobs) !== before) isGivenUp = what === "cancel";
     await pause(12 * chance());
-    if (chance() < 0.25 && await rest(600)) {
+    if (chance() < 0.25 && await rest(250)) {
       looks += 1;
       for (let waited = 0; isGrey() && !isExcused() && waited < 250; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
   }
+  // what was ordered last may take long, and is followed by something that does not
+  small();
+  choose("control-solver", "multilevel");
   if (await rest(60000)) wrong.push(...look().map((fault) => ({ at: count, faults: [fault], done: done.slice(-8) })));
   else wrong.push({ at: count, faults: ["it never comes to rest"], done: done.slice(-8) });
   return { wrong, looks };
