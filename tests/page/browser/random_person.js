@@ -73,7 +73,7 @@
   const actions = [
     [20, () => type("load", oneOf(["0.01", "0,05", "0.2", "1", "3", "abc", "-1", "1e9", "0.0173"]))],
     [20, slide], [6, () => type(oneOf(["roughness", "hurst", "cutoff", "seed", "skewness", "kurtosis"]), oneOf(["0", "0.5", "0.8", "3", "12", "-0.5", "99999"]))],
-    [8, () => choose(oneOf(["control-body", "control-solver", "control-masses", "control-dynamics"]))], [1, surface], [4, small],
+    [8, () => choose(oneOf(["control-body", "control-solver", "control-masses", "control-dynamics"]))], [1, surface], [12, small],
     [6, () => click("sweep")], [8, () => { isGivenUp = true; return click("cancel"); }], [8, () => click("undo")], [10, pickLoad],
     [6, () => click("play")], [10, scrub], [3, () => choose("lesson")], [5, () => click(oneOf(["answer-1", "answer-2", "lesson-next", "lesson-back"]))], [5, () => click("lesson-close")],
     [8, () => click(oneOf([...document.querySelectorAll(".choices button")].map(({ id }) => id).filter((id) => !NO_CHOICES.includes(id))))], [2, () => click(oneOf(["more-surface", "more-solid", "more-load"]))], [12, hold], [3, () => click("theme")], [6, () => choose("runs")], [6, () => click("swap")],

@@ -54,14 +54,14 @@ impl Files {
         let is_gone = Arc::clone(&is_down);
         std::thread::spawn(move || {
             for mut stream in listener.incoming().flatten() {
-                if is_gone.load(Ordering::Relaxed) {
-                    continue; // which closes the connection
-                }
-                let site = site.clone();
+                let (site, is_gone) = (site.clone(), Arc::clone(&is_gone));
                 std::thread::spawn(move || {
                     let mut head = BufReader::new(stream.try_clone().unwrap()).lines();
                     let first = head.next().and_then(Result::ok).unwrap_or_default();
                     while head.next().is_some_and(|line| line.is_ok_and(|line| !line.is_empty())) {}
+                    if is_gone.load(Ordering::Relaxed) {
+                        return; // which closes the connection, also one that was opened before
+                    }
                     let path = first.split([' ', '?']).nth(1).unwrap_or_default();
                     let (head, body) = answer(&site, path);
                     stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(&body)).ok(); // a browser that has gone needs nothing

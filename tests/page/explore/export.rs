@@ -111,7 +111,7 @@ fn a_site_without_recordings_has_a_first_picture_and_no_viewer() {
     };
     assert!(mean(true) < mean(false), "the solid is lower where it is pressed");
     let size: u64 = FILES.iter().map(|name| std::fs::metadata(site.join(name)).unwrap().len()).sum();
-    assert!(size < 2_000_000, "{size} bytes");
+    assert!(size < 1_450_000, "{size} bytes");
 }
 
 #[test]
