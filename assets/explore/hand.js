@@ -156,7 +156,7 @@ function lift(gap) {
 function liftedClear(its, gap) {
   const flat = its.solid.map(() => 0);
   const rigid = its.rigid.map((height) => height + gap - its.mean_gap);
-  return { ...its, rigid, solid: flat, pressure: flat, highest_pressure: 0, exact: null, mean_gap: gap, shear: null };
+  return { ...its, rigid, solid: flat, pressure: flat, highest_pressure: 0, fields: {}, exact: null, mean_gap: gap, shear: null };
 }
 
 /** Gives a bump its height, over the length of the cell; the rigid surface points down. */

@@ -54,7 +54,8 @@ fn plain(text: &str) -> String {
 fn is_unpressed(page: &mut Page) {
     page.until("document.body.dataset.unpressed === document.body.dataset.lesson");
     let seen = "section.solid.every((z) => z === 0) && section.pressure.every((p) => p === 0) && Math.min(...section.rigid) > 0 \
-        && document.querySelector('#numbers td[data-number=relative_area]').innerText === '–' && byId('press').hidden";
+        && !section.fields?.attraction && !section.fields?.traction && byId('press').hidden \
+        && document.querySelector('#numbers td[data-number=relative_area]').innerText === '–'";
     assert_eq!(page.value(seen), true, "the contact is shown before the answer");
 }
 
@@ -252,6 +253,9 @@ fn lights_up(page: &mut Page, when: &str) {
 /// Answers what a step asks, rightly or by the button that shows it, once all words of the question that point have lit something up.
 fn answer(page: &mut Page, ask: &Value, means: Means, when: &str) {
     page.until("document.body.dataset.asked === 'true'");
+    if ask["kind"] != "act" {
+        is_unpressed(page);
+    }
     lights_up(page, when);
     let right = match ask["kind"].as_str().unwrap() {
         "choose" => ask["right"].as_u64().unwrap(),
