@@ -150,8 +150,8 @@ function paintSection(to, at, shown) {
       const [x, y] = [place(i, fields.traction.length), at.pressure(value)];
       if (pressure[i] > 0 && pressure[i - 1] > 0) path.lineTo(x, y); else path.moveTo(x, y);
     });
-    for (const [style, wider] of [[colour.ground, 2], [colour.green, 0]]) {
-      Object.assign(to, { strokeStyle: style, lineWidth: lineWidth() + wider });
+    for (const wider of [2, 0]) {
+      Object.assign(to, { strokeStyle: wider ? colour.ground : colour.green, lineWidth: lineWidth() + wider });
       to.stroke(path);
     }
   }
