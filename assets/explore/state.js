@@ -117,7 +117,8 @@ const takesOver = (run) => !isOfKnobs() || (words(run.knobs) === words(knobs) &&
 function showTitle(run) {
   const shown = runOf(shownRun);
   const sweep = shown && isSweep(shown) && (!moment || moment.sweep) ? ` · ${sweepInWords(shown)}` : "";
-  byId("title").textContent = `${moment?.title ?? titleOfRun(run)}${sweep}`;
+  const title = `${moment?.title ?? titleOfRun(run)}${sweep}`;
+  Object.assign(byId("title"), { textContent: title, title }); // a long one is cut off
 }
 
 function sweepInWords(sweep) {
