@@ -95,9 +95,18 @@
     return false;
   };
 
+  /** Waits for a moment, and then ends what is under way; whether nothing is. */
+  const restOrGiveUp = async () => {
+    if (await rest(200)) return true;
+    if (page.playing) click("play");
+    done.push(click("cancel"));
+    isGivenUp = true;
+    return rest(60000);
+  };
+
   const isGrey = () => document.body.hasAttribute("data-unsolved");
-  /** Whether what is shown may be grey: the knobs were given up or refused. */
-  const isExcused = () => isGivenUp || page.knobs.body === "file" || !byId("fault").hidden;
+  /** Whether what is shown may be grey: the knobs were given up or refused, or it is a run that was given up before it had a state. */
+  const isExcused = () => isGivenUp || page.knobs.body === "file" || !byId("fault").hidden || page.shownOrLatest()?.ended === false;
   const near = (a, b, by) => Math.abs(a - b) <= by * Math.max(Math.abs(a), Math.abs(b)) + 1e-12;
   const read = (text) => Number(text.replace(",", ".").split(" ")[0]);
   /** What is wrong with what is shown. */
@@ -138,17 +147,14 @@
     done.push(what);
     if (page.words(page.knobs) !== before) isGivenUp = what === "cancel";
     await pause(12 * chance());
-    if (chance() < 0.25 && await rest(250)) {
+    if (chance() < 0.25 && await restOrGiveUp()) {
       looks += 1;
       for (let waited = 0; isGrey() && !isExcused() && waited < 250; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
   }
-  // what was ordered last may take long, and is followed by something that does not
-  small();
-  choose("control-solver", "multilevel");
-  if (await rest(60000)) wrong.push(...look().map((fault) => ({ at: count, faults: [fault], done: done.slice(-8) })));
+  if (await restOrGiveUp()) wrong.push(...look().map((fault) => ({ at: count, faults: [fault], done: done.slice(-8) })));
   else wrong.push({ at: count, faults: ["it never comes to rest"], done: done.slice(-8) });
   return { wrong, looks };
 })
