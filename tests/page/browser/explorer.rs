@@ -98,7 +98,7 @@ pub fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
 /// controls ask for.
 pub fn rested(page: &mut Page) {
     page.until(
-        "session && !grip && !holding && ask('state').then(({ busy, revision, run }) => { \
+        "session && !grip && !holding && !posting && ask('state').then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
            const shown = seen.viewer === 'started' && seen.view !== 'picture' ? (seen.shown || '').split(' ')[0] : seen.section; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) && shown === run.id \
