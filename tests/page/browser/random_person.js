@@ -95,15 +95,6 @@
     return false;
   };
 
-  /** Waits for a moment, and then ends what is under way; whether nothing is. */
-  const restOrGiveUp = async () => {
-    if (await rest(200)) return true;
-    if (page.playing) click("play");
-    done.push(click("cancel"));
-    isGivenUp = true;
-    return rest(60000);
-  };
-
   const isGrey = () => document.body.hasAttribute("data-unsolved");
   /** Whether what is shown may be grey: the knobs were given up or refused, or it is a run that was given up before it had a state. */
   const isExcused = () => isGivenUp || page.knobs.body === "file" || !byId("fault").hidden || page.shownOrLatest()?.ended === false;
@@ -147,14 +138,20 @@
     done.push(what);
     if (page.words(page.knobs) !== before) isGivenUp = what === "cancel";
     await pause(12 * chance());
-    if (chance() < 0.25 && await restOrGiveUp()) {
+    if (chance() < 0.25 && await rest(250)) {
       looks += 1;
       for (let waited = 0; isGrey() && !isExcused() && waited < 250; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
   }
-  if (await restOrGiveUp()) wrong.push(...look().map((fault) => ({ at: count, faults: [fault], done: done.slice(-8) })));
+  // what takes long at the end is given up
+  if (!await rest(2000)) {
+    if (page.playing) click("play");
+    done.push(click("cancel"));
+    isGivenUp = true;
+  }
+  if (await rest(60000)) wrong.push(...look().map((fault) => ({ at: count, faults: [fault], done: done.slice(-8) })));
   else wrong.push({ at: count, faults: ["it never comes to rest"], done: done.slice(-8) });
   return { wrong, looks };
 })
