@@ -1,8 +1,8 @@
 // The way to the solver: what the page asks, what it orders, and where recordings are. A server solves, or the module in the browser, which
 // has the same answers.
 
-/** What a site of files has in the place of a server: the state to start with, lessons, a first run, and which runs have recordings. None
- * where there is a server. */
+/** What a site of files has in the place of a server: the state to start with, a first run, and which runs have recordings. None where there
+ * is a server. */
 const site = typeof SITE === "object" ? SITE : null;
 /** The largest grids that the solver takes. */
 const MOST = site ? LIMITS.module : LIMITS.program;

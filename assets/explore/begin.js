@@ -101,8 +101,6 @@ async function begin() {
   description = await ask("heights");
   show();
   charts();
-  await beginLessons();
-  beginWelcome();
   beginHand();
   beginTop();
   beginSolid();
@@ -126,6 +124,8 @@ async function begin() {
   window.addEventListener("beforeprint", printed);
   if (before.run || before.sweep) heard(before);
   listen();
+  await beginLessons().catch((error) => fault(error.message));
+  beginWelcome();
   window.addEventListener("hashchange", () => openAddress(async () => {}));
   await openAddress(async () => {
     if (!before.run && description) { knobs.body = "file"; takeDescription(description); }

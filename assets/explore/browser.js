@@ -13,7 +13,7 @@ function tell(news) {
 }
 
 /** What a site has without the module, by paths. */
-const WRITTEN = { start: "start", lessons: "lessons", observables: "observables" };
+const WRITTEN = ["start", "observables"];
 /** Orders that end what runs. */
 const ENDING = ["solve", "sweep", "cancel", "heights"];
 
@@ -139,7 +139,8 @@ async function joinBrowser() {
 }
 
 async function askBrowser(path) {
-  if (WRITTEN[path]) return site[WRITTEN[path]];
+  if (WRITTEN.includes(path)) return site[path];
+  if (path === "lessons") return loadScript("lessons.js").then(() => LESSONS);
   const [place, since] = path.split("?since=");
   if (place === "state") return latestNews.revision > Number(since ?? -1) ? latestNews : new Promise((done) => listeners.push(done));
   if (path === `run/${site.first.run.id}/section` && document.body.dataset.solver !== "ready") return site.first.section;

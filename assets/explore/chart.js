@@ -82,8 +82,9 @@ function chart(target, { title, name, x: across, y: up, curves, dots, note, isSt
   }
   for (const { style, at: [a, b] } of dots) if (up.share(b) <= 1) svg.append(drawn("circle", { class: `of-${style}`, cx: x(a), cy: y(b), r: 3.5 }));
   const said = note || (shown.length || dots.length ? "" : say("chart.sweep"));
+  const top = dots.length ? 14 : high / 2; // dots are in the middle
   said.split(", ").filter(Boolean).forEach((line, i) => {
-    svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + high / 2 + 16 * i, "text-anchor": "middle" }, line));
+    svg.append(drawn("text", { class: "note", x: ROOM.left + wide / 2, y: ROOM.above + top + 16 * i, "text-anchor": "middle" }, line));
   });
   target.replaceChildren(svg);
   const heading = /** @type {SVGTextElement} */ (svg.querySelector(".title"));

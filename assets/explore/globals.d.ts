@@ -4,6 +4,7 @@ declare const TOLD: any;
 declare const KNOBS: any[];
 declare const LIMITS: any;
 declare const SITE: any;
+declare const LESSONS: any[];
 declare const MODULE: string;
 declare const WORKER: string;
 declare const wasm_bindgen: any;

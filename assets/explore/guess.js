@@ -187,5 +187,6 @@ function showUnpressed(wanted) {
     setPictured(moment);
     document.body.dataset.unpressed = at;
   };
-  hold({ knobs: { ...knobs, sideways: 0 }, "mean-gap": null, "is-deep": false }, show); // a surface that is pulled cannot be held
+  const order = { knobs: { ...knobs, sideways: 0 }, "mean-gap": null, "is-deep": false }; // a surface that is pulled cannot be held
+  hold(() => order, show);
 }

@@ -20,26 +20,35 @@ let isTouched = false;
 /** How many contacts were solved under the hand. */
 let heldCount = 0;
 
-/** Asks for a contact that is solved at once, and calls with it; while one request is under way, only the latest wish waits. */
+/** Asks for a contact that is solved at once, and calls with it; while one request is under way, only the latest wish waits. The next contact is
+ * solved while this one is drawn. An order is made when it is sent. */
 async function hold(order, done) {
   upcoming = { order, done };
   if (holding) return;
   holding = true;
-  while (upcoming) {
+  for (let show = null; upcoming || show;) {
     markState();
-    const { order: wish, done: show } = upcoming;
+    const wish = upcoming;
     upcoming = null;
-    await post("hold", wish).then(show, (error) => fault(error.message));
+    const contact = wish && post("hold", wish.order());
+    show?.();
+    show = await contact?.then((it) => () => wish.done(it), (error) => () => fault(error.message));
   }
   holding = false;
   markState();
   if (grip?.isLeft) drop();
 }
 
-/** Asks for what the hand holds: the gap, or the load of the knobs. It is not shown after a newer order, or once the hand has let go. */
+/** Asks for what the hand holds: the gap, or the load of the knobs. It is not shown after a newer order, or once the hand has let go. With
+ * adhesion it goes on from the contact that this hand got before. */
 function holdGrip() {
-  const [its, before, mine] = [structuredClone(knobs), orders, grip];
-  hold({ knobs: its, "mean-gap": grip.gap, "is-deep": isDeep(), "goes-on": Boolean(moment?.isStuck) }, (contact) => { if (orders === before && grip === mine) showHeld(contact, its); });
+  const [its, before, mine, gap] = [structuredClone(knobs), orders, grip, grip.gap];
+  const order = () => {
+    const goesOn = Boolean(moment?.isStuck || mine.isFollowed);
+    mine.isFollowed = true;
+    return { knobs: its, "mean-gap": gap, "is-deep": isDeep(), "goes-on": goesOn };
+  };
+  hold(order, (contact) => { if (orders === before && grip === mine) showHeld(contact, its); });
 }
 
 /** The section that a hand got, and the one beside, with the stress below each. */
@@ -147,7 +156,7 @@ function lift(gap) {
 function liftedClear(its, gap) {
   const flat = its.solid.map(() => 0);
   const rigid = its.rigid.map((height) => height + gap - its.mean_gap);
-  return { ...its, rigid, solid: flat, pressure: flat, highest_pressure: 0, exact: null, mean_gap: gap, shear: null };
+  return { ...its, rigid, solid: flat, pressure: flat, highest_pressure: 0, fields: {}, exact: null, mean_gap: gap, shear: null };
 }
 
 /** Gives a bump its height, over the length of the cell; the rigid surface points down. */

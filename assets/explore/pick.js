@@ -43,7 +43,8 @@ async function momentOfLoad(its, point) {
     showSection(shown, null, { ...axesOf(motion.sections), pressure: shown.highest_pressure });
     setPictured(now);
   } else {
-    hold({ knobs: { ...its.knobs, load: Number(load.toPrecision(12)) }, "mean-gap": null, "is-deep": isDeep(), "is-still": true }, (contact) => {
+    const order = { knobs: { ...its.knobs, load: Number(load.toPrecision(12)) }, "mean-gap": null, "is-deep": isDeep(), "is-still": true };
+    hold(() => order, (contact) => {
       if (!isShown()) return;
       showContact(contact);
       setPictured(now);

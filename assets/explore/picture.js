@@ -145,13 +145,15 @@ function paintSection(to, at, shown) {
   to.fillStyle = colour.warm;
   to.fill(filled(netOf(shown), at.pressure, at.pressure(0)));
   if (fields?.traction) {
-    to.strokeStyle = colour.green;
     const path = new Path2D();
     fields.traction.forEach((value, i) => {
       const [x, y] = [place(i, fields.traction.length), at.pressure(value)];
       if (pressure[i] > 0 && pressure[i - 1] > 0) path.lineTo(x, y); else path.moveTo(x, y);
     });
-    to.stroke(path);
+    for (const wider of [2, 0]) {
+      Object.assign(to, { strokeStyle: wider ? colour.ground : colour.green, lineWidth: lineWidth() + wider });
+      to.stroke(path);
+    }
   }
   if (exact) {
     to.setLineDash([6, 4]);

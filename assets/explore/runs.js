@@ -6,6 +6,16 @@ let waiting = false;
 let orders = 0;
 let ordered = "";
 
+/** The answer to the last order that was sent. */
+let lastAnswer = Promise.resolve();
+
+/** Sends an order once the one before is answered: on its own way it could come first, and be undone by that. */
+function postInTurn(path, body) {
+  const sending = lastAnswer.then(() => post(path, body));
+  lastAnswer = sending.catch(() => {});
+  return sending;
+}
+
 /** Solves anew; while one request is under way, only the latest change waits. What is shown is greyed at once, and a hand lets go. */
 async function changed() {
   grip = null;
@@ -21,7 +31,7 @@ async function changed() {
     waiting = false;
     const before = faults;
     ordered = words(knobs);
-    await post("solve", knobs).then(() => settleFault(before), refused);
+    await postInTurn("solve", knobs).then(() => settleFault(before), refused);
   } while (waiting);
   posting = false;
   followOrder();
@@ -46,12 +56,12 @@ async function sweep() {
   if (isSolved()) orders += 1; else changed();
   const [mine, before] = [orders, faults];
   while (orders === mine && faults === before && !isSolved()) await new Promise((done) => setTimeout(done, 20));
-  if (orders === mine && isSolved()) await post("sweep", knobs).then(() => settleFault(before), (error) => fault(error.message));
+  if (orders === mine && isSolved()) await postInTurn("sweep", knobs).then(() => settleFault(before), (error) => fault(error.message));
 }
 
 function cancel() {
   orders += 1;
-  post("cancel", {}).catch((error) => fault(error.message));
+  postInTurn("cancel", {}).catch((error) => fault(error.message));
 }
 
 /** How many sentences there were. */

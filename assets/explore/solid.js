@@ -14,8 +14,8 @@ uniform mat4 view;
 uniform ivec2 shape;           // columns, rows
 uniform vec2 sides;
 uniform vec3 heights;          // lowest, factor, height of the base
-uniform int piece, cut;
-out vec3 normal;
+uniform int piece, cut, stride;
+out float light;
 out float pressure;
 vec3 at(ivec2 node) {
   ivec2 inside = clamp(node, ivec2(0), shape - 1);
@@ -26,12 +26,12 @@ vec3 at(ivec2 node) {
 void main() {
   bool isLine = piece == ${PIECES.profile} || piece == ${PIECES.edge};
   int id = gl_VertexID;
-  ivec2 node = piece == ${PIECES.wall} ? ivec2(id / 2, cut) : isLine ? ivec2(id, cut) : ivec2(id % shape.x, id / shape.x);
+  ivec2 node = piece == ${PIECES.wall} ? ivec2(id / 2, cut) : isLine ? ivec2(id, cut) : ivec2(id % stride, id / stride);
   vec4 field = texelFetch(fields, node, 0);
   vec3 place = at(node);
   vec3 along = at(node + ivec2(1, 0)) - at(node - ivec2(1, 0));
   vec3 across = at(node + ivec2(0, 1)) - at(node - ivec2(0, 1));
-  normal = piece == ${PIECES.wall} ? vec3(0.0, 1.0, 0.0) : normalize(cross(along, across));
+  light = 0.45 + 0.55 * abs(dot(normalize(cross(along, across)), normalize(vec3(-0.6, -0.3, 0.75))));
   if (piece == ${PIECES.wall} && id % 2 == 1) place.z = heights.z;
   pressure = field.z;
   gl_Position = view * vec4(place, 1.0);
@@ -42,7 +42,7 @@ precision highp float;
 precision highp int;
 uniform int piece;
 uniform vec3 body, rigid, line, ramp[5];
-in vec3 normal;
+in float light;
 in float pressure;
 out vec4 colour;
 vec3 heat(float share) {
@@ -51,7 +51,6 @@ vec3 heat(float share) {
   return mix(ramp[part], ramp[part + 1], at - float(part));
 }
 void main() {
-  float light = 0.45 + 0.55 * abs(dot(normalize(normal), normalize(vec3(-0.6, -0.3, 0.75))));
   if (piece == ${PIECES.profile} || piece == ${PIECES.edge}) colour = vec4(line, 1.0);
   else if (piece == ${PIECES.wall}) colour = vec4(body * 0.62, 1.0);
   else if (piece == ${PIECES.rigid}) {
@@ -67,7 +66,7 @@ const eye = { turn: 0.4, rise: 0.62 };
 
 /** The shader of a canvas, or null where the browser has no WebGL 2. */
 function beginGraphics(canvas) {
-  const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
+  const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
   if (!gl) return null;
   const program = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, FRAGMENT]]) {
@@ -83,9 +82,13 @@ function beginGraphics(canvas) {
   for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.enable(gl.DEPTH_TEST);
-  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-  return { gl, place: (name) => gl.getUniformLocation(program, name), its: null, shape: "" };
+  gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  return { gl, place: (name) => gl.getUniformLocation(program, name), its: null, shape: "", smooth: beginSmooth(gl) };
 }
+
+/** Numbers from a node to the one in the next row. Software keeps the last 64 vertices by the remainders of their numbers, which are to differ from
+ * row to row. */
+const strideOf = (columns) => columns + (96 - columns % 64) % 64;
 
 /** Puts the fields of a map where the shader reads them, and the triangles of its shape, row by row. */
 function loadFields(its) {
@@ -100,10 +103,11 @@ function loadFields(its) {
   if (graphics.shape === String(its.shape)) return;
   graphics.shape = String(its.shape);
   const triangles = new Uint32Array(6 * (rows - 1) * (columns - 1));
+  const stride = strideOf(columns);
   let at = 0;
   for (let i = 0; i + 1 < rows; i++) for (let j = 0; j + 1 < columns; j++) {
-    const node = i * columns + j;
-    triangles.set([node, node + 1, node + columns, node + 1, node + columns + 1, node + columns], at);
+    const node = i * stride + j;
+    triangles.set([node, node + 1, node + stride, node + 1, node + stride + 1, node + stride], at);
     at += 6;
   }
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
@@ -127,14 +131,55 @@ function viewMatrix(aspect, middle) {
   return new Float32Array([0, 1, 2, 3].flatMap((column) => rows.map((row) => row[column])));
 }
 
+/** Samples of a pixel of a picture with smooth edges, and the milliseconds after which a picture is at rest: only then its edges are smooth, as that
+ * takes too long for what moves where software draws. */
+const SAMPLES = 4;
+const STANDSTILL = 150;
+let smoothing = null;
+
+/** Makes room for a picture with smooth edges. */
+function beginSmooth(gl) {
+  const frame = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  const buffers = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, attachment]) => {
+    const buffer = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
+    return { format, buffer };
+  });
+  return { frame, buffers };
+}
+
 /** Draws the contact in space, cut where its section is. */
 function drawSolid() {
+  graphics ??= beginGraphics(byId("solid"));
+  byId("map-solid").disabled = !graphics;
+  if (!graphics) { byId("map-solid").title = say("top.no-graphics"); shownMap = "pressure"; showTop(above); return; }
+  clearTimeout(smoothing);
+  smoothing = setTimeout(paintSmooth, STANDSTILL);
+  graphics.gl.bindFramebuffer(graphics.gl.FRAMEBUFFER, null);
+  paintSolid();
+}
+
+/** Draws it with smooth edges. */
+function paintSmooth() {
+  const { gl, smooth: { frame, buffers } } = graphics;
+  const { width, height } = gl.canvas;
+  for (const { format, buffer } of buffers) {
+    gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, SAMPLES, format, width, height);
+  }
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  paintSolid();
+  gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+  gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+}
+
+/** Draws it where the graphics are to draw. */
+function paintSolid() {
   const canvas = byId("solid");
   const box = canvas.getBoundingClientRect();
   if (!box.width || !above) return;
-  graphics ??= beginGraphics(canvas);
-  byId("map-solid").disabled = !graphics;
-  if (!graphics) { byId("map-solid").title = say("top.no-graphics"); shownMap = "pressure"; showTop(above); return; }
   if (graphics.its !== above) loadFields(above);
   const { gl, place, ends: [low, high] } = graphics;
   const [rows, columns] = above.shape;
@@ -152,6 +197,7 @@ function drawSolid() {
   gl.uniform2f(place("sides"), above.size[1] / longest, above.size[0] / longest);
   gl.uniform3f(place("heights"), low, SPACE.height / (high - low || 1), -SPACE.depth);
   gl.uniform1i(place("cut"), row);
+  gl.uniform1i(place("stride"), strideOf(columns));
   gl.uniform3fv(place("body"), paint(document.documentElement.dataset.theme === "light" ? colour.edge : colour.soft));
   gl.uniform3fv(place("rigid"), paint(colour.accent));
   gl.uniform3fv(place("line"), paint(colour.ink));

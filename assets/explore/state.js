@@ -117,7 +117,8 @@ const takesOver = (run) => !isOfKnobs() || (words(run.knobs) === words(knobs) &&
 function showTitle(run) {
   const shown = runOf(shownRun);
   const sweep = shown && isSweep(shown) && (!moment || moment.sweep) ? ` · ${sweepInWords(shown)}` : "";
-  byId("title").textContent = `${moment?.title ?? titleOfRun(run)}${sweep}`;
+  const title = `${moment?.title ?? titleOfRun(run)}${sweep}`;
+  Object.assign(byId("title"), { textContent: title, title }); // a long one is cut off
 }
 
 function sweepInWords(sweep) {
@@ -125,6 +126,8 @@ function sweepInWords(sweep) {
 }
 
 function titleOfRun(run) {
-  const places = { title: titleOf(run), status: isLost(run) ? say("status.lost") : statusOf(run), exact: run.exact && exactOf(run.exact) };
+  const isStopped = !run.ended && !isSweep(run) && !goesOn(run);
+  const status = isLost(run) ? say("status.lost") : isStopped ? say("status.stopped-by-the-observer") : statusOf(run);
+  const places = { title: titleOf(run), status, exact: run.exact && exactOf(run.exact) };
   return run.exact ? say("title.run.exact", places) : say("title.run", places);
 }

@@ -172,7 +172,8 @@ function paintTop() {
   to.scale(scale, scale);
   const [at, colour] = [frameOfTop(), colours()];
   if (!hasMap(shownMap)) { to.clearRect(0, 0, box.width, box.height); return; }
-  const { source, map } = paintedMap([...rgb(colour.ground), 255]);
+  // where nothing flows is grey, as the strongest flow is as light as the page
+  const { source, map } = paintedMap([...rgb(LEAKS.includes(shownMap) ? colour.edge : colour.ground), 255]);
   to.imageSmoothingEnabled = false;
   to.drawImage(source, at.x, at.y, at.wide, at.high);
   to.strokeStyle = colour.soft;

@@ -40,31 +40,22 @@ const page = {
 const bytesAt = (start, length) => new Uint8Array(module.memory.buffer, start, length);
 const textAt = (start, length) => new TextDecoder().decode(bytesAt(start, length));
 
-/** The digits of numbers to the base of 85, as RFC 1924 has them. */
-const DIGITS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+-;<=>?@^_`{|}~";
+/** The first of 32768 letters, each of which is 15 bits of the module. */
+const FIRST_LETTER = 0x3400;
 
-/** The bytes of a text to the base of 85: four for each five letters, and one fewer for each letter that the last five lack. */
+/** The bytes of a text, the highest bits first. */
 function bytesFrom(text) {
-  const digits = new Uint8Array(128);
-  [...DIGITS].forEach((letter, i) => { digits[letter.charCodeAt(0)] = i; });
-  const bytes = new Uint8Array(Math.floor(text.length / 5 * 4));
-  for (let i = 0, at = 0; at < bytes.length; i += 5) {
-    let value = 0;
-    for (let j = i; j < i + 5; j++) value = 85 * value + (j < text.length ? digits[text.charCodeAt(j)] : 84);
-    for (let shift = 24; shift >= 0 && at < bytes.length; shift -= 8) bytes[at++] = value / 2 ** shift & 255;
+  const bytes = new Uint8Array(Math.floor(text.length * 15 / 8));
+  for (let i = 0, bits = 0, count = 0, at = 0; i < text.length; i++) {
+    bits = (bits & 0xff) << 15 | text.charCodeAt(i) - FIRST_LETTER;
+    for (count += 15; count >= 8; count -= 8) bytes[at++] = bits >> count - 8;
   }
   return bytes;
 }
 
-/** The module from its compressed form as a text. */
-function compiledFrom(text) {
-  const stream = new Blob([bytesFrom(text)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer().then((plain) => WebAssembly.compile(plain));
-}
-
 /** Begins the session, and solves its first state unheard, as the page knows it. */
 async function begin({ compressed, module: given, after, first }) {
-  const compiled = given ?? await compiledFrom(compressed);
+  const compiled = given ?? await WebAssembly.compile(unpacked(bytesFrom(compressed)));
   module = (await WebAssembly.instantiate(compiled, { page })).exports;
   canLook = isThere(sign);
   module.begin(after);

@@ -78,8 +78,10 @@ impl SiteExport {
         let page = Page::new("explore")?;
         let (session, solver) = worker::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);
         let written = fill_folder(folder, |draft| {
-            let site = format!("\"use strict\";\nconst SITE = {};\n", self.site(&session, draft, goes_on)?);
-            let files = page.files(!self.recorded.is_empty()).chain([("site.js", site.into())]);
+            let site = script("SITE", &self.site(&session, draft, goes_on)?);
+            let lessons = script("LESSONS", &json!(self.lessons));
+            let files = page.files(!self.recorded.is_empty());
+            let files = files.chain([("site.js", site.into()), ("lessons.js", lessons.into())]);
             let files: Vec<_> = files.collect();
             files.iter().try_for_each(|(name, bytes)| write(draft.join(name), bytes))?;
             let mark = format!("{:016x}", fnv1a(files.iter().map(|(_, bytes)| bytes.as_ref())));
@@ -90,17 +92,17 @@ impl SiteExport {
         written
     }
 
-    /// All that the page would ask a server for, and the recordings, which are written.
+    /// All that the page would ask a server for before its first picture, and the recordings, which are written.
     fn site(
         &self,
         session: &Session,
         folder: &Path,
         goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>,
     ) -> Result<Value, Failure> {
-        let Self { lessons, start, recorded } = self;
+        let Self { start, recorded, .. } = self;
         let first = solve(session, RunKind::Solve, start, &mut || goes_on(0))?;
         let first = session.recording(&first).and_then(|recording| recording.solved()).ok_or("a run is missing")?;
-        let first = json!({ "run": first.report, "section": first.section() });
+        let first = json!({ "run": first.report, "section": rounded(json!(first.section())) });
         if !recorded.is_empty() {
             create_dir(folder.join("run"))?;
         }
@@ -112,7 +114,24 @@ impl SiteExport {
             runs.push(json!({ "id": id, "is_sweep": *kind == RunKind::Sweep, "knobs": knobs }));
         }
         let observables: Vec<Value> = Quantity::all().map(observable).collect();
-        Ok(json!({ "start": start, "lessons": lessons, "observables": observables, "first": first, "recorded": runs }))
+        Ok(json!({ "start": start, "observables": observables, "first": first, "recorded": runs }))
+    }
+}
+
+/// A script that gives a value a name.
+fn script(name: &str, value: &Value) -> String {
+    format!("\"use strict\";\nconst {name} = {value};\n")
+}
+
+/// The numbers of a picture to five digits, which are more than a screen shows.
+fn rounded(value: Value) -> Value {
+    match value {
+        Value::Array(values) => values.into_iter().map(rounded).collect(),
+        Value::Object(fields) => fields.into_iter().map(|(name, value)| (name, rounded(value))).collect(),
+        Value::Number(number) if number.is_f64() => {
+            number.as_f64().and_then(|it| format!("{it:.4e}").parse::<f64>().ok()).into()
+        }
+        other => other,
     }
 }
 

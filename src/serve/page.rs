@@ -54,17 +54,17 @@ const SCRIPT: &str = "/explore.js";
 
 /// The script that runs the module in a Web Worker. The page has its text, as a page that is opened from a folder may not load a worker
 /// from a file.
-const WORKER: &str = include_str!("../../assets/explore/worker.js");
+const WORKER: &str = scripts!("lzma" "worker");
 
-/// The module, compressed, as a text in a script. The script `browser/build` makes it.
-const MODULE: &str = include_str!("../../assets/explore/module.js");
+/// The module, compressed, as a text in a script in UTF-16. The script `browser/build` makes it.
+const MODULE: &[u8] = include_bytes!("../../assets/explore/module.js");
 
 /// The service worker of a site, which keeps its files for when there is no network.
 const OFFLINE: &str = include_str!("../../assets/explore/offline.js");
 
 /// The script of the page: the schema of the knobs, the texts and all scripts in one function, so that their names are not global.
 fn script() -> String {
-    let worker = serde_json::Value::from(WORKER);
+    let worker = serde_json::Value::from(compact(WORKER));
     format!(
         "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{}{}}})();\n",
         explore::schema_script(),
@@ -142,7 +142,7 @@ impl Page {
         let html = self.html().replace(kind, &policy).replace(script, &site);
         let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
         let viewer = [("re_viewer.js", self.viewer.clone()), ("re_viewer_bg.wasm", self.module.clone())];
-        let scripts = [(&SCRIPT[1..], self.script.clone()), ("module.js", Bytes::from_static(MODULE.as_bytes()))];
+        let scripts = [(&SCRIPT[1..], self.script.clone()), ("module.js", Bytes::from_static(MODULE))];
         let viewer = viewer.into_iter().filter(move |_| has_viewer);
         own.chain(viewer).chain(scripts).chain([("index.html", html.into())])
     }

@@ -30,9 +30,8 @@ const FLAGS: &[&str] = &[
     "--window-size=1280,720",
 ];
 
-/// Graphics in software, and none at all.
-const SOFTWARE: &[&str] =
-    &["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+/// Graphics in software as on a machine without a graphics processor: pictures in space are drawn by it, the page itself is not. And none at all.
+const SOFTWARE: &[&str] = &["--disable-gpu", "--enable-unsafe-swiftshader"];
 const NO_GRAPHICS: &[&str] = &["--disable-gpu", "--disable-3d-apis"];
 
 /// Pipes 3 and 4 are those of the protocol.

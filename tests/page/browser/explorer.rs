@@ -80,7 +80,8 @@ pub fn sketched(program: &Path, more: &str) -> (Explorer, Page) {
     opened_in(Chromium::without_graphics(program), more)
 }
 
-fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
+/// The page in a browser, with more in its address, at the end of its first run.
+pub fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut explorer = Explorer::start();
     let mut page = Page { chromium };
     page.resize(ROOMY);
@@ -97,7 +98,7 @@ fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
 /// controls ask for.
 pub fn rested(page: &mut Page) {
     page.until(
-        "session && !grip && !holding && ask('state').then(({ busy, revision, run }) => { \
+        "session && !grip && !holding && !posting && ask('state').then(({ busy, revision, run }) => { \
            const seen = document.body.dataset; \
            const shown = seen.viewer === 'started' && seen.view !== 'picture' ? (seen.shown || '').split(' ')[0] : seen.section; \
            return !busy && run && run.ended && seen.run === run.id && seen.revision === String(revision) && shown === run.id \

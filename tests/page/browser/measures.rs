@@ -1,8 +1,8 @@
 //! Measurements of the explorer in a browser, asked for by name:
 //! `cargo test --release --test page browser::measures:: -- --ignored --nocapture --test-threads 1`.
 
-use super::chromium::installed;
-use super::explorer::{Explorer, opened, rested};
+use super::chromium::{Chromium, installed};
+use super::explorer::{Explorer, opened, opened_in, rested};
 use super::page::Page;
 use serde_json::{Value, json};
 
@@ -125,31 +125,35 @@ fn soak() {
     assert_settled(&measured);
 }
 
-/// Presses the contact to so many gaps one after the other, as fast as they are solved and drawn; tells contacts and frames a second.
-const PRESS: &str = "async (times) => { takeGrip('press'); const gap = section.mean_gap; let frames = 0; let goes = true; \
-    const count = () => { frames += 1; if (goes) requestAnimationFrame(count); }; requestAnimationFrame(count); \
-    const begun = performance.now(); \
-    for (let i = 0; i < times; i++) { press(gap * (1 - 0.4 * Math.sin(i / 20))); \
-      while (holding) await new Promise((done) => { const turn = new MessageChannel(); turn.port1.onmessage = done; turn.port2.postMessage(0); }); } \
-    const seconds = (performance.now() - begun) / 1000; goes = false; letGo(); return [times / seconds, frames / seconds]; }";
+/// Presses the contact for some seconds to another gap at each frame, as a hand does; tells pictures of contacts and frames a second.
+const PRESS: &str = "async (seconds) => { takeGrip('press'); const gap = section.mean_gap; const seen = document.body.dataset; \
+    let [frames, pictures, shown] = [0, 0, seen.held]; const begun = performance.now(); let now = begun; \
+    for (; now < begun + 1000 * seconds; now = performance.now()) { press(gap * (1 - 0.4 * Math.sin((now - begun) / 700))); \
+      await new Promise(requestAnimationFrame); frames += 1; if (seen.held !== shown) { pictures += 1; shown = seen.held; } } \
+    letGo(); return [pictures, frames].map((it) => 1000 * it / (now - begun)); }";
 
-/// How fast the contact under the hand follows, with and without the stress below.
+/// How fast the contact under the hand follows, of a line with and without the stress below, of a surface on its map and in space.
 #[test]
 #[ignore = "a measurement"]
 fn rate() {
     let Some(program) = installed() else { return };
-    let (_explorer, mut page) = opened(&program);
+    let (_explorer, mut page) = opened_in(Chromium::start(&program), "&view=picture");
     for (domain, points) in [("line", 1024), ("line", 4096), ("line", 16384), ("surface", 128), ("surface", 256)] {
         page.value(&format!(
             "(() => {{ {TURN} turn('domain', '{domain}'); turn('points', {}); }})()",
             f64::from(points).log2()
         ));
         rested(&mut page);
-        for deep in [false, true] {
-            page.value(&format!("byId('fringes').checked = {deep}"));
-            page.until("document.body.dataset.section === latest().id && !isAwake()");
-            let rates = page.value(&format!("({PRESS})(200)"));
-            println!("{domain} of {points}, stress below {deep}: {rates} contacts and frames a second");
+        page.value("byId('fringes').checked = false; byId('map-pressure').click()");
+        let other = if domain == "line" {
+            ("stress below", "byId('fringes').checked = true")
+        } else {
+            ("in space", "byId('map-solid').click()")
+        };
+        for (name, manner) in [("plain", ""), other] {
+            page.value(manner);
+            let rates = page.value(&format!("({PRESS})(5)"));
+            println!("{domain} of {points}, {name}: {rates} pictures and frames a second");
             rested(&mut page);
         }
     }

@@ -73,7 +73,7 @@
   const actions = [
     [20, () => type("load", oneOf(["0.01", "0,05", "0.2", "1", "3", "abc", "-1", "1e9", "0.0173"]))],
     [20, slide], [6, () => type(oneOf(["roughness", "hurst", "cutoff", "seed", "skewness", "kurtosis"]), oneOf(["0", "0.5", "0.8", "3", "12", "-0.5", "99999"]))],
-    [8, () => choose(oneOf(["control-body", "control-solver", "control-masses", "control-dynamics"]))], [1, surface], [4, small],
+    [8, () => choose(oneOf(["control-body", "control-solver", "control-masses", "control-dynamics"]))], [1, surface], [12, small],
     [6, () => click("sweep")], [8, () => { isGivenUp = true; return click("cancel"); }], [8, () => click("undo")], [10, pickLoad],
     [6, () => click("play")], [10, scrub], [3, () => choose("lesson")], [5, () => click(oneOf(["answer-1", "answer-2", "lesson-next", "lesson-back"]))], [5, () => click("lesson-close")],
     [8, () => click(oneOf([...document.querySelectorAll(".choices button")].map(({ id }) => id).filter((id) => !NO_CHOICES.includes(id))))], [2, () => click(oneOf(["more-surface", "more-solid", "more-load"]))], [12, hold], [3, () => click("theme")], [6, () => choose("runs")], [6, () => click("swap")],
@@ -96,8 +96,8 @@
   };
 
   const isGrey = () => document.body.hasAttribute("data-unsolved");
-  /** Whether what is shown may be grey: the knobs were given up or refused. */
-  const isExcused = () => isGivenUp || page.knobs.body === "file" || !byId("fault").hidden;
+  /** Whether what is shown may be grey: the knobs were given up or refused, or it is a run that was given up before it had a state. */
+  const isExcused = () => isGivenUp || page.knobs.body === "file" || !byId("fault").hidden || page.shownOrLatest()?.ended === false;
   const near = (a, b, by) => Math.abs(a - b) <= by * Math.max(Math.abs(a), Math.abs(b)) + 1e-12;
   const read = (text) => Number(text.replace(",", ".").split(" ")[0]);
   /** What is wrong with what is shown. */
@@ -138,12 +138,18 @@
     done.push(what);
     if (page.words(page.knobs) !== before) isGivenUp = what === "cancel";
     await pause(12 * chance());
-    if (chance() < 0.25 && await rest(600)) {
+    if (chance() < 0.25 && await rest(250)) {
       looks += 1;
       for (let waited = 0; isGrey() && !isExcused() && waited < 250; waited++) await pause(20);
       const faults = [...look(), ...errors.splice(0)];
       if (faults.length) wrong.push({ at: i, faults, done: done.slice(-8) });
     }
+  }
+  // what takes long at the end is given up
+  if (!await rest(2000)) {
+    if (page.playing) click("play");
+    done.push(click("cancel"));
+    isGivenUp = true;
   }
   if (await rest(60000)) wrong.push(...look().map((fault) => ({ at: count, faults: [fault], done: done.slice(-8) })));
   else wrong.push({ at: count, faults: ["it never comes to rest"], done: done.slice(-8) });

@@ -4,9 +4,9 @@
 import { readFileSync } from "node:fs";
 import vm from "node:vm";
 
-const [, , modulePath, workerPath] = process.argv;
+const [, , modulePath, ...workerPaths] = process.argv;
 const bytes = readFileSync(modulePath);
-const given = modulePath.endsWith(".js") ? { compressed: /"([^"]*)"/.exec(bytes.toString())[1] } : { module: new WebAssembly.Module(bytes) };
+const given = modulePath.endsWith(".js") ? { compressed: /"([^"]*)"/.exec(bytes.toString("utf16le"))[1] } : { module: new WebAssembly.Module(bytes) };
 
 let heard = null;
 const answers = new Map();
@@ -18,8 +18,8 @@ const post = (message) => {
   answers.get(message.number)(message);
 };
 class XMLHttpRequest { open() {} send() {} }
-const names = { postMessage: post, addEventListener: listen, XMLHttpRequest, performance, WebAssembly, TextDecoder, TextEncoder, Uint8Array, Blob, DecompressionStream, Response };
-vm.runInContext(readFileSync(workerPath, "utf8"), vm.createContext(names));
+const names = { postMessage: post, addEventListener: listen, XMLHttpRequest, performance, WebAssembly, TextDecoder, TextEncoder, Uint8Array };
+vm.runInContext(workerPaths.map((path) => readFileSync(path, "utf8")).join("\n"), vm.createContext(names));
 
 let asked = 0;
 function send(message) {

@@ -31,7 +31,7 @@ fn answers(asked: &[Asked]) -> Option<Vec<(u16, String, Value)>> {
     let module = std::env::var_os("MODULE").map_or_else(|| root.join("assets/explore/module.js"), PathBuf::from);
     let node = Command::new("node")
         .arg(root.join("tests/page/module/answers.mjs"))
-        .args([module, root.join("assets/explore/worker.js")])
+        .args([module, root.join("assets/explore/lzma.js"), root.join("assets/explore/worker.js")])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn();
