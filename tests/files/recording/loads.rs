@@ -249,7 +249,7 @@ fn patches_are_followed_from_load_to_load() {
         recording.contact(0, number, &contact).unwrap();
     }
     recording.finish().unwrap();
-    let numbers = |component: &str| -> Vec<(i64, Vec<f64>)> {
+    let numbers = |component: &'static str| -> Vec<(i64, Vec<f64>)> {
         let entity = "/contact/it/patch_tree/events";
         let rows = latest::<rerun::components::Scalar>(&path, entity, &ComponentDescriptor::partial(component));
         rows.into_iter().map(|(load, values)| (load, values.iter().map(|value| value.0.0).collect())).collect()
