@@ -21,8 +21,8 @@ pub struct FileCurve {
     pub dots: Vec<Dot>,
 }
 
-/// Numbers of two quantities, and the relative errors of the second one, row by row.
-struct Numbers {
+/// FileNumbers of two quantities, and the relative errors of the second one, row by row.
+struct FileNumbers {
     pairs: Vec<[f64; 2]>,
     errors: Vec<f64>,
 }
@@ -81,7 +81,7 @@ fn relative_error(quantity: Quantity) -> Option<Quantity> {
     }
 }
 
-impl Numbers {
+impl FileNumbers {
     fn new([x, y]: [Vec<f64>; 2], errors: Option<Vec<f64>>) -> Self {
         let errors = errors.unwrap_or_else(|| vec![f64::NAN; y.len()]);
         Self { pairs: x.into_iter().zip(y).map(<[f64; 2]>::from).collect(), errors }
@@ -104,22 +104,22 @@ impl Numbers {
     }
 }
 
-fn of_archive(path: &Path, quantities: [Quantity; 2]) -> Result<Numbers> {
+fn of_archive(path: &Path, quantities: [Quantity; 2]) -> Result<FileNumbers> {
     let archive = ArchiveReader::open(path)?;
     let missing = |it: Quantity| missing(path, it);
     let [x, y] = quantities.map(|it| archive.numbers(it.name()).map_err(anyhow::Error::from));
     let pairs = [x?.ok_or_else(|| missing(quantities[0]))?, y?.ok_or_else(|| missing(quantities[1]))?];
     let errors = relative_error(quantities[1]).map(|it| archive.numbers(it.name())).transpose()?.flatten();
-    Ok(Numbers::new(pairs, errors))
+    Ok(FileNumbers::new(pairs, errors))
 }
 
-fn of_columns(path: &Path, columns: &[TextColumn], quantities: [Quantity; 2]) -> Result<Numbers> {
+fn of_columns(path: &Path, columns: &[TextColumn], quantities: [Quantity; 2]) -> Result<FileNumbers> {
     let find = |it: Quantity| columns.iter().find(|column| column.name == it.name());
     let numbers = |column: &TextColumn| -> Vec<f64> {
         column.words.iter().map(|word| word.text.parse().unwrap_or(f64::NAN)).collect()
     };
     let [x, y] = quantities.map(|it| find(it).map(numbers).ok_or_else(|| missing(path, it)));
-    Ok(Numbers::new([x?, y?], relative_error(quantities[1]).and_then(find).map(numbers)))
+    Ok(FileNumbers::new([x?, y?], relative_error(quantities[1]).and_then(find).map(numbers)))
 }
 
 /// The columns of the table of a study that say which rows are a curve, and which of these are a dot.
@@ -157,7 +157,7 @@ impl<'a> StudyColumns<'a> {
 
 /// The curves of a study: one for each combination of values from its lists, with a dot for each load, over all seeds. Rows that did not
 /// converge are left out.
-fn of_study(columns: &[TextColumn], numbers: &Numbers, named: impl Fn(&str) -> String) -> Vec<FileCurve> {
+fn of_study(columns: &[TextColumn], numbers: &FileNumbers, named: impl Fn(&str) -> String) -> Vec<FileCurve> {
     let columns = StudyColumns::new(columns);
     let rows: Vec<usize> = (0..numbers.pairs.len()).filter(|row| columns.is_converged(*row)).collect();
     let curve = |rows: Vec<usize>| FileCurve {
