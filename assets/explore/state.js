@@ -47,13 +47,31 @@ function uncover() {
 
 const isSolving = () => posting || holding || report.busy;
 
+/** Shows the run of the knobs, where nothing is on its way and yet another state is shown, or its section is not drawn: an order and a step back at
+ * the same time can miss each other. */
+function heal() {
+  const run = runOfKnobs(knobs);
+  if (isWhole() || isSolving() || grip || isHidden() || !run?.ended || !byId("fault").hidden) return;
+  stateRun = run.id;
+  sectionRun = null;
+  asking = null;
+  goToState(null);
+}
+
+/** Says that what is shown is old, for as long as it is. */
+function sayOld() {
+  byId("unsolved").hidden = false;
+  heal();
+  saying = isWhole() ? null : setTimeout(sayOld, QUIET);
+}
+
 /** Greys what is shown while it is not what the knobs ask for, and says so if that lasts. */
 function markState() {
   const isOld = !isWhole();
   document.body.toggleAttribute("data-unsolved", isOld);
   byId("unsolved").textContent = isSolving() ? say("solving") : say("unsolved");
   if (!isOld) { clearTimeout(saying); saying = null; byId("unsolved").hidden = true; }
-  else saying ??= setTimeout(() => { byId("unsolved").hidden = false; }, QUIET);
+  else saying ??= setTimeout(sayOld, QUIET);
   markLoad();
 }
 
