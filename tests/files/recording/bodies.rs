@@ -131,7 +131,11 @@ fn the_section_of_a_dent_shows_solid_contact_and_rigid_surface() {
     let touching: Vec<[f32; 3]> = stretched(strips("/it/relief/solid/contact"));
     let [low, high] =
         solid.iter().fold([f32::MAX, f32::MIN], |[low, high], point| [low.min(point[2]), high.max(point[2])]);
-    assert!((high - low - 1.6).abs() < 0.05, "a dent of the height of the relief: {low} to {high}");
+    // the relief is 1.6 high, and the corners of the cell, which are highest, are not in the section
+    assert!(
+        (low + 1.6).abs() < 0.01 && (-0.4..-0.05).contains(&high),
+        "a dent nearly as deep as the relief: {low} to {high}"
+    );
     let rigid = strips("/it/relief/rigid/edge");
     let height = |line: &[[f32; 3]], x: f32| {
         let pair = line.windows(2).find(|pair| (pair[0][0]..=pair[1][0]).contains(&x))?;

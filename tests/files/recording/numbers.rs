@@ -71,7 +71,9 @@ fn the_documented_table_and_recordings_agree() {
             found.extend(recorded(&path).into_iter().filter(is_number));
         }
     }
-    assert_eq!(found, documented());
+    // the tree of patches is of lists of loads
+    let of_one_load = documented().into_iter().filter(|(entity, _)| !entity.starts_with("patch_tree/"));
+    assert_eq!(found, of_one_load.collect());
 }
 
 #[test]
