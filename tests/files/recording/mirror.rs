@@ -67,5 +67,5 @@ fn the_measured_part_is_outlined_on_the_relief() {
     // the front half is cut away, and with it the rest of this part; the last dash ends before the middle
     assert!(quarter[0] == -5.0 && (-1.0..=0.0).contains(&quarter[1]) && quarter[2..] == [0.0, 0.0], "{quarter:?}");
     let half = outlines(&map, "mirror = \"x\"")[1].unwrap();
-    assert!(half[0] == -5.0 && half[2] == 0.0 && half[1].abs() < 0.01 && half[3] > 2.5, "{half:?}");
+    assert!(half[0] == -5.0 && half[1].abs() < 0.01 && (0.0..=1.0).contains(&half[2]) && half[3] > 2.5, "{half:?}");
 }
