@@ -41,7 +41,6 @@ impl Setup {
     /// The setup that a table describes.
     pub fn from_table(mut table: SetupTable) -> Result<Self, SetupError> {
         table.check_idle()?;
-        table.check_pressure_units()?;
         table.check_force_numbers()?;
         table.check_force_units()?;
         let loads = table.take_loads()?;

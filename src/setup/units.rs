@@ -93,15 +93,6 @@ impl SetupTable {
         self.check_conduction()
     }
 
-    /// Refuses a setup in which some pressures have a unit and others have none.
-    ///
-    /// # Errors
-    /// [`SetupError::MixedUnits`].
-    pub fn check_pressure_units(&self) -> Result<(), SetupError> {
-        let [(kind, keys), ..] = KINDS;
-        self.check_kind(kind, keys)
-    }
-
     fn check_kind(&self, kind: &'static str, keys: &[&'static str]) -> Result<(), SetupError> {
         let (with, without): (Vec<_>, Vec<_>) = self.given(keys).into_iter().partition(|(_, word)| has_unit(word));
         match (with.first(), without.first()) {
