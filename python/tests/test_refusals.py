@@ -348,7 +348,7 @@ REFUSALS: list[Refusal] = [
     (lambda: solve(recording={"what": ["traces"]}), asp.AsperityError,
         "recording says what is recorded, but nothing is recorded: give a file (record), live or stream as well, or leave it out"),
     (lambda: with_steps(recording={"what": ["traces"]}), asp.AsperityError, "recording says what is recorded, but nothing is recorded"),
-    (lambda: recorded(unit="m"), asp.AsperityError, "recording: unknown key 'unit', expected one of 'what', 'every', 'length_unit', 'raster_at', 'theme'"),
+    (lambda: recorded(unit="m"), asp.AsperityError, "recording: unknown key 'unit', expected one of 'what', 'every', 'length_unit', 'pressure_unit', 'raster_at', 'theme', 'iterations'"),
     (lambda: recorded(record_what="mesh"), asp.AsperityError, "recording: unknown key 'record_what'"),
     (lambda: recorded(what="traces"), asp.AsperityError, "recording['what'] is 'traces': give a list"),
     (lambda: recorded(what=["meshes"]), asp.AsperityError, "recording['what'] is 'meshes', expected one of 'traces', "),
