@@ -15,6 +15,8 @@ use asperity::plot::write_svg;
 use asperity::setup::Method;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
+use serde::Serialize;
+use std::fmt::Display;
 use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -46,7 +48,8 @@ heights, load and tolerance; this program judges all pressures:
 The other codes are those that the interpreter finds: tamaas, ContactMechanics and aspher; aspher-mixed is aspher that begins in
 single precision. A code that is missing is skipped. --max-iterations holds for this program only.
 
-The group histories is run alone, too. Each row is one surface under a held load on a solid that creeps, in 20 equal steps:
+The group histories is run alone, too. Each row is one surface under a held load on a solid that creeps, in 20 equal steps
+by one code; the other one is tamaas, which runs once and gets the same tolerance, in its own sense:
   error       difference of the pressure at the end from that of this program in 320 steps, root mean square, relative";
 
 #[derive(Args)]
@@ -147,17 +150,7 @@ impl Bench {
         let mut rows = Vec::new();
         writeln!(stdout(), "{PEER_HEAD}\n\n{}", self.title(Group::Rivals))?;
         for contest in Contest::all(Group::Rivals, self.quick, self.seed) {
-            let mut written = Ok(());
-            PeerTiming::all(&contest, &stop, self.repeats, &python, bar, |row| {
-                if written.is_ok() {
-                    written = writeln!(stdout(), "{row}");
-                }
-                rows.push(row);
-            })?;
-            written?;
-            if let Some(path) = &self.out {
-                write_csv(path, &rows)?;
-            }
+            self.show(&mut rows, |show| Ok(PeerTiming::all(&contest, &stop, self.repeats, &python, bar, show)?))?;
             if let Some(path) = &self.figure {
                 write_svg(path, &PeerTiming::figure(&rows))?;
             }
@@ -165,6 +158,23 @@ impl Bench {
         [&self.out, &self.figure].into_iter().flatten().for_each(|path| wrote(path));
         let all_converged = !rows.iter().any(PeerTiming::is_own_failure);
         Ok(if all_converged { ExitStatus::Done } else { ExitStatus::NotConverged })
+    }
+
+    /// Prints the rows that `solve` tells as they come, keeps them, and writes all rows so far.
+    fn show<Row: Display + Serialize>(
+        &self,
+        rows: &mut Vec<Row>,
+        solve: impl FnOnce(&mut dyn FnMut(Row)) -> Result<()>,
+    ) -> Result<()> {
+        let mut written = Ok(());
+        solve(&mut |row| {
+            if written.is_ok() {
+                written = writeln!(stdout(), "{row}");
+            }
+            rows.push(row);
+        })?;
+        written?;
+        Ok(self.out.iter().try_for_each(|path| write_csv(path, &*rows))?)
     }
 
     /// The interpreter with the other codes.
@@ -183,17 +193,7 @@ impl Bench {
         let mut rows = Vec::new();
         writeln!(stdout(), "{CREEP_HEAD}\n\n{}", self.title(Group::Histories))?;
         for contest in HeldCreep::all(self.quick, self.seed)? {
-            let mut written = Ok(());
-            CreepTiming::all(&contest, &stop, self.repeats, &python, |row| {
-                if written.is_ok() {
-                    written = writeln!(stdout(), "{row}");
-                }
-                rows.push(row);
-            })?;
-            written?;
-            if let Some(path) = &self.out {
-                write_csv(path, &rows)?;
-            }
+            self.show(&mut rows, |show| Ok(CreepTiming::all(&contest, &stop, self.repeats, &python, show)?))?;
         }
         self.out.iter().for_each(|path| wrote(path));
         Ok(ExitStatus::Done)

@@ -21,13 +21,14 @@ pub struct FileCurve {
     pub dots: Vec<Dot>,
 }
 
-/// FileNumbers of two quantities, and the relative errors of the second one, row by row.
+/// Numbers of two quantities, and the relative errors of the second one, row by row.
 struct FileNumbers {
     pairs: Vec<[f64; 2]>,
     errors: Vec<f64>,
 }
 
-/// The curves of two quantities in a file: one, or those of the combinations of values of a study. `is_one_of_many` files are named.
+/// The curves of two quantities in a file: one, or of a study one for each combination of values. A curve of a study bears the name of the
+/// file if `is_one_of_many`.
 ///
 /// # Errors
 /// For a file that is no result or table, that does not have a quantity, or that has no numbers of both.

@@ -37,7 +37,7 @@ pub struct HeldCreep {
     load: Load,
 }
 
-/// One history by one code, on one thread. It displays as a row, and serialises with all digits.
+/// One history by one code. It displays as a row, and serialises with all digits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CreepTiming {
     case: String,
@@ -46,9 +46,9 @@ pub struct CreepTiming {
     code: String,
     /// The version of the code, if it runs.
     version: Option<String>,
-    /// Median over the repeats.
+    /// Of this code the median over the repeats; the other one runs once.
     seconds: Option<f64>,
-    /// The root mean square of the difference from the pressure in many more steps at the end, over that of the pressure.
+    /// The root mean square of the difference from the pressure of this code in many more steps, at the end, over that of the pressure.
     time_error: Option<f64>,
     /// Its seconds over those of this code.
     ratio: Option<f64>,
@@ -94,8 +94,7 @@ impl HeldCreep {
 }
 
 impl CreepTiming {
-    /// Solves a history by this code and by Tamaas. Each row is given to `show` when it is known. It runs on the threads of the pool; give the
-    /// interpreter as many.
+    /// Solves a history by this code and by Tamaas, each on as many threads as the pool has. Each row is given to `show` when it is known.
     ///
     /// # Errors
     /// A step that is not solved.
