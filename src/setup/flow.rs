@@ -153,7 +153,7 @@ pub fn warning_of_leakage<'a>(contacts: impl IntoIterator<Item = &'a [(Quantity,
             "The leakage along {} is not known: the cube of the gap of plates that leak as much lies between {lower:.1e} and {upper:.1e}",
             axis.name()
         ),
-        "Use a finer grid or another load: the contact nearly seals, and its passages are not resolved",
+        "Read the bounds, or use another load or grid: near the load that seals, the search for the flow may not come to an end",
     ))
 }
 

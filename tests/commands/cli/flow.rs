@@ -16,7 +16,7 @@ fn json(folder: &Folder, line: &str) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Near the load that seals, the passages are not resolved and the bounds of the leakage stay apart. This is told, and no gap is made of it.
+/// Near the load that seals, the bounds of the leakage may stay apart. This is told, and no gap is made of it.
 #[test]
 fn a_leakage_that_is_not_known_is_told() {
     let folder = Folder::new();
