@@ -29,7 +29,7 @@ pub struct Outputs {
     /// Show the steps live in the installed Rerun viewer
     #[arg(long)]
     pub live: bool,
-    /// What the viewer was too slow to get.
+    /// The number of pictures that the viewer of `--live` was too slow to get.
     #[arg(skip)]
     pub left_out: LeftOut,
     /// Write fields, distributions, spectra, numbers and setup (.npz), a table of the loads or of the nodes of a line

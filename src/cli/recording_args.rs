@@ -24,7 +24,7 @@ pub struct RecordingArgs {
     /// Show it in the installed Rerun viewer
     #[arg(long)]
     pub live: bool,
-    /// What the viewer was too slow to get.
+    /// The number of pictures that the viewer of `--live` was too slow to get.
     #[arg(skip)]
     left_out: LeftOut,
 }

@@ -2,7 +2,7 @@
 
 use crate::surface::Field;
 
-/// What lies in the layers below one row of a surface, or below a line, of a solid that yields.
+/// A vertical cut through a solid that yields, below one row of its surface or below a line: plastic strain and stress in each layer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DepthCut {
     /// The row, from 0.

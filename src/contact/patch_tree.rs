@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 pub struct PatchLife {
     /// The number of the patch.
     pub patch: usize,
-    /// The first and the last state in which it is there, from 1 on.
+    /// The first state in which it is there; states count from 1.
     pub first: usize,
     /// The last state in which it is there.
     pub last: usize,

@@ -17,7 +17,7 @@ pub struct State {
     pub claim: ResultClaim,
     /// Further fields of the process.
     pub fields: Vec<StateField>,
-    /// What lies below one row of a solid that yields; none of other solids.
+    /// A vertical cut through a solid that yields, with plastic strain and stress; none for other solids.
     pub cut: Option<DepthCut>,
     /// All numbers, after they were read.
     numbers: OnceLock<Vec<(Quantity, f64)>>,

@@ -237,7 +237,7 @@ fn steep(strains: &[Strain]) -> Option<Warning> {
     ))
 }
 
-/// Whether the shape gives so many edges of a contact that it has no gradient.
+/// Whether a contact has no rms gradient, since the shape of the surface gives most of its edges.
 fn has_no_gradient(it: &Observables) -> bool {
     it.edges_of_shape > 0.0 && it.rms_gradient_contact.is_nan()
 }

@@ -179,7 +179,7 @@ impl<'s> Plastic<'s> {
     /// Refuses a load that cannot be.
     ///
     /// # Errors
-    /// Those of [`Plastic::press`] that do not come of a solve.
+    /// The errors of [`Plastic::press`] that are known before anything is solved, such as a load under which the solid yields at all depths.
     pub fn check(&self, load: Load) -> Result<(), PlasticError> {
         self.posed(load).map(drop)
     }

@@ -161,7 +161,7 @@ impl PlasticState {
         if area > 0.0 { self.contact.mean_pressure() / area } else { 0.0 }
     }
 
-    /// What lies below the row of the highest peak.
+    /// Plastic strain and von Mises stress in the layers below the row of the rigid surface that holds its highest peak.
     pub fn cut(&self) -> DepthCut {
         let [ny, nx] = self.contact.problem.surface().grid().shape();
         let heights = self.contact.problem.height();
