@@ -11,6 +11,9 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 /// Values per chunk: 128 KiB, of which a few fit the second-level cache, and long against the cost of a task.
 const CHUNK: usize = 1 << 14;
 
+/// Values of a line that are worked on together, an even number: one row is too long for one task.
+const TILE: usize = 1 << 12;
+
 /// Values that are passed over together where none is positive.
 const BLOCK: usize = 16;
 
@@ -83,6 +86,12 @@ fn ranges(len: usize, length: usize) -> impl ExactSizeIterator<Item = Range<usiz
 /// Rows of `width` values in a chunk.
 fn rows_per_chunk(width: usize) -> usize {
     (CHUNK / width.max(1)).max(1)
+}
+
+/// The number of values of a field of `[height, width]` that are worked on together by [`rows_mut`]: a row, or a part of a line. In a part
+/// that begins at a place, rows and columns follow from the place and the width.
+pub(crate) fn tile([height, width]: [usize; 2]) -> usize {
+    if height == 1 { width.min(TILE) } else { width }
 }
 
 /// Results of `visit` on each chunk of `0..len`, in order.
@@ -171,6 +180,18 @@ pub(crate) fn positive(values: &[f64], range: Range<usize>) -> impl Iterator<Ite
         let places = (start + number * BLOCK..).zip(block);
         places.filter(|(_, value)| **value > 0.0).map(|(place, _)| place)
     })
+}
+
+/// Runs of positive values within `range`, in order.
+pub(crate) fn positive_runs(values: &[f64], range: Range<usize>) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for place in positive(values, range) {
+        match runs.last_mut() {
+            Some(run) if run.end == place => run.end += 1,
+            _ => runs.push(place..place + 1),
+        }
+    }
+    runs
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 // The one name of the page that is global: what a console and tests may read and call.
 
 window.asperity = {
-  answered, ask, byId, choiceOf, colours, frameOfTop, rgb, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked,
-  moveHandle, openLesson, openMore, press, read, replace, runOf, seek, seenBoxOf, sent, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, unfold, wake, withUnit, words,
+  answered, ask, byId, choiceOf, colours, frameOfTop, rgb, changed, charts, current, facet, fault, figure, frame, heardViewer, isAwake, isDeep, isReading, latest, letGo, lineWidth, linked, mapOf,
+  moveHandle, openLesson, openMore, press, read, replace, runOf, seek, seenBoxOf, sent, setWish, show, showEnd, showHeights, shownOrLatest, showRun, takeFile, takeGrip, topOf, unbend, unfold, wake, withUnit, words,
   awake, wholeRuns, LIMITS,
   get axes() { return axes; },
   get above() { return above; },
@@ -34,4 +34,5 @@ window.asperity = {
   get shownRun() { return shownRun; },
   get states() { return states; },
   get viewer() { return viewer; },
+  get wish() { return wish; },
 };

@@ -76,6 +76,7 @@ function printed() {
 }
 
 async function begin() {
+  await beginTexts();
   const wished = new URLSearchParams(location.search).get("theme") || localStorage.getItem("theme");
   paint(wished === "light" || wished === "dark" ? wished : askSystem("(prefers-color-scheme: light)").matches ? "light" : "dark");
   byId("theme").addEventListener("click", toggleTheme);

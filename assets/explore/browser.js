@@ -140,10 +140,10 @@ async function joinBrowser() {
 
 async function askBrowser(path) {
   if (WRITTEN.includes(path)) return site[path];
-  if (path === "lessons") return loadScript("lessons.js").then(() => LESSONS);
+  if (path === "lessons") return loadScript("lessons.js").then(() => jsonFrom(LESSONS));
   const [place, since] = path.split("?since=");
   if (place === "state") return latestNews.revision > Number(since ?? -1) ? latestNews : new Promise((done) => listeners.push(done));
-  if (path === `run/${site.first.run.id}/section` && document.body.dataset.solver !== "ready") return site.first.section;
+  if (path === `run/${site.first.run.id}/section` && document.body.dataset.solver !== "ready") return jsonFrom(FIRST_SECTION);
   if (path === `run/${site.first.run.id}/beside` && document.body.dataset.solver !== "ready") return null;
   if (path === "runs") return [];
   if (path === "heights") return null;

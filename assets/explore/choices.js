@@ -10,6 +10,13 @@ const STICKY = { rough: 1e-8, other: 1e-7 };
 /** A friction, and half of the pull at which all slides. */
 const RUBBING = { friction: 0.3, sideways: 0.5 };
 const rubs = (k) => k.friction > 0 && k.sideways > 0;
+/** The part of the largest elastic pressure at which a solid yields below its surface to start with. */
+const YIELDS_AT = 0.4;
+/** What pulls surfaces off: a cylinder is moved to gaps; reduced pressures part a ball, which at gaps has no jump under an attraction that a usual grid
+ * resolves, and hardly anything else. */
+const PULLS = { line: { depth: 0.5, pull: 0 }, surface: { depth: 0, pull: 0.02 }, other: { depth: 0, pull: 0.01 } };
+/** Spacings over which an attraction acts at the edge of a contact, where it is as short as the grid resolves well. */
+const SHORT_ZONE = 5;
 /** Points over the reach of an attraction at the edge of a contact, times pi. */
 const REACH = 8;
 
@@ -32,6 +39,7 @@ const QUESTIONS = {
     { id: "coated", is: (k) => k.layer > 0, sets: () => ({ layer: 0.02 }), opens: ["layer"], rigid: "M0 24H48M4 28 8 24M16 28 20 24M28 28 32 24M40 28 44 24", solid: "M0 12H14Q24 18 34 12H48" },
     { id: "rubber", is: (k) => k.creep > 0, sets: (k) => ({ creep: RUBBER, ...withoutGfmd(k) }), opens: ["creep"], rigid: "", solid: "M0 8H10Q24 20 38 8H48M0 14H8Q24 36 40 14H48" },
     { id: "hard", is: (k) => k.hardness > 0, sets: (k) => ({ hardness: yieldingHardness(), ...withoutGfmd(k) }), opens: ["hardness"], rigid: "", solid: "M0 12H8L12 8 16 22H32L36 8 40 12H48" },
+    { id: "yielding", is: (k) => HAS.yielding(k), sets: (k) => ({ "yield-stress": Number((YIELDS_AT * highestPressure()).toPrecision(2)), ...withoutGfmd(k) }), opens: ["yield-stress", "hardening"], rigid: "M18 16Q24 14 30 16Q33 23 24 27Q15 23 18 16Z", solid: "M0 12H10Q24 20 38 12H48" },
     { id: "sticky", is: (k) => k.adhesion > 0, sets: (k) => ({ adhesion: k.body === "flat" ? STICKY.rough : STICKY.other, range: rangeFor(k), solver: { method: "multilevel" } }), opens: ["adhesion", "range"], rigid: "M8 0Q24 16 40 0", solid: "M0 20Q12 20 18 9Q24 11 30 9Q36 20 48 20" },
   ],
   load: [
@@ -41,7 +49,8 @@ const QUESTIONS = {
     { id: "sliding", is: (k) => k.creep > 0 && k.speed > 0, sets: () => ({ speed: 0.5 }), opens: ["speed"], on: ["rubber"], rigid: "M8 8Q24 36 40 8", solid: "M0 20H12Q26 28 38 16L48 20", sign: "M14 4H34M30 0 34 4 30 8" },
     { id: "sideways", is: (k) => rubs(k) && !k.rolling, sets: (k) => ({ ...RUBBING, rolling: false, ...withoutGfmd(k) }), opens: ["sideways", "friction"], holds: ["rolling"], on: ["elastic", "coated"], rigid: "M8 8Q24 36 40 8", solid: DENT, sign: "M12 4H36M16 0 12 4 16 8M32 0 36 4 32 8" },
     { id: "rolling", is: (k) => rubs(k) && k.rolling, sets: (k) => ({ ...RUBBING, rolling: true, ...withoutGfmd(k) }), opens: ["sideways", "friction"], on: ["elastic", "coated"], domain: "line", rigid: "M24 4A9 9 0 1 1 23.9 4", solid: "M0 22H48", sign: "M16 13A8 8 0 0 1 32 13M28 11 32 14 35 10" },
-    { id: "pulled", is: (k) => k.adhesion > 0 && k.pull > 0, sets: () => ({ pull: 0.01 }), opens: ["pull"], on: ["sticky"], rigid: "M8 6Q24 20 40 6", solid: "M0 26Q14 26 18 13Q24 15 30 13Q34 26 48 26", sign: "M24 12V0M20 4 24 0 28 4" },
+    { id: "released", is: (k) => HAS.yielding(k) && k.release, sets: () => ({ release: true }), opens: [], holds: ["release"], on: ["yielding"], rigid: "M10 0Q24 18 38 0", solid: "M0 20H10Q24 30 38 20H48", sign: "M24 17V4M20 8 24 4 28 8" },
+    { id: "pulled", is: (k) => k.adhesion > 0 && (k.pull > 0 || k.depth > 0), sets: pulledOff, opens: ["pull", "depth"], on: ["sticky"], rigid: "M8 6Q24 20 40 6", solid: "M0 26Q14 26 18 13Q24 15 30 13Q34 26 48 26", sign: "M24 12V0M20 4 24 0 28 4" },
   ],
 };
 
@@ -70,15 +79,32 @@ function plainOf(question) {
 
 const withoutGfmd = (k) => isGfmd(k) ? { solver: { method: "multilevel" } } : {};
 
+/** The largest pressure of what is shown. */
+const highestPressure = () => section?.highest_pressure || 7e-4;
+
 /** A hardness between the mean and the largest pressure of what is shown, at which a part of the contact yields. */
 function yieldingHardness() {
-  const { pressure = [1e-4], highest_pressure: highest = 7e-4 } = section ?? {};
+  const { pressure = [1e-4] } = section ?? {};
   const mean = pressure.reduce((sum, p) => sum + p, 0) / pressure.length;
-  return Number(((mean + highest) / 2).toPrecision(2));
+  return Number(((mean + highestPressure()) / 2).toPrecision(2));
 }
 
 /** A range of the attraction that the points of a state resolve. */
 const rangeFor = ({ points }) => Number(Math.max(controlOf("range").default, Math.sqrt(REACH * STICKY.other / points)).toPrecision(2));
+
+/** What pulls the surfaces of a state off. A cylinder has a wide loop under an attraction of short range. */
+function pulledOff({ body, roughness, domain, adhesion, points }) {
+  const pulls = PULLS[body === "round" && roughness === 0 ? domain : "other"];
+  const range = Math.sqrt(SHORT_ZONE * Math.PI * (adhesion || STICKY.other) / points);
+  return pulls === PULLS.line ? { ...pulls, range: Number(range.toPrecision(2)) } : pulls;
+}
+
+/** Resolves the attraction on the grid of another geometry, and pulls its surfaces off if those before were. */
+function mendAttraction() {
+  if (!HAS.adhering(knobs)) return;
+  knobs.range = Math.max(knobs.range, rangeFor(knobs));
+  if (choiceOf("load").id === "pulled") Object.assign(knobs, pulledOff(knobs));
+}
 
 /** Whether a way to press goes with the solid and the geometry of a state. */
 const goesWith = ({ on, domain }, state) => (!on || on.includes(choiceOf("solid", state).id)) && (!domain || domain === state.domain);
@@ -117,8 +143,9 @@ function put(question, choice) {
   const before = consequences(question, knobs);
   const next = withChoice(state, question, choice);
   const isOther = next.domain !== knobs.domain;
+  const isCoarser = HAS.yielding(next) !== HAS.yielding(knobs);
   knobs = structuredClone(others && !isOther ? { ...next, beside: others } : next);
-  if (isOther) mend("domain");
+  if (isOther || isCoarser) mend("domain");
   mend("body");
   tellChanges(choice, before, consequences(question, knobs));
   show();
@@ -187,7 +214,7 @@ function openMore(question, isOpen) {
 }
 
 /** Whether the load can be swept: not of what has a history. */
-const canSweep = () => choiceOf("solid").id !== "sticky" && ["pressed", "leaking", "sliding"].includes(choiceOf("load").id);
+const canSweep = () => !["sticky", "yielding"].includes(choiceOf("solid").id) && ["pressed", "leaking", "sliding"].includes(choiceOf("load").id);
 
 /** Marks the choices that the knobs are, and shows the controls that they open. */
 function showChoices() {

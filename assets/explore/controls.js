@@ -8,8 +8,10 @@ const isMade = (k) => !["file", "scene"].includes(k.body);
 const isOwn = (k) => k.body !== "scene";
 
 /** Whether a state has a knob, by the scenes that have it. */
+/** Whether a state moves surfaces with adhesion to gaps, and the loads follow. */
+const isAtGaps = (k) => isOwn(k) && k.adhesion > 0 && k.depth > 0;
 const HAS = {
-  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, adhering: (k) => isOwn(k) && k.adhesion > 0, rubbing: (k) => isOwn(k) && k.friction > 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "rough-surface": (k) => isMade(k) && k.roughness > 0 && k.domain === "surface", "power-law": (k) => k.body === "power-law",
+  all: () => true, own: isOwn, creeping: (k) => isOwn(k) && k.creep > 0, resting: (k) => isOwn(k) && k.creep > 0 && k.speed === 0, adhering: (k) => isOwn(k) && k.adhesion > 0, pulled: (k) => HAS.adhering(k) && !isAtGaps(k), loaded: (k) => !isAtGaps(k), rubbing: (k) => isOwn(k) && k.friction > 0, yielding: (k) => isOwn(k) && k["yield-stress"] > 0, made: isMade, rough: (k) => isMade(k) && k.roughness > 0, "rough-surface": (k) => isMade(k) && k.roughness > 0 && k.domain === "surface", "power-law": (k) => k.body === "power-law",
   gfmd: isGfmd, damped: (k) => isGfmd(k) && k.solver.dynamics === "damped",
 };
 
@@ -216,6 +218,18 @@ function set(control, value) {
   show();
 }
 
+/** How many points a state has to start with: fewer where the solid yields below its surface, as each of them stands for all layers below. */
+function usualPoints(state) {
+  const { line, side } = HAS.yielding(state) ? LIMITS.usualYielding : { line: controlOf("points").default, side: LIMITS.side };
+  return state.domain === "line" ? line : side;
+}
+
+/** The most points of a state. */
+function mostPoints(state) {
+  const { line, side } = HAS.yielding(state) ? LIMITS.yielding : MOST;
+  return state.domain === "surface" ? Math.min(side, MOST.side) : Math.min(line, MOST.line);
+}
+
 /** A kurtosis that heights of a skewness have: it must be above 1 + skewness². */
 const leastKurtosis = (skewness) => Math.ceil(10 * (1.5 + skewness ** 2)) / 10;
 
@@ -229,8 +243,9 @@ function mend(id) {
   knobs.solver = method === "gfmd" ? { method, ...gfmd } : { method };
   if (id === "body" && !isOwn(knobs)) ({ domain: knobs.domain, scene: knobs.scene } = sceneStart);
   if (id === "domain") {
-    knobs.points = knobs.domain === "line" ? controlOf("points").default : LIMITS.side;
+    knobs.points = usualPoints(knobs);
     if (knobs.cutoff > knobs.points / 2) knobs.cutoff = knobs.points / 8;
+    mendAttraction();
   }
   if (id === "skewness") knobs.kurtosis = Math.max(knobs.kurtosis, leastKurtosis(knobs.skewness));
   if (knobs.domain === "surface") knobs.rolling = false;
@@ -242,7 +257,7 @@ function mend(id) {
   if (knobs.cutoff > finestOf(knobs)) {
     if (id === "cutoff") knobs.points = 2 ** Math.ceil(Math.log2(knobs.points * knobs.cutoff / finestOf(knobs))); else knobs.cutoff = Math.floor(finestOf(knobs));
   }
-  const most = knobs.domain === "surface" ? MOST.side : MOST.line;
+  const most = mostPoints(knobs);
   if (knobs.points > most) { knobs.points = most; knobs.cutoff = Math.floor(finestOf(knobs)); }
   if (knobs.rolloff >= knobs.cutoff) knobs.rolloff = Math.max(1, Math.floor(knobs.cutoff / 2));
 }

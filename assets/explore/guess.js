@@ -51,6 +51,7 @@ function choose({ choices, right }, done) {
     if (i + 1 === right) { done(say("guess.yes", { choice }), true); return; }
     if (isSecond) { done(say("guess.no", { choice, because: withoutPoints(because), answer: its[right - 1].choice }), false); return; }
     isSecond = true;
+    if (made === document.activeElement) comeTo("lesson-ask");
     made.disabled = true;
     tellWhy(say("guess.again", { choice, because }));
   }));
@@ -160,8 +161,10 @@ function dropWish() {
   wish = null;
 }
 
-/** Whether the contact that is shown is the one that is to be made: it is of the knobs, and ended or under the hand. */
+/** Whether the contact that is shown is the one that is to be made: it is of the knobs, and ended, or was let go by the hand, which passes through
+ * others. */
 function watchWish(run) {
+  if (grip) return;
   const isShown = moment ? moment.isStuck || moment.numbers.reduced_pressure > 0 : run.ended && words(run.knobs) === words(knobs);
   const told = (moment ?? run).numbers;
   const isMade = ([of, [least, most]]) => typeof told[of] === "number" && told[of] >= least && told[of] <= most;
@@ -182,11 +185,11 @@ function showUnpressed(wanted) {
   if (viewer) noteViewer(say("viewer.asked"));
   const show = ({ section: its, numbers: told }) => {
     if (lesson?.name !== name || lesson.at !== at || document.body.dataset.asked !== "true") return;
-    expected = told;
-    showSection(liftedClear(its, UNPRESSED * its.highest), null);
+    expected = HAS.yielding(knobs) ? {} : told;
     setPictured(moment);
+    showSection(liftedClear(its, UNPRESSED * its.highest), null);
     document.body.dataset.unpressed = at;
   };
-  const order = { knobs: { ...knobs, sideways: 0 }, "mean-gap": null, "is-deep": false }; // a surface that is pulled cannot be held
+  const order = { knobs: { ...knobs, sideways: 0, "yield-stress": 0 }, "mean-gap": null, "is-deep": false }; // what has a history cannot be held
   hold(() => order, show);
 }

@@ -83,8 +83,8 @@ function showHeld(contact, its) {
   setMoment({ name: named(say("moment.hand"), told), title, numbers: told, exact: null, isStuck, knobs: its, load: isStuck ? told.reduced_pressure : undefined });
   show();
   if (grip.kind === "bend") followRigid(contact.section);
-  showContact(contact, axes);
   setPictured(moment);
+  showContact(contact, axes);
 }
 
 /** Moves the axes with the rigid surface, of which only the held point is to move on the screen: under a given load a new bump lifts all the
@@ -103,9 +103,9 @@ const canBend = () => !isAsked() && !isAging() && knobs.domain === "line" && isM
 /** Whether the rigid surface can be pressed: not where the boundary is free, and not in the course of time. */
 const canPress = () => section.is_pressed_by_gap && !isAging() && !isAsked();
 
-/** Whether the contact is one of many, on a solid that creeps or under a tangential load: then a hand moves nothing, as each of them takes the
- * ones before. */
-const isAging = () => HAS.resting(knobs) && knobs.time > 0 || HAS.rubbing(knobs) && knobs.sideways > 0;
+/** Whether the contact is one of many, on a solid that creeps or yields below its surface, or under a tangential load: then a hand moves nothing,
+ * as each of them takes the ones before. */
+const isAging = () => HAS.resting(knobs) && knobs.time > 0 || HAS.rubbing(knobs) && knobs.sideways > 0 || HAS.yielding(knobs) || processOf(latest()) === "plastic";
 
 /** Whether the surfaces attract each other. Then a contact under the hand goes on from the one before, and no load has it alone. */
 const adheres = () => HAS.adhering(knobs) || (knobs.body === "scene" && processOf(latest()) === "adhesion");
@@ -148,15 +148,15 @@ function lift(gap) {
   knobs.load = grip.load;
   setMoment({ name: say("moment.hand"), title: say("title.clear"), numbers: CLEAR, exact: null, isClear: true, knobs: structuredClone(knobs), load: 0 });
   show();
-  showSection(liftedClear(section, gap), null, axes);
   setPictured(moment);
+  showSection(liftedClear(section, gap), null, axes);
 }
 
 /** A section whose rigid surface is lifted to a mean gap at which nothing touches. */
 function liftedClear(its, gap) {
   const flat = its.solid.map(() => 0);
   const rigid = its.rigid.map((height) => height + gap - its.mean_gap);
-  return { ...its, rigid, solid: flat, pressure: flat, highest_pressure: 0, fields: {}, exact: null, mean_gap: gap, shear: null };
+  return { ...its, rigid, solid: flat, pressure: flat, highest_pressure: 0, fields: {}, exact: null, mean_gap: gap, shear: null, zone: null };
 }
 
 /** Gives a bump its height, over the length of the cell; the rigid surface points down. */
@@ -255,8 +255,9 @@ function handleKey(event, kind) {
   moveGrip(grip.steps * byId("section").getBoundingClientRect().height * bands().relief);
 }
 
-/** Where the handle of the profile stands, as a share of the length. */
-let handle = 0.5;
+/** Where the handle of the profile stands, as a share of the length: for fingers, for which it is large, beside the middle, where a round body
+ * touches. */
+let handle = askSystem("(pointer: coarse)").matches ? 0.25 : 0.5;
 
 function moveHandle(share) {
   handle = Math.min(1, Math.max(0, Number(share.toFixed(3))));

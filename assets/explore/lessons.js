@@ -13,7 +13,8 @@ async function beginLessons() {
   byId("lesson").addEventListener("change", () => openLesson(byId("lesson").value));
   byId("lesson-back").addEventListener("click", () => step(-1));
   byId("lesson-next").addEventListener("click", () => lesson.isOver ? openLesson(following().name) : step(1));
-  byId("lesson-close").addEventListener("click", () => openLesson(""));
+  byId("lesson-close").addEventListener("click", () => { openLesson(""); comeTo("lesson"); });
+  byId("lesson").addEventListener("keydown", ({ key }) => { if (key === "Enter" && lesson) comeToLesson(); });
 }
 
 async function openLesson(name, at = 0) {
@@ -45,8 +46,14 @@ function endLesson() {
   if (wasAsked) changed(); else writeAddress();
 }
 
+/** Whether a person is at the card of the lesson: what they were at may go, and they come to what takes its place. */
+const isAtCard = () => byId("lesson-card").contains(document.activeElement);
+const comeTo = (id) => byId(id).focus({ preventScroll: true });
+const comeToLesson = () => comeTo(byId("lesson-ask").hidden ? "lesson-text" : "lesson-ask");
+
 /** Asks what the step asks, or shows it at once. */
 function showLesson() {
+  const isAt = isAtCard();
   const { steps, at, marks } = lesson;
   const isAsked = Boolean(steps[at].ask) && !marks.has(at);
   dropGuess();
@@ -56,6 +63,7 @@ function showLesson() {
   document.body.dataset.lesson = at;
   putAsked(isAsked);
   if (isAsked) { fault(""); poseStep(steps[at]); } else showStep();
+  if (isAt) comeToLesson();
   writeAddress();
 }
 
@@ -77,7 +85,7 @@ function markSteps() {
   byId("lesson-place").textContent = `${at + 1} / ${steps.length}`;
   byId("lesson-marks").textContent = steps.map((_, i) => glyph(i)).join(" ");
   const isForeign = typeof title === "object" && !(language in title);
-  byId("lesson-language").textContent = isForeign ? say("lesson.foreign", { language: TEXTS[language].language }) : "";
+  byId("lesson-language").textContent = isForeign ? say("lesson.foreign", { language: LANGUAGES[language] }) : "";
 }
 
 /** Asks what a step asks, of a contact that is to be made, or of a surface that is not pressed yet. */
@@ -91,9 +99,11 @@ function poseStep(step) {
 function reveal(verdict, isRight) {
   const { at, steps } = lesson;
   const { ask: it, solution, text } = steps[at];
+  const isAt = isAtCard();
   lesson.marks.set(at, isRight);
   putAsked(false);
   if (it.kind === "act" && (isRight || !solution)) putText(text, verdict); else showStep(verdict);
+  if (isAt) comeTo("lesson-text");
 }
 
 /** Whether a lesson speaks of the conductance, which is computed for such lessons alone. */
@@ -107,6 +117,16 @@ function findConductance(run) {
     Object.assign(runOf(run.id)?.numbers ?? {}, { [CONDUCTANCE.name]: value });
     numbers();
   }).catch(() => {});
+}
+
+/** Sets a question aside whose contact a person has changed: what is solved now is not what was asked about. */
+function setAside() {
+  dropGuess();
+  putAsked(false);
+  uncover();
+  const back = element("button", { type: "button", id: "lesson-again" }, say("lesson.again"));
+  back.addEventListener("click", showLesson);
+  byId("lesson-text").replaceChildren(say("lesson.aside"), " ", back);
 }
 
 /** The map that a step needs. */
@@ -149,6 +169,7 @@ const following = () => lessons[lessons.findIndex(({ name }) => name === lesson.
 /** What one has seen, something to do by oneself, and the lesson that follows. */
 function showEnd() {
   const { end } = lesson;
+  if (isAtCard()) comeTo("lesson-text");
   lesson.isOver = true;
   document.body.dataset.lesson = "end";
   const seenWords = pointing(end ? inLanguage(end.seen) : say("lesson.ended"));

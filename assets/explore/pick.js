@@ -40,14 +40,14 @@ async function momentOfLoad(its, point) {
   if (!isShown()) return;
   if (motion) {
     const shown = motion.sections[motion.steps.indexOf(point.number)];
-    showSection(shown, null, { ...axesOf(motion.sections), pressure: shown.highest_pressure });
     setPictured(now);
+    showSection(shown, null, { ...axesOf(motion.sections), pressure: shown.highest_pressure });
   } else {
     const order = { knobs: { ...its.knobs, load: Number(load.toPrecision(12)) }, "mean-gap": null, "is-deep": isDeep(), "is-still": true };
     hold(() => order, (contact) => {
       if (!isShown()) return;
-      showContact(contact);
       setPictured(now);
+      showContact(contact);
     });
   }
 }
@@ -83,12 +83,12 @@ async function momentOfStep(run, step) {
   const steps = columns.step;
   if (step >= endOf(run, steps)) { goToState(null); return; }
   const at = Math.max(0, steps.findLastIndex((it) => it <= step));
-  const told = Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
+  const told = rowOf(columns, at);
   const name = momentName(run, told);
   goToState({ name, title: momentTitle(run, name), numbers: told, step, knobs: run.knobs });
   charts();
-  showSection({ ...motion.sections[Math.max(0, motion.steps.findLastIndex((it) => it <= step))], shear: null }, beside, axesOf(motion.sections));
   setPictured(moment);
+  showSection({ ...motion.sections[Math.max(0, motion.steps.findLastIndex((it) => it <= step))], shear: null }, beside, axesOf(motion.sections));
 }
 
 /** The latest request for the section of a run, while it is under way. */
@@ -112,17 +112,19 @@ async function askSection(mine) {
   const [shown, shownBeside, shear = null, shearBeside = null] = await Promise.all(names.map((name) => facet(run, name)));
   const top = shown.y === null ? null : await facet(run, "top").catch(() => null);
   if (grip || moment || mine !== asking || run !== shownOrLatest()) return;
-  showContact({ section: shown, beside: shownBeside, top, shear, shear_beside: shearBeside });
   setPictured(run, true);
-  run.steps = (await facet(run, "steps").catch(() => null))?.step;
+  showContact({ section: shown, beside: shownBeside, top, shear, shear_beside: shearBeside });
+  const columns = await facet(run, "steps").catch(() => null);
+  run.steps = columns?.step;
+  if (columns && processOf(run) === "adhesion") noteFound(run, { pull_off: pullOffIn(run, columns) });
   document.body.dataset.section = run.id;
 }
 
 /** Shows the section of the latest step of a run that has not ended, which the solver reports now and then, or that was ended with its
  * solver. */
 function showRunning(run) {
-  showSection(run.section, beside, axesOf([run.section, beside].filter(Boolean)));
   setPictured(run);
+  showSection(run.section, beside, axesOf([run.section, beside].filter(Boolean)));
   document.body.dataset.running = run.id;
 }
 

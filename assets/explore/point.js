@@ -40,10 +40,12 @@ function patchOf(node) {
 /** The thing that is lit up; none at other times. */
 let lit = null;
 
-/** A text with a button for the words that point. */
+/** A text with a button for the words that point; the mark behind it is on the same line. */
 function pointing(text) {
   const parts = text.split(POINTING);
-  return parts.map((part, i) => i % 3 === 0 ? part : i % 3 === 1 ? pointer(part, parts[i + 1]) : "");
+  const marks = parts.map((part, i) => i && i % 3 === 0 ? /^[,.;:!?)”“]*/.exec(part)[0] : "");
+  const kept = (i) => element("span", { class: "kept" }, pointer(parts[i], parts[i + 1]), marks[i + 2]);
+  return parts.map((part, i) => i % 3 === 0 ? part.slice(marks[i].length) : i % 3 === 1 ? kept(i) : "");
 }
 
 /** The same text, where no button can stand. */

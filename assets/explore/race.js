@@ -1,5 +1,5 @@
 // Watching a solver converge, alone or in a race with another one on the same contact: the contact step by step, the error by wavelength, the
-// certificate and the numbers. The clock is the work that has been done, in transforms, which cost the same in all solvers.
+// certificate and the numbers. The clock is the work that has been done, in transforms, which are most of it in all solvers.
 
 /** Seconds that a race takes, and how many stills there are of it where the system wants no motion. */
 const RACE = { seconds: 14, stills: 14 };
@@ -42,10 +42,9 @@ function beginRace() {
 async function watch(run, other = null) {
   if (!run?.ended) { fault(say("why.early")); return; }
   const { dialog, mine } = openRace(run);
-  const isOfStates = Boolean(run.process) || run.knobs.speed > 0;
-  byId("race-rival").disabled = isOfStates;
+  byId("race-rival").disabled = isOfStates(run);
   byId("race-rival").value = "";
-  if (isOfStates) noteRace(say("race.states"));
+  if (isOfStates(run)) noteRace(say("race.states"));
   if (!dialog.open) dialog.showModal();
   await Promise.all([run, other].filter(Boolean).map(laneOf)).then((lanes) => { if (race === mine) setLanes(lanes); }, (error) => noteRace(error.message));
   if (race === mine) await findCures(run);
@@ -54,7 +53,7 @@ async function watch(run, other = null) {
 function openRace(run) {
   endRace();
   race = { run, lanes: null, at: 0, most: 1, power: 1, playing: null };
-  byId("race-title").textContent = say("race.title", { title: titleOf(run) });
+  byId("race-title").replaceChildren(...unbroken(say("race.title", { title: titleOf(run) })));
   byId("race-lanes").replaceChildren();
   byId("race-cures").replaceChildren();
   noteRace(say("race.waiting"));
@@ -96,7 +95,8 @@ function setLanes(lanes) {
   const every = lanes.flatMap(({ motion, end }) => [...motion.sections, end]);
   race.axes = { ...axesOf(every), pressure: 1.25 * Math.max(...lanes.map(({ end }) => end.highest_pressure)) };
   byId("race-lanes").replaceChildren(...lanes.map(({ name, picture, bars, told }, i) => element("section", { class: "race-lane" }, element("h3", { class: `of-${LANES[i]}` }, name), picture, told, bars)));
-  noteRace(say(lanes.length > 1 ? "race.clock" : "race.alone"));
+  const isSurface = lanes[0].end.y !== null;
+  noteRace([say(lanes.length > 1 ? "race.clock" : "race.alone"), isSurface && say("race.cut")].filter(Boolean).join(" "));
   tellGoals();
   for (const lane of lanes) facet(lane.run, "why").then((why) => { lane.why = why; lane.shown = null; if (race?.lanes === lanes) showWork(race.at); }, () => {});
   document.body.dataset.race = lanes.map(({ run }) => run.id).join(" ");
@@ -119,8 +119,8 @@ const rowAt = ({ work }) => Math.max(0, work.findLastIndex((it) => it <= race.at
 function showWork(work) {
   race.at = Math.min(race.most, Math.max(0, work));
   byId("race-scrub").value = String(1000 * shareOfWork(race.at));
-  byId("race-work").value = say("race.work", { work: String(Math.round(race.at)) });
   race.lanes.forEach(showLane);
+  byId("race-work").value = say("race.work", { work: String(Math.max(...race.lanes.map((lane) => lane.work[rowAt(lane)]))) });
   for (const line of document.querySelectorAll("#race-charts .now")) placeNow(line);
 }
 
@@ -133,7 +133,7 @@ function showLane(lane, place) {
   const isEnd = row === steps.step.length - 1;
   const step = steps.step[row];
   const shown = isEnd ? lane.end : motion.sections[Math.max(0, motion.steps.findLastIndex((it) => it <= step))];
-  drawLane(lane.picture, { ...shown, exact: null, shear: null });
+  drawLane(lane.picture, { ...shown, exact: null, shear: null, zone: null });
   drawErrors(lane.bars, why && why.errors, step, isEnd, PAINTS[place]);
   lane.told.textContent = say(isEnd ? "race.ended" : steps.level[row] ? "race.coarse" : "race.step", {
     status: statusOf(lane.run), step: figure(step), work: figure(steps.transforms[row]), certificate: figure(knownCertificate(lane, row), 2), area: figure(100 * steps.relative_area[row], 3), kappa: figure(steps.kappa_r[row], 3) });
@@ -145,7 +145,7 @@ function drawLane(canvas, shown) {
   const at = frame(canvas, race.axes);
   paintSection(pen, at, shown);
   Object.assign(pen, { font: FONT, fillStyle: colours().ink });
-  pen.fillText(say("race.pressure"), 6, 14);
+  pen.fillText(scaleInWords(shown), 6, 14);
   pen.fillText(say("label.rigid"), 6, at.top + 15);
   pen.fillText(say("label.solid"), 6, height - 8);
   canvas.ariaLabel = inWords(shown);
@@ -155,7 +155,7 @@ function drawLane(canvas, shown) {
 function drawErrors(canvas, errors, step, isEnd, paint) {
   const { pen, width, height } = penOf(canvas);
   const colour = colours();
-  const [left, below, above] = [44, 18, 16];
+  const [left, below, above] = [44, 18, 20];
   const high = height - below - above;
   const y = (error) => above + high * Math.min(1, Math.max(0, Math.log10(Math.max(error, 1e-300)) / LOWEST));
   Object.assign(pen, { font: FONT, fillStyle: colour.soft, strokeStyle: colour.edge, textBaseline: "middle", textAlign: "right" });
@@ -164,12 +164,12 @@ function drawErrors(canvas, errors, step, isEnd, paint) {
     pen.fillRect(left, y(10 ** power), width - left, 0.5);
   }
   Object.assign(pen, { textAlign: "left", fillStyle: colour.ink });
-  pen.fillText(say("race.errors"), left, 7);
-  if (!errors) { pen.fillText(say("race.comparing"), left + 8, height / 2); return; }
+  pen.fillText(say("race.errors"), left, 9, width - left);
+  if (!errors) { pen.fillText(say("race.comparing"), left + 8, above + high / 4); return; }
   const at = isEnd ? null : errors.rows[Math.max(0, errors.steps.findLastIndex((it) => it <= step))];
   const wide = (width - left) / Math.max(1, errors.wavelengths.length);
   pen.fillStyle = colour[paint];
-  if (isEnd) pen.fillText(say("race.solution"), left + 8, height / 2);
+  if (isEnd) pen.fillText(say("race.solution"), left + 8, above + high / 4);
   at?.forEach((error, band) => { if (error > 0) pen.fillRect(left + band * wide + 1, y(error), Math.max(1, wide - 2), above + high - y(error)); });
   if (!errors.wavelengths.length) return;
   Object.assign(pen, { fillStyle: colour.soft, textBaseline: "bottom" });

@@ -18,6 +18,7 @@ function postInTurn(path, body) {
 
 /** Solves anew; while one request is under way, only the latest change waits. What is shown is greyed at once, and a hand lets go. */
 async function changed() {
+  if (isAsked()) setAside();
   grip = null;
   orders += 1;
   charts();
@@ -53,6 +54,7 @@ function refused(error) {
 /** Sweeps the load, once the state of the knobs is solved, so that it is the one that is shown. */
 async function sweep() {
   repainted = null;
+  if (isAsked()) setAside();
   if (isSolved()) orders += 1; else changed();
   const [mine, before] = [orders, faults];
   while (orders === mine && faults === before && !isSolved()) await new Promise((done) => setTimeout(done, 20));
@@ -224,10 +226,16 @@ function forget(run) {
 }
 
 function listRuns() {
-  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${titleOf(run)} (${runName(run.id)})`));
+  const options = [...runs].reverse().map((run, i) => element("option", { value: run.id }, `${"ABCDEF"[i]}: ${runName(run.id)} · ${titleOf(run)}${methodOf(run)}`));
   byId("runs").replaceChildren(...options);
   byId("runs").title = say("runs.tip", { count: KEEP });
 }
+
+/** Whether a run has several states, or slides, which have methods of their own. */
+const isOfStates = (run) => Boolean(run.process) || run.knobs.speed > 0;
+
+/** The method of a run at the end of its title; none of a sweep, and where there is no choice. */
+const methodOf = (run) => isSweep(run) || isOfStates(run) ? "" : `, ${solverOf(run)}`;
 
 /** The name of a run or a sweep for people. */
 const runName = (id) => say(`run.${id.split("-")[0]}`, { number: numberOf({ id }) });
@@ -242,8 +250,16 @@ const timeline = (run) => isSweep(run) ? "load" : "step";
 const latest = () => runs.findLast((run) => !isSweep(run));
 
 /** What a run is compared with. */
-function rival(run) {
-  return pinned && pinned !== run.id ? runOf(pinned) : runs.slice(0, runs.indexOf(run)).findLast((other) => !isSweep(other));
+const rival = (run) => pinned && pinned !== run.id ? runOf(pinned) : runBefore(run);
+
+/** The last run before another one that was not stopped, as those are through which a slider went. */
+const runBefore = (run) => runs.slice(0, runs.indexOf(run)).findLast((other) => !isSweep(other) && other.numbers?.status !== "stopped by the observer");
+
+/** What the table has beside the state that is shown: the run that is pinned, or else the one before; before a contact under the hand, and one that
+ * is asked about, the run that is shown at other times is the one before. */
+function besideInTable(run) {
+  const isOfRun = !moment || moment.step !== undefined || moment.sweep;
+  return pinned ? runOf(pinned) : isOfRun ? runBefore(run) : run;
 }
 
 /** What the viewer shows, or will show: a run or a sweep. */
@@ -338,19 +354,38 @@ function lengthOf(metres, digits = 3) {
 let known = [];
 let observables = [];
 const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds"];
-/** Those that tell how a contact was solved, which are folded away. */
-const HOW_SOLVED = ["certificate", "traction_certificate", "iterations", "transforms", "seconds"];
-/** The observables beside which exact values stand. */
-const EXACT = ["relative_area", "kappa_r"];
 const SECONDS = { name: "seconds" };
 const CONDUCTANCE = { name: "conductance" };
 
-/** The text of a status, which the server reports in English. */
-const statusOf = ({ numbers }) => say(`status.${(numbers ? numbers.status : "begun").replaceAll(" ", "-")}`);
+/** The text of a status, which the server reports in English; of surfaces that were pulled apart, whether they hold, and of a process that goes on,
+ * how far it is.
+ * @param {any} run */
+function statusOf(run) {
+  const { numbers, process } = run;
+  const status = (numbers ? numbers.status : "begun").replaceAll(" ", "-");
+  if (status === "converged" && isPulledOff(run)) return say(hasLetGo(run, numbers) ? "status.parted" : "status.holds");
+  const of = status === "running" && numbers[OF_STATES[process?.kind]];
+  return Number.isFinite(of) ? say("status.running.at", { at: say(`moment.${OF_STATES[process.kind]}`, { value: figure(of, 3) }) }) : say(`status.${status}`);
+}
 
 /** The process of which the steps of a run are states; none of a single contact.
  * @param {any} run */
 const processOf = (run) => run?.process?.kind ?? null;
+
+/** Whether surfaces that attract each other are apart: nothing carries a load, so that the state has no mean gap of its own. */
+const isParted = (told) => told?.mean_attraction === 0 && told.relative_area === 0;
+/** Whether the surfaces of a run that pulls them apart have let go of each other: at a gap they still attract each other a little. */
+const hasLetGo = (run, told) => isAtGaps(run.knobs) ? told.relative_area === 0 : isParted(told);
+const LOST_BY_PARTING = ["mean_gap", "mean_gap_over_rms_height"];
+
+/** The row of a state in the columns of a run. */
+const rowOf = (columns, at) => Object.fromEntries(Object.entries(columns).map(([name, values]) => [name, values[at]]));
+
+/** The lowest mean pressure that the surfaces of a run held before they parted, from its columns; none where they hold. */
+function pullOffIn(run, columns) {
+  const states = columns.step.map((_, at) => rowOf(columns, at));
+  return hasLetGo(run, states.at(-1)) ? Math.min(...states.filter((told) => !isParted(told)).map((told) => told.mean_pressure)) : null;
+}
 
 /** Whether the server has gone before a run or a sweep has ended. */
 const isLost = ({ ended }) => !ended && document.body.dataset.server === "gone";
@@ -371,61 +406,26 @@ const ROUNDING = 1e-12;
 
 const withoutRounding = (gap) => Math.abs(gap) < ROUNDING ? 0 : gap;
 
-/** A number of a state, without rounding where there is nothing else. */
-const cleared = (told, name) => name === "mean_gap_over_rms_height" ? withoutRounding(told?.[name]) : told?.[name];
+/** A number of a state, without rounding where there is nothing else; none of those that surfaces lose when they part. */
+const cleared = (told, name) => isParted(told) && LOST_BY_PARTING.includes(name) ? null : name === "mean_gap_over_rms_height" ? withoutRounding(told?.[name]) : told?.[name];
 
-/** The relative error from which on a number stands with it, and the numbers that have one, with its name. */
-const COARSE = 0.05;
-const ERRORS = { relative_area: "relative_area_error", kappa: "relative_area_error", kappa_r: "kappa_r_error", kappa_r_error: "kappa_r_error" };
-
-/** A number as the table has it: with its error, if that is large or not known, and the error itself with what to do. */
-function valueOf(told, name) {
-  const error = told?.[ERRORS[name]];
-  // with adhesion there are no such errors, and no certificate
-  const isUnknown = error === null && told.relative_area > 0 && told.certificate !== null;
-  if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name));
-  const percent = isUnknown ? "?" : `${figure(100 * error, 2)} %`;
-  const remedy = knobs.body === "file" ? "file" : "points";
-  const shown = name === "kappa_r_error" ? say(`numbers.coarse.${remedy}`, { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
-  const tip = isUnknown ? "numbers.coarse.unknown.tip" : `numbers.coarse.${remedy}.tip`;
-  return [element("span", { class: "coarse", title: say(tip) }, shown)];
-}
-
-/** Rows of the numbers that only the process of a run knows. */
-function rowsOfProcess(run, both, cell) {
-  const names = (run.process?.numbers ?? []).filter((name) => both.some((told) => Number.isFinite(told?.[name])));
-  const told = (its, name) => withUnit(its?.[name], kindOf(name), { digits: 4, modulus: modulusOf(its) });
-  return names.map((name) => element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(told(both[0], name), name), cell(told(both[1], name), ""), cell("", "")));
-}
-
-/** Shows how the contact was solved, or folds it away. */
-function foldSolving() {
-  byId("solving").hidden = !byId("solving").hidden;
-  byId("show-solving").ariaExpanded = String(!byId("solving").hidden);
+/** Notes what was found for a run after its end. */
+function noteFound(run, found) {
+  run.found = { ...run.found, ...found };
+  numbers();
 }
 
 /** Shows the numbers of the state, and all that goes with them. */
 function numbers() {
   const run = shownOrLatest();
   if (!run) return;
-  const before = rival(run);
-  const cell = (text, name) => element("td", { "data-number": name }, ...[text].flat());
-  const exact = moment && "exact" in moment ? moment.exact : run.exact;
-  const both = [moment || run, run.beside || before].map((it) => it?.numbers);
-  const isTold = (name) => [...both, run.numbers].some((told) => Number.isFinite(told?.[name]));
-  const rows = observables.filter(({ name }) => isTold(name) || !run.numbers).map(({ name }) => {
-    const values = both.map((told) => valueOf(told, name));
-    const theory = exact && EXACT.includes(name) ? figure(exact[name]) : "";
-    return element("tr", { title: say(`number.${name}.tip`) }, element("th", { scope: "row" }, say(`number.${name}`)), cell(values[0], name), cell(values[1], ""), cell(theory, `exact ${name}`));
-  });
-  rows.push(...rowsOfProcess(run, both, cell));
-  const isOfSolving = (row) => HOW_SOLVED.includes(row.querySelector("[data-number]").dataset.number);
-  byId("numbers").tBodies[0].replaceChildren(...rows.filter((row) => !isOfSolving(row)));
-  byId("solving").replaceChildren(...rows.filter(isOfSolving));
+  const before = besideInTable(run);
+  byId("this").textContent = moment ? moment.name : say("numbers.this");
+  byId("rival").title = run.beside ? say("beside.tip") : "";
+  byId("rival").textContent = run.beside ? named(say("numbers.beside"), run.beside.numbers ?? {}) : pinned ? say("numbers.pinned") : say("numbers.before");
+  showTable(run, run.beside || before, before);
   const status = run.numbers ? run.numbers.status : "begun";
   showTitle(run);
-  byId("this").textContent = moment ? moment.name : say("numbers.this");
-  byId("rival").textContent = run.beside ? named(say("numbers.beside"), run.beside.numbers ?? {}) : pinned ? say("numbers.pinned") : say("numbers.before");
   byId("beside").setAttribute("aria-pressed", String(Boolean(knobs.beside)));
   showSectionOf(run);
   markState();

@@ -1,17 +1,33 @@
-// What is saved: the run that is shown, and the curves of the sweep. File names come from the run.
+// What is saved: the run that is shown, its numbers, and the curves of the charts. File names come from the run.
 
-/** Offers what there is to save: of the run or the sweep that the viewer shows, and of the sweep that the charts show. */
+/** Why nothing of a run can be saved, in a sentence; empty where it can. */
+const whyNotOfRun = (it) => !it?.ended ? say("why.early") : isKept(it) ? "" : say("save.gone");
+const whyNotOfSweep = (it) => it && isSweep(it) ? say("save.sweep") : "";
+
+/** The run or the sweep whose curves the charts show; none where they show dots alone. */
+const drawnInCharts = () => runOfProcess() ?? (report.sweep?.points.length ? report.sweep : null);
+
+/** Offers what there is to save: of the run or the sweep that the viewer shows, of the table, and of what the charts show. Below each group of buttons
+ * stands why some of them cannot be pressed. */
 function offerSaves() {
   const it = current();
-  const offer = (id, isThere) => { byId(id).disabled = !isThere; };
-  offer("save-rrd", it && it.ended && isKept(it) && recordingName(it));
-  byId("save-rrd").title = say(it && !recordingName(it) ? "viewer.unrecorded" : "save.rrd.tip");
-  offer("save-npz", it && it.ended && isKept(it) && !isSweep(it));
-  offer("save-setup", it && !isSweep(it));
-  offer("copy-command", it && !isSweep(it));
-  offer("save-picture", it && (viewer || section));
-  offer("save-curve", report.sweep && report.sweep.points.length);
-  offer("save-charts", report.sweep && report.sweep.points.length);
+  const curves = drawnInCharts();
+  const ofCurves = curves?.process ? whyNotOfRun(curves) : curves ? "" : say("save.curve.none");
+  offerGroup("run", {
+    "save-rrd": whyNotOfRun(it) || (recordingName(it) ? "" : say("viewer.unrecorded")), "save-npz": whyNotOfSweep(it) || whyNotOfRun(it),
+    "save-setup": it ? whyNotOfSweep(it) : say("why.early"), "save-picture": it && (viewer || section) ? "" : say("why.early"),
+  });
+  offerGroup("curve", { "save-curve": ofCurves, "save-charts": ofCurves });
+  offerGroup("copy", { "copy-command": it ? whyNotOfSweep(it) : say("why.early") });
+  byId("save-numbers").disabled = !shownTable;
+}
+
+/** Offers the buttons of a group for which there is no reason against it, and says the reasons against others. */
+function offerGroup(group, reasons) {
+  for (const [id, why] of Object.entries(reasons)) byId(id).disabled = Boolean(why);
+  const told = [...new Set(Object.values(reasons))].filter(Boolean);
+  byId(`save-${group}-why`).textContent = told.join(" ");
+  byId(`save-${group}-why`).hidden = told.length === 0;
 }
 
 /** Room between the menu and its button, and the edge of the window. */
@@ -29,7 +45,7 @@ function beginShare() {
     Object.assign(menu.style, { left: `${Math.max(MENU_ROOM, Math.min(left, most))}px`, top: `${bottom + MENU_ROOM}px` });
   });
   menu.addEventListener("click", ({ target }) => { if (target instanceof HTMLButtonElement) menu.hidePopover(); });
-  const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
+  const saves = { "save-rrd": saveRecording, "save-npz": saveArrays, "save-setup": saveSetup, "save-picture": savePicture, "save-numbers": saveNumbers, "save-curve": saveCurve, "save-charts": saveCharts, "copy-command": copyCommand, "copy-link": copyLink };
   Object.entries(saves).forEach(([id, action]) => byId(id).addEventListener("click", action));
 }
 
@@ -58,13 +74,19 @@ async function saveArrays() {
 
 const saveSetup = () => saveText(current().setup, "application/toml", `${current().file_stem}.toml`);
 
-/** The sweep as a table: all observables of each load, and what theories say. */
-function saveCurve() {
-  const rows = report.sweep.points.map(({ exact, ...numbers }) => ({ ...numbers, exact_relative_area: exact?.relative_area, exact_kappa_r: exact?.kappa_r }));
+/** The curves as a table: all observables of each load of a sweep, and what theories say, or of each state of a run. */
+async function saveCurve() {
+  const its = drawnInCharts();
+  const columns = its.process && await facet(its, "steps").catch((error) => fault(error.message));
+  const rows = its.process ? columns.step.map((_, at) => rowOf(columns, at))
+    : its.points.map(({ exact, ...numbers }) => ({ ...numbers, exact_relative_area: exact?.relative_area, exact_kappa_r: exact?.kappa_r }));
   const names = Object.keys(rows[0]);
   const lines = [names, ...rows.map((row) => names.map((name) => row[name] ?? ""))];
-  saveText(lines.map((line) => `${line.join(",")}\n`).join(""), "text/csv", `${report.sweep.file_stem}.csv`);
+  saveText(lines.map((line) => `${line.join(",")}\n`).join(""), "text/csv", `${its.file_stem}${its.process ? "_states" : ""}.csv`);
 }
+
+/** The table of numbers as it is shown. */
+const saveNumbers = () => saveText(tableInText(rowsOfNumbers()), "text/csv", `${shownOrLatest().file_stem}_numbers.csv`);
 
 /** Properties of the style sheet that a picture takes along. */
 const STYLES = ["fill", "stroke", "stroke-width", "stroke-dasharray", "paint-order", "font-family", "font-size", "font-weight", "text-anchor"];
@@ -84,7 +106,7 @@ function saveCharts() {
     sheet.append(copy);
     x += boxes[i].width;
   });
-  saveText(new XMLSerializer().serializeToString(sheet), "image/svg+xml", `${report.sweep.file_stem}.svg`);
+  saveText(new XMLSerializer().serializeToString(sheet), "image/svg+xml", `${drawnInCharts().file_stem}.svg`);
 }
 
 /** A copy that looks the same without the style sheet. */

@@ -1,6 +1,5 @@
-// The language of the page, and its sentences, in `texts`, and those that the server reports in English.
-
-const LANGUAGES = Object.keys(TEXTS);
+// The language of the page, and its sentences, in `texts`, and those that the server reports in English. The texts of each language are a script of
+// their own, of which the page has the English one from the beginning.
 
 /** What the system says of the screen: the page answers for it where the viewer asks. */
 const askSystem = window.matchMedia.bind(window);
@@ -8,19 +7,23 @@ const askSystem = window.matchMedia.bind(window);
 /** The language that the address asks for, or was chosen before, or is the first of the browser's that there is. */
 function wantedLanguage() {
   const wishes = [new URLSearchParams(location.search).get("language"), localStorage.getItem("language"), ...navigator.languages];
-  return wishes.map((wish) => String(wish).slice(0, 2).toLowerCase()).find((wish) => LANGUAGES.includes(wish)) || "en";
+  return wishes.map((wish) => String(wish).slice(0, 2).toLowerCase()).find((wish) => Object.hasOwn(LANGUAGES, wish)) || "en";
 }
 
 const language = wantedLanguage();
 
+/** The texts of the page in its language.
+ * @type {Record<string, string>} */
+let texts = {};
+
 /** The text of a key in the language of the page, with values in its places such as {name}. */
 function say(key, places = {}) {
-  const text = TEXTS[language][key] ?? TEXTS.en[key] ?? key;
+  const text = texts[key] ?? key;
   return text.replace(/\{(\w+)\}/g, (place, name) => Object.hasOwn(places, name) ? places[name] : place);
 }
 
 /** Whether there is a text of a key, and a name as a part of a key. */
-const knows = (key) => Object.hasOwn(TEXTS.en, key);
+const knows = (key) => Object.hasOwn(texts, key);
 const slug = (name) => name.toLowerCase().replaceAll(" ", "-");
 
 /** A number in words, with the decimal mark of the language. */
@@ -35,8 +38,26 @@ function numberFrom(text) {
 /** A sentence with places as a pattern, in which each place is anything. */
 const patternOf = (sentence) => new RegExp(`^${sentence.split(/\{(\w+)\}/).map((part, i) => i % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^$()|[\]\\]/g, "\\$&")).join("")}$`);
 
-/** The English sentences of the server, and the same in the language of the page, as patterns and sentences, the longest first. */
-const told = Object.entries(TOLD[language] ?? {}).sort(([one], [other]) => other.length - one.length).map(([english, own]) => [patternOf(english), own]);
+/** English sentences of the server and others in their place, as patterns and sentences, the longest first.
+ * @type {(told: Record<string, string>) => [RegExp, string][]} */
+const patternsOf = (told) => Object.entries(told).sort(([one], [other]) => other.length - one.length).map(([english, own]) => [patternOf(english), own]);
+
+/** The English sentences of the server, and the same in the language of the page.
+ * @type {[RegExp, string][]} */
+let told = [];
+
+/** Takes the texts of a language. */
+async function takeTexts(script) {
+  const its = await jsonFrom(script);
+  texts = its.texts;
+  told = patternsOf(its.told);
+}
+
+/** Loads the texts of the language of the page. It stays English where they cannot be had. */
+async function loadTexts() {
+  await takeTexts(ENGLISH);
+  if (language !== "en") await loadScript(`${language}.js`).then(() => takeTexts(FOREIGN));
+}
 
 /** What stands in a place of a sentence: a number in a place that is named after a length is one in metres. */
 const placeInWords = (name, text) => name.startsWith("length") && numberFrom(text) ? lengthOf(numberFrom(text), 4) : translated(text);
@@ -85,9 +106,13 @@ function changeLanguage(wish) {
 
 function offerLanguages() {
   const list = /** @type {HTMLSelectElement} */ (document.getElementById("language"));
-  list.replaceChildren(...LANGUAGES.map((it) => new Option(TEXTS[it].language, it, false, it === language)));
+  list.replaceChildren(...Object.entries(LANGUAGES).map(([it, name]) => new Option(name, it, false, it === language)));
   list.addEventListener("change", () => changeLanguage(list.value));
 }
 
-sayAll();
-offerLanguages();
+/** Gives the page its texts. */
+async function beginTexts() {
+  await loadTexts().catch((error) => console.error(error));
+  sayAll();
+  offerLanguages();
+}

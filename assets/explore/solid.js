@@ -15,8 +15,10 @@ uniform ivec2 shape;           // columns, rows
 uniform vec2 sides;
 uniform vec3 heights;          // lowest, factor, height of the base
 uniform int piece, cut, stride;
+uniform float reach;           // depth of what is shown below the cut; 0 for nothing
 out float light;
 out float pressure;
+out vec2 below;
 vec3 at(ivec2 node) {
   ivec2 inside = clamp(node, ivec2(0), shape - 1);
   vec4 field = texelFetch(fields, inside, 0);
@@ -32,7 +34,11 @@ void main() {
   vec3 along = at(node + ivec2(1, 0)) - at(node - ivec2(1, 0));
   vec3 across = at(node + ivec2(0, 1)) - at(node - ivec2(0, 1));
   light = 0.45 + 0.55 * abs(dot(normalize(cross(along, across)), normalize(vec3(-0.6, -0.3, 0.75))));
-  if (piece == ${PIECES.wall} && id % 2 == 1) place.z = heights.z;
+  below = vec2((float(node.x) + 0.5) / float(shape.x), 0.0);
+  if (piece == ${PIECES.wall} && id % 2 == 1) {
+    below.y = (place.z - heights.z) / max(reach, 1e-9);
+    place.z = heights.z;
+  }
   pressure = field.z;
   gl_Position = view * vec4(place, 1.0);
 }`;
@@ -42,8 +48,11 @@ precision highp float;
 precision highp int;
 uniform int piece;
 uniform vec3 body, rigid, line, ramp[5];
+uniform sampler2D zone;        // colours below the cut
+uniform float reach;
 in float light;
 in float pressure;
+in vec2 below;
 out vec4 colour;
 vec3 heat(float share) {
   float at = clamp(share, 0.0, 1.0) * 4.0;
@@ -52,7 +61,10 @@ vec3 heat(float share) {
 }
 void main() {
   if (piece == ${PIECES.profile} || piece == ${PIECES.edge}) colour = vec4(line, 1.0);
-  else if (piece == ${PIECES.wall}) colour = vec4(body * 0.62, 1.0);
+  else if (piece == ${PIECES.wall}) {
+    vec4 cell = reach > 0.0 && below.y < 1.0 ? texture(zone, below) : vec4(0.0);
+    colour = vec4(mix(body * 0.62, cell.rgb, cell.a), 1.0);
+  }
   else if (piece == ${PIECES.rigid}) {
     if (pressure > 0.0) discard;
     colour = vec4(rigid * light, 0.34);
@@ -78,8 +90,13 @@ function beginGraphics(canvas) {
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return null;
   gl.useProgram(program);
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+  for (const unit of [gl.TEXTURE1, gl.TEXTURE0]) {
+    gl.activeTexture(unit);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+  }
+  gl.uniform1i(gl.getUniformLocation(program, "zone"), 1);
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.enable(gl.DEPTH_TEST);
   gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
@@ -111,6 +128,14 @@ function loadFields(its) {
     at += 6;
   }
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
+}
+
+/** Puts the colours of what has yielded below the cut where the shader reads them. */
+function loadZone(zone, colour) {
+  const { gl } = graphics;
+  gl.activeTexture(gl.TEXTURE1);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, zone.columns, zone.strain.values.length / zone.columns, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(cellsOf(zone, colour).flat()));
+  gl.activeTexture(gl.TEXTURE0);
 }
 
 /** The matrix, column by column, that puts places onto the screen: turned, seen from a distance, in perspective. */
@@ -197,6 +222,8 @@ function paintSolid() {
   gl.uniform2f(place("sides"), above.size[1] / longest, above.size[0] / longest);
   gl.uniform3f(place("heights"), low, SPACE.height / (high - low || 1), -SPACE.depth);
   gl.uniform1i(place("cut"), row);
+  if (section.zone) loadZone(section.zone, rgb(colour.warm));
+  gl.uniform1f(place("reach"), section.zone ? section.zone.depth / longest : 0);
   gl.uniform1i(place("stride"), strideOf(columns));
   gl.uniform3fv(place("body"), paint(document.documentElement.dataset.theme === "light" ? colour.edge : colour.soft));
   gl.uniform3fv(place("rigid"), paint(colour.accent));
@@ -218,7 +245,7 @@ function paintSolid() {
   gl.disable(gl.BLEND);
   const times = figure(Number((SPACE.height * longest / (high - low || 1)).toPrecision(2)), 2);
   canvas.ariaLabel = say("solid.words", { times });
-  byId("solid-scale").textContent = say("section.heights", { times });
+  byId("solid-scale").textContent = say("solid.scale", { times, length: withUnit(longest, "length") });
 }
 
 /** Turns the solid. */

@@ -90,7 +90,7 @@ function beginState() {
   byId("row-load").after(element("p", { id: "load-hand", hidden: true }, say("load.hand")));
 }
 
-/** Notes whose section is drawn: that of a moment, or of a run on its way or at its end. */
+/** Notes whose section is drawn next, as its map asks for what is known of the run: that of a moment, or of a run on its way or at its end. */
 function setPictured(state, isEnd = false) {
   pictured = state;
   sectionRun = isEnd ? state.id : null;
@@ -131,12 +131,20 @@ function putBack() {
  * it. */
 const takesOver = (run) => !isOfKnobs() || (words(run.knobs) === words(knobs) && !isHidden());
 
+/** What stays on one line: a symbol with its value, and a number with an exponent. */
+const UNBROKEN = /(\S+ = \S+|\S*\de-\d+\S*)/;
+
+/** A text as parts of an element, of which some stay on one line.
+ * @type {(text: string) => (string | Node)[]} */
+const unbroken = (text) => text.split(UNBROKEN).map((part, i) => i % 2 ? element("span", { class: "kept" }, part) : part);
+
 /** Shows the title of the state, and of the sweep that the viewer shows or that goes on. */
 function showTitle(run) {
   const shown = runOf(shownRun);
   const sweep = shown && isSweep(shown) && (!moment || moment.sweep) ? ` · ${sweepInWords(shown)}` : "";
   const title = `${moment?.title ?? titleOfRun(run)}${sweep}`;
-  Object.assign(byId("title"), { textContent: title, title }); // a long one is cut off
+  byId("title").replaceChildren(element("span", {}, ...unbroken(title)));
+  byId("title").title = title; // a long one is cut off
 }
 
 function sweepInWords(sweep) {

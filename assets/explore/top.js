@@ -1,7 +1,7 @@
 // A contact of a surface from above: its pressure, its gap, its patches or what flows through it, and where the section cuts it.
 
 /** What a map shows: fields of the contact, its patches, further fields of its state, its leakage, and the contact in space. */
-const MAPS = ["pressure", "gap", "patches", "traction", "slip", "attraction", "flux", "fluid", "solid"];
+const MAPS = ["pressure", "gap", "height", "patches", "traction", "slip", "attraction", "flux", "fluid", "solid"];
 const LEAKS = ["flux", "fluid"];
 /** Room around a map for its axes, in pixels, and the width of its colour bar. */
 const MARGIN = { left: 44, right: 92, above: 10, note: 24, below: 34 };
@@ -14,7 +14,7 @@ const RAMPS = {
   signed: [[0x1f, 0x4e, 0x9c], [0x7f, 0xb2, 0xe5], [0xd9, 0xd9, 0xd9], [0xf0, 0xa8, 0x5a], [0xa8, 0x4b, 0x00]],
 };
 /** Symbols of what maps show. */
-const SYMBOLS = { pressure: "p", gap: "g", traction: "τ", slip: "s", attraction: "σ", flux: "|J|/<J>", fluid: "p_f/Δp" };
+const SYMBOLS = { pressure: "p", gap: "g", height: "h", traction: "τ", slip: "s", attraction: "σ" };
 /** Colours of patches, taken in turn. */
 const PATCHES = [[0xe6, 0x9f, 0x00, 255], [0x56, 0xb4, 0xe9, 255], [0x00, 0x9e, 0x73, 255], [0xf0, 0xe4, 0x42, 255], [0xd5, 0x5e, 0x00, 255], [0xcc, 0x79, 0xa7, 255]];
 /** The colour of what touches in a map of gaps. */
@@ -46,7 +46,9 @@ function sectionAlong(its, share, like) {
   const [rigid, gap, pressure] = [its.rigid, its.gap, its.pressure].map(along);
   const fields = Object.fromEntries(Object.entries(its.fields).map(([name, field]) => [name, along(field.values)]));
   const solid = rigid.map((z, i) => z - gap[i]);
-  return { ...like, y: row / rows * its.size[0], rigid, solid, pressure, highest_pressure: Math.max(...pressure), fields, exact: null, shear: null };
+  const y = row / rows * its.size[0];
+  const isItsRow = Math.abs(y - like.y) < 0.5 * its.size[0] / rows;
+  return { ...like, y, rigid, solid, pressure, highest_pressure: Math.max(...pressure), fields, exact: null, shear: null, zone: isItsRow ? like.zone : null };
 }
 
 /** The section that is to be shown of a contact: its own, or where a person has cut its map. */
@@ -55,7 +57,7 @@ const sectionOfCut = (own, its) => cut === null || !its || own.y === null ? own 
 /** Places of a map in pixels. */
 function frameOfTop() {
   const { width: w, height: h } = byId("top").getBoundingClientRect();
-  const top = LEAKS.includes(shownMap) ? MARGIN.note : MARGIN.above;
+  const top = noteOfTop() ? MARGIN.note : MARGIN.above;
   const [wide, high] = [Math.max(1, w - MARGIN.left - MARGIN.right), Math.max(1, h - top - MARGIN.below)];
   const [ly, lx] = above.size;
   const scale = Math.min(wide / lx, high / ly);
@@ -75,8 +77,9 @@ function colourOf(ramp, share) {
 function mapOf(name) {
   const { shape, pressure, gap, highest_pressure: highest, fields } = above;
   const most = (values) => values.reduce((best, it) => Math.max(best, Math.abs(it ?? 0)), 0) || 1;
-  if (name === "pressure") return { shape, values: pressure.map((p) => p > 0 ? p * LIMITS.modulus : null), kind: "pressure", low: 0, high: (highest || 1) * LIMITS.modulus, ramp: RAMPS.pressure, power: 1 };
+  if (name === "pressure") return { shape, values: pressure.map((p) => p > 0 ? p * LIMITS.modulus : null), kind: "pressure", low: 0, high: highest * LIMITS.modulus, ramp: RAMPS.pressure, power: 1 };
   if (name === "gap") return { shape, values: gap, kind: "length", low: 0, high: most(gap), ramp: RAMPS.gap, power: 1 };
+  if (name === "height") return heightMap();
   if (LEAKS.includes(name)) {
     const { shape: its, flux, fluid } = leakOfTop.axes[0];
     return name === "flux" ? { shape: its, values: flux.map((it) => it || null), kind: "1", low: 0, high: most(flux), ramp: RAMPS.leak, power: 0.5 } : { shape: its, values: fluid, kind: "1", low: 0, high: 1, ramp: RAMPS.leak, power: 1 };
@@ -85,6 +88,15 @@ function mapOf(name) {
   const own = values.map((it, i) => pressure[i] > 0 || name === "attraction" ? it * (unit === "pressure" ? LIMITS.modulus : 1) : null);
   const isSigned = name !== "attraction";
   return { shape, values: own, kind: unit, low: isSigned ? -most(own) : 0, high: most(own), ramp: isSigned ? RAMPS.signed : RAMPS.gap, power: 1 };
+}
+
+/** The heights of the surface over their mean, of which the highest touch first. */
+function heightMap() {
+  const { shape, rigid } = above;
+  const mean = rigid.reduce((sum, z) => sum + z, 0) / rigid.length;
+  const values = rigid.map((z) => mean - z);
+  const [low, high] = values.reduce(([least, most], z) => [Math.min(least, z), Math.max(most, z)], [0, 0]);
+  return { shape, values, kind: "length", low, high, ramp: RAMPS.gap, power: 1 };
 }
 
 /** Where a value is between the ends of a map, and the value at a share. */
@@ -127,11 +139,13 @@ function chooseMap(name) {
   charts();
 }
 
-/** Has what a map needs besides the contact, if that of the run is shown. */
+/** Has what a map needs besides the contact, if that of the run is shown and no other one by then. */
 async function findForTop() {
+  const mine = sectionRun;
   const run = !grip && sectionRun ? runOf(sectionRun) : null;
   const wanted = (isWanted, name) => isWanted && run?.ended ? facet(run, name).catch((error) => fault(error.message)) : null;
   const [patches, leak] = await Promise.all([wanted(shownMap === "patches", "patches"), wanted(LEAKS.includes(shownMap), "leak")]);
+  if (sectionRun !== mine) return;
   [patchesOfTop, leakOfTop] = [patches ?? null, leak ?? null];
   if (leakOfTop) keepLeak(run, leakOfTop);
 }
@@ -145,20 +159,33 @@ async function drawTop() {
     byId(`map-${name}`).setAttribute("aria-pressed", String(name === shownMap));
     byId(`map-${name}`).hidden = !LEAKS.includes(name) && !hasMap(name);
   }
-  tellLeak();
+  tellTop();
   if (isSolid) { drawSolid(); return; }
   await findForTop();
-  tellLeak();
+  tellTop();
   if (above && shownMap !== "solid") paintTop();
 }
 
-/** Says how much leaks, or that the leakage is not known yet. */
-function tellLeak() {
-  const isLeak = LEAKS.includes(shownMap);
-  byId("top-note").hidden = !isLeak;
-  if (!isLeak) return;
+/** What is said above a map: that it is old, that nothing touches, that the attraction is not in it, how much leaks, or that this is not known yet;
+ * nothing where it speaks for itself. */
+function noteOfTop() {
+  if (byId("top-box").hasAttribute("data-stale")) return say("top.stale");
+  if (LEAKS.includes(shownMap)) return leakInWords();
+  if (shownMap === "solid") return say("solid.legend", { pressure: pressureOf(above.highest_pressure) });
+  if (shownMap === "pressure" && !(above.highest_pressure > 0)) return say("top.nothing");
+  return shownMap === "pressure" && "attraction" in above.fields ? say("top.pressure.alone") : "";
+}
+
+/** How much leaks, or that the leakage is not known yet. */
+function leakInWords() {
   const gap = leakOfTop?.axes[0].hydraulic_gap;
-  byId("top-note").textContent = gap === undefined ? say(!grip && sectionRun ? "top.leak.finding" : "top.leak.waits") : gap > 0 ? say("top.leak", { gap: withUnit(gap, "length") }) : say("top.leak.sealed");
+  if (gap === undefined) return say(!grip && sectionRun ? "top.leak.finding" : "top.leak.waits");
+  return gap > 0 ? say("top.leak", { gap: withUnit(gap, "length") }) : say("top.leak.sealed");
+}
+
+function tellTop() {
+  const note = noteOfTop();
+  Object.assign(byId("top-note"), { hidden: !note, textContent: note });
 }
 
 function paintTop() {
@@ -180,7 +207,7 @@ function paintTop() {
   to.strokeRect(at.x - 0.5, at.y - 0.5, at.wide + 1, at.high + 1);
   paintCut(to, at, colour);
   paintAxesOfTop(to, at, colour);
-  if (map) paintBar(to, at, colour, map);
+  if (map && map.high > map.low) paintBar(to, at, colour, map);
   const y = section.y ?? 0;
   Object.assign(canvas, { ariaLabel: say("top.words", { map: say(`top.${shownMap}`) }), ariaValueNow: String(Number((y / above.size[0]).toPrecision(3))), ariaValueText: say("top.cut", { y: withUnit(y, "length") }) });
 }
@@ -245,7 +272,9 @@ function paintBar(to, at, colour, map) {
     to.fillText(figure(Number((valueAt(map, share) / size).toPrecision(2)), 2), x + BAR + 4, at.y + (1 - share) * at.high);
   }
   to.textBaseline = "top";
-  to.fillText([SYMBOLS[shownMap], name].filter(Boolean).join(" / "), x, at.y + at.high + 5);
+  const symbol = LEAKS.includes(shownMap) ? say(`top.${shownMap}.symbol`) : SYMBOLS[shownMap];
+  const lines = [[symbol, name].filter(Boolean).join(" / "), ...(map.power === 1 ? [] : [say("top.roots")])];
+  lines.forEach((line, i) => to.fillText(line, Math.min(x, at.w - to.measureText(line).width - 2), at.y + at.high + 5 + 15 * i));
 }
 
 /** The node of the map below a pointer, and its place; none beside the map. */

@@ -12,4 +12,7 @@ function endWelcome() {
   byId("welcome").hidden = true;
 }
 
-const startLessons = () => openLesson(lessons[0].name);
+async function startLessons() {
+  await openLesson(lessons[0].name);
+  comeToLesson();
+}

@@ -2,6 +2,8 @@
 
 /** Digits that the picture of the errors spans. */
 const DIGITS = 8;
+/** Pixels of a lane with its name and its bar, and of the numbers of steps below all of them. */
+const LANE = { high: 30, bar: 10, foot: 18 };
 /** The names of what solvers decide, in the order of their lanes. */
 const DECISIONS = ["start", "conjugate", "exchange", "descend", "whole-set", "single-precision", "split-compliance", "guarded", "damped", "coast", "accelerate", "halt"];
 
@@ -13,7 +15,7 @@ function beginWhy() {
 async function openWhy() {
   const run = shownOrLatest();
   if (!run?.ended) { fault(say("why.early")); return; }
-  byId("why-title").textContent = say("why.title", { title: titleOf(run) });
+  byId("why-title").textContent = say("why.title", { title: `${titleOf(run)}${methodOf(run)}` });
   byId("why-causes").replaceChildren(element("li", {}, say("why.waiting")));
   byId("why-pictures").hidden = true;
   document.body.dataset.why = "asked";
@@ -85,11 +87,16 @@ function drawCells(canvas, places, columns, paintOf) {
 
 /** A lane for each decision, with a bar for each stretch of steps; bars of coarser grids are paler. */
 function drawLanes(canvas, stretches, names, x, colour) {
+  canvas.style.height = `${names.length * LANE.high + LANE.foot}px`;
   const { pen, width, height } = penOf(canvas);
-  const lane = height / Math.max(1, names.length);
   pen.fillStyle = colour.green;
   for (const { name, level, steps: [from, to] } of stretches) {
     pen.globalAlpha = 1 / (1 + level / 2);
-    pen.fillRect(x(from) * width, (names.indexOf(name) + 0.2) * lane, Math.max(1, (x(to + 1) - x(from)) * width), 0.6 * lane);
+    pen.fillRect(x(from) * width, (names.indexOf(name) + 1) * LANE.high - LANE.bar, Math.max(1, (x(to + 1) - x(from)) * width), LANE.bar);
+  }
+  Object.assign(pen, { globalAlpha: 1, fillStyle: colour.soft, font: FONT, textBaseline: "bottom", textAlign: "center" });
+  for (let step = 1; x(step) < 1; step *= 10) {
+    pen.fillRect(x(step) * width, height - LANE.foot, 1, 4);
+    if (x(step) > 0.02 && x(step) < 0.98) pen.fillText(String(step), x(step) * width, height);
   }
 }

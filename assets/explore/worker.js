@@ -40,19 +40,6 @@ const page = {
 const bytesAt = (start, length) => new Uint8Array(module.memory.buffer, start, length);
 const textAt = (start, length) => new TextDecoder().decode(bytesAt(start, length));
 
-/** The first of 32768 letters, each of which is 15 bits of the module. */
-const FIRST_LETTER = 0x3400;
-
-/** The bytes of a text, the highest bits first. */
-function bytesFrom(text) {
-  const bytes = new Uint8Array(Math.floor(text.length * 15 / 8));
-  for (let i = 0, bits = 0, count = 0, at = 0; i < text.length; i++) {
-    bits = (bits & 0xff) << 15 | text.charCodeAt(i) - FIRST_LETTER;
-    for (count += 15; count >= 8; count -= 8) bytes[at++] = bits >> count - 8;
-  }
-  return bytes;
-}
-
 /** Begins the session, and solves its first state unheard, as the page knows it. */
 async function begin({ compressed, module: given, after, first }) {
   const compiled = given ?? await WebAssembly.compile(unpacked(bytesFrom(compressed)));

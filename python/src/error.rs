@@ -169,7 +169,7 @@ fn sentence(error: &BoxedError) -> String {
             return "a study of histories goes along a path in each row: give one load, and further ones as path={'load': ...}"
                 .into();
         }
-        Some(StudyError::Missing { rows, first, of }) => {
+        Some(StudyError::Missing { rows, first, of, .. }) => {
             let first = first - 1;
             return format!("{rows} of {of} rows are missing; the first is row {first}: solve them, and add them");
         }

@@ -1,7 +1,7 @@
 //! Contact problems.
 
 use crate::arrays::in_parentheses;
-use crate::conversion::{Sections, section_mut, sections_from_keywords};
+use crate::conversion::{Sections, section_mut, sections_from_keywords, table_from_sections};
 use crate::detached::Detached;
 use crate::error::{bail, py_error, unexpected_keyword, wrong_type};
 use crate::fork;
@@ -105,17 +105,17 @@ fn with_sampled_solid<'py>(surface: &Surface, keywords: &Bound<'py, PyDict>) -> 
     Ok(keywords)
 }
 
-/// The sections of some keywords, laid over those of a surface.
+/// The sections of some keywords, laid over those of a surface. The keywords have a unit for all quantities of a kind, or for none.
 fn described(py: Python<'_>, surface: &Surface, keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Sections> {
-    let mut described = surface.sections.clone();
+    let mut given = Sections::new();
     let keywords = keywords.map(|keywords| with_sampled_solid(surface, keywords)).transpose()?;
     for (key, value) in sections_from_keywords(keywords.as_ref())? {
         match key.as_str() {
             section if SECTIONS.contains(&section) => {
-                described.insert(key, value);
+                given.insert(key, value);
             }
             load if LOADS.contains(&load) => {
-                section_mut(&mut described, "load").insert(key, value);
+                section_mut(&mut given, "load").insert(key, value);
             }
             other => {
                 let known = [&SECTIONS[..], &LOADS].concat();
@@ -123,6 +123,9 @@ fn described(py: Python<'_>, surface: &Surface, keywords: Option<&Bound<'_, PyDi
             }
         }
     }
+    table_from_sections(&given)?.check_numbers().map_err(py_error)?;
+    let mut described = surface.sections.clone();
+    described.extend(given);
     Ok(described)
 }
 

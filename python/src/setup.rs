@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Setup(surface=..., grid=..., solid=..., load=..., flow=..., solver=..., stop=..., record=...) takes the sections of a scene as
 /// dictionaries, with `_` for `-` in their keys. The solver may be a name alone, the solid a contact modulus, and the path the name of a table. Lengths and pressures are numbers in one set of units, or texts such
-/// as "160 um" and "1 GPa". A load may be a list of loads. With grid={"refine": "auto", ...} the grid is refined until
+/// as "160 um" and "1 GPa": a unit for all of a kind, or for none. A load may be a list of loads. With grid={"refine": "auto", ...} the grid is refined until
 /// area and kappa_r are accurate enough.
 #[pyclass(frozen, eq, from_py_object, module = "asperity")]
 #[derive(Clone, PartialEq)]
@@ -46,6 +46,12 @@ impl Setup {
         let loads = table.take_loads()?;
         let refinement = table.take_auto()?;
         Ok(Self { setup: table.setup()?, loads, refinement })
+    }
+
+    /// The setup of a table that a person wrote, in which all quantities of a kind have units or none has.
+    fn from_written(table: SetupTable) -> Result<Self, SetupError> {
+        table.check_units()?;
+        Self::from_table(table)
     }
 
     /// The setup that some sections describe.
@@ -87,26 +93,26 @@ impl Setup {
     #[pyo3(signature = (**keys), text_signature = "(*, surface, grid, load, solid=None, law=None, friction=None, adhesion=None, viscoelastic=None, path=None, sliding=None, rolling=None, flow=None, solver=None, stop=None, record=None)")]
     fn py_new(py: Python<'_>, keys: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let table = table_from_sections(&sections_from_keywords(keys)?)?;
-        Self::from_table(table).map_err(|error| error_of_keywords(py, "Setup", &[""], error))
+        Self::from_written(table).map_err(|error| error_of_keywords(py, "Setup", &[""], error))
     }
 
     /// The setup that a TOML text describes.
     #[staticmethod]
     pub fn from_toml(text: &str) -> PyResult<Self> {
-        SetupTable::from_toml(text).and_then(Self::from_table).map_err(error_in_text)
+        SetupTable::from_toml(text).and_then(Self::from_written).map_err(error_in_text)
     }
 
     /// The setup that a JSON text describes: a scene, or a result that contains a setup.
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
-        SetupTable::from_json(text).and_then(Self::from_table).map_err(error_in_text)
+        SetupTable::from_json(text).and_then(Self::from_written).map_err(error_in_text)
     }
 
     /// The setup in a scene (.toml, .json), or of a result that contains one (.npz, .json, .rrd).
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Self> {
         if !asperity::record::is_recording(&path).map_err(py_error)? {
-            return SetupTable::read(&path).and_then(Self::from_table).map_err(error_in_text);
+            return SetupTable::read(&path).and_then(Self::from_written).map_err(error_in_text);
         }
         match asperity::record::setups(&path).map_err(py_error)?.as_deref() {
             Some([text]) => Self::from_toml(text),

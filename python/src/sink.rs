@@ -3,6 +3,7 @@
 use crate::detached::Detached;
 use crate::error::bail;
 use crate::output::check_output;
+use crate::warn::warn_sentence;
 use asperity::record::{LeftOut, Pieces, Target};
 use asperity::setup;
 use pyo3::exceptions::PyTypeError;
@@ -24,6 +25,8 @@ pub struct RecordingSink {
     pub path: Option<PathBuf>,
     pub is_live: bool,
     stream: Option<Stream>,
+    /// What the viewer missed.
+    left_out: LeftOut,
 }
 
 /// A callable that takes a recording in pieces.
@@ -41,7 +44,7 @@ struct SinkState {
 impl RecordingSink {
     /// The sink that writes a file, if there is a path, and shows the recording in the installed viewer, if it is live.
     pub fn new(path: Option<PathBuf>, is_live: bool) -> Self {
-        Self { path, is_live, stream: None }
+        Self { path, is_live, ..Self::default() }
     }
 
     /// Whether a callable takes the recording.
@@ -80,7 +83,7 @@ impl RecordingSink {
         let path = self.path.clone();
         match &self.stream {
             Some(stream) => Some(Target::Pieces(stream.pieces.clone(), path)),
-            None if self.is_live => Some(Target::Viewer(path, LeftOut::default())),
+            None if self.is_live => Some(Target::Viewer(path, self.left_out.clone())),
             None => path.map(Target::File),
         }
     }
@@ -93,9 +96,10 @@ impl RecordingSink {
         }
     }
 
-    /// Passes on the rest of the recording.
+    /// Passes on the rest of the recording, and says what a viewer missed.
     pub fn finish(&self, py: Python<'_>) -> PyResult<()> {
-        self.stream.as_ref().map_or(Ok(()), |stream| stream.flush(py))
+        self.stream.as_ref().map_or(Ok(()), |stream| stream.flush(py))?;
+        self.left_out.warning("recording={\"every\": N}").map_or(Ok(()), |warning| warn_sentence(py, &warning))
     }
 }
 

@@ -49,6 +49,7 @@ impl Surface {
     /// The surface that some sections describe.
     fn made(py: Python<'_>, sections: Sections, exception: impl FnOnce(SetupError) -> PyErr) -> PyResult<Self> {
         let mut table = table_from_sections(&sections)?;
+        table.check_numbers().map_err(py_error)?;
         let mut preparation = table.choose_preparation().map_err(py_error)?;
         let (recipe, cell) = table.surface().map_err(exception)?;
         let rank = recipe.rank(&cell).map_err(py_error)?;

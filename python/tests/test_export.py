@@ -98,7 +98,7 @@ def arrays_of(path: Path) -> tuple[ElementTree.Element, dict[str, np.ndarray]]:
     for it in grid.iter("DataArray"):
         data = base64.b64decode(it.text or "")
         assert int.from_bytes(data[:8], "little") == len(data) - 8
-        arrays[it.attrib["Name"]] = np.frombuffer(data[8:], {"Float64": "<f8", "UInt8": "u1"}[it.attrib["type"]])
+        arrays[it.attrib["Name"]] = np.frombuffer(data[8:], {"Float64": "<f8", "Int64": "<i8", "UInt8": "u1"}[it.attrib["type"]])
     return grid, arrays
 
 
@@ -117,10 +117,20 @@ def test_fields_are_written_for_paraview(tmp_path: Path) -> None:
     grid, arrays = arrays_of(tmp_path / "stress.vtr")
     assert grid.attrib["WholeExtent"] == "0 47 0 0 0 2" and np.array_equal(arrays["z"], [-0.05, -0.02, -0.01])
     assert np.array_equal(arrays["von_mises"].reshape(3, 48)[::-1], stress["von_mises"])
+    asp.to_vtk(contact, tmp_path / "contact.vtp")
+    grid, arrays = arrays_of(tmp_path / "contact.vtp")
+    places = arrays["places"].reshape(32, 48, 3)
+    assert np.array_equal(places[..., 2], contact.height) and np.array_equal(places[3, :, 0], contact.x) and np.array_equal(places[:, 5, 1], contact.y)
+    corners = places.reshape(-1, 3)[arrays["connectivity"].reshape(-1, 4)]
+    along, up = corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0]
+    assert len(corners) == 31 * 47 and np.allclose(np.cross(along[:, :2], up[:, :2]), 0.03125**2) and arrays["offsets"][-1] == 4 * 31 * 47
+    assert np.array_equal(arrays["pressure"].reshape(32, 48), contact.pressure)
     line = asp.Surface(np.sin(np.arange(16.0)), 1.0)
+    asp.to_vtk(line, tmp_path / "line.vtp")
+    assert np.array_equal(arrays_of(tmp_path / "line.vtp")[1]["connectivity"], np.arange(16))
     asp.to_vtk(line, tmp_path / "line.vti")
     assert arrays_of(tmp_path / "line.vti")[0].attrib["WholeExtent"] == "0 15 0 0 0 0"
-    with pytest.raises(asp.AsperityError, match=r"give a name that ends in \.vti"):
+    with pytest.raises(asp.AsperityError, match=r"give a name that ends in \.vti or \.vtp"):
         asp.to_vtk(surface, tmp_path / "surface.vtk")
     with pytest.raises(TypeError, match="not list"):
         asp.to_vtk([1.0], tmp_path / "list.vti")  # type: ignore[arg-type]

@@ -234,4 +234,4 @@ def test_adhesion_that_cannot_be_is_refused() -> None:
     with pytest.raises(asp.AsperityError, match="adhesion and friction cannot be combined"):
         asp.solve(sine(), mean_gap="1 um", friction={"coefficient": 0.3, "tangential": 0.0}, **STICKY)
     with pytest.raises(asp.AsperityError, match="form"):
-        asp.solve(sine(), solid="1 MPa", mean_gap="1 um", adhesion={"work": 0.01, "range": 80e-9, "form": "linear"})
+        asp.solve(sine(), solid="1 MPa", mean_gap="1 um", adhesion={"work": 0.01, "range": "80 nm", "form": "linear"})

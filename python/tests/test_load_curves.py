@@ -37,7 +37,7 @@ def test_lists_may_be_tuples_arrays_and_texts_with_units() -> None:
     for loads in (tuple(LOADS), np.array(LOADS), [np.float32(0.01), 0.05, 0.2]):
         found = [contact.mean_gap for contact in asp.solve(SURFACE, reduced_pressure=loads)]
         assert found == pytest.approx(expected, rel=1e-6)
-    curve = asp.solve(SURFACE, solid="1 GPa", mean_pressure=["1 MPa", 2e6])
+    curve = asp.solve(SURFACE, solid="1 GPa", mean_pressure=["1 MPa", "2 MPa"])
     assert list(curve.loads) == [1e6, 2e6] and curve[1].mean_pressure == pytest.approx(2e6)
     array = asp.Surface(SURFACE.height, 1.0)
     assert [contact.mean_gap for contact in asp.solve(array, reduced_pressure=LOADS)] == pytest.approx(expected)

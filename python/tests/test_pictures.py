@@ -1,5 +1,6 @@
 """Figures: the rigid surface keeps its shape, the solid is pressed down, and curves and maps hold the numbers."""
 
+import struct
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 
 import asperity as asp
 
-pytest.importorskip("matplotlib")
+matplotlib = pytest.importorskip("matplotlib")
 
 LENGTH, RADIUS = 1.0, 2.0
 X = (np.arange(256) / 256 - 0.5) * LENGTH
@@ -67,7 +68,7 @@ def test_notebooks_show_a_picture_and_the_main_numbers() -> None:
 def test_a_loop_with_jumps_is_drawn() -> None:
     sine = asp.Surface.indenter(shape="sine", points=512, size="20 um", amplitude="1 um")
     loop = asp.solve(
-        sine, solid="1 MPa", mean_gap="1 um", path={"load": ["1.6 um", "0.4 um", "1.6 um"], "steps": 8}, adhesion={"work": 0.01, "range": 80e-9}
+        sine, solid="1 MPa", mean_gap="1 um", path={"load": ["1.6 um", "0.4 um", "1.6 um"], "steps": 8}, adhesion={"work": 0.01, "range": "80 nm"}
     )
     assert isinstance(loop, asp.History) and loop.adhesion is not None
     left, right = loop.plot().axes
@@ -171,3 +172,12 @@ def test_labels_have_room() -> None:
     boxes = [axes.get_tightbbox() for axes in figure.axes]
     assert all(one.x1 <= other.x0 for one, other in zip(boxes, boxes[1:]))
     assert boxes[0].x0 >= 0 and boxes[-1].x1 <= figure.bbox.width
+
+
+def test_a_figure_takes_the_size_and_the_font_of_a_page(tmp_path: Path) -> None:
+    with matplotlib.rc_context({"font.size": 7}):
+        figure = asp.solve(ROUGH, reduced_pressure=0.1).plot(length_unit="um")
+    figure.set_size_inches(6.7, 2.8)
+    figure.savefig(tmp_path / "map.png", dpi=300)
+    width, height = struct.unpack(">II", (tmp_path / "map.png").read_bytes()[16:24])
+    assert (width, height) == (2010, 840) and figure.axes[0].xaxis.label.get_size() == 7

@@ -299,7 +299,7 @@ REFUSALS: list[Refusal] = [
     (lambda: solve(solver=3), asp.AsperityError, "solver is 3: give a name, or a dictionary of method, masses, dynamics, time_step, damping"),
     (lambda: solve(solid=True), asp.AsperityError, "solid is True: give a number, or a dictionary of contact_modulus, young, poisson, layer, base"),
     (lambda: solve(solid={"modulus": 1.0}), asp.AsperityError,
-        "solid: unknown key 'modulus', expected one of 'contact_modulus', 'young', 'poisson', 'layer', 'base', 'wavenumber', 'stiffness', 'uniform_stiffness', 'yield_stress', 'hardening_modulus', 'kinematic_hardening', 'yield_depth', 'yield_layers': did you mean 'contact_modulus'?"),
+        "solid: unknown key 'modulus', expected one of 'contact_modulus', 'young', 'poisson', 'layer', 'base', 'wavenumber', 'stiffness', 'uniform_stiffness', 'yield_stress', 'hardening_modulus', 'kinematic_hardening', 'yield_depth', 'yield_layers', 'yield_errors': did you mean 'contact_modulus'?"),
     (lambda: solve(path={"tme": [1.0]}), asp.AsperityError, "path: unknown key 'tme', expected one of 'file', 'time', 'load', 'tangential', 'steps', 'time_tolerance'"),
     (lambda: solve(solver={"method": "gfmd", "timestep": 1}), asp.AsperityError, "did you mean 'time_step'?"),
     (lambda: solve(solver={"masses": "stiffness"}), asp.AsperityError,
@@ -446,6 +446,27 @@ def test_forces_have_the_unit_of_their_surface() -> None:
         assert asp.solve(heights, solid="1 GPa", force=force).converged
     bare = asp.Surface.indenter("cylinder", 64, 1e-3, radius=1e-3)
     assert asp.solve(bare, solid=1e9, force=5.0).converged
+
+
+def test_numbers_alone_beside_values_with_units_are_refused() -> None:
+    sphere = {"points": [16, 16], "size": "1 mm", "radius": "1 mm"}
+    surface = asp.Surface.indenter("sphere", **sphere)
+    steel = {"young": "210 GPa", "poisson": 0.3}
+    scene = {"surface": {"indenter": {"shape": "sphere", "radius": 1e-3}}, "grid": {"points": [16, 16], "size": 1e-3}}
+    for attempt, sentence in (
+        (lambda: asp.solve(surface, solid=steel, mean_pressure=3e6), "the mean pressure 3000000.* has no unit, but Young's modulus 210 GPa has"),
+        (lambda: asp.solve(surface, solid=2e11, mean_pressure="3 MPa"), "the contact modulus 2.* has no unit, but the mean pressure 3 MPa has"),
+        (lambda: asp.Problem(surface, solid="1 GPa", mean_pressure="3 MPa", law={"hardness": 1e9}), "the hardness 1.* has no unit"),
+        (lambda: asp.Surface.indenter("sphere", **sphere | {"radius": 1e-3}), "the radius 0.001 has no unit, but the size 1 mm has"),
+        (lambda: asp.Setup(**scene, solid=steel, load={"mean_pressure": 3e6}), "the mean pressure 3000000.* has no unit"),
+        (lambda: asp.Setup(**scene, solid=steel, load={"mean_pressure": "3 MPa"}), None),
+        (lambda: asp.Problem(surface, solid=steel, mean_pressure="3 MPa").with_load(mean_pressure="1 MPa").solve(), None),
+    ):
+        if sentence is None:
+            attempt()
+        else:
+            with pytest.raises(asp.AsperityError, match=sentence):
+                attempt()
 
 
 def test_values_between_others_are_read_where_they_are() -> None:

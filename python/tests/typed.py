@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 import asperity as asp
 
-surface = asp.Surface.rough((64, 64), "1 mm", hurst=0.8, rolloff_wavelength=2e-4, short_cutoff=1e-4, rms_gradient=0.1)
+surface = asp.Surface.rough((64, 64), "1 mm", hurst=0.8, rolloff_wavelength="200 um", short_cutoff="100 um", rms_gradient=0.1)
 contact = asp.solve(surface, solid={"young": "210 GPa", "poisson": 0.3}, mean_pressure="1 MPa", callback=lambda step: step.error > 1e-3)
 assert_type(contact.pressure, NDArray[np.float64])
 assert_type(contact.measures["kappa_r"], float)
@@ -25,7 +25,7 @@ assert_type(curve, asp.LoadCurve)
 assert_type(curve[0], asp.Contact)
 assert_type(curve.measures["kappa_r"], NDArray[np.float64])
 assert_type(asp.Problem(surface, solid=1.0, mean_pressure=np.array([0.1, 0.2])).solve(), asp.LoadCurve)
-assert_type(asp.Problem(surface, solid=1.0, mean_pressure="1 MPa", friction={"coefficient": 0.5, "tangential": 1e3}).solve(), asp.Contact)
+assert_type(asp.Problem(surface, solid="1 GPa", mean_pressure="1 MPa", friction={"coefficient": 0.5, "tangential": 1e3}).solve(), asp.Contact)
 assert_type(asp.solve(surface, mean_gap="1 um", refine="auto", progress=True), asp.Contact)
 assert_type(asp.solve(surface, mean_pressure=1e6, solid=1e9, viscoelastic={"creep": [9, 1]}, path={"time": 1}).fields["stored_strain"], NDArray[np.float64])
 assert_type(asp.solve(surface, force=1.0, solid=1e9, friction={"coefficient": 0.3}, rolling={"creepage": 1e-4})[0], asp.Contact)

@@ -14,6 +14,9 @@ use std::sync::OnceLock;
 /// Process zones below this many spacings hold the edges of contacts fast: refused.
 const FEWEST_SPACINGS: f64 = 2.0;
 
+/// The largest gap or approach over the range of the attraction and the highest peak: farther away nothing is felt, and lengths would overflow.
+const FARTHEST: f64 = 1e8;
+
 /// A reduced pressure for problems whose load is not used.
 const ANY: f64 = 0.01;
 
@@ -118,7 +121,7 @@ impl AdhesiveProblem {
     /// contacts without adhesion.
     ///
     /// # Errors
-    /// [`AdhesionError::NotFinite`], [`AdhesionError::MeanGap`] and [`AdhesionError::Control`] for a control that is impossible,
+    /// [`AdhesionError::NotFinite`], [`AdhesionError::Far`], [`AdhesionError::MeanGap`] and [`AdhesionError::Control`] for a control that is impossible,
     /// [`AdhesionError::NotFound`] where there was no state at all, [`AdhesionError::FreeMotion`] for the method `gfmd` on a free boundary,
     /// [`AdhesionError::Stopped`] if the observer stopped the solve, and those of the contacts without adhesion.
     pub fn solve(
@@ -197,6 +200,10 @@ impl AdhesiveProblem {
             return Err(AdhesionError::NotFinite { name, value });
         }
         let problem = &self.problem;
+        let most = FARTHEST * (self.attraction.range() + problem.highest().abs());
+        if !matches!(control, AdhesiveControl::MeanPressure(_)) && value.abs() > most {
+            return Err(AdhesionError::Far { name, value, most });
+        }
         let is_periodic = problem.surface().grid().is_periodic();
         let refused = |reason| Err(AdhesionError::Control { control: name, reason });
         let load = match control {

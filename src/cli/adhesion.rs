@@ -44,5 +44,6 @@ pub fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) ->
         count => format!("{count} jumps{smaller}"),
     };
     let error = totals.lost_error.map(|error| format!(", error of the steps {}", units.energy_per_area(error)));
-    writeln!(out, "energy lost per area: {jumps} in {count}{}", error.unwrap_or_default())
+    let open = if totals.separated { "; it is not known once the surfaces have parted under a load" } else { "" };
+    writeln!(out, "energy lost per area: {jumps} in {count}{}{open}", error.unwrap_or_default())
 }

@@ -110,7 +110,7 @@ impl Certify {
                 assessment,
                 findings: if holds { Vec::new() } else { claim.mistakes(&poisson(&setup)) },
                 warnings: warnings::in_flags(&warnings),
-                units: self.scene.units(&setup.surface),
+                units: self.scene.units(),
                 mean: claim.mean(),
                 mean_pressure: problem.mean_pressure(),
                 setup: setup.with_full_path(),

@@ -13,6 +13,35 @@ use std::path::Path;
 const SEED: &str = "surface.seed";
 const ALONG: [&str; 2] = ["load.", "path."];
 
+/// What is drawn along the horizontal axis of a curve.
+#[derive(Debug, Clone, Copy)]
+pub enum Abscissa<'a> {
+    /// A quantity of a result.
+    Quantity(Quantity),
+    /// A value from the lists of a study, by its key or the last part of it, such as `hurst`.
+    Listed(&'a str),
+}
+
+impl Abscissa<'_> {
+    /// Its name in tables.
+    fn name(&self) -> &str {
+        match self {
+            Self::Quantity(quantity) => quantity.name(),
+            Self::Listed(name) => name,
+        }
+    }
+
+    /// Whether a column of a table holds the values of this abscissa.
+    fn is(&self, column: &TextColumn) -> bool {
+        match self {
+            Self::Quantity(quantity) => column.name == quantity.name(),
+            Self::Listed(name) => {
+                column.name.contains('.') && (column.name == *name || key(&column.name) == name.replace('_', "-"))
+            }
+        }
+    }
+}
+
 /// A curve in a file.
 pub struct FileCurve {
     /// The name of the file, and of a study the values from its lists.
@@ -32,45 +61,45 @@ struct FileNumbers {
 ///
 /// # Errors
 /// For a file that is no result or table, that does not have a quantity, or that has no numbers of both.
-pub fn curves_of(path: &Path, quantities: [Quantity; 2], is_one_of_many: bool) -> Result<Vec<FileCurve>> {
+pub fn curves_of(path: &Path, x: Abscissa<'_>, y: Quantity, is_one_of_many: bool) -> Result<Vec<FileCurve>> {
     let is_archive = path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz"));
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let mut curves = match is_archive {
-        true => vec![FileCurve { dots: of_archive(path, quantities)?.dots(), name }],
+        true => vec![FileCurve { dots: of_archive(path, x, y)?.dots(), name }],
         false => {
             let columns = read_columns(path)?;
-            let numbers = of_columns(path, &columns, quantities)?;
+            let numbers = of_columns(path, &columns, x, y)?;
             let named = |values: &str| match (values.is_empty(), is_one_of_many) {
                 (true, _) => name.clone(),
                 (false, true) => format!("{name}, {values}"),
                 (false, false) => values.to_owned(),
             };
             match columns.first().is_some_and(|column| column.name == "row") {
-                true => of_study(&columns, &numbers, named),
+                true => of_study(&columns, &numbers, x, named),
                 false => vec![FileCurve { dots: numbers.dots(), name }],
             }
         }
     };
     for curve in &mut curves {
-        curve.dots.retain(|dot| is_known(dot, quantities));
+        curve.dots.retain(|dot| is_known(dot, x, y));
     }
     curves.retain(|curve| !curve.dots.is_empty());
     match curves.is_empty() {
         true => usage(format!(
             "{} has no numbers of {} beside {}: choose other quantities",
             path.display(),
-            quantities[1].name(),
-            quantities[0].name()
+            y.name(),
+            x.name()
         )),
         false => Ok(curves),
     }
 }
 
 /// Whether both numbers are known. An area of 0, or a `kappa` of it, is that of a contact that is not resolved.
-fn is_known(dot: &Dot, quantities: [Quantity; 2]) -> bool {
+fn is_known(dot: &Dot, x: Abscissa<'_>, y: Quantity) -> bool {
     let is_of_area = |it| matches!(it, Quantity::RelativeArea | Quantity::Kappa | Quantity::KappaR);
-    let is_known = |(value, it): (f64, Quantity)| value.is_finite() && (value != 0.0 || !is_of_area(it));
-    [dot.x, dot.y].into_iter().zip(quantities).all(is_known)
+    let is_known = |value: f64, is_of_area: bool| value.is_finite() && (value != 0.0 || !is_of_area);
+    is_known(dot.x, matches!(x, Abscissa::Quantity(it) if is_of_area(it))) && is_known(dot.y, is_of_area(y))
 }
 
 /// The quantity that is the relative error of the grid of another one.
@@ -105,41 +134,47 @@ impl FileNumbers {
     }
 }
 
-fn of_archive(path: &Path, quantities: [Quantity; 2]) -> Result<FileNumbers> {
+fn of_archive(path: &Path, x: Abscissa<'_>, y: Quantity) -> Result<FileNumbers> {
     let archive = ArchiveReader::open(path)?;
-    let missing = |it: Quantity| missing(path, it);
-    let [x, y] = quantities.map(|it| archive.numbers(it.name()).map_err(anyhow::Error::from));
-    let pairs = [x?.ok_or_else(|| missing(quantities[0]))?, y?.ok_or_else(|| missing(quantities[1]))?];
-    let errors = relative_error(quantities[1]).map(|it| archive.numbers(it.name())).transpose()?.flatten();
+    let Abscissa::Quantity(x) = x else { return Err(missing(path, x.name()).into()) };
+    let numbers = |it: Quantity| archive.numbers(it.name())?.ok_or_else(|| missing(path, it.name()));
+    let pairs = [numbers(x)?, numbers(y)?];
+    let errors = relative_error(y).map(|it| archive.numbers(it.name())).transpose()?.flatten();
     Ok(FileNumbers::new(pairs, errors))
 }
 
-fn of_columns(path: &Path, columns: &[TextColumn], quantities: [Quantity; 2]) -> Result<FileNumbers> {
-    let find = |it: Quantity| columns.iter().find(|column| column.name == it.name());
+fn of_columns(path: &Path, columns: &[TextColumn], x: Abscissa<'_>, y: Quantity) -> Result<FileNumbers> {
+    let find = |it: Abscissa<'_>| columns.iter().find(|column| it.is(column));
     let numbers = |column: &TextColumn| -> Vec<f64> {
         column.words.iter().map(|word| word.text.parse().unwrap_or(f64::NAN)).collect()
     };
-    let [x, y] = quantities.map(|it| find(it).map(numbers).ok_or_else(|| missing(path, it)));
-    Ok(FileNumbers::new([x?, y?], relative_error(quantities[1]).and_then(find).map(numbers)))
+    let [x, y_numbers] =
+        [x, Abscissa::Quantity(y)].map(|it| find(it).map(numbers).ok_or_else(|| missing(path, it.name())));
+    let errors = relative_error(y).and_then(|it| find(Abscissa::Quantity(it)));
+    Ok(FileNumbers::new([x?, y_numbers?], errors.map(numbers)))
 }
 
 /// The columns of the table of a study that say which rows are a curve, and which of these are a dot.
 struct StudyColumns<'a> {
     /// Values from the lists that differ.
     varied: Vec<&'a TextColumn>,
-    /// Loads, and points of a path.
+    /// Loads and points of a path, or the value from a list that is drawn to the right.
     along: Vec<&'a TextColumn>,
     status: Option<&'a TextColumn>,
 }
 
 impl<'a> StudyColumns<'a> {
-    fn new(columns: &'a [TextColumn]) -> Self {
-        let is_along = |name: &str| name == "load_number" || ALONG.iter().any(|beginning| name.starts_with(beginning));
-        let is_listed = |name: &str| name.contains('.') && name != SEED && !is_along(name);
+    fn new(columns: &'a [TextColumn], x: Abscissa<'_>) -> Self {
+        let is_loading = |name: &str| ALONG.iter().any(|beginning| name.starts_with(beginning));
+        let is_along = |column: &TextColumn| match x {
+            Abscissa::Quantity(_) => column.name == "load_number" || is_loading(&column.name),
+            Abscissa::Listed(_) => x.is(column),
+        };
+        let is_varied = |column: &TextColumn| column.name.contains('.') && column.name != SEED && !is_along(column);
         let differs = |column: &TextColumn| column.words.windows(2).any(|pair| pair[0].text != pair[1].text);
         Self {
-            varied: columns.iter().filter(|column| is_listed(&column.name) && differs(column)).collect(),
-            along: columns.iter().filter(|column| is_along(&column.name)).collect(),
+            varied: columns.iter().filter(|column| is_varied(column) && differs(column)).collect(),
+            along: columns.iter().filter(|column| is_along(column)).collect(),
             status: columns.iter().find(|column| column.name == "status"),
         }
     }
@@ -150,16 +185,21 @@ impl<'a> StudyColumns<'a> {
 
     /// The values of a row that differ, in words.
     fn values(&self, row: usize) -> String {
-        let key = |name: &'a str| name.rsplit('.').next().unwrap_or_default();
-        let values = self.varied.iter().map(|column| format!("{} {}", key(&column.name), column.words[row].text));
+        let name = |column: &TextColumn| key(&column.name).replace('-', " ");
+        let values = self.varied.iter().map(|column| format!("{} {}", name(column), column.words[row].text));
         values.collect::<Vec<_>>().join(", ")
     }
 }
 
-/// The curves of a study: one for each combination of values from its lists, with a dot for each load, over all seeds. Rows that did not
-/// converge are left out.
-fn of_study(columns: &[TextColumn], numbers: &FileNumbers, named: impl Fn(&str) -> String) -> Vec<FileCurve> {
-    let columns = StudyColumns::new(columns);
+/// The curves of a study: one for each combination of values from its lists, with a dot for each load, or one for each load as well where a list
+/// is drawn to the right; over all seeds. Rows that did not converge are left out.
+fn of_study(
+    columns: &[TextColumn],
+    numbers: &FileNumbers,
+    x: Abscissa<'_>,
+    named: impl Fn(&str) -> String,
+) -> Vec<FileCurve> {
+    let columns = StudyColumns::new(columns, x);
     let rows: Vec<usize> = (0..numbers.pairs.len()).filter(|row| columns.is_converged(*row)).collect();
     let curve = |rows: Vec<usize>| FileCurve {
         name: named(&columns.values(rows[0])),
@@ -181,7 +221,13 @@ fn groups(rows: &[usize], columns: &[&TextColumn]) -> Vec<Vec<usize>> {
     groups
 }
 
-fn missing(path: &Path, quantity: Quantity) -> FileError {
-    let reason = format!("it has no {}", quantity.name());
+/// The last part of a key.
+pub fn key(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or_default()
+}
+
+fn missing(path: &Path, name: &str) -> FileError {
+    let reason =
+        format!("it has no {name}: give another quantity, or a value from the lists of a study, such as hurst");
     FileError::Format { path: path.into(), what: "result or table", reason }
 }

@@ -2,7 +2,7 @@
 
 use super::flow::FlowFinding;
 use super::units::{Units, significant};
-use asperity::contact::{Contact, Observables, Plasticity, Quantity, ResultClaim, Status, Unit};
+use asperity::contact::{Contact, Load, Observables, Plasticity, Quantity, ResultClaim, Status, Unit};
 use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::Serialize;
@@ -13,6 +13,9 @@ const OTHERS: [Quantity; 4] =
 
 /// Values below this one are written with powers of ten.
 const SMALL: f64 = 1e-3;
+
+/// The words beside `kappa_r` of a contact with a hardness whose surface has yielded somewhere.
+const FLATTENED: &str = "   by the gradient before the surface is flattened: do not compare it with elastic contacts";
 
 /// The share of edges given by the shape is reported above this value.
 const MANY_OF_SHAPE: f64 = 0.05;
@@ -32,6 +35,9 @@ pub struct Finding {
     /// The exact solution under the same mean pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<Exact>,
+    /// The force with its unit in the SI, where one is prescribed.
+    #[serde(skip)]
+    pub force: Option<(f64, &'static str)>,
     /// Whether the cell repeats.
     #[serde(skip)]
     pub has_neighbours: bool,
@@ -42,14 +48,18 @@ pub struct Finding {
 
 impl Finding {
     pub fn new(setup: &Setup, contact: &Contact) -> Self {
+        let grid = contact.problem.surface().grid();
+        let unit = if grid.is_line() { "N/m" } else { "N" };
+        let force = matches!(setup.load, Load::Force(_)).then(|| (contact.mean_pressure() * grid.area(), unit));
         Self {
+            force,
             status: contact.status,
             claim: contact.claim(),
             observables: Observables::new(contact),
             seconds: contact.work.seconds,
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
-            exact: setup.exact(contact.problem.surface().grid(), contact.mean_pressure()),
-            has_neighbours: contact.problem.surface().grid().is_periodic(),
+            exact: setup.exact(grid, contact.mean_pressure()),
+            has_neighbours: grid.is_periodic(),
             flow: None,
         }
     }
@@ -84,12 +94,12 @@ impl Finding {
     /// Area, `kappa_r`, gap and pressures, and the certificate.
     fn results(&self, units: Units) -> [(&'static str, String); 6] {
         let it = &self.observables;
-        // the solution of a contact that is alone is not exact beside its images
-        let is_apart = self.has_neighbours && self.exact.as_ref().is_some_and(|exact| exact.name.ends_with("isolated"));
-        let words = if is_apart { "without neighbouring cells" } else { "exact" };
+        let force = self.force.map_or(String::new(), |force| format!(" (force {})", units.force(force)));
+        let words = self.exact_words();
         let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   {words} {}", significant(v)));
         let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
         let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
+        let flattened = if self.plasticity.as_ref().is_some_and(|it| it.area > 0.0) { FLATTENED } else { "" };
         let error = plus_or_minus("", it.mean_gap_error_bound);
         let gap = format!("{} ({:.4}{error} rms heights)", units.length(it.mean_gap), it.mean_gap_over_rms_height);
         let left = match it.certificate_gap > 0.0 {
@@ -99,12 +109,24 @@ impl Finding {
         let bound = format!("relative error of the pressure at most {:.1e}", it.pressure_error_bound);
         [
             ("relative area", with_error(it.resolved_area(), it.relative_area_error) + &area),
-            ("kappa_r", with_error(it.resolved_kappa_r(), it.kappa_r_error) + &kappa_r),
+            ("kappa_r", with_error(it.resolved_kappa_r(), it.kappa_r_error) + &kappa_r + flattened),
             ("mean gap", gap),
-            ("mean pressure", units.pressure(it.mean_pressure)),
+            ("mean pressure", units.pressure(it.mean_pressure) + &force),
             ("largest pressure", units.pressure(it.max_pressure)),
             ("certificate", format!("{:.2e} ({bound}{left})", it.certificate)),
         ]
+    }
+
+    /// The words before a value of theory. The solution of a contact that stands alone is not exact where the boundary is periodic, which adds neighbours.
+    fn exact_words(&self) -> &'static str {
+        let is_apart = self.has_neighbours && self.exact.as_ref().is_some_and(|exact| exact.name.ends_with("isolated"));
+        if is_apart { "without neighbouring cells" } else { "exact" }
+    }
+
+    /// The radius of the contact in the exact solution, or half its width on a line, in words; none where the contact is not one circle or strip.
+    pub fn exact_radius(&self, units: Units) -> Option<String> {
+        let radius = self.exact.as_ref()?.contact_radius?;
+        Some(format!("{} {}", self.exact_words(), units.length(radius)))
     }
 
     /// Further names and values, for who wants to know more of the contact, or of the solver.

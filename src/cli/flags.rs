@@ -8,10 +8,14 @@ use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::contact::first_archive;
 use asperity::files::path_in_text;
-use asperity::setup::{FLAGS, Flag, FlagValue, Recipe, SetupTable, lay};
+use asperity::setup::{FLAGS, Flag, FlagValue, SetupTable, lay};
+use asperity::surface::has_field;
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
+
+/// The array of an archive that makes it a result.
+const SETUP: &str = "setup";
 
 /// Which flags of a setup a command has, and their names.
 pub trait Extent {
@@ -129,7 +133,9 @@ impl<E: Extent> SceneArgs<E> {
 
     /// The setup as it was given, its sections and keys apart.
     pub fn table(&self) -> Result<SetupTable> {
-        let mut table = self.file.as_deref().map_or_else(|| Ok(SetupTable::default()), read)?;
+        let path = self.file.as_deref().map(first_archive);
+        path.as_deref().map_or(Ok(()), print_if_cut_off)?;
+        let mut table = path.as_deref().map_or_else(|| Ok(SetupTable::default()), read)?;
         // a saved scene has numbers in SI, over which flags may lay quantities with units
         table.check_units()?;
         let mut flags = SetupTable::default();
@@ -143,12 +149,11 @@ impl<E: Extent> SceneArgs<E> {
     }
 
     /// The units that the scene and the flags state, and those of a height file in the surface.
-    pub fn units(&self, surface: &Recipe) -> Units {
-        let is_text = |path: &&Path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("rrd"));
-        let table = self.file.as_deref().filter(is_text).map(SetupTable::read);
+    pub fn units(&self) -> Units {
+        let table = self.file.as_deref().map(|path| read(&first_archive(path)));
         let mut table = table.and_then(Result::ok).unwrap_or_default();
         lay(&self.given, &mut table);
-        Units::new(&table, surface)
+        Units::new(&table)
     }
 
     fn flags() -> impl Iterator<Item = &'static Flag> {
@@ -158,9 +163,7 @@ impl<E: Extent> SceneArgs<E> {
 
 /// The setup in a scene or a result, or one of the heights in any other file.
 fn read(path: &Path) -> Result<SetupTable> {
-    let path = &*first_archive(path);
     if let Some(setups) = asperity::record::setups(path)? {
-        print_if_cut_off(path)?;
         return match setups.as_slice() {
             [setup] => Ok(SetupTable::from_toml(setup)?),
             more => {
@@ -170,7 +173,9 @@ fn read(path: &Path) -> Result<SetupTable> {
     }
     match SetupTable::read(path) {
         Ok(table) if table != SetupTable::default() || is_named_scene(path) => Ok(table),
-        Err(error) if !path.is_file() || is_named_scene(path) => Err(error.into()),
+        Err(error) if !path.is_file() || is_named_scene(path) || has_field(path, SETUP).unwrap_or(false) => {
+            Err(error.into())
+        }
         _ => {
             let mut table = SetupTable::default();
             table.lay("surface.height", path_in_text(path)?.into());

@@ -95,7 +95,7 @@ fn write_files(
         outcome.write_table(path)?;
     }
     if let Some(path) = outputs.picture() {
-        write_figure(path, &super::history_picture::draw(&subject.title, &outcome), &outputs.style()?)?;
+        write_figure(path, &super::history_picture::draw(&subject.title, &outcome, units), &outputs.style()?)?;
     }
     if let (Some(path), Some(last)) = (&outputs.imprint, outcome.states.last()) {
         imprint::write(path, last)?;
@@ -188,12 +188,37 @@ impl HistorySummary {
         if let Some(it) = self.adhesion.as_ref().filter(has_path) {
             adhesion::write_totals(it, units, out)?;
         }
+        write_errors(outcome, units, out)?;
         if !self.energy_per_cycle.is_empty() {
             let energies: Vec<String> = self.energy_per_cycle.iter().map(|it| units.energy_per_area(*it)).collect();
             writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))?;
         }
         Ok(())
     }
+}
+
+/// Numbers of a state with three estimated errors each: by the load steps, by the layers and by the grid, in this order.
+const WITH_SOURCES: [(&str, [Quantity; 3]); 2] = [
+    ("imprint", [Quantity::ImprintStepError, Quantity::ImprintLayerError, Quantity::ImprintGridError]),
+    (
+        "relative area",
+        [Quantity::RelativeAreaStepError, Quantity::RelativeAreaLayerError, Quantity::RelativeAreaGridError],
+    ),
+];
+
+/// Writes the largest errors of all states by their sources, where they were estimated.
+fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+    let largest = |error: &Quantity| {
+        let known = outcome.states.iter().filter_map(|state| Some((state.get(*error)?, state)));
+        known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, state)| cell(*error, state, units))
+    };
+    let told = |(name, errors): (&str, [Quantity; 3])| {
+        let sources = errors.iter().zip(["steps", "layers", "grid"]);
+        let known: Vec<String> = sources.filter_map(|(it, by)| Some(format!("{} by the {by}", largest(it)?))).collect();
+        (!known.is_empty()).then(|| format!("largest estimated error of the {name}: {}", known.join(", ")))
+    };
+    let lines: Vec<String> = WITH_SOURCES.into_iter().filter_map(told).collect();
+    if lines.is_empty() { Ok(()) } else { writeln!(out, "\n{}", lines.join("\n")) }
 }
 
 /// The heading of a column, of at most 15 letters.

@@ -1,8 +1,10 @@
 //! The picture of a history.
 
-use asperity::contact::{Quantity, ResultClaim, State};
+use super::units::Units;
+use asperity::contact::{Quantity, ResultClaim, State, Unit};
 use asperity::job::HistoryOutcome;
-use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol};
+use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, label, unit};
+use asperity::quantity::{LENGTHS, PRESSURES};
 use asperity::setup::ProcessChart;
 
 /// Room beyond the extreme values of a curve, over their distance.
@@ -12,36 +14,38 @@ const ROOM: f64 = 0.05;
 const CLOSED: f64 = 1e-6;
 
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
-pub fn draw(title: &str, outcome: &HistoryOutcome) -> Figure {
+pub fn draw(title: &str, outcome: &HistoryOutcome, units: Units) -> Figure {
     let states: Vec<&State> =
         outcome.states.iter().map(|it| &**it).filter(|it| it.claim != ResultClaim::Moving).collect();
-    let panels = outcome.kind.row().charts.map(|chart| panel(outcome, chart, &states));
+    let panels = outcome.kind.row().charts.map(|chart| panel(outcome, chart, &states, units));
     Figure { title: title.into(), panels: panels.into() }
 }
 
 /// A panel of the picture.
-fn panel(outcome: &HistoryOutcome, chart: ProcessChart, states: &[&State]) -> Panel {
+fn panel(outcome: &HistoryOutcome, chart: ProcessChart, states: &[&State], units: Units) -> Panel {
     let [x, y] = [chart.x, Some(chart.y)].map(|quantity| {
         let value = |(number, state): (usize, &State)| match quantity {
             _ if state.claim == ResultClaim::Separated => f64::NAN,
             Some(it) => state.value(it),
             None => (number + 1) as f64,
         };
-        (
-            quantity.map_or("state", |it| it.row().title),
-            states.iter().copied().enumerate().map(value).collect::<Vec<f64>>(),
-        )
+        let values: Vec<f64> = states.iter().copied().enumerate().map(value).collect();
+        match quantity {
+            Some(quantity) => in_units(quantity, values, units),
+            None => ("state".into(), values),
+        }
     });
-    let axis = |(title, values): &(&str, Vec<f64>), is_logarithmic: bool| {
+    let axis = |(title, values): &(String, Vec<f64>), is_logarithmic: bool| {
         let [low, high] = range(values);
         match is_logarithmic && low > 0.0 {
-            true => Axis::log(*title, [low / 1.2, high * 1.2]),
-            false => Axis::linear(*title, [low - ROOM * (high - low), high + ROOM * (high - low)]),
+            true => Axis::log(title.clone(), [low / 1.2, high * 1.2]),
+            false => Axis::linear(title.clone(), [low - ROOM * (high - low), high + ROOM * (high - low)]),
         }
     };
     let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
-    let mut panel =
-        Panel::new(format!("{} against {}", y.0, x.0), axis(&x, outcome.kind.row().is_logarithmic), axis(&y, false));
+    let name = |quantity: Option<Quantity>| quantity.map_or("state", |it| it.row().title);
+    let title = format!("{} against {}", name(Some(chart.y)), name(chart.x));
+    let mut panel = Panel::new(title, axis(&x, outcome.kind.row().is_logarithmic), axis(&y, false));
     let is_loop = is_closed(&x.1) || is_closed(&y.1);
     if is_loop && chart.y == Quantity::MeanPressure {
         panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());
@@ -51,6 +55,19 @@ fn panel(outcome: &HistoryOutcome, chart: ProcessChart, states: &[&State]) -> Pa
         panel.add("", Colour::BLACK, Mark::Arrow, [dots[jump - 1], dots[jump]]);
     }
     panel
+}
+
+/// The name of the axis of a quantity with its unit, and the values in this unit.
+fn in_units(quantity: Quantity, values: Vec<f64>, units: Units) -> (String, Vec<f64>) {
+    let row = quantity.row();
+    let largest = values.iter().filter(|it| it.is_finite()).fold(0.0f64, |most, it| most.max(it.abs()));
+    let (unit, size) = match row.unit {
+        Unit::Length => unit(units.metres, &LENGTHS, largest),
+        Unit::Pressure => unit(units.pascals, &PRESSURES, largest),
+        Unit::EnergyPerArea if units.metres && units.pascals => ("J/m²", 1.0),
+        _ => ("", 1.0),
+    };
+    (label(row.title, unit), values.into_iter().map(|it| it / size).collect())
 }
 
 /// Whether the finite values of a curve end where they have begun, and were elsewhere between.

@@ -165,7 +165,7 @@ impl Inspect {
             diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
             setup: setup.clone().with_full_path(),
             grid: *problem.surface().grid(),
-            units: self.scene.units(&setup.surface),
+            units: self.scene.units(),
         };
         if contact.failure.is_none() {
             if self.json { write_json(&iteration, &mut stdout())? } else { iteration.write_text(&mut stdout())? }

@@ -16,6 +16,7 @@ mod explore;
 mod fields;
 mod figure_args;
 mod file_curve;
+mod file_map;
 mod finding;
 mod flags;
 mod flow;

@@ -8,6 +8,7 @@ use anyhow::Result;
 use asperity::diagnosis::Findings;
 use asperity::setup::Setup;
 use serde::Serialize;
+use std::f64::consts::PI;
 use std::io::{self, Write};
 
 /// Everything that a script may want to know about a contact, and the setup that repeats it.
@@ -44,13 +45,20 @@ impl Summary {
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 
-    /// How large the contact is: on a line its half-width, or the width of all patches together; on a surface its area.
+    /// How large the contact is: on a line its half-width, or the width of all patches together; on a surface its area, and its radius where theory knows
+    /// one.
     fn size(&self) -> Option<(String, String)> {
         let (it, units) = (&self.finding.observables, self.units);
         let size = it.resolved_area()? * self.subject.size.iter().product::<f64>();
+        let exact = self.finding.exact_radius(units);
+        let beside = exact.as_ref().map_or(String::new(), |exact| format!("   {exact}"));
         let (name, size) = match (self.subject.size.len(), it.patches) {
-            (1, 1) => ("half-width of the contact", units.length(0.5 * size)),
+            (1, 1) => ("half-width of the contact", format!("{}{beside}", units.length(0.5 * size))),
             (1, patches) => ("width of the contact", format!("{} in {patches} patches", units.length(size))),
+            (_, 1) if exact.is_some() => {
+                let radius = units.length((size / PI).sqrt());
+                ("area of the contact", format!("{}, radius {radius}{beside}", units.area(size)))
+            }
             _ => ("area of the contact", units.area(size)),
         };
         let images = if self.setup.surface.prepare.mirror.is_some() { ", with its mirror images" } else { "" };

@@ -82,7 +82,7 @@ impl PatchesCommand {
         if let Some(out) = &self.out {
             write_csv(out, patches.rows())?;
         }
-        let (subject, units) = (ProblemSummary::new(&setup, &problem)?, self.scene.units(&setup.surface));
+        let (subject, units) = (ProblemSummary::new(&setup, &problem)?, self.scene.units());
         if self.json {
             let states = patches.states.iter().map(|state| PatchStateSummary { state, sizes: state.sizes() }).collect();
             let (events, setup) = (patches.events.as_slice(), setup.with_full_path());

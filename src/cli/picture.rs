@@ -1,9 +1,11 @@
 //! Pictures of contacts, and of load curves.
 
 use super::units::Units;
+use asperity::Grid;
 use asperity::contact::{Contact, Load, Observables};
 use asperity::plot::{Axis, Colour, Dot, FieldMap, Figure, Mark, Panel, Symbol, label, unit};
-use asperity::quantity::{LENGTHS, PRESSURES};
+use asperity::quantity::{LENGTHS, PRESSURES, number_in_words};
+use asperity::setup::Recipe;
 use asperity::surface::Field;
 use std::cmp::Ordering;
 
@@ -23,9 +25,31 @@ const PIXELS: usize = 1024;
 pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
     let panels = match contact.problem.surface().grid().is_line() {
         true => vec![profile(contact, units), pressure(contact, units)],
-        false => vec![map_of_pressure(contact, units), map_of_gap(contact, units)],
+        false => {
+            let grid = contact.problem.surface().grid();
+            let map = |title: &str, field: &Field| NamedMap { title: title.into(), grid: *grid, field: field.clone() };
+            let [pressure, gap] = [map("pressure", &contact.pressure), map("gap", &contact.gap)];
+            [pressures(&[pressure], units), gaps(&[gap], units)].concat()
+        }
     };
     Figure { title: title.into(), panels }
+}
+
+/// A field of a result with a title.
+pub struct NamedMap {
+    pub title: String,
+    pub grid: Grid,
+    pub field: Field,
+}
+
+/// The title of a picture of a surface, see [`with_images`].
+pub fn title_of(recipe: &Recipe, grid: &Grid) -> String {
+    with_images(recipe.title(grid), recipe)
+}
+
+/// A title that says where mirror images are beside what was measured.
+pub fn with_images(title: String, recipe: &Recipe) -> String {
+    if recipe.prepare.mirror.is_some() { format!("{title} with its mirror images") } else { title }
 }
 
 /// The picture of contacts under several loads: area and `kappa_r` over the load as it was prescribed, with their errors. Values
@@ -120,7 +144,7 @@ fn load_axis(found: &[&Observables], kind: Load, units: Units) -> (String, impl 
 fn profile(contact: &Contact, units: Units) -> Panel {
     let solid: Vec<f64> = contact.displacement.row(0).iter().map(|u| -u).collect();
     let rigid: Vec<f64> = contact.gap.row(0).iter().zip(&solid).map(|(gap, solid)| gap + solid).collect();
-    let (x, heights) = (positions(contact, units), range(solid.iter().chain(&rigid).copied()));
+    let (x, heights) = (positions(contact.problem.surface().grid(), units), range(solid.iter().chain(&rigid).copied()));
     let (unit, size) = unit(units.metres, &LENGTHS, heights[1] - heights[0]);
     let y = Axis::linear(label("height", unit), wider(heights.map(|height| height / size)));
     let mut panel = Panel::new("surfaces", x.axis(), y);
@@ -129,23 +153,21 @@ fn profile(contact: &Contact, units: Units) -> Panel {
     panel
 }
 
-/// The pressure of a surface; where there is none, the map is white.
-fn map_of_pressure(contact: &Contact, units: Units) -> Panel {
-    let (highest, end) = (contact.max_pressure(), end_of_colours(contact));
+/// Pressures of surfaces in the same colours; where there is none, a map is white.
+pub fn pressures(maps: &[NamedMap], units: Units) -> Vec<Panel> {
+    let largest = |of: fn(&Field) -> f64| maps.iter().map(|it| of(&it.field)).fold(0.0, f64::max);
+    let (highest, end) = (largest(most), largest(end_of_colours));
     let (unit, size) = unit(units.pascals, &PRESSURES, highest);
     let value = |p: f64| if p > 0.0 { p / size } else { f64::NAN };
-    let name = match end < highest {
-        true => format!("pressure, at most {:.3}", highest / size),
-        false => "pressure".into(),
-    };
-    let scale = Axis::linear(label(&name, unit), [0.0, end / size]);
-    map("pressure", contact, &contact.pressure.mapv(value), f64::max, scale, units)
+    let beyond = if end < highest { format!(", at most {}", number_in_words(highest / size)) } else { String::new() };
+    let scale = Axis::linear(label("pressure", unit) + &beyond, [0.0, (end / size).max(f64::MIN_POSITIVE)]);
+    maps.iter().map(|it| map(it, it.field.mapv(value), f64::max, scale.clone(), units)).collect()
 }
 
 /// The pressure at which the colours end: the largest one, unless a few nodes have several times as much as all others, which would be of one colour.
-fn end_of_colours(contact: &Contact) -> f64 {
-    let mut pressures: Vec<f64> = contact.pressure.iter().copied().filter(|p| *p > 0.0).collect();
-    let highest = contact.max_pressure();
+fn end_of_colours(pressure: &Field) -> f64 {
+    let mut pressures: Vec<f64> = pressure.iter().copied().filter(|p| *p > 0.0).collect();
+    let highest = most(pressure);
     if pressures.is_empty() {
         return highest;
     }
@@ -154,17 +176,22 @@ fn end_of_colours(contact: &Contact) -> f64 {
     if highest > SEVERAL * *most { *most } else { highest }
 }
 
-/// The gap of a surface.
-fn map_of_gap(contact: &Contact, units: Units) -> Panel {
-    let widest = contact.gap.iter().copied().fold(0.0, f64::max);
+fn most(field: &Field) -> f64 {
+    field.iter().copied().fold(0.0, f64::max)
+}
+
+/// Gaps of surfaces in the same colours.
+pub fn gaps(maps: &[NamedMap], units: Units) -> Vec<Panel> {
+    let widest = maps.iter().map(|it| most(&it.field)).fold(0.0, f64::max);
     let (unit, size) = unit(units.metres, &LENGTHS, widest);
     let scale = Axis::linear(label("gap", unit), [0.0, (widest / size).max(f64::MIN_POSITIVE)]);
-    map("gap", contact, &contact.gap.mapv(|gap| gap / size), f64::min, scale, units)
+    maps.iter().map(|it| map(it, it.field.mapv(|gap| gap / size), f64::min, scale.clone(), units)).collect()
 }
 
 /// A field of a surface in colours. Of several nodes at a pixel it shows the value that `pick` leaves of them.
-fn map(title: &str, contact: &Contact, field: &Field, pick: fn(f64, f64) -> f64, scale: Axis, units: Units) -> Panel {
-    let (grid, x) = (contact.problem.surface().grid(), positions(contact, units));
+fn map(named: &NamedMap, field: Field, pick: fn(f64, f64) -> f64, scale: Axis, units: Units) -> Panel {
+    let NamedMap { title, grid, .. } = named;
+    let x = positions(grid, units);
     let nodes = grid.shape().map(|points| points.div_ceil(PIXELS));
     let pixels = field.exact_chunks((nodes[0], nodes[1])).into_iter();
     let values = pixels.map(|nodes| nodes.iter().copied().reduce(pick).unwrap_or(f64::NAN)).collect();
@@ -173,14 +200,15 @@ fn map(title: &str, contact: &Contact, field: &Field, pick: fn(f64, f64) -> f64,
     let axes =
         [Axis::linear(label("x", x.unit), [0.0, lengths[1]]), Axis::linear(label("y", x.unit), [0.0, lengths[0]])];
     let [x_axis, y_axis] = axes;
-    Panel { map: Some(FieldMap { shape, values, scale }), ..Panel::new(title, x_axis, y_axis) }
+    Panel { map: Some(FieldMap { shape, values, scale }), ..Panel::new(title.clone(), x_axis, y_axis) }
 }
 
 /// The pressure along a line.
 fn pressure(contact: &Contact, units: Units) -> Panel {
     let highest = contact.max_pressure();
     let pressure = contact.pressure.row(0).to_vec();
-    let (x, (unit, size)) = (positions(contact, units), unit(units.pascals, &PRESSURES, highest));
+    let (x, (unit, size)) =
+        (positions(contact.problem.surface().grid(), units), unit(units.pascals, &PRESSURES, highest));
     let y = Axis::linear(label("pressure", unit), [0.0, (1.0 + ROOM) * highest / size]);
     let mut panel = Panel::new("pressure", x.axis(), y);
     panel.add("", Colour::ORANGE, Mark::Line, x.dots(&pressure, f64::max, size));
@@ -195,8 +223,7 @@ struct NodePositions {
     size: f64,
 }
 
-fn positions(contact: &Contact, units: Units) -> NodePositions {
-    let grid = contact.problem.surface().grid();
+fn positions(grid: &Grid, units: Units) -> NodePositions {
     let (length, spacing) = (grid.size()[1], grid.spacing()[1]);
     let (unit, size) = unit(units.metres, &LENGTHS, length);
     NodePositions { length, spacing, unit, size }

@@ -3,6 +3,7 @@
 use super::units::Units;
 use asperity::contact::Problem;
 use asperity::error::SetupError;
+use asperity::quantity::{length_in_words, pressure_in_words};
 use asperity::setup::{Setup, Solid};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -38,8 +39,11 @@ pub struct ProblemSummary {
     name: String,
     #[serde(skip)]
     settings: String,
+    /// The source with its lengths in metres.
     #[serde(skip)]
-    solid: String,
+    source_in_metres: String,
+    #[serde(skip)]
+    solid: Option<Solid>,
     /// The solid and the boundary, if they are not a periodic half-space.
     #[serde(skip)]
     others: Vec<(&'static str, String)>,
@@ -67,7 +71,8 @@ impl ProblemSummary {
             title: setup.surface.title(grid),
             name: solver_of(setup).0,
             settings: solver_of(setup).1,
-            solid: setup.solid.as_ref().map_or("not given: pressures are divided by it".into(), Solid::description),
+            source_in_metres: setup.surface.described(Some(&length_in_words)),
+            solid: setup.solid.clone(),
             others: others(setup, problem),
             rank,
         })
@@ -85,10 +90,10 @@ impl ProblemSummary {
             .hardness
             .map(|hardness| ("hardness H_c", format!("{}, the highest pressure", units.pressure(hardness))));
         let rows = [
-            ("source", self.source.clone()),
+            ("source", if units.metres { self.source_in_metres.clone() } else { self.source.clone() }),
             ("spacing", along_axes(&self.spacing, |length| units.length(length))),
             (JUMP, format!("{} rms steps", along_axes(&self.jump_in_rms_steps, |jump| format!("{jump:.3}")))),
-            ("contact modulus E*", format!("{} ({})", units.pressure(self.contact_modulus), self.solid)),
+            ("contact modulus E*", format!("{} ({})", units.pressure(self.contact_modulus), self.solid(units))),
             (SOLVER, self.settings.clone()),
             ("prescribed", self.prescribed.to_owned()),
         ];
@@ -99,6 +104,15 @@ impl ProblemSummary {
             .chain(hardness)
             .map(|(name, value)| (name.to_owned(), value))
             .collect()
+    }
+
+    /// The solid in words.
+    fn solid(&self, units: Units) -> String {
+        match &self.solid {
+            Some(solid) if units.pascals => solid.described(&pressure_in_words),
+            Some(solid) => solid.description(),
+            None => "not given: pressures are divided by it".into(),
+        }
     }
 }
 

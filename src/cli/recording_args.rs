@@ -69,10 +69,7 @@ pub fn target(path: Option<&Path>, is_live: bool, left_out: &LeftOut) -> Option<
 
 /// Says how many pictures the viewer was too slow to get, if there are any.
 pub fn say_left_out(left_out: &LeftOut) {
-    if let pictures @ 1.. = left_out.pictures() {
-        warnings::print(&[format!(
-            "The viewer was too slow for {pictures} pictures of steps or states, which it did not get. It has all numbers, and a file that is \
-             recorded has everything. Record into a file and open that, or record fewer pictures (--record-every N)."
-        )]);
+    if let Some(warning) = left_out.warning("--record-every N") {
+        warnings::print(&[warning]);
     }
 }

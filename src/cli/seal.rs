@@ -67,7 +67,7 @@ impl Seal {
             PercolationLoad::new(&problem, setup.solver(), &setup.stop, axis, self.width, watch)
         };
         let sealing = axes.map(find).collect::<Result<_, _>>()?;
-        let (subject, units) = (ProblemSummary::new(&setup, &problem)?, self.scene.units(&setup.surface));
+        let (subject, units) = (ProblemSummary::new(&setup, &problem)?, self.scene.units());
         let summary = SealSummary { subject, sealing, warnings, setup: setup.with_full_path(), units };
         if self.json {
             write_json(&summary, &mut stdout())?;

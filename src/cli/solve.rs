@@ -105,7 +105,7 @@ impl Solve {
     fn solve(&self, run: JobRun<'static>, auto: Option<Auto>) -> Result<ExitStatus> {
         let Self { outputs, .. } = self;
         let (kind, loads) = (run.kind()?, run.loads.clone());
-        imprint::check(outputs.imprint.as_deref(), &run.setup, self.scene.units(&run.setup.surface))?;
+        imprint::check(outputs.imprint.as_deref(), &run.setup, self.scene.units())?;
         kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
         let mut growing = outputs.growing();
         let job = self.job(run, kind, auto, &mut growing).with_extras(outputs.extras(loads.len().max(1)));
@@ -135,10 +135,8 @@ impl Solve {
         let solved = ready.run(&mut watch).map_err(before_the_first)?.solved.swap_remove(0);
         say_left_out(&outputs.left_out);
         let written = match kind {
-            ProcessKind::Loads => {
-                load_curve::write(solved, &loads, &problem, watch, (outputs, self.scene.units(&setup.surface)))
-            }
-            _ => history::write(solved, &problem, (outputs, self.scene.units(&setup.surface))),
+            ProcessKind::Loads => load_curve::write(solved, &loads, &problem, watch, (outputs, self.scene.units())),
+            _ => history::write(solved, &problem, (outputs, self.scene.units())),
         };
         // where the end cannot be written, what grew beside it is kept
         if !written.as_ref().is_err_and(|error| error.is::<FileError>()) {
@@ -238,9 +236,10 @@ impl Solve {
         if let Some(path) = outputs.table() {
             write_nodes(path, contact)?;
         }
-        let units = self.scene.units(&setup.surface);
+        let units = self.scene.units();
         if let Some(path) = outputs.picture() {
-            write_figure(path, &picture::of_contact(&subject.title, contact, units), &outputs.style()?)?;
+            let title = picture::title_of(&setup.surface, contact.problem.surface().grid());
+            write_figure(path, &picture::of_contact(&title, contact, units), &outputs.style()?)?;
         }
         if let Some(path) = &outputs.stress {
             stress::write(path, &full, contact, outputs.stress_row)?;
@@ -275,7 +274,7 @@ pub fn refuse_study(table: &SetupTable) -> Result<()> {
     match table.clone().take_axes()?.first() {
         Some(axis) => usage(format!(
             "`{}` has {} values, so this scene is a study: run `asperity study`, or give one value",
-            axis.path(),
+            axis.path().escape_debug(),
             axis.len()
         )),
         None => Ok(()),

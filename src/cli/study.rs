@@ -102,7 +102,10 @@ impl Study {
         }
         let bar = bar(&plan, campaign.shard)?;
         end_when_interrupted(&table, &bar)?;
-        let points = plan.run(&campaign, &table, &|_| bar.inc(1))?;
+        let points = plan.run(&campaign, &table, &|_| bar.inc(1)).inspect_err(|_| {
+            bar.finish_and_clear();
+            say_where_rows_are(&table);
+        })?;
         bar.finish_and_clear();
         let summary = match campaign.shard == Shard::WHOLE {
             true => StudySummary::of_all(&plan, table.path(), &points),
@@ -165,6 +168,17 @@ fn end_when_interrupted(table: &Table, bar: &ProgressBar) -> Result<()> {
         warnings::print(&[format!("Interrupted: {rows_are}.")]);
     })?;
     Ok(())
+}
+
+/// Says where the rows are that were solved before an error, if there are any.
+fn say_where_rows_are(table: &Table) {
+    let path = table.unfinished_path();
+    if path.is_file() {
+        warnings::print(&[format!(
+            "The rows that were solved are in {}. Mend the study and run the same command again to go on, or with --fresh to begin again.",
+            path.display()
+        )]);
+    }
 }
 
 /// A bar of the rows of a share.

@@ -5,6 +5,7 @@ use super::exit_status::{ExitStatus, usage};
 use super::figure_args::FigureArgs;
 use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
+use super::picture::title_of;
 use super::problem_summary::along_axes;
 use super::survey;
 use super::survey_picture::of_survey;
@@ -153,7 +154,7 @@ impl Describe {
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::from_fields(&grid, FIELDS).check("a surface")?;
-        let units = self.scene.units(&recipe);
+        let units = self.scene.units();
         let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?, units)?;
         statistics.warnings.extend(uneven);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
@@ -169,7 +170,7 @@ impl Describe {
         match &self.out {
             Some(path) if is_figure(path) => {
                 let survey = statistics.survey.as_ref().expect("heights have a survey");
-                let title = recipe.title(&grid);
+                let title = title_of(&recipe, &grid);
                 write_figure(path, &of_survey(&title, &scan(height, &grid), survey, statistics.units), &style)?;
             }
             Some(path) => scan(height, &grid).write(path)?,

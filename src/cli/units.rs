@@ -1,11 +1,8 @@
 //! Units of the numbers in a summary.
 
 use asperity::contact::Load;
-use asperity::quantity::{
-    area_in_words, conductance_unit, has_length_unit, has_pressure_unit, length_in_words, number_in_words,
-    pressure_in_words,
-};
-use asperity::setup::{Recipe, SetupTable};
+use asperity::quantity::{area_in_words, conductance_unit, length_in_words, number_in_words, pressure_in_words};
+use asperity::setup::SetupTable;
 
 /// Which numbers of a setup have known units: metres and pascals, or none that the program knows.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -19,17 +16,11 @@ pub struct Units {
 }
 
 impl Units {
-    /// The units that the texts of a setup state, such as `160 um` and `1 GPa`, and those of a height file.
-    pub fn new(table: &SetupTable, surface: &Recipe) -> Self {
-        let texts = table.texts();
-        let mut files = surface.files().map(|file| file.layout(surface.channel.as_deref()));
-        let mut is_file_in_metres = || files.any(|layout| layout.is_ok_and(|it| it.is_in_metres));
-        let metres = texts.iter().any(|text| has_length_unit(text)) || is_file_in_metres();
-        Self {
-            metres,
-            conductance: texts.iter().find_map(|text| conductance_unit(text)).filter(|_| metres),
-            pascals: texts.iter().any(|text| has_pressure_unit(text)),
-        }
+    /// The units that a setup states: in texts such as `160 um` and `1 GPa`, in its height files, or as the setup of a result.
+    pub fn new(table: &SetupTable) -> Self {
+        let (metres, texts) = (table.is_in_metres(), table.texts());
+        let conductance = texts.iter().find_map(|text| conductance_unit(text)).filter(|_| metres);
+        Self { metres, conductance, pascals: table.is_in_pascals() }
     }
 
     /// A length.
@@ -60,6 +51,14 @@ impl Units {
     /// An area.
     pub fn area(self, value: f64) -> String {
         if self.metres { area_in_words(value) } else { plain(value) }
+    }
+
+    /// A force, with its unit in the SI.
+    pub fn force(self, (value, unit): (f64, &str)) -> String {
+        match self {
+            Self { metres: true, pascals: true, .. } => format!("{} {unit}", number_in_words(value)),
+            _ => number_in_words(value),
+        }
     }
 
     /// An energy per area.

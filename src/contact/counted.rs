@@ -1,5 +1,6 @@
 //! Contact measures by counting nodes, as the paper defines them.
 
+use super::links::for_each_in_contact;
 use crate::contact::{NODE_EXCESS_PER_SWITCH_LINE, Problem, chunks};
 
 /// Excess of counted nodes of a surface per switch along rows and columns of a square grid, the mean over edges of all
@@ -108,19 +109,17 @@ impl CountedSums {
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();
-            for node in chunks::positive(pressure, range) {
+            for_each_in_contact(grid, pressure, range, |node, ends| {
                 let square = square_gradient(node);
-                // of a line, the neighbours along y are the node itself
-                let ends = grid.neighbours(node).into_iter().filter(|&next| pressure[next] <= 0.0).count();
                 sums.nodes += 1;
                 sums.level += usize::from(is_level(node));
                 sums.squares += square;
                 sums.switches += ends;
-                if !law.yields(pressure[node]) {
+                if ends > 0 && !law.yields(pressure[node]) {
                     sums.falling += ends;
                     sums.falling_squares += ends as f64 * square;
                 }
-            }
+            });
             sums
         });
         parts.into_iter().fold(Self::default(), Self::plus)

@@ -26,6 +26,7 @@ mod feasible;
 mod forecast;
 mod gfmd;
 mod law;
+mod links;
 mod load;
 mod monotone;
 mod moving;

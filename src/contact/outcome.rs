@@ -77,7 +77,10 @@ impl Contact {
     pub(super) fn new(problem: &Problem, pressure: Vec<f64>, displacement: Vec<f64>, work: Work, solver: &str) -> Self {
         let certificate = Certificate::from_displacement(problem, &pressure, &displacement);
         let datum = certificate::datum(problem, &pressure, &displacement);
-        let gap = displacement.iter().zip(problem.height()).map(|(u, h)| u - h + datum).collect();
+        let (height, mut gap) = (problem.height(), vec![0.0; displacement.len()]);
+        chunks::update(&mut gap, |nodes, gap| {
+            gap.iter_mut().zip(nodes).for_each(|(gap, i)| *gap = displacement[i] - height[i] + datum);
+        });
         let shape = problem.surface().grid().shape();
         let field = |values: Vec<f64>| Field::from_shape_vec(shape, values).expect("one value per node");
         let pressure = field(pressure);

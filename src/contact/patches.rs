@@ -42,7 +42,8 @@ impl Patches {
 fn members(pressure: &[f64], grid: &Grid, [ny, nx]: [usize; 2]) -> Vec<Vec<Range<usize>>> {
     let ([whole_y, width], [periodic_y, periodic_x]) = (grid.shape(), grid.periodic());
     let [round_y, round_x] = [periodic_y && ny == whole_y, periodic_x && nx == width];
-    let rows: Vec<Vec<Range<usize>>> = chunks::rows(ny, nx, |y| runs(&pressure[y * width..][..nx]));
+    let rows: Vec<Vec<Range<usize>>> =
+        chunks::rows(ny, nx, |y| chunks::positive_runs(&pressure[y * width..][..nx], 0..nx));
     let count_before = |count: &mut usize, row: &Vec<Range<usize>>| {
         *count += row.len();
         Some(*count - row.len())
@@ -153,18 +154,6 @@ fn centre(grid: &Grid, peak: usize, nodes: impl Iterator<Item = usize>) -> [f64;
     }
     let mean = |axis: usize| spacing[axis] * (from[axis] + sum[axis] / count).rem_euclid(shape[axis] as f64);
     [mean(0), mean(1)]
-}
-
-/// Runs of positive values.
-fn runs(row: &[f64]) -> Vec<Range<usize>> {
-    let mut runs: Vec<Range<usize>> = Vec::new();
-    for place in chunks::positive(row, 0..row.len()) {
-        match runs.last_mut() {
-            Some(run) if run.end == place => run.end += 1,
-            _ => runs.push(place..place + 1),
-        }
-    }
-    runs
 }
 
 /// Pairs of runs that share a column, both lists being in order.

@@ -169,7 +169,8 @@ impl<'a, P: Clone + Into<Vec<f64>>> Run<'a, P> {
 
     /// Ends the run like [`Run::finish`], after more transforms than those of one half-space.
     pub fn finish_after(self, status: Status, transforms: u64, mut response: Response) -> Contact {
-        self.finish_with(status, transforms + 2, |pressure| {
+        // the response is freed before the gap is made
+        self.finish_with(status, transforms + 2, move |pressure| {
             let mut displacement = vec![0.0; pressure.len()];
             response.displacement(pressure, &mut displacement);
             displacement

@@ -1,6 +1,8 @@
 //! The state of a solver at one relaxation step.
 
-use crate::contact::{Certificate, Counted, Decision, Edges, Patches, Problem, Resolved, Work, certificate, chunks};
+use crate::contact::{
+    Certificate, Counted, Decision, Edge, Edges, Patches, Problem, Resolved, Work, certificate, chunks,
+};
 use std::cell::{LazyCell, OnceCell};
 use std::ops::Deref;
 
@@ -32,6 +34,7 @@ pub struct Step<'a> {
     found_datum: OnceCell<f64>,
     gap: OnceCell<Vec<f64>>,
     counted: OnceCell<Counted>,
+    all_edges: OnceCell<Vec<Edge>>,
     resolved: OnceCell<Resolved>,
     patches: OnceCell<Patches>,
 }
@@ -129,6 +132,7 @@ impl<'a> Step<'a> {
             found_datum: OnceCell::new(),
             gap: OnceCell::new(),
             counted: OnceCell::new(),
+            all_edges: OnceCell::new(),
             resolved: OnceCell::new(),
             patches: OnceCell::new(),
         }
@@ -291,9 +295,14 @@ impl<'a> Step<'a> {
         Edges::new(self.problem, &self.pressure, move |node| u[node] - h[node] + datum)
     }
 
+    /// All edges of the contact, in the order of their nodes.
+    pub fn all_edges(&self) -> &[Edge] {
+        self.all_edges.get_or_init(|| self.edges().all())
+    }
+
     /// Area, gradient and `kappa_r` with edges interpolated between the nodes.
     pub fn resolved(&self) -> &Resolved {
-        self.resolved.get_or_init(|| self.edges().resolved())
+        self.resolved.get_or_init(|| self.edges().resolved_of(self.all_edges()))
     }
 
     /// Contact patches.

@@ -192,7 +192,7 @@ fn coarse(found: &[&Observables]) -> Option<Warning> {
     Some(
         Warning::new(
             format!("kappa_r may be off by {kappa_r}, the area by {area}{count} on this grid{small}"),
-            "Use a finer grid, or heights that are smoother and less rounded",
+            "Use a finer grid, or heights that are smoother and have more digits",
         )
         .with_remedy("grid.refine", Some("auto")),
     )

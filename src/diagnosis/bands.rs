@@ -13,11 +13,13 @@ const PER_OCTAVE: f64 = 2.0;
 /// let bands = Bands::new(&Grid::line(64, 8.0)?);
 /// // waves 1, 2, 3, 4 to 5, 6 to 7 and so on, up to the 32nd
 /// assert_eq!((bands.count(), bands.wavelengths(0)[0], bands.wavelengths(3)[0]), (10, 8.0, 2.0));
+/// assert_eq!(bands.wavelengths(9), [0.25, 0.25]);
 /// # Ok::<(), asperity::error::GridError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bands {
     longest: f64,
+    shortest: f64,
     /// Half octaves from the longest wave to the band.
     places: Vec<u16>,
     /// The band of each mode, in the order of [`Grid::wavenumbers`]; none of the mean.
@@ -37,7 +39,8 @@ impl Bands {
         places.dedup();
         let number = |place: u16| places.partition_point(|&other| other < place) as u16;
         let modes = modes.into_iter().map(|place| place.map(number)).collect();
-        Self { longest, places, modes }
+        let shortest = TAU / grid.wavenumbers().fold(0.0, f64::max);
+        Self { longest, shortest, places, modes }
     }
 
     /// Number of bands.
@@ -45,8 +48,13 @@ impl Bands {
         self.places.len()
     }
 
-    /// The longest wavelength of a band, and the one at which the next band begins.
+    /// The longest wavelength of a band, and the one at which the next band begins, or that of the shortest wave of all.
     pub fn wavelengths(&self, band: usize) -> [f64; 2] {
+        self.edges(band).map(|length| length.max(self.shortest))
+    }
+
+    /// The wavelengths at which a band and the next half octave begin.
+    fn edges(&self, band: usize) -> [f64; 2] {
         let place = f64::from(self.places[band]);
         [place, place + 1.0].map(|place| self.longest * 2f64.powf(-place / PER_OCTAVE))
     }
@@ -59,7 +67,7 @@ impl Bands {
 
     /// Wavenumber in the middle of a band.
     pub fn wavenumber(&self, band: usize) -> f64 {
-        let [longest, shortest] = self.wavelengths(band);
+        let [longest, shortest] = self.edges(band);
         TAU / (longest * shortest).sqrt()
     }
 

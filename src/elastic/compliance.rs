@@ -306,14 +306,15 @@ impl Compliance {
     }
 
     /// Fields of doubles that the response of a solid over a grid holds beyond that of a periodic half-space: its table and, on a free
-    /// boundary, a field and the half spectrum of the padded grid.
+    /// boundary, the half spectrum of the padded grid, of a surface without the rows of padding; of a line a field as well.
     pub fn fields(grid: &Grid, solid: &dyn ElasticSolid) -> f64 {
         let padded: f64 = grid.periodic().into_iter().map(|is_periodic| if is_periodic { 1.0 } else { 2.0 }).product();
         let table = padded * if grid.is_line() { 0.5 } else { 0.25 };
         match (grid.is_periodic(), solid.is_half_space()) {
             (true, true) => 0.0,
             (true, false) => table,
-            (false, _) => 1.0 + padded + table,
+            (false, _) if grid.is_line() => 1.0 + padded + table,
+            (false, _) => 2.0 + table,
         }
     }
 

@@ -7,6 +7,9 @@ use crate::fourier::{self, Complex, Filter, Fourier, Real, smooth};
 use crate::grid::Grid;
 use std::f64::consts::TAU;
 
+/// Columns that are transposed together: the values of two cache lines.
+const BAND: usize = 16;
+
 /// The influence of elements on each other, transformed over a grid that is padded with zeros along its free axes.
 #[derive(Debug, Clone)]
 pub(super) struct FreeTable {
@@ -72,25 +75,49 @@ pub(super) fn padded(grid: &Grid) -> Result<Grid, GridError> {
     if grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) }
 }
 
-/// The `influence` of an element at a distance, transformed along all axes: of lines, and of surfaces without images.
+/// The `influence` of an element at a distance, transformed along all axes: of lines, and of surfaces without images. It is even along
+/// each axis, so that a quarter of it is enough, and so is its transform.
 fn transformed(padded: &Grid, influence_at: impl Fn([f64; 2]) -> f64 + Sync) -> Vec<f64> {
     let ([my, mx], [dy, dx]) = (padded.shape(), padded.spacing());
-    let half = mx / 2 + 1;
-    let mut quarter = vec![0.0; (my / 2 + 1) * half];
-    chunks::rows_mut(&mut quarter, half, |y, row| {
-        for (x, value) in row.iter_mut().enumerate() {
-            *value = influence_at([dy * y as f64, dx * x as f64]);
+    let [height, width] = [my / 2 + 1, mx / 2 + 1];
+    let mut quarter = vec![0.0; height * width];
+    chunks::rows_mut(&mut quarter, width, |y, row| {
+        row.iter_mut().enumerate().for_each(|(x, value)| *value = influence_at([dy * y as f64, dx * x as f64]));
+    });
+    transform_even_rows(&mut quarter, mx);
+    if padded.is_line() {
+        return Filter::places(padded).into_iter().map(|[_, kx]| quarter[kx]).collect();
+    }
+    // the order of the places of a surface: column by column
+    let mut weights = transposed(&quarter, width);
+    transform_even_rows(&mut weights, my);
+    weights
+}
+
+/// The sums `sum_x f(x) cos(q x)` over even rows of an even number of `points`, of which each row of `field` holds those up to the middle.
+fn transform_even_rows(field: &mut [f64], points: usize) {
+    let width = points / 2 + 1;
+    let line = Grid::line(points, 1.0).expect("an axis of a grid is a line");
+    let plan = || (Fourier::new(&line), vec![0.0; points], vec![Complex::default(); width]);
+    let mut rows: Vec<_> = field.chunks_exact_mut(width).collect();
+    chunks::each_with(&mut rows, width, plan, |(fourier, whole, spectrum), _, row| {
+        (0..points).for_each(|x| whole[x] = row[x.min(points - x)]);
+        fourier.forward(whole, spectrum);
+        row.iter_mut().zip(&*spectrum).for_each(|(value, mode)| *value = points as f64 * mode.re);
+    });
+}
+
+/// The columns of rows of `width` values, one after the other.
+fn transposed(field: &[f64], width: usize) -> Vec<f64> {
+    let height = field.len() / width;
+    let mut columns = vec![0.0; field.len()];
+    chunks::rows_mut(&mut columns, BAND * height, |band, part| {
+        for (y, row) in field.chunks_exact(width).enumerate() {
+            let values = &row[band * BAND..width.min((band + 1) * BAND)];
+            values.iter().enumerate().for_each(|(x, value)| part[x * height + y] = *value);
         }
     });
-    let mut influence = vec![0.0; my * mx];
-    chunks::rows_mut(&mut influence, mx, |y, row| {
-        row[..half].copy_from_slice(&quarter[y.min(my - y) * half..][..half]);
-        (half..mx).for_each(|x| row[x] = row[mx - x]);
-    });
-    let mut spectrum = vec![Complex::default(); padded.modes()];
-    Fourier::new(padded).forward(&influence, &mut spectrum);
-    let points = (my * mx) as f64;
-    Filter::places(padded).into_iter().map(|[ky, kx]| points * spectrum[kx * my + ky].re).collect()
+    columns
 }
 
 /// The influence of waves along the periodic axis, transformed along the axis `free`.
@@ -118,15 +145,17 @@ fn banded(grid: &Grid, padded: &Grid, solid: &dyn ElasticSolid, free: usize) -> 
     Filter::places(padded).into_iter().map(|k| bands[k[other]][k[free]]).collect()
 }
 
-/// The convolution with a table, and its scratch: one field, and a half spectrum of the padded grid.
+/// The convolution with a table, and its scratch: a half spectrum of the rows of the padded grid that are not padding.
 pub(super) struct FreeConvolution<T: Real> {
     fields: fourier::Padded<T>,
-    stage: Vec<T>,
+    /// The field of a line, whose pieces are not those of the padded line.
+    line: Option<Vec<T>>,
 }
 
 impl<T: Real> FreeConvolution<T> {
     pub fn new(grid: &Grid, table: &FreeTable) -> Self {
-        Self { fields: fourier::Padded::new(grid.shape(), &table.padded), stage: vec![T::zero(); grid.len()] }
+        let line = grid.is_line().then(|| vec![T::zero(); grid.len()]);
+        Self { fields: fourier::Padded::new(grid.shape(), &table.padded), line }
     }
 
     /// Gives `unit` times the displacement under a pressure, both in `rows` of the unpadded grid, as [`super::Convolution::displace`]
@@ -140,10 +169,10 @@ impl<T: Real> FreeConvolution<T> {
         sinks: &mut [S],
         store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
-        let Self { fields, stage } = self;
-        let width = rows[1];
-        chunks::rows_mut(stage, width, fill);
-        fields.scale(stage, |place| unit * table.weights[place]);
-        chunks::each(sinks, width, |r, sink| store(r, &stage[r * width..][..width], sink));
+        let (width, weight) = (rows[1], |place| unit * table.weights[place]);
+        let Some(line) = &mut self.line else { return self.fields.scale_rows(weight, fill, sinks, store) };
+        chunks::rows_mut(line, width, fill);
+        self.fields.scale(line, weight);
+        chunks::each(sinks, width, |r, sink| store(r, &line[r * width..][..width], sink));
     }
 }

@@ -37,6 +37,11 @@ pub enum AdhesionError {
     /// A mean gap that is not positive.
     #[error("the mean gap is {value:?}: give a positive one")]
     MeanGap { value: f64 },
+    /// A gap or an approach at which surfaces are farther from each other, or deeper in each other, than any contact is.
+    #[error(
+        "the {name} is {value:?}: give one of at most {most:.0e}, as no contact with adhesion is as far apart or as deep"
+    )]
+    Far { name: &'static str, value: f64, most: f64 },
     /// A control that the boundary leaves without a meaning.
     #[error("{reason}")]
     Control { control: &'static str, reason: &'static str },

@@ -213,7 +213,7 @@ pub enum ConflictRule {
          fields: leave these parts out")]
     YieldAndStress,
     #[strum(props(keys = "solid.yield-stress load"), message =
-        "{load} is given, but a body that yields below its surface needs a mean pressure, a reduced pressure or a force")]
+        "{load} is given, but a body that yields below its surface needs a mean pressure, a reduced pressure, a force or a mean gap")]
     YieldLoad,
 
     #[strum(props(keys = "path.tangential friction viscoelastic path.time load"), message =

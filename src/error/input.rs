@@ -165,6 +165,7 @@ impl InputError for AdhesionError {
             | Self::Table { .. }
             | Self::NotElastic { .. }
             | Self::Coarse { .. }
+            | Self::Far { .. }
             | Self::MeanGap { .. }
             | Self::Control { .. }
             | Self::FreeMotion => true,
@@ -211,6 +212,7 @@ impl InputError for PlasticError {
             | Self::NeedsPressure { .. }
             | Self::Load { .. }
             | Self::YieldsEverywhere { .. }
+            | Self::HasBegun
             | Self::Range { .. }
             | Self::Memory { .. } => true,
         }

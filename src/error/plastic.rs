@@ -52,7 +52,7 @@ pub enum PlasticError {
     Hardness,
     /// A load that is not a pressure.
     #[error(
-        "a {load} cannot be given where the solid yields below the surface: give a mean pressure, a reduced pressure or a force"
+        "a {load} cannot be given where the solid yields below the surface: give a mean pressure, a reduced pressure, a force or a mean gap"
     )]
     NeedsPressure { load: &'static str },
     /// A load below zero, or not finite.
@@ -67,6 +67,9 @@ pub enum PlasticError {
     /// A setting outside its range.
     #[error("{name} is {value}: it must lie in {range}")]
     Range { name: &'static str, value: f64, range: &'static str },
+    /// Errors of a history that has begun.
+    #[error("errors are estimated of a history from its first load on, but this one has begun: ask for them before")]
+    HasBegun,
     /// An observer stopped the step.
     #[error("the load step was stopped")]
     Stopped,

@@ -52,17 +52,19 @@ pub enum StudyError {
     /// Rows that are missing in all tables.
     #[error(
         "{rows} of {of} rows are missing in the tables, or were changed after they were solved; the first is row \
-         {first}: solve them, or give the missing tables"
+         {first}{}: solve them, or give the missing tables",
+        in_brackets(values)
     )]
-    Missing { rows: usize, first: usize, of: usize },
+    Missing { rows: usize, first: usize, values: String, of: usize },
     /// A row that was changed after it was solved, which is in no other table.
     #[error("{} is damaged: row {row} fails its check sum: solve this share again", path.display())]
     Damaged { path: PathBuf, row: usize },
     /// A row that is in two tables.
     #[error(
-        "row {row} is in {} and also in {}: give tables of different shares", other.display(), path.display()
+        "row {row}{} is in {} and also in {}: give tables of different shares",
+        in_brackets(values), other.display(), path.display()
     )]
-    Overlap { row: usize, path: PathBuf, other: PathBuf },
+    Overlap { row: usize, values: String, path: PathBuf, other: PathBuf },
     /// A table of another study, which would be overwritten.
     #[error(
         "{} holds {points} rows of another study, or of another version: give another file, or start again with --fresh to replace it",
@@ -76,6 +78,11 @@ pub enum StudyError {
         path.display()
     )]
     OtherShare { path: PathBuf, points: usize },
+}
+
+/// The values of a row behind its number, if there are any.
+fn in_brackets(values: &str) -> String {
+    if values.is_empty() { String::new() } else { format!(" ({values})") }
 }
 
 impl From<HistoryError> for StudyError {

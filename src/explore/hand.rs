@@ -78,6 +78,7 @@ impl Hold {
         match setup.process()? {
             Some(ProcessKind::Creep) => return Err(RefusalRule::DragOfCreep.into()),
             Some(ProcessKind::Slip | ProcessKind::Rolling) => return Err(RefusalRule::DragOfSlip.into()),
+            Some(ProcessKind::Plastic) => return Err(RefusalRule::DragOfYield.into()),
             _ => (),
         }
         let mut problem = setup.problem()?;

@@ -6,20 +6,22 @@ mod surface;
 use super::height_knobs::HeightKnobs;
 use super::refusal::{Refusal, RefusalRule};
 use super::scale::{MODULUS, RETARDATION_TIME};
-use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_RANGE};
+use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_HARDENING, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
 use crate::contact::{Friction, Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
-use crate::setup::{LayerModulus, Method, Part, ProcessKind, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic};
+use crate::setup::{
+    Body, LayerModulus, Method, Part, ProcessKind, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic, YieldLaw,
+};
 use crate::surface::RolloffForm;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 /// Kurtosis of Gaussian heights.
 const GAUSSIAN_KURTOSIS: f64 = 3.0;
-/// Poisson's ratio of a layer.
-const LAYER_POISSON: f64 = 0.3;
+/// Poisson's ratio of a layer, and of a solid that yields below its surface.
+const POISSON: f64 = 0.3;
 
 /// The state of the knobs. Lengths are given in waves per cell, pressures as `p*`.
 ///
@@ -64,6 +66,15 @@ pub struct Knobs {
     /// Hardness over the contact modulus; 0 for none.
     #[serde(default)]
     hardness: f64,
+    /// Yield stress over the contact modulus, of a solid that yields below its surface; 0 for none.
+    #[serde(default)]
+    yield_stress: f64,
+    /// Hardening modulus of such a solid over the contact modulus.
+    #[serde(default = "usual_hardening")]
+    hardening: f64,
+    /// Whether the load is taken off such a solid again.
+    #[serde(default)]
+    release: bool,
     /// Thickness of a bonded layer of Poisson's ratio 0.3 on a rigid base, over the cell; 0 for a half-space.
     #[serde(default)]
     layer: f64,
@@ -85,6 +96,10 @@ pub struct Knobs {
     /// Reduced pressure that pulls surfaces with adhesion apart after the load; 0 for none.
     #[serde(default)]
     pub(super) pull: f64,
+    /// How deep surfaces with adhesion are moved into each other before they are moved apart, over their mean gap at first touch; 0 where loads
+    /// move them.
+    #[serde(default)]
+    depth: f64,
     /// Coulomb's coefficient of friction between surface and solid; 0 for none.
     #[serde(default)]
     friction: f64,
@@ -118,6 +133,10 @@ pub struct Knobs {
 
 fn usual_range() -> f64 {
     USUAL_RANGE
+}
+
+fn usual_hardening() -> f64 {
+    USUAL_HARDENING
 }
 
 fn plateau() -> RolloffForm {
@@ -278,12 +297,13 @@ impl Knobs {
         self.check()?;
         let pressed = self.pressed(source)?;
         let grid = pressed.surface.grid(&pressed.grid)?;
+        let load = if self.is_at_gaps() { pressed.load } else { Load::ReducedPressure(self.load) };
         let setup = Setup {
-            load: Load::ReducedPressure(self.load),
+            load,
             solver: self.solver,
             stop: self.stop,
             record: Record {
-                what: self.recorded_parts(&grid, pressed.adhesion.is_some()),
+                what: self.recorded_parts(&grid, pressed.adhesion.is_some() || pressed.yields()),
                 theme: self.theme,
                 ..Record::default()
             },
@@ -292,7 +312,7 @@ impl Knobs {
         setup.check()?;
         let is_shown = match setup.process()? {
             Some(ProcessKind::Adhesion) => !self.takes_scene() || setup.path.is_none(),
-            Some(ProcessKind::Creep | ProcessKind::Slip | ProcessKind::Rolling) => true,
+            Some(ProcessKind::Creep | ProcessKind::Slip | ProcessKind::Rolling | ProcessKind::Plastic) => true,
             _ => !setup.is_history()?,
         };
         if !is_shown {
@@ -316,7 +336,7 @@ impl Knobs {
         self.check_motion(&grid)?;
         let load = Load::ReducedPressure(self.load);
         let has_memory = self.slides() || self.creeps_in_time();
-        Ok(Setup {
+        let setup = Setup {
             viscoelastic: has_memory
                 .then(|| Viscoelastic { creep: vec![self.creep, RETARDATION_TIME], ..Viscoelastic::default() }),
             sliding: self
@@ -329,7 +349,8 @@ impl Knobs {
             solid: Some(self.solid(grid.longest_wavelength())),
             law: if self.hardness > 0.0 { Law::Hardness(self.hardness * MODULUS) } else { Law::HardWall },
             ..Setup::new(surface, cell, load)
-        })
+        };
+        if self.is_at_gaps() { self.along_gaps(setup) } else { Ok(setup) }
     }
 
     /// The setup of the surface beside, if there is one, under the load of the knobs: a solve presses it as hard as the first one.
@@ -351,13 +372,26 @@ impl Knobs {
         Ok(Some(second))
     }
 
-    /// A half-space, or a bonded layer below a cell of some length.
+    /// A half-space, which may yield below its surface, or a bonded layer below a cell of some length.
     fn solid(&self, length: f64) -> Solid {
-        if self.layer == 0.0 {
-            return Solid::ContactModulus(MODULUS);
+        let elastic = self.elastic(length);
+        if !self.yields_below() {
+            return elastic;
         }
-        let modulus = LayerModulus::Contact(MODULUS);
-        Solid::Layer { modulus, poisson: LAYER_POISSON, thickness: self.layer * length, base: Base::Bonded }
+        let [yield_stress, hardening_modulus] = [self.yield_stress, self.hardening].map(|it| Some(it * MODULUS));
+        Solid::Yielding(elastic.into(), YieldLaw { yield_stress, hardening_modulus, ..YieldLaw::default() })
+    }
+
+    /// The solid without what yields. Flow depends on both elastic constants.
+    fn elastic(&self, length: f64) -> Solid {
+        match (self.layer > 0.0, self.yields_below()) {
+            (true, _) => {
+                let (modulus, thickness) = (LayerModulus::Contact(MODULUS), self.layer * length);
+                Solid::Layer { modulus, poisson: POISSON, thickness, base: Base::Bonded }
+            }
+            (false, true) => Solid::Bodies(Body { young: MODULUS * (1.0 - POISSON * POISSON), poisson: POISSON }, None),
+            (false, false) => Solid::ContactModulus(MODULUS),
+        }
     }
 
     /// Checks the limits of the page.
@@ -385,9 +419,10 @@ impl Knobs {
     }
 
     /// The parts of the recording that a line or a surface has; without any the traces, since an empty list means the
-    /// usual parts. The stress is that of the pressure alone, which with adhesion is not all that the solid feels.
-    fn recorded_parts(&self, grid: &Grid, adheres: bool) -> Vec<Part> {
-        let is_there = |part: &Part| part.is_on(grid) && !(adheres && matches!(part, Part::Stress | Part::Fringes));
+    /// usual parts. The stress is that of the pressure alone, which with adhesion, or where the solid yields below its surface, is not all that
+    /// the solid feels.
+    fn recorded_parts(&self, grid: &Grid, feels_more: bool) -> Vec<Part> {
+        let is_there = |part: &Part| part.is_on(grid) && !(feels_more && part.is_stress());
         let parts: Vec<Part> = self.record.iter().copied().filter(is_there).collect();
         if parts.is_empty() { vec![Part::Traces] } else { parts }
     }

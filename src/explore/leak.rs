@@ -1,6 +1,6 @@
 //! The leakage through a contact, which the page shows from above.
 
-use super::section::columns;
+use super::columns::columns;
 use crate::contact::Contact;
 use crate::flow::{Conductance, FlowAxis, Leakage};
 use crate::surface::Field;

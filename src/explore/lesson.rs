@@ -23,12 +23,13 @@ const MOST_BYTES: u64 = 1 << 18;
 const MOST_STATES: usize = 64;
 
 /// The lessons that the page has of its own: names and texts.
-const LESSONS: [(&str, &str); 12] = [
+const LESSONS: [(&str, &str); 13] = [
     ("hertz-and-rough.toml", include_str!("../../assets/lessons/hertz-and-rough.toml")),
     ("kappa-r.toml", include_str!("../../assets/lessons/kappa-r.toml")),
     ("counting.toml", include_str!("../../assets/lessons/counting.toml")),
     ("coating.toml", include_str!("../../assets/lessons/coating.toml")),
     ("yield.toml", include_str!("../../assets/lessons/yield.toml")),
+    ("dent.toml", include_str!("../../assets/lessons/dent.toml")),
     ("honing.toml", include_str!("../../assets/lessons/honing.toml")),
     ("crawl.toml", include_str!("../../assets/lessons/crawl.toml")),
     ("fretting.toml", include_str!("../../assets/lessons/fretting.toml")),

@@ -11,6 +11,7 @@
 //! A file of heights that is dropped on the page stays in the memory of the session until the next file replaces it.
 
 mod answer;
+mod columns;
 mod description;
 mod facet;
 mod hand;
@@ -45,6 +46,7 @@ mod top;
 mod why;
 mod words;
 mod work;
+mod zone;
 
 pub use answer::{Answer, Request};
 pub use description::Description;

@@ -1,6 +1,6 @@
 //! The patches of a contact, for the page: each beside its Hertz twin.
 
-use super::section::columns;
+use super::columns::columns;
 use crate::contact::{Contact, Law, Patch, Problem, Resolution};
 use crate::grid::Grid;
 use crate::theory::hertz;

@@ -48,12 +48,18 @@ pub enum RefusalRule {
     FrictionNotElastic,
     #[strum(message = "GFMD solves contacts without friction only: choose another method, or set the tangential load to 0")]
     FrictionByGfmd,
+    #[strum(message = "{points} points are too many where the solid yields below its surface: give at most {most}, or set the yield stress to 0")]
+    YieldPoints,
     #[strum(message = "the load of a contact with adhesion cannot be swept: set the work of adhesion to 0")]
     SweepOfAdhesion,
     #[strum(message = "the load of a contact that creeps cannot be swept: set the time to 0")]
     SweepOfCreep,
     #[strum(message = "the load of a contact under a tangential load cannot be swept: set the tangential load to 0")]
     SweepOfSlip,
+    #[strum(message = "the load on a solid that yields below its surface cannot be swept: set the yield stress to 0")]
+    SweepOfYield,
+    #[strum(message = "a contact whose solid yields below its surface cannot be dragged: set the yield stress to 0")]
+    DragOfYield,
     #[strum(message = "a contact that creeps cannot be dragged: set the time to 0")]
     DragOfCreep,
     #[strum(message = "a contact under a tangential load cannot be dragged: set the tangential load to 0")]

@@ -4,10 +4,11 @@ use super::knobs::Knobs;
 use super::refusal::KnownFault;
 use super::scale::MODULUS;
 use super::section::Section;
-use crate::contact::{Contact, Failure, Observables, Quantity, Reading, State, Step, Work};
-use crate::error::{ProblemError, SetupError};
-use crate::setup::{ProcessChart, ProcessKind, ProcessRow};
-use crate::theory::Exact;
+use crate::adhesion::AdhesionScales;
+use crate::contact::{Contact, Failure, Observables, Problem, Quantity, Reading, State, Step, Work};
+use crate::error::{HistoryError, PlasticError, ProblemError, SetupError};
+use crate::setup::{ProcessChart, ProcessKind, ProcessRow, Setup};
+use crate::theory::{Exact, PullOff};
 use crate::warning::Warning;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -34,6 +35,8 @@ pub struct Report {
 impl KnownFault {
     /// Id of a mean pressure above the hardness, which the page tells in its own terms: both over the contact modulus.
     pub const ABOVE_HARDNESS: &str = "above-hardness";
+    /// Id of a mean pressure under which a solid yields at all depths, told in the same terms.
+    pub const YIELDS_EVERYWHERE: &str = "yields-everywhere";
 
     /// The fault behind a failure, if the page has a text for it.
     pub fn from_failure(failure: &Failure) -> Option<Self> {
@@ -42,6 +45,11 @@ impl KnownFault {
                 let [pressure, hardness] = [mean_pressure, hardness].map(|it| rounded(it / MODULUS));
                 let places = [("pressure", pressure), ("hardness", hardness)].into();
                 Some(Self { key: Self::ABOVE_HARDNESS, places })
+            }
+            SetupError::History(HistoryError::Plastic(PlasticError::YieldsEverywhere { mean_pressure, limit })) => {
+                let [pressure, limit] = [mean_pressure, limit].map(|it| rounded(it / MODULUS));
+                let places = [("pressure", pressure), ("limit", limit)].into();
+                Some(Self { key: Self::YIELDS_EVERYWHERE, places })
             }
             other => Self::from_setup(other),
         }
@@ -81,6 +89,8 @@ pub struct RunReport {
     pub numbers: Option<Numbers>,
     /// Exact values, if there is an exact solution.
     pub exact: Option<ExactNumbers>,
+    /// The pull-off in theory, of a smooth round surface that adheres.
+    pub pull_off: Option<PullOffReport>,
     /// The surface beside, under the same mean pressure.
     pub beside: Option<Beside>,
     /// The section of its latest step, while it runs.
@@ -149,6 +159,28 @@ pub struct ExactNumbers {
     pub relative_area: f64,
     /// Area-load factor `kappa_r`, where it is known.
     pub kappa_r: Option<f64>,
+}
+
+/// The pull-off in theory: mean pressures, and Tabor's number, which says which of them holds.
+#[derive(Clone, Copy, Serialize)]
+pub struct PullOffReport {
+    /// For an attraction of short range.
+    jkr: f64,
+    /// For an attraction of long range; none for a cylinder.
+    dmt: Option<f64>,
+    /// Tabor's number: large for a short range.
+    tabor: f64,
+}
+
+impl PullOffReport {
+    /// The pull-off of a setup; none without adhesion, and where the theory is of another contact.
+    pub fn new(setup: &Setup, problem: &Problem) -> Option<Self> {
+        let attraction = setup.adhesion.as_ref()?.attraction().ok()?;
+        let solid = setup.elastic().ok().filter(|solid| solid.is_half_space())?;
+        let (indenter, grid) = (setup.surface.smooth()?, problem.surface().grid());
+        let PullOff { jkr, dmt } = PullOff::new(&indenter, grid, solid.contact_modulus(), attraction.work())?;
+        Some(Self { jkr, dmt, tabor: AdhesionScales::new(problem, &attraction).tabor? })
+    }
 }
 
 /// The numbers of a state; those that are infinite or not known are null in JSON.

@@ -20,10 +20,18 @@ pub const MOST_POINTS_OF_MODULE: [usize; 2] = [1 << 16, 1 << 18];
 pub const MOST_POINTS: [usize; 2] =
     if cfg!(target_arch = "wasm32") { MOST_POINTS_OF_MODULE } else { MOST_POINTS_OF_PROGRAM };
 
+/// The largest number of points of a line, and of a surface, whose solid yields below it while the user waits: each of them stands for all layers below.
+pub(super) const MOST_POINTS_OF_YIELDING: [usize; 2] = [1 << 11, 1 << 14];
+
+/// The number of points of a line, and of a surface, whose solid yields, to start with.
+const USUAL_POINTS_OF_YIELDING: [usize; 2] = [1 << 9, 1 << 12];
+
 /// Points along each side of a surface to start with.
 pub(super) const SURFACE_SIDE: usize = 1 << 8;
 /// The range of an attraction over the length of the cell, to start with.
 pub(super) const USUAL_RANGE: f64 = 1e-4;
+/// The hardening modulus of a solid that yields over the contact modulus, to start with.
+pub(super) const USUAL_HARDENING: f64 = 0.01;
 /// The most bumps of a line.
 pub(super) const MOST_BUMPS: usize = 32;
 /// The largest file of heights, in bytes.
@@ -59,8 +67,14 @@ pub enum KnobScenes {
     Creeping,
     /// The same, where the surface does not slide.
     Resting,
+    /// All but that of a setup file, with a solid that yields below its surface.
+    Yielding,
     /// All but that of a setup file, with adhesion.
     Adhering,
+    /// All but that of a setup file, with adhesion, under loads and not at gaps.
+    Pulled,
+    /// All states but those at gaps.
+    Loaded,
     /// All but that of a setup file, with friction.
     Rubbing,
     /// Surfaces that the knobs make: no file is the body.
@@ -96,7 +110,10 @@ impl KnobScenes {
                 | Self::Own
                 | Self::Creeping
                 | Self::Resting
+                | Self::Yielding
                 | Self::Adhering
+                | Self::Pulled
+                | Self::Loaded
                 | Self::Rubbing
                 | Self::Made
                 | Self::Rough
@@ -273,15 +290,19 @@ const LINE_LEVELS: &[&str] = &["", "offsets", "median", "line", "parabola"];
 /// All knobs, in the order of the page.
 #[rustfmt::skip]
 pub const KNOBS: &[Knob] = &[
-    knob(Load, "load", Number(NumericKnob::new([1e-5, 1e3], 0.05).log10([-4.0, 1.5, 0.02]))),
+    knob(Load, "load", Number(NumericKnob::new([1e-5, 1e3], 0.05).log10([-4.0, 1.5, 0.02]))).only_in(KnobScenes::Loaded),
     knob(Solid, "hardness", Number(NumericKnob::new([0.0, 1.0], 0.0).linear([0.0, 0.002, 0.00002]))).only_in(KnobScenes::Own),
+    knob(Solid, "yield-stress", Number(NumericKnob::new([0.0, 1.0], 0.0).zero_or_log10([-5.1, -2.0, 0.05]))).only_in(KnobScenes::Own),
+    knob(Solid, "hardening", Number(NumericKnob::new([1e-6, 1.0], USUAL_HARDENING).log10([-4.0, -0.5, 0.1]))).only_in(KnobScenes::Yielding),
+    knob(Solid, "release", Switch { default: false }).only_in(KnobScenes::Yielding),
     knob(Solid, "layer", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 0.5, 0.005]))).only_in(KnobScenes::Own),
     knob(Solid, "creep", Number(NumericKnob::new([0.0, 100.0], 0.0).linear([0.0, 20.0, 0.5]))).only_in(KnobScenes::Own),
     knob(Solid, "speed", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 2.0, 0.1]))).only_in(KnobScenes::Creeping),
     knob(Solid, "time", Number(NumericKnob::new([0.0, 100.0], 0.0).zero_or_log10([-2.1, 2.0, 0.1]))).only_in(KnobScenes::Resting),
     knob(Solid, "adhesion", Number(NumericKnob::new([0.0, 1.0], 0.0).zero_or_log10([-9.1, -4.0, 0.1]))).only_in(KnobScenes::Own),
     knob(Solid, "range", Number(NumericKnob::new([1e-7, 1.0], USUAL_RANGE).log10([-6.0, -2.0, 0.1]))).only_in(KnobScenes::Adhering),
-    knob(Solid, "pull", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 1.5, 0.02]))).only_in(KnobScenes::Adhering),
+    knob(Solid, "pull", Number(NumericKnob::new([0.0, 1e3], 0.0).zero_or_log10([-4.1, 1.5, 0.02]))).only_in(KnobScenes::Pulled),
+    knob(Solid, "depth", Number(NumericKnob::new([0.0, 0.95], 0.0).linear([0.0, 0.95, 0.05]))).only_in(KnobScenes::Adhering),
     knob(Solid, "friction", Number(NumericKnob::new([0.0, 10.0], 0.0).linear([0.0, 1.0, 0.05]))).only_in(KnobScenes::Own),
     knob(Solid, "sideways", Number(NumericKnob::new([0.0, 0.99], 0.0).linear([0.0, 0.95, 0.05]))).only_in(KnobScenes::Rubbing),
     knob(Solid, "rolling", Switch { default: false }).only_in(KnobScenes::Rubbing),
@@ -368,6 +389,8 @@ pub fn schema_script() -> String {
         "side": SURFACE_SIDE,
         "program": most(MOST_POINTS_OF_PROGRAM),
         "module": most(MOST_POINTS_OF_MODULE),
+        "yielding": most(MOST_POINTS_OF_YIELDING),
+        "usualYielding": most(USUAL_POINTS_OF_YIELDING),
         "bumps": MOST_BUMPS,
         "bytes": MOST_HEIGHTS,
         "modulus": MODULUS,

@@ -1,6 +1,8 @@
 //! The section through a contact, which the page draws without the viewer.
 
-use crate::contact::{Contact, Problem, State, StateField, Step};
+use super::columns::columns;
+use super::zone::PlasticZone;
+use crate::contact::{Contact, DepthCut, Problem, State, StateField, Step};
 use crate::elastic::stress::highest_row;
 use crate::theory::Exact;
 use ndarray::ArrayView1;
@@ -20,8 +22,9 @@ const FIELDS: [&str; 2] = ["traction", "attraction"];
 /// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
 const POISSON: f64 = 0.3;
 
-/// A contact along a line, or along the row of a surface in which the pressure is largest. A column shows the node at which the rigid surface
-/// is highest in it, which touches first and is the same node at all loads. Lengths are in metres, pressures over the contact modulus.
+/// A contact along a line, or along a row of a surface: that of the largest pressure, or where nothing presses that of the highest peak. A column
+/// shows the node at which the rigid surface is highest in it, which touches first and is the same node at all loads. Lengths are in metres, pressures
+/// over the contact modulus.
 ///
 /// Heights are measured upwards from the surface of the unloaded solid. A displacement `u` points into the solid, so
 /// the solid's surface stands at `-u` and the rigid surface at `gap - u`, the negative of its heights, up to a
@@ -43,6 +46,9 @@ pub struct Section {
     /// Further fields over the contact modulus, by their names: the traction under a tangential load, the attraction with adhesion.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub fields: BTreeMap<&'static str, Vec<f32>>,
+    /// The plastic zone below the section, of a solid that yields below its surface.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zone: Option<PlasticZone>,
     /// The exact pressure, where it is known; 0 where it is infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<Vec<f32>>,
@@ -72,7 +78,7 @@ pub struct Shear {
 impl Section {
     /// The section of a contact, with the further fields of its state.
     pub fn from_contact(contact: &Contact, fields: &[StateField]) -> Self {
-        Self::in_columns(contact, contact.highest_row(), fields, COLUMNS)
+        Self::in_columns(contact, row_of(contact), fields, COLUMNS)
     }
 
     /// The section of a contact with the exact pressure beside its own.
@@ -87,9 +93,18 @@ impl Section {
         Self { exact: Some(exact), ..Self::from_contact(contact, &[]) }
     }
 
+    /// The section of a contact with a solid that yields below its surface, along the row of its cut.
+    pub fn with_zone(contact: &Contact, cut: &DepthCut) -> Self {
+        Self { zone: Some(PlasticZone::new(contact, cut)), ..Self::in_columns(contact, cut.row, &[], COLUMNS) }
+    }
+
     /// The section of a state of a history.
     pub fn from_state(state: &State) -> Self {
-        Self::in_columns(&state.contact, state.contact.highest_row(), &state.fields, STEP_COLUMNS)
+        if let Some(cut) = &state.cut {
+            let zone = Some(PlasticZone::new(&state.contact, cut));
+            return Self { zone, ..Self::in_columns(&state.contact, cut.row, &[], STEP_COLUMNS) };
+        }
+        Self::in_columns(&state.contact, row_of(&state.contact), &state.fields, STEP_COLUMNS)
     }
 
     /// The section of a load of a sweep along a row, which is the same one at all loads.
@@ -140,12 +155,23 @@ impl Section {
             pressure: of(&|node| pressure[node] / modulus),
             highest_pressure: pressure.fold(0.0, |most: f64, &p| most.max(p)) / modulus,
             fields: BTreeMap::new(),
+            zone: None,
             exact: None,
             is_pressed_by_gap: grid.is_periodic(),
             slides: problem.is_moving(),
             mean_gap,
             highest: problem.highest(),
         }
+    }
+}
+
+/// The row that the section of a contact is along: where nothing presses, that of the highest peak.
+fn row_of(contact: &Contact) -> usize {
+    let problem = &contact.problem;
+    if contact.max_pressure() > 0.0 {
+        contact.highest_row()
+    } else {
+        highest_row(problem.surface().grid(), problem.height())
     }
 }
 
@@ -174,24 +200,5 @@ impl Shear {
         };
         let values = stress.rows().into_iter().flat_map(|row| ranges.iter().map(move |nodes| most(row, nodes)));
         Some(Self { depth, columns: ranges.len(), highest: highest / modulus, values: values.collect() })
-    }
-}
-
-/// Nodes in at most `most` columns of about the same width.
-pub(super) fn columns(nodes: usize, most: usize) -> impl Iterator<Item = Range<usize>> {
-    let count = nodes.min(most);
-    (0..count).map(move |i| i * nodes / count..(i + 1) * nodes / count)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_hold_every_node_once() {
-        for (nodes, most) in [(5, 8), (1000, 7), (4096, 1024)] {
-            let held: Vec<usize> = columns(nodes, most).flatten().collect();
-            assert_eq!(held, (0..nodes).collect::<Vec<_>>());
-        }
     }
 }

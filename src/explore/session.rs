@@ -9,14 +9,13 @@ use super::motion::Motion;
 use super::refusal::{KnownFault, Refusal, RefusalRule};
 use super::report::{Numbers, Report, SweepReport};
 use super::section::Section;
-use super::session_recording::{Ended, RecordingReport, SessionRecording, SolvedRun};
+use super::session_recording::{Ended, LastState, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeCurves, TapeView};
-use crate::contact::{Contact, Failure, StateField};
+use crate::contact::Failure;
 use crate::setup::{Method, Setup};
 use crate::surface::HeightFile;
-use crate::theory::Exact;
 use std::collections::VecDeque;
 use std::ops::RangeInclusive;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -143,8 +142,11 @@ impl Session {
             return Err(RefusalRule::SweepOfAdhesion.into());
         }
         if kind == RunKind::Sweep && setup.is_history()? {
-            let rule = if setup.friction.is_some() { RefusalRule::SweepOfSlip } else { RefusalRule::SweepOfCreep };
-            return Err(rule.into());
+            return Err(match (setup.friction, setup.yields()) {
+                (Some(_), _) => RefusalRule::SweepOfSlip.into(),
+                (None, true) => RefusalRule::SweepOfYield.into(),
+                (None, false) => RefusalRule::SweepOfCreep.into(),
+            });
         }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));
@@ -328,19 +330,18 @@ impl Turn<'_> {
         });
     }
 
-    /// Keeps the result of a solve, the exact one, that of the surface beside, the curves of the recording, and numbers and sections of
+    /// Keeps the result of a solve, that of the surface beside, the curves of the recording, and numbers and sections of
     /// the steps, and reports it.
     pub fn finish(
         self,
         rank: usize,
-        (contact, fields): (Contact, Vec<StateField>),
-        exact: Option<Exact>,
-        beside: Option<Contact>,
+        last: LastState,
+        beside: Option<LastState>,
         curves: TapeCurves,
         (steps, motion): (StepNumbers, Motion),
     ) {
-        let numbers = Numbers::from_contact(&contact);
-        let numbers_beside = beside.as_ref().map(Numbers::from_contact);
+        let numbers = Numbers::from_contact(&last.contact);
+        let numbers_beside = beside.as_ref().map(|it| Numbers::from_contact(&it.contact));
         self.session.change(|state| {
             let Some(run) = &mut state.report.run else { return };
             run.ended = true;
@@ -350,10 +351,7 @@ impl Turn<'_> {
             let report = run.clone();
             let id = report.id.clone();
             let curves = Arc::new(curves);
-            state.end(
-                &id,
-                Ended::Run(Arc::new(SolvedRun { report, rank, contact, fields, exact, beside, curves, steps, motion })),
-            );
+            state.end(&id, Ended::Run(Arc::new(SolvedRun { report, rank, last, beside, curves, steps, motion })));
         });
     }
 

@@ -6,7 +6,7 @@ use super::report::{RunReport, SweepReport};
 use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
-use crate::contact::{Contact, StateField, StateKind, archive};
+use crate::contact::{Contact, DepthCut, StateField, StateKind, archive};
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
@@ -37,17 +37,24 @@ pub struct SolvedRun {
     pub report: RunReport,
     /// Axes of its arrays.
     pub rank: usize,
-    pub contact: Contact,
-    /// Further fields of the last state of a history.
-    pub fields: Vec<StateField>,
-    /// The exact solution, where there is one.
-    pub exact: Option<Exact>,
-    /// The contact of the surface beside, if there is one.
-    pub beside: Option<Contact>,
+    pub last: LastState,
+    /// That of the surface beside, if there is one.
+    pub beside: Option<LastState>,
     /// Curves of the recording, to stand beside those of others.
     pub curves: Arc<TapeCurves>,
     pub steps: StepNumbers,
     pub motion: Motion,
+}
+
+/// The last state of a run, or of the surface beside, as the page shows it.
+pub struct LastState {
+    pub contact: Contact,
+    /// Further fields of the last state of a history.
+    pub fields: Vec<StateField>,
+    /// The cut through the layers below a solid that yields.
+    pub cut: Option<DepthCut>,
+    /// The exact solution, where there is one.
+    pub exact: Option<Exact>,
 }
 
 /// What the page gets about a complete recording.
@@ -89,23 +96,29 @@ impl SessionRecording {
     }
 }
 
-impl SolvedRun {
+impl LastState {
     /// The section of the contact.
     pub fn section(&self) -> Section {
-        let Self { contact, fields, exact, .. } = self;
-        exact
-            .as_ref()
-            .map_or_else(|| Section::from_contact(contact, fields), |exact| Section::with_exact(contact, exact))
+        let Self { contact, fields, cut, exact } = self;
+        match (exact, cut) {
+            (Some(exact), _) => Section::with_exact(contact, exact),
+            (None, Some(cut)) => Section::with_zone(contact, cut),
+            (None, None) => Section::from_contact(contact, fields),
+        }
     }
+}
 
-    /// The stress below a contact of the run. With adhesion the pressure between the surfaces is not all that the solid feels.
+impl SolvedRun {
+    /// The stress below a contact of the run. With adhesion, or where the solid yields below its surface, the pressure between the surfaces is not all
+    /// that the solid feels.
     pub fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
-        contact.filter(|_| self.kind() != StateKind::Adhesion).and_then(Shear::below)
+        let feels_more = matches!(self.kind(), StateKind::Adhesion | StateKind::Plastic);
+        contact.filter(|_| !feels_more).and_then(Shear::below)
     }
 
     /// The patches of the contact. A patch on a solid that creeps or adheres is compared with no elastic one.
     pub fn patches(&self) -> PatchTable {
-        let table = PatchTable::new(&self.contact);
+        let table = PatchTable::new(&self.last.contact);
         PatchTable { is_hertzian: table.is_hertzian && self.kind() == StateKind::Elastic, ..table }
     }
 
@@ -116,6 +129,6 @@ impl SolvedRun {
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.
     pub fn archive(&self) -> Option<Vec<u8>> {
-        archive(&self.contact, self.rank, Some(&self.report.setup)).ok()
+        archive(&self.last.contact, self.rank, Some(&self.report.setup)).ok()
     }
 }

@@ -2,18 +2,19 @@
 
 use super::knobs::Knobs;
 use super::motion::Motion;
-use super::report::{Beside, ExactNumbers, Numbers, ProcessReport, RunReport, RunWarning, file_stem};
+use super::report::{Beside, ExactNumbers, Numbers, ProcessReport, PullOffReport, RunReport, RunWarning, file_stem};
 use super::section::Section;
 use super::session::Turn;
-use super::session_recording::SessionRecording;
+use super::session_recording::{LastState, SessionRecording};
 use super::step_numbers::StepNumbers;
 use super::tape::{self, TapeCurves};
 use crate::clock::Instant;
-use crate::contact::{Contact, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
+use crate::contact::{Contact, DepthCut, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
 use crate::error::{AdhesionError, HistoryError, SetupError, SolveError};
 use crate::job::{self, HistoryOutcome, Job, JobRun, Pass, Solved};
 use crate::setup::{LoadPath, RollingMotion, Setup, command};
 use crate::surface::Surface;
+use crate::theory::Exact;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
@@ -27,14 +28,16 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
     let rank = setup.surface.rank(&setup.grid)?;
     let grid = problem.surface().grid();
-    let exact = problem.mean_pressure().and_then(|pressure| setup.exact(grid, pressure));
+    let exact = exact_of(&setup, &problem);
+    let exact_beside = beside.as_ref().and_then(|(setup, problem)| exact_of(setup, problem));
     let surface = setup.surface.title(grid);
-    let [motion, for_files] = knobs.motion_in_words();
-    let title = format!("{surface}, p* = {}{motion}", knobs.load);
+    let [load, load_for_files] = knobs.load_in_words();
+    let [motion, motion_for_files] = knobs.motion_in_words();
+    let title = format!("{surface}, {load}{motion}");
     let process = setup.process()?.filter(|_| setup.speed().is_none());
     let report = RunReport {
         id: format!("run-{}", turn.number),
-        file_stem: file_stem(&surface, &format!("p{}{for_files}", knobs.load), setup.solver().name()),
+        file_stem: file_stem(&surface, &format!("{load_for_files}{motion_for_files}"), setup.solver().name()),
         title: title.clone(),
         command: command(&setup),
         setup: setup.to_toml(),
@@ -45,6 +48,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         ended: false,
         numbers: None,
         exact: exact.as_ref().map(ExactNumbers::from),
+        pull_off: PullOffReport::new(&setup, &problem),
         beside: beside.as_ref().map(|(setup, problem)| {
             let title = setup.surface.title(problem.surface().grid());
             Beside { title, numbers: None }
@@ -67,7 +71,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         reported: Instant::now(),
         curves: tape::curves(&id),
         steps: StepNumbers::new(process),
-        fields: Vec::new(),
+        ends: Default::default(),
         motion: Motion::default(),
         work: [Work::default(); 2],
     };
@@ -80,9 +84,16 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     if let Some(failure) = [Some(&contact), other.as_ref()].into_iter().flatten().find_map(|it| it.failure.clone()) {
         return Err(SolveError::Observer(failure).into());
     }
-    let RunCollector { curves, steps, motion, fields, .. } = watch;
-    turn.finish(rank, (contact, fields), exact, other, curves, (steps, motion));
+    let RunCollector { curves, steps, motion, ends: [own, beside], .. } = watch;
+    let last = |contact, (fields, cut), exact| LastState { contact, fields, cut, exact };
+    let other = other.map(|contact| last(contact, beside, exact_beside));
+    turn.finish(rank, last(contact, own, exact), other, curves, (steps, motion));
     Ok(())
+}
+
+/// The exact solution of a problem under its mean pressure, where there is one.
+fn exact_of(setup: &Setup, problem: &Problem) -> Option<Exact> {
+    setup.exact(problem.surface().grid(), problem.mean_pressure()?)
 }
 
 /// The contact of a run, or of the last state of a history with the work of all of them.
@@ -98,8 +109,12 @@ fn last_contact(solved: Solved, work: Work) -> Result<Contact, Failure> {
     }
 }
 
-/// A setup under the mean pressure of a problem, along the same path of them, and its problem.
+/// A setup under the mean pressure of a problem, along the same path of them, and its problem. Where gaps are prescribed, it is as it was.
 fn pressed_alike(setup: Setup, other: &Problem) -> Result<(Setup, Problem), Failure> {
+    if !setup.load.is_pressure() {
+        let problem = setup.problem()?;
+        return Ok((setup, problem));
+    }
     let unit = other.rms_gradient() * other.contact_modulus();
     let in_pascals = |loads: Vec<f64>| loads.into_iter().map(|load| load * unit).collect();
     let path = setup.path.map(|it| LoadPath { load: in_pascals(it.load), tangential: in_pascals(it.tangential), ..it });
@@ -130,8 +145,8 @@ struct RunCollector<'a> {
     curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
-    /// Further fields of the last state.
-    fields: Vec<StateField>,
+    /// Further fields of the last state of each run, and the cut below it.
+    ends: [(Vec<StateField>, Option<DepthCut>); 2],
     /// The work of each run so far, of a history with all its states.
     work: [Work; 2],
 }
@@ -156,13 +171,13 @@ impl job::Watcher for RunCollector<'_> {
 
     fn state(&mut self, run: usize, state: &State) {
         self.work[run] += state.contact.work;
+        self.ends[run] = (state.fields.clone(), state.cut.clone());
         if run > 0 {
             return;
         }
         let work = self.work[run];
         self.steps.add_state(work, state);
         self.motion.add_state(state);
-        self.fields.clone_from(&state.fields);
         if self.reported.elapsed() >= INTERVAL {
             self.reported = Instant::now();
             let (numbers, section) = (Numbers::from_state(state, work), Section::from_state(state));

@@ -1,6 +1,6 @@
 //! A contact of a surface from above, which the page draws without the viewer.
 
-use super::section::columns;
+use super::columns::columns;
 use crate::contact::{Contact, StateField, Unit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -20,6 +20,8 @@ pub enum TopMap {
     Pressure,
     /// The gap.
     Gap,
+    /// The heights of the surface.
+    Height,
     /// The patches.
     Patches,
     /// The flux of a fluid that leaks through the gap.

@@ -56,7 +56,7 @@ impl Why {
         if solved.report.process.is_some() {
             return None;
         }
-        let (contact, (method, stop)) = (&solved.contact, solved.report.knobs.method());
+        let (contact, (method, stop)) = (&solved.last.contact, solved.report.knobs.method());
         let solver: &dyn Solver = if contact.problem.is_moving() { &MonotoneSets } else { method.solver() };
         let mut diagnosis = Diagnosis::new(&contact.problem, Some(Arc::new(Reference::from_contact(contact))));
         let mut decisions = Decisions { steps: [0, contact.work.iterations], ..Decisions::default() };

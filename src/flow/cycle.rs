@@ -48,20 +48,24 @@ pub(super) struct GroupCycle {
 impl GroupCycle {
     /// The levels below a matrix.
     pub fn new(matrix: Laplacian, size: GroupSize) -> Self {
-        let mut levels = vec![(matrix, Vec::new())];
-        for level in 0.. {
-            let (fine, groups) = &mut levels[level];
-            let coarser = if level < size.levels() { pairs_of_pairs(fine) } else { paired(fine) };
-            let Some((coarse, of)) = coarser else { break };
-            *groups = of;
-            levels.push((coarse, Vec::new()));
-        }
-        Self { levels }
+        Self { levels: vec![(matrix, Vec::new())] }.with_groups(size)
     }
 
-    /// The cycle of the same equations with groups of another size.
+    /// The cycle of the same equations with groups of another size. The finest groups are the same.
     pub fn with_groups(mut self, size: GroupSize) -> Self {
-        Self::new(self.levels.swap_remove(0).0, size)
+        let levels = &mut self.levels;
+        levels.truncate(1 + GroupSize::Small.levels());
+        for level in levels.len() - 1.. {
+            let fine = &levels[level].0;
+            let coarser = if level < size.levels() { pairs_of_pairs(fine) } else { paired(fine) };
+            let Some((coarse, of)) = coarser else {
+                levels[level].1.clear();
+                break;
+            };
+            levels[level].1 = of;
+            levels.push((coarse, Vec::new()));
+        }
+        self
     }
 
     /// The matrix of the finest level.
@@ -77,20 +81,16 @@ impl GroupCycle {
     /// An approximate solution on a level.
     fn relax(&self, level: usize, r: &[f64]) -> Vec<f64> {
         let (matrix, groups) = &self.levels[level];
-        let cells = matrix.cells();
-        let mut z = vec![0.0; cells];
-        matrix.sweep(0..cells, r, &mut z);
+        let mut z = matrix.sweep_from_zero(r);
         if !groups.is_empty() {
-            let mut product = vec![0.0; cells];
-            matrix.apply(&z, &mut product);
             let mut coarse = vec![0.0; self.levels[level + 1].0.cells()];
-            (0..cells).for_each(|cell| coarse[groups[cell] as usize] += r[cell] - product[cell]);
+            (0..r.len()).for_each(|cell| coarse[groups[cell] as usize] += matrix.rest_of_sweep(cell, &z));
             let correction = self.solve_coarse(level + 1, coarse);
             chunks::update(&mut z, |range, z| {
                 z.iter_mut().zip(range).for_each(|(z, cell)| *z += correction[groups[cell] as usize]);
             });
         }
-        matrix.sweep((0..cells).rev(), r, &mut z);
+        matrix.sweep_back(r, &mut z);
         z
     }
 
@@ -175,19 +175,19 @@ fn pairs(matrix: &Laplacian) -> (Vec<u32>, usize) {
         if of[cell] != u32::MAX {
             continue;
         }
-        let links = matrix.links(cell).iter();
-        let Some(&(nearest, strongest)) = links.clone().max_by(|a, b| a.1.total_cmp(&b.1)) else {
+        let links = matrix.links(cell);
+        let Some((nearest, strongest)) = links.clone().max_by(|a, b| a.1.total_cmp(&b.1)) else {
             of[cell] = groups;
             groups += 1;
             continue;
         };
-        let free = links.filter(|link| of[link.0 as usize] == u32::MAX && link.1 >= STRONG * strongest);
+        let free = links.filter(|&(other, conductance)| of[other] == u32::MAX && conductance >= STRONG * strongest);
         match free.max_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some(&(partner, _)) => {
-                (of[cell], of[partner as usize]) = (groups, groups);
+            Some((partner, _)) => {
+                (of[cell], of[partner]) = (groups, groups);
                 groups += 1;
             }
-            None => of[cell] = of[nearest as usize],
+            None => of[cell] = of[nearest],
         }
     }
     (of, groups as usize)

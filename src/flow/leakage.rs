@@ -12,8 +12,10 @@ use crate::surface::Field;
 
 /// Largest number of steps of conjugate gradients.
 const MOST_STEPS: usize = 500;
-/// Steps with large groups, after which groups are small. Where channels are wide, no more than that are needed.
-const STEPS_OF_LARGE: usize = 16;
+/// Groups become small where a step gains more than this part of what the one before it gained, but not in the first steps, with which
+/// the flow finds its channels.
+const SLOW: f64 = 0.4;
+const FIRST_STEPS: usize = 6;
 /// The estimated relative error at which bounds are first computed, in parts of the tolerance, and how much lower it has to be for
 /// each later time.
 const FIRST_GOAL: f64 = 0.1;
@@ -52,7 +54,7 @@ const SMALLEST_TOLERANCE: f64 = 1e-12;
 /// The first pressure falls linearly, and steps do not raise its power. So the upper bound is at most `<g^3>`.
 ///
 /// # Solver
-/// Conjugate gradients, preconditioned by multigrid on groups of cells, until the bounds are close. It uses 300 to 600 bytes a node.
+/// Conjugate gradients, preconditioned by multigrid on groups of cells, until the bounds are close. It uses 250 to 600 bytes a node.
 ///
 /// # Source
 /// Dapp, Luecke, Persson & Mueser, Phys. Rev. Lett. 108, 244301 (2012), for the leakage of rough contacts.
@@ -200,16 +202,14 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     if network.cells == 0 {
         return leakage;
     }
-    let mut cycle = GroupCycle::new(Laplacian::from_network(&network), GroupSize::Large);
+    let mut groups = GroupSize::Large;
+    let mut cycle = GroupCycle::new(Laplacian::from_network(&network), groups);
     let tree = ChannelTree::new(&network);
     let flux = network.flux(&network.linear);
     let mut gradients = Gradients::new(network.linear.clone(), network.surplus(&flux));
-    let (mut power, mut goal) = (network.power(&flux), FIRST_GOAL * tolerance);
+    let (mut power, mut goal, mut last_gain) = (network.power(&flux), FIRST_GOAL * tolerance, f64::INFINITY);
     leakage.upper = unit * power;
     while leakage.steps < MOST_STEPS && leakage.width() > tolerance {
-        if leakage.steps == STEPS_OF_LARGE {
-            cycle = cycle.with_groups(GroupSize::Small);
-        }
         let gain = gradients.step(cycle.matrix(), cycle.apply(&gradients.residual));
         leakage.steps += 1;
         power -= gain.unwrap_or(0.0);
@@ -222,6 +222,12 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
             }
             gradients = Gradients::new(gradients.x, residual);
         }
+        let is_slow = leakage.steps >= FIRST_STEPS && gain.is_some_and(|gain| gain > SLOW * last_gain);
+        if is_slow && groups == GroupSize::Large {
+            groups = GroupSize::Small;
+            cycle = cycle.with_groups(groups);
+        }
+        last_gain = gain.unwrap_or(0.0);
     }
     leakage.lay_fields(grid, &network, &gradients.x);
     leakage

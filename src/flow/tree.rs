@@ -10,14 +10,10 @@ pub(super) struct ChannelTree {
 }
 
 impl ChannelTree {
-    /// The tree of the largest conductances (Kruskal).
+    /// The tree of the largest conductances (Kruskal), of which those within a sixteenth count as equal.
     pub fn new(network: &Network) -> Self {
         let Network { cells, faces, .. } = network;
-        let mut order: Vec<u32> = (0..faces.len() as u32).collect();
-        order.sort_unstable_by(|&a, &b| {
-            let [a_conducts, b_conducts] = [a, b].map(|face| faces[face as usize].conductance);
-            b_conducts.total_cmp(&a_conducts).then(a.cmp(&b))
-        });
+        let mut order = by_conductance(faces);
         let mut forest = Forest::new(cells + 1);
         order.retain(|&face| {
             let [a, b] = joined(&faces[face as usize], *cells);
@@ -38,6 +34,21 @@ impl ChannelTree {
             surplus[other] += sent;
         }
     }
+}
+
+/// The faces from the largest conductance to the smallest, sorted by the leading bits of these: exponent and four bits behind it.
+fn by_conductance(faces: &[Face]) -> Vec<u32> {
+    let key = |face: &Face| ((u64::MAX - face.conductance.to_bits()) >> 48) as usize;
+    let mut starts = vec![0; (1 << 16) + 1];
+    faces.iter().for_each(|face| starts[key(face) + 1] += 1);
+    (0..1 << 16).for_each(|key| starts[key + 1] += starts[key]);
+    let mut order = vec![0; faces.len()];
+    for (number, face) in faces.iter().enumerate() {
+        let place = &mut starts[key(face)];
+        order[*place] = number as u32;
+        *place += 1;
+    }
+    order
 }
 
 /// The ends of a face, with the two sides as one.

@@ -98,13 +98,12 @@ impl<T: Real> LongLineFilter<T> {
     }
 
     pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
-        let n2 = self.shape[1];
-        for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
+        for_each_column(&mut self.z, self.shape, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
             self.twiddles.column(j2).zip(column).for_each(|(w, z)| *z = *z * w);
         });
         self.scale_rows(factor);
-        for_each_column(&mut self.z, n2, &mut self.workers, |j2, column, _, scratch| {
+        for_each_column(&mut self.z, self.shape, &mut self.workers, |j2, column, _, scratch| {
             self.twiddles.column(j2).zip(&mut *column).for_each(|(w, z)| *z = *z * w.conj());
             self.inverse[0].process_with_scratch(column, scratch);
         });

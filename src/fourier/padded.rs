@@ -32,6 +32,26 @@ impl<T: Real> Padded<T> {
         parts.resize_with(count, Default::default);
         filter.store(&mut parts, |_, row, part| part.copy_from_slice(&row[..part.len()]));
     }
+
+    /// Multiplies the modes of a padded surface by the `weight` of the [`Filter::places`] of its grid. The surface need not exist as a
+    /// whole: `fill(r, row)` writes row `r` of the field without padding, and `store(r, row, sink)` takes row `r` of the result with its
+    /// sink.
+    pub fn scale_rows<S: Send>(
+        &mut self,
+        weight: impl Fn(usize) -> f64 + Sync,
+        fill: impl Fn(usize, &mut [T]) + Sync,
+        sinks: &mut [S],
+        store: impl Fn(usize, &[T], &mut S) + Sync,
+    ) {
+        let (nx, filter) = (self.shape[1], &mut self.filter);
+        filter.load(|r, row| {
+            let (values, padding) = row.split_at_mut(nx);
+            fill(r, values);
+            padding.fill(T::zero());
+        });
+        filter.scale(|wave| weight(wave.place));
+        filter.store(sinks, |r, row, sink| store(r, &row[..nx], sink));
+    }
 }
 
 /// The least even number from `least` on with no factors but 2, 3 and 5, of which transforms are fast.

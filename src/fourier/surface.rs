@@ -4,15 +4,16 @@ use super::Real;
 use super::columns::{band_len, for_each_column};
 use super::plans::Plans;
 use super::wave::Wave;
-use super::worker::Worker;
+use super::worker::{WORTH_SHARING, Worker};
 use crate::chunks::spread;
 use crate::grid::Grid;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator, repeat_n};
 use rustfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
-/// The transforms of the rows, `ny` rows of `nx/2 + 1` coefficients, and those of the columns in the same place.
+/// The transforms of the used rows, of `nx/2 + 1` coefficients each, and those of the columns in the same place.
 ///
-/// Bands of columns are transformed, scaled and transformed back while they are in the cache.
+/// Bands of columns are transformed, scaled and transformed back while they are in the cache. Only there they have all `ny` rows.
 pub(crate) struct SurfaceFilter<T: Real = f64> {
     shape: [usize; 2],
     /// The first rows, which are not all zero and are needed.
@@ -45,7 +46,7 @@ impl<T: Real> SurfaceFilter<T> {
             plans,
             qx: (0..=nx / 2).map(|kx| TAU * kx as f64 / lx).collect(),
             qy_squares: (0..=ny / 2).map(|ky| (TAU * ky as f64 / ly).powi(2)).collect(),
-            spectrum: vec![Complex::new(T::zero(), T::zero()); grid.modes()],
+            spectrum: zeros(used_rows * (nx / 2 + 1)),
             workers,
         }
     }
@@ -55,18 +56,20 @@ impl<T: Real> SurfaceFilter<T> {
     }
 
     pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
-        let [ny, nx] = self.shape;
+        let nx = self.shape[1];
         let half = nx / 2 + 1;
-        let per_worker = ny.div_ceil(self.workers.len());
+        let per_worker = self.used_rows.div_ceil(self.workers.len());
         let tasks = self.spectrum.chunks_mut(per_worker * half).zip(&mut self.workers).enumerate();
         spread(tasks, |(task, (spectra, Worker { row, scratch, .. }))| {
             for (i, spectrum) in spectra.chunks_exact_mut(half).enumerate() {
-                if task * per_worker + i >= self.used_rows {
+                let row = &mut row[..nx];
+                fill(task * per_worker + i, row);
+                // many rows of a light contact carry nothing
+                if row.iter().all(|value| *value == T::zero()) {
                     spectrum.fill(Complex::new(T::zero(), T::zero()));
-                    continue;
+                } else {
+                    self.plans.forward_row(row, spectrum, scratch);
                 }
-                fill(task * per_worker + i, &mut row[..nx]);
-                self.plans.forward_row(&mut row[..nx], spectrum, scratch);
             }
         });
     }
@@ -76,7 +79,7 @@ impl<T: Real> SurfaceFilter<T> {
         let half = nx / 2 + 1;
         let norm = 1.0 / (ny * nx) as f64;
         let qy_squares = &self.qy_squares;
-        for_each_column(&mut self.spectrum, half, &mut self.workers, |kx, column, row, scratch| {
+        for_each_column(&mut self.spectrum, [ny, half], &mut self.workers, |kx, column, row, scratch| {
             let factors = &mut row[..qy_squares.len()];
             let square = self.qx[kx].powi(2);
             let first = kx * qy_squares.len();
@@ -95,7 +98,7 @@ impl<T: Real> SurfaceFilter<T> {
         let nx = self.shape[1];
         let half = nx / 2 + 1;
         let per_worker = self.used_rows.div_ceil(self.workers.len());
-        let spectra = self.spectrum[..self.used_rows * half].chunks_mut(per_worker * half);
+        let spectra = self.spectrum.chunks_mut(per_worker * half);
         let tasks = spectra.zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
         spread(tasks, |(task, ((spectra, sinks), Worker { row, scratch, .. }))| {
             for (i, (spectrum, sink)) in spectra.chunks_exact_mut(half).zip(sinks).enumerate() {
@@ -104,4 +107,10 @@ impl<T: Real> SurfaceFilter<T> {
             }
         });
     }
+}
+
+/// A spectrum of zeros. Its memory is first touched here, by all threads.
+fn zeros<T: Real>(modes: usize) -> Vec<Complex<T>> {
+    let zero = Complex::new(T::zero(), T::zero());
+    repeat_n(zero, modes).with_min_len(WORTH_SHARING).collect()
 }

@@ -5,7 +5,7 @@ use rustfft::num_complex::Complex;
 
 /// Points of the smallest grid that is shared: the pair on 128 x 128 takes 60 us, of which a second core saves what it takes
 /// to wake it.
-const WORTH_SHARING: usize = 1 << 15;
+pub(super) const WORTH_SHARING: usize = 1 << 15;
 
 /// Tasks per thread: enough to even out threads of unequal speed.
 const TASKS: usize = 4;

@@ -9,7 +9,7 @@ use crate::contact::{
     Certificate, Contact, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status,
     Stop, Work,
 };
-use crate::error::{AdhesionError, HistoryError};
+use crate::error::HistoryError;
 use crate::surface::Field;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -42,7 +42,8 @@ const APART: f64 = 30.0;
 /// on the branches. On free boundaries it is not known: the stability of states is not computed there, and a history in longer steps may stay on a branch
 /// that is no longer stable, and jump later.
 ///
-/// Under a mean pressure the surfaces may part; what is lost then depends on how far they go, and is not counted.
+/// Under a mean pressure the surfaces may part. Then nothing is carried, so the mean pressure of the state is zero, whatever is prescribed. The load works
+/// without a limit as the surfaces move apart, so that no energy lost belongs to the states from there on.
 ///
 /// With the method `gfmd` each step is a motion. Where it is a jump, also one in which the surfaces part, its frames are states between the
 /// one before and the one after. They have the claim [`ResultClaim::Moving`] and are no part of the path.
@@ -101,11 +102,11 @@ impl AdhesiveProcess {
 
     /// A place as a state of any history.
     fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> State {
-        let AdhesiveVisit { place, control, ledger, jump, work, .. } = visit;
+        let AdhesiveVisit { place, ledger, jump, work, .. } = visit;
         let values = StateValues::new(StateKind::Adhesion)
-            .with(Quantity::Dissipated, ledger.lost)
-            .with(Quantity::DissipatedError, self.is_periodic().then(|| ledger.error()))
-            .with(Quantity::WorkDone, ledger.work)
+            .with(Quantity::Dissipated, ledger.lost())
+            .with(Quantity::DissipatedError, ledger.error().filter(|_| self.is_periodic()))
+            .with(Quantity::WorkDone, ledger.work())
             .with(Quantity::Jump, jump);
         match place {
             AdhesivePlace::State(state) => {
@@ -127,13 +128,13 @@ impl AdhesiveProcess {
             AdhesivePlace::Apart => {
                 let shape = self.search.problem().problem().surface().grid().shape();
                 let nothing = [
+                    Quantity::MeanPressure,
                     Quantity::ContactPressure,
                     Quantity::MeanAttraction,
                     Quantity::RelativeArea,
                     Quantity::Stored,
                     Quantity::Residual,
                 ];
-                let values = values.with(Quantity::MeanPressure, control.value());
                 let values = nothing.into_iter().fold(values, |values, it| values.with(it, 0.0));
                 let contact = self.apart().with_work(work).with_values(values);
                 State::new(contact, ResultClaim::Separated)
@@ -214,12 +215,14 @@ impl Process for AdhesiveProcess {
         }
     }
 
-    /// Moves from load to load in short steps where a length is given: longer ones let go of what holds. A jump takes place in one of them. A contact
-    /// that has not begun comes from the end of its path.
+    /// Moves from load to load in short steps where a length is given: longer ones let go of what holds. Jumps are located as on the path, and their
+    /// energy counts. A contact that has not begun comes from the end of its path.
     fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
         let target = self.control(point.load);
-        let mut last = self.come_to_end(observer)?;
-        let (begin, range) = (self.reached(&last, target).value(), self.range());
+        let last = self.come_to_end(observer)?;
+        let reached = self.reached(&last, target);
+        let mut last = last.under(reached);
+        let (begin, range) = (last.control.value(), self.range());
         let way = target.value() - begin;
         let steps = match target {
             AdhesiveControl::MeanPressure(_) => 1,
@@ -227,7 +230,7 @@ impl Process for AdhesiveProcess {
         };
         for step in 1..=steps {
             let value = if step == steps { target.value() } else { begin + way * step as f64 / steps as f64 };
-            last = self.step_to(&last, target.with_value(value), observer)?;
+            last = self.walked(&last, target.with_value(value), observer)?;
         }
         let state = self.told(last.kept(), None);
         self.last = Some(last);
@@ -262,25 +265,6 @@ impl AdhesiveProcess {
             last = self.walked(&last, *control, observer)?;
         }
         Ok(last)
-    }
-
-    /// The place after one step by hand, or after as many as it takes to find each state.
-    fn step_to(
-        &self,
-        last: &AdhesiveVisit,
-        target: AdhesiveControl,
-        observer: &mut dyn Observer,
-    ) -> Result<AdhesiveVisit, HistoryError> {
-        match self.search.solve(target, Some(&last.place), observer) {
-            Ok(AdhesiveStep { place, work, .. }) if place.fault().is_none() => {
-                Ok(AdhesiveVisit::first(place, target, work))
-            }
-            Ok(_) | Err(AdhesionError::NotFound { .. }) => {
-                let from = AdhesiveVisit::first(last.place.clone(), self.reached(last, target), Work::default());
-                self.walked(&from, target, observer)
-            }
-            Err(error) => Err(error.into()),
-        }
     }
 
     /// Where a contact is, in the terms of a control.

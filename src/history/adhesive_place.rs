@@ -20,13 +20,15 @@ pub(super) enum AdhesivePlace {
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct AdhesionLedger {
     /// Energy lost in jumps.
-    pub lost: f64,
+    lost: f64,
     /// Work of the load: on a branch the change of the energy.
-    pub work: f64,
+    work: f64,
     /// The sum of the differences between the integral of the pressure over the datum and the change of the energy, of all steps on branches.
     missed: f64,
     /// The sum of the energies that jumps may have lost more or less, since their places are known to a step only.
     spread: f64,
+    /// Whether the surfaces have been apart under a load: it works without a limit there, so that no energies are known from then on.
+    is_open: bool,
 }
 
 /// Where a step leads.
@@ -91,7 +93,7 @@ impl AdhesionLedger {
         self.missed += if step.is_convex { 0.0 } else { step.lost };
     }
 
-    /// Adds a step that jumps. Where the surfaces part, the load works without a limit, which does not count.
+    /// Adds a step that jumps.
     pub fn add_jump(&mut self, step: &EnergyBalance) {
         if step.lost.is_finite() {
             self.lost += step.lost;
@@ -100,9 +102,33 @@ impl AdhesionLedger {
         }
     }
 
+    /// The ledger at a place.
+    pub fn at(self, place: &AdhesivePlace) -> Self {
+        Self { is_open: self.is_open || matches!(place, AdhesivePlace::Apart), ..self }
+    }
+
+    /// The energy lost so far, of jumps that are shown and of smaller ones, as far as it is known.
+    pub fn counted(&self) -> f64 {
+        self.lost
+    }
+
+    /// The energy lost; none where the surfaces have been apart under a load.
+    pub fn lost(&self) -> Option<f64> {
+        self.known(self.lost)
+    }
+
+    /// The work of the load; none where the surfaces have been apart under it.
+    pub fn work(&self) -> Option<f64> {
+        self.known(self.work)
+    }
+
     /// The estimated error of the energy lost.
-    pub fn error(&self) -> f64 {
-        self.spread + self.missed.abs()
+    pub fn error(&self) -> Option<f64> {
+        self.known(self.spread + self.missed.abs())
+    }
+
+    fn known(&self, energy: f64) -> Option<f64> {
+        (!self.is_open).then_some(energy)
     }
 }
 
@@ -129,7 +155,16 @@ impl From<AdhesiveOutcome> for AdhesiveStep {
 impl AdhesiveVisit {
     /// A place at which no jump ends, without a step before it.
     pub fn first(place: AdhesivePlace, control: AdhesiveControl, work: Work) -> Self {
-        Self { place, control, ledger: AdhesionLedger::default(), jump: None, work, branch: Branch::default() }
+        let ledger = AdhesionLedger::default().at(&place);
+        Self { place, control, ledger, jump: None, work, branch: Branch::default() }
+    }
+
+    /// This visit under another control. A control of another kind (a gap instead of a pressure) forgets the way to the place, since lengths along a branch
+    /// are those of its control.
+    pub fn under(self, control: AdhesiveControl) -> Self {
+        let is_same = std::mem::discriminant(&self.control) == std::mem::discriminant(&control);
+        let branch = if is_same { self.branch } else { Branch::default() };
+        Self { control, branch, ..self }
     }
 
     /// The visit without its work, as the beginning of the next step.

@@ -14,7 +14,7 @@ pub struct AdhesionTotals {
     pub separated: bool,
     /// The jumps.
     pub jumps: Vec<AdhesionJump>,
-    /// Energy lost in all jumps, per area of the cell.
+    /// Energy lost in all jumps, per area of the cell; until the surfaces part, if they part under the load.
     pub lost_in_jumps: f64,
     /// Estimated error of `lost_in_jumps`, per area of the cell: what the places of the jumps leave open, and what the integral of the pressure over the
     /// datum misses on the branches between them, where nothing is lost. None on free boundaries, where the stability of states is not known.
@@ -59,14 +59,13 @@ impl AdhesionTotals {
                 energy,
             })
         };
-        let last = states.last()?;
-        let of = |value: fn(&State) -> Option<f64>| value(last).unwrap_or(0.0) - value(first).unwrap_or(0.0);
+        let known = |quantity: Quantity| states.iter().rev().find_map(|state| state.get(quantity));
         Some(Self {
             lowest_pressure: held.map(|state| pressure(state)).reduce(f64::min),
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
-            lost_in_jumps: of(|state| state.get(Quantity::Dissipated)),
-            lost_error: last.get(Quantity::DissipatedError),
+            lost_in_jumps: known(Quantity::Dissipated).unwrap_or(0.0) - first.get(Quantity::Dissipated).unwrap_or(0.0),
+            lost_error: known(Quantity::DissipatedError),
         })
     }
 }

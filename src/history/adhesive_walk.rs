@@ -200,7 +200,7 @@ impl<'a> BranchWalk<'a> {
     /// The energy that a step may miss.
     fn allowed(&self, balance: &EnergyBalance) -> f64 {
         let noise = self.search.noise() * self.search.attraction().work();
-        let [held, lost] = [MISSED * balance.held, MISSED_OF_LOST * self.ledger.lost];
+        let [held, lost] = [MISSED * balance.held, MISSED_OF_LOST * self.ledger.counted()];
         held.max(lost).max(MISSED_OF_RISE * balance.rise.abs()).max(noise)
     }
 
@@ -232,7 +232,7 @@ impl<'a> BranchWalk<'a> {
 
     /// Whether an energy does not count beside what was lost so far.
     fn is_open_enough(&self, open: f64) -> bool {
-        open <= LOCATED_OF_LOST * self.ledger.lost
+        open <= LOCATED_OF_LOST * self.ledger.counted()
     }
 
     /// Accepts a step along the branch.
@@ -253,7 +253,7 @@ impl<'a> BranchWalk<'a> {
         }
         self.branch = Branch { past: self.from.state().cloned(), bend: balance.bend, length };
         self.work += step.work;
-        (self.from, self.at) = (step.place, to);
+        self.move_on(step.place, to);
         self.ends(visits, None)
     }
 
@@ -312,13 +312,19 @@ impl<'a> BranchWalk<'a> {
         self.work += less(work, shown);
         self.ledger.add_jump(&balance);
         self.branch = Branch { length: self.branch.length, ..Branch::default() };
-        (self.from, self.at) = (place, to);
+        self.move_on(place, to);
         let jump = Some(lost).filter(|lost| is_shown && lost.is_finite());
         if is_shown && to != self.end.value() {
             let visit = self.visit(self.from.clone(), to, jump);
             visits.push(visit);
         }
         Ok(self.ends(visits, jump))
+    }
+
+    /// The next place is where the way is.
+    fn move_on(&mut self, place: AdhesivePlace, to: f64) {
+        self.ledger = self.ledger.at(&place);
+        (self.from, self.at) = (place, to);
     }
 
     /// Whether the end is reached, which is visited then.

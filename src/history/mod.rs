@@ -60,7 +60,8 @@ pub use cycle::{cycle_losses, open_cycles};
 pub use loading::Loading;
 pub use motion_process::{RollingProcess, SlidingProcess};
 pub use plastic::{
-    Plastic, PlasticCertificate, PlasticEnergy, PlasticErrors, PlasticLoading, PlasticSolid, PlasticState,
+    Plastic, PlasticCertificate, PlasticEnergy, PlasticErrorSources, PlasticErrors, PlasticLoading, PlasticSolid,
+    PlasticState,
 };
 pub use process::{EachState, PathPoint, Process};
 pub use rolling::{Rolling, RollingConditions, RollingDrive};

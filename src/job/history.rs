@@ -80,7 +80,7 @@ impl HistoryOutcome {
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
         let doubts = setup.warnings_of_creep();
         let outcome = Self { kind, adhesion, states, ended: None, failure: None, doubts };
-        Ok(outcome.with_time_errors(setup).with_open_cycles(setup))
+        Ok(outcome.with_time_errors(setup).with_open_cycles(setup).with_doubts_of_yielding(setup))
     }
 
     /// The history, with a reason to doubt it where errors in time are above the tolerance.
@@ -105,6 +105,12 @@ impl HistoryOutcome {
                 .with_remedy("path.time-tolerance", None),
             );
         }
+        self
+    }
+
+    /// The outcome with the doubts about a solid that yields below its surface.
+    fn with_doubts_of_yielding(mut self, setup: &Setup) -> Self {
+        self.doubts.extend(warnings_of_yielding(&self.states, setup));
         self
     }
 
@@ -191,7 +197,6 @@ impl HistoryOutcome {
             .chain(trail)
             .chain(self.unstable())
             .chain(self.warnings_of_strains())
-            .chain(warnings_of_yielding(&self.states))
             .collect()
     }
 

@@ -1,6 +1,7 @@
 //! Reasons to doubt the states of a solid that yields below its surface.
 
 use crate::contact::{Quantity, State, StateKind};
+use crate::setup::Setup;
 use crate::warning::Warning;
 use std::sync::Arc;
 
@@ -10,8 +11,8 @@ const FULLY_PLASTIC: f64 = 2.4;
 /// Accumulated plastic strains above this one are not small.
 const LARGEST_STRAIN: f64 = 0.1;
 
-/// The warnings of some states; none of those of other solids.
-pub(super) fn warnings_of_yielding(states: &[Arc<State>]) -> Vec<Warning> {
+/// The warnings of some states of a setup; none of those of other solids.
+pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<Warning> {
     if states.first().is_none_or(|first| first.contact.values().kind != StateKind::Plastic) {
         return Vec::new();
     }
@@ -20,7 +21,8 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>]) -> Vec<Warning> {
         let bottom = state.cut.as_ref().and_then(|cut| cut.interfaces.last().copied());
         bottom.is_some_and(|bottom| state.get(Quantity::DeepestYield).is_some_and(|depth| depth >= bottom))
     };
-    let bottom = states.iter().any(reaches_the_bottom).then(|| {
+    // layers that were not given grow
+    let bottom = (setup.has_fixed_layers() && states.iter().any(reaches_the_bottom)).then(|| {
         Warning::new(
             "The solid yields down to the end of the last layer, so that the results depend on where the layers end",
             "Let the layers end deeper, or use less load",
@@ -44,5 +46,31 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>]) -> Vec<Warning> {
             "Report sums, such as area, mean gap, imprint and work",
         )
     });
-    bottom.into_iter().chain(large).chain(rippled).collect()
+    bottom.into_iter().chain(large).chain(rippled).chain(warnings_of_errors(states, setup)).collect()
+}
+
+/// The warnings of estimated errors of some states that say little.
+fn warnings_of_errors(states: &[Arc<State>], setup: &Setup) -> Vec<Warning> {
+    if !setup.estimates_errors() {
+        return Vec::new();
+    }
+    let single = (setup.yield_steps() == 1).then(|| {
+        Warning::new(
+            "The errors by the load steps are estimated from a single step between two loads, and may be far too small",
+            "Take two steps or more",
+        )
+        .with_remedy("path.steps", Some("2"))
+    });
+    let is_thick = |state: &Arc<State>| {
+        let first = state.cut.as_ref().and_then(|cut| cut.interfaces.get(1).copied());
+        first.is_some_and(|first| first > state.contact.problem.surface().grid().spacing()[1])
+    };
+    let thick = (setup.has_fixed_layers() && states.iter().any(is_thick)).then(|| {
+        Warning::new(
+            "The layers are thicker than the spacing of the grid, so that the errors by the layers may be far larger than they are estimated",
+            "Give more layers, or leave their number out",
+        )
+        .with_remedy("solid.yield-layers", None)
+    });
+    single.into_iter().chain(thick).collect()
 }

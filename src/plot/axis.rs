@@ -26,6 +26,8 @@ const LINEAR_TICKS: f64 = 6.0;
 const MOST_POWERS: f64 = 12.0;
 /// Below this many powers of ten, 2 and 5 have labels too.
 const FEW_POWERS: f64 = 2.0;
+/// Powers of ten up to which values are written in full.
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=4;
 /// Share of a range by which rounding may put a tick outside.
 const ROUNDING: f64 = 1e-9;
 
@@ -67,8 +69,8 @@ impl Axis {
 
     /// The ticks that have a label, each with it, in ascending order; none on a range that is empty or not finite.
     ///
-    /// A logarithmic axis has powers of ten, `10⁻³`, below two decades also `2·10⁻³` and `5·10⁻³`; a linear one has steps
-    /// of 1, 2 or 5 times a power of ten.
+    /// A logarithmic axis has powers of ten, `10⁻⁵`, below two decades also `2·10⁻⁵` and `5·10⁻⁵`, and numbers such as `0.02` where none is very
+    /// small or large; a linear one has steps of 1, 2 or 5 times a power of ten.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let decades = match self.scale {
             _ if !self.is_drawable() => return Vec::new(),
@@ -80,7 +82,12 @@ impl Axis {
         if ticks.len() < 2 {
             return self.linear_ticks();
         }
-        ticks.into_iter().map(|(value, digit, exponent)| (value, log_label(digit, exponent))).collect()
+        let is_plain = decades < FEW_POWERS && ticks.iter().all(|(_, _, exponent)| PLAIN.contains(exponent));
+        let label = |(value, digit, exponent): (f64, u8, i32)| match is_plain {
+            true => (value, format!("{value:.*}", -exponent.min(0) as usize)),
+            false => (value, log_label(digit, exponent)),
+        };
+        ticks.into_iter().map(label).collect()
     }
 
     /// The short ticks of a logarithmic axis, at some of which there is a labelled one, too.
@@ -172,7 +179,7 @@ fn linear_label(value: f64, largest: f64, exponent: i32) -> String {
     let lead = largest.log10().floor() as i32;
     let label = match lead {
         _ if value == 0.0 => "0".into(),
-        -3..=4 => format!("{value:.*}", -exponent.min(0) as usize),
+        _ if PLAIN.contains(&lead) => format!("{value:.*}", -exponent.min(0) as usize),
         _ => format!("{:.*}·{}", (lead - exponent).max(0) as usize, value / times_ten(1, lead), power_of_ten(lead)),
     };
     label.replace('-', "−")

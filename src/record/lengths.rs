@@ -1,7 +1,9 @@
 //! Lengths in the file of a recording. The decoder makes room for whatever they say, so that they are checked before.
 //!
 //! # Source
-//! `frames.rs` of the crate `re_log_encoding`, and the message `ArrowMsg` of its protocol.
+//! `frames.rs` of the crate `re_log_encoding`.
+
+use super::tables;
 
 /// The mark at the beginning of a file. Pieces of a stream that are joined have one each.
 const MARK: &[u8] = b"RRF2";
@@ -14,11 +16,8 @@ const MESSAGE_HEAD: usize = 16;
 const LAST: u64 = 0;
 const DATA: u64 = 2;
 
-/// The field of a message with data that holds the number of bytes when it is unpacked.
-const UNPACKED: u64 = 3;
-
-/// The most bytes that one byte can be unpacked to.
-const MOST_UNPACKED: u64 = 255;
+/// Bytes between the last message and the mark of a piece that follows it.
+const FOOT: usize = 32;
 
 /// The number of bytes up to the end of the last whole message. A file with an end has only whole messages; one without was cut off.
 ///
@@ -33,11 +32,18 @@ pub fn whole(bytes: &[u8], has_end: bool) -> Result<usize, String> {
         let Some((kind, length)) = head(&bytes[at..]) else { return Ok(at) };
         let message = usize::try_from(length).ok().and_then(|it| bytes[at + MESSAGE_HEAD..].get(..it));
         match (message, kind) {
-            (Some(_), LAST) => return Ok(bytes.len()),
-            (Some(message), DATA) if unpacks_to_too_much(message) => {
-                return Err("a message would unpack to more than there is in it".into());
+            (Some(message), LAST) => {
+                at += MESSAGE_HEAD + message.len() + FOOT;
+                if !bytes.get(at..).is_some_and(|rest| rest.starts_with(MARK)) {
+                    return Ok(bytes.len());
+                }
             }
-            (Some(message), _) => at += MESSAGE_HEAD + message.len(),
+            (Some(message), _) => {
+                if kind == DATA {
+                    tables::check(message)?;
+                }
+                at += MESSAGE_HEAD + message.len();
+            }
             (None, _) if has_end => return Err("a message is longer than the file".into()),
             (None, _) => return Ok(at),
         }
@@ -48,41 +54,6 @@ pub fn whole(bytes: &[u8], has_end: bool) -> Result<usize, String> {
 fn head(bytes: &[u8]) -> Option<(u64, u64)> {
     let (kind, rest) = bytes.split_first_chunk()?;
     Some((u64::from_le_bytes(*kind), u64::from_le_bytes(*rest.first_chunk()?)))
-}
-
-/// Whether a message with data says that it unpacks to more bytes than it can. Whatever else is wrong with it, the decoder finds.
-fn unpacks_to_too_much(message: &[u8]) -> bool {
-    let most = MOST_UNPACKED.saturating_mul(message.len() as u64);
-    let mut rest = message;
-    while let Some(key) = number(&mut rest) {
-        let skipped = match key & 7 {
-            0 => match number(&mut rest) {
-                Some(value) if key >> 3 == UNPACKED && value > most => return true,
-                _ => 0,
-            },
-            1 => 8,
-            2 => number(&mut rest).unwrap_or(u64::MAX),
-            5 => 4,
-            _ => return false,
-        };
-        let Some(left) = usize::try_from(skipped).ok().and_then(|it| rest.get(it..)) else { return false };
-        rest = left;
-    }
-    false
-}
-
-/// Takes a number of variable length: seven bits in each byte, the lowest first, and a bit that says whether more follow.
-fn number(bytes: &mut &[u8]) -> Option<u64> {
-    let mut number = 0;
-    for place in 0..10 {
-        let (byte, rest) = bytes.split_first()?;
-        *bytes = rest;
-        number |= u64::from(byte & 0x7f) << (7 * place);
-        if byte & 0x80 == 0 {
-            return Some(number);
-        }
-    }
-    None
 }
 
 #[cfg(test)]
@@ -104,6 +75,16 @@ mod tests {
         let joined = [&piece[..], &piece].concat();
         assert_eq!(whole(&joined, false), Ok(joined.len()));
         assert_eq!(whole(&joined[..joined.len() - 1], false), Ok(piece.len() + FILE_HEAD));
+    }
+
+    #[test]
+    fn joined_files_are_checked_to_their_end() {
+        let mut part = [file(&[0x80, 4]), vec![0; FOOT]].concat();
+        part[..MARK.len()].copy_from_slice(MARK);
+        let mut bad = file(&[0xff, 0xff, 0xff, 0xff, 0x7f]);
+        bad[..MARK.len()].copy_from_slice(MARK);
+        assert_eq!(whole(&[&part[..], &part].concat(), true), Ok(2 * part.len()));
+        assert!(whole(&[part, bad].concat(), true).is_err());
     }
 
     #[test]

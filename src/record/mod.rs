@@ -49,6 +49,7 @@ mod sdk;
 mod setups;
 mod size;
 mod stores;
+mod tables;
 mod units;
 
 pub use description::load_in_words;

@@ -48,8 +48,7 @@ pub fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
 }
 
 /// The end of a run and the observables of its result, except those that were known before.
-pub fn of_contact(contact: &Contact) -> AnyValues {
-    let reading = Reading::from(contact);
+pub fn of_contact(contact: &Contact, reading: &Reading<'_>) -> AnyValues {
     let is_known = |it: Quantity| match it {
         Quantity::RmsHeight | Quantity::RmsGradient => true,
         Quantity::ReducedPressure => reduced_pressure(&contact.problem).is_some(),

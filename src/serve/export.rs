@@ -1,5 +1,6 @@
 //! The page with the module as a static site: the solver runs in the browser, and lessons have recordings that were made beforehand.
 
+use super::letters;
 use super::page::Page;
 use super::worker;
 use crate::contact::{Failure, Quantity};
@@ -78,11 +79,13 @@ impl SiteExport {
         let page = Page::new("explore")?;
         let (session, solver) = worker::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);
         let written = fill_folder(folder, |draft| {
-            let site = script("SITE", &self.site(&session, draft, goes_on)?);
-            let lessons = script("LESSONS", &json!(self.lessons));
+            let (site, section) = self.site(&session, draft, goes_on)?;
+            let site = format!("\"use strict\";\nconst SITE = {site};\n");
+            let section = letters::script_of("FIRST_SECTION", &section)?;
+            let lessons = letters::script_of("LESSONS", &json!(self.lessons))?;
             let files = page.files(!self.recorded.is_empty());
-            let files = files.chain([("site.js", site.into()), ("lessons.js", lessons.into())]);
-            let files: Vec<_> = files.collect();
+            let own = [("site.js", site.into()), ("section.js", section.into()), ("lessons.js", lessons.into())];
+            let files: Vec<_> = files.chain(own).collect();
             files.iter().try_for_each(|(name, bytes)| write(draft.join(name), bytes))?;
             let mark = format!("{:016x}", fnv1a(files.iter().map(|(_, bytes)| bytes.as_ref())));
             Ok(write(draft.join("offline.js"), page.offline(&mark, files.iter().map(|(name, _)| *name)))?)
@@ -92,17 +95,17 @@ impl SiteExport {
         written
     }
 
-    /// All that the page would ask a server for before its first picture, and the recordings, which are written.
+    /// All that the page would ask a server for before its first picture, and the section of that; and the recordings, which are written.
     fn site(
         &self,
         session: &Session,
         folder: &Path,
         goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Value, Failure> {
+    ) -> Result<(Value, Value), Failure> {
         let Self { start, recorded, .. } = self;
         let first = solve(session, RunKind::Solve, start, &mut || goes_on(0))?;
         let first = session.recording(&first).and_then(|recording| recording.solved()).ok_or("a run is missing")?;
-        let first = json!({ "run": first.report, "section": rounded(json!(first.section())) });
+        let (first, section) = (json!({ "run": first.report }), rounded(json!(first.last.section())));
         if !recorded.is_empty() {
             create_dir(folder.join("run"))?;
         }
@@ -114,13 +117,8 @@ impl SiteExport {
             runs.push(json!({ "id": id, "is_sweep": *kind == RunKind::Sweep, "knobs": knobs }));
         }
         let observables: Vec<Value> = Quantity::all().map(observable).collect();
-        Ok(json!({ "start": start, "observables": observables, "first": first, "recorded": runs }))
+        Ok((json!({ "start": start, "observables": observables, "first": first, "recorded": runs }), section))
     }
-}
-
-/// A script that gives a value a name.
-fn script(name: &str, value: &Value) -> String {
-    format!("\"use strict\";\nconst {name} = {value};\n")
 }
 
 /// The numbers of a picture to five digits, which are more than a screen shows.

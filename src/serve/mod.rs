@@ -11,6 +11,8 @@
 
 mod export;
 mod guard;
+mod language;
+mod letters;
 mod page;
 mod patience;
 mod policy;

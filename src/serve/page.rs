@@ -1,5 +1,6 @@
 //! The page and the viewer inside it, all of them in the binary.
 
+use super::language;
 use super::policy::IN_PAGE;
 use super::site::{Reply, Site};
 use super::stream::RecordingBytes;
@@ -20,20 +21,6 @@ macro_rules! file {
     };
 }
 
-/// All sentences of the page in all of its languages, and those of the server, which are English, with what the page says in
-/// their place.
-const TEXTS: &str = concat!(
-    "const TEXTS = {\n\"en\": ",
-    include_str!("../../assets/explore/texts/en.json"),
-    ",\n\"de\": ",
-    include_str!("../../assets/explore/texts/de.json"),
-    "};\nconst TOLD = {\n\"en\": ",
-    include_str!("../../assets/explore/texts/told.en.json"),
-    ",\n\"de\": ",
-    include_str!("../../assets/explore/texts/told.de.json"),
-    "};\n"
-);
-
 /// The text of scripts of the page, one after the other.
 macro_rules! scripts {
     ($($name:literal)*) => { concat!($(include_str!(concat!("../../assets/explore/", $name, ".js")), "\n"),*) };
@@ -41,7 +28,7 @@ macro_rules! scripts {
 
 /// All scripts of the page in the order in which they run.
 const SCRIPTS: &str = scripts!(
-    "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "chart" "charts" "save" "address" "welcome" "choices"
+    "letters" "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "table" "chart" "charts" "save" "address" "welcome" "choices"
     "point" "guess" "lessons" "picture" "top" "solid" "state" "hand" "pick" "why" "race" "undo" "asperity" "begin"
 );
 
@@ -54,7 +41,7 @@ const SCRIPT: &str = "/explore.js";
 
 /// The script that runs the module in a Web Worker. The page has its text, as a page that is opened from a folder may not load a worker
 /// from a file.
-const WORKER: &str = scripts!("lzma" "worker");
+const WORKER: &str = scripts!("letters" "lzma" "worker");
 
 /// The module, compressed, as a text in a script in UTF-16. The script `browser/build` makes it.
 const MODULE: &[u8] = include_bytes!("../../assets/explore/module.js");
@@ -68,7 +55,7 @@ fn script() -> String {
     format!(
         "(() => {{\n\"use strict\";\n{}const WORKER = {worker};\n{}{}}})();\n",
         explore::schema_script(),
-        compact(TEXTS),
+        language::script(),
         compact(SCRIPTS)
     )
 }
@@ -90,6 +77,8 @@ fn compact(scripts: &str) -> String {
 /// Answers to the paths of the page.
 pub struct Page {
     script: Bytes,
+    /// Scripts of languages by their names.
+    languages: Vec<(String, Bytes)>,
     viewer: Bytes,
     module: Bytes,
     /// `explore` for controls and viewer, `view` for the viewer alone.
@@ -105,6 +94,12 @@ impl AsRef<[u8]> for ViewerFile {
     }
 }
 
+/// The file at `path` that is as it is written, if there is one.
+fn written(path: &str) -> Option<Reply> {
+    let (_, kind, text) = FILES.iter().find(|file| file.0 == path)?;
+    Some(Reply::Page(kind, Bytes::from_static(text.as_bytes())))
+}
+
 impl Page {
     /// The page; fails if the viewer is not in the binary, as builds for special purposes leave it out.
     pub fn new(mode: &'static str) -> io::Result<Self> {
@@ -112,6 +107,7 @@ impl Page {
         let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
         Ok(Self {
             script: script().into(),
+            languages: language::files()?.into_iter().map(|(name, bytes)| (name, bytes.into())).collect(),
             viewer: file(WebViewerData::viewer_js),
             module: file(WebViewerData::viewer_wasm),
             mode,
@@ -125,26 +121,31 @@ impl Page {
             SCRIPT => Reply::Page(JAVASCRIPT, self.script.clone()),
             "/re_viewer.js" => Reply::Fixed(JAVASCRIPT, self.viewer.clone()),
             "/re_viewer_bg.wasm" => Reply::Fixed("application/wasm", self.module.clone()),
-            _ => {
-                let (_, kind, text) = FILES.iter().find(|file| file.0 == path)?;
-                Reply::Page(kind, Bytes::from_static(text.as_bytes()))
-            }
+            _ => return self.language(path).or_else(|| written(path)),
         })
     }
 
-    /// All files of a site, by their names, but for its data in `site.js`, which the page loads first; the viewer if there
+    /// The script of a language at `path`, if there is one.
+    fn language(&self, path: &str) -> Option<Reply> {
+        let (_, bytes) = self.languages.iter().find(|(name, _)| path.strip_prefix('/') == Some(name))?;
+        Some(Reply::Page(JAVASCRIPT, bytes.clone()))
+    }
+
+    /// All files of a site, by their names, but for its data in `site.js` and `section.js`, which the page loads first; the viewer if there
     /// is something to view.
-    pub fn files(&self, has_viewer: bool) -> impl Iterator<Item = (&'static str, Bytes)> {
+    pub fn files(&self, has_viewer: bool) -> impl Iterator<Item = (&str, Bytes)> {
         let kind = "<meta charset=\"utf-8\">";
         let policy = format!("{kind}\n<meta http-equiv=\"Content-Security-Policy\" content=\"{IN_PAGE}\">");
         let script = "<script src=\"explore.js\" defer></script>";
-        let site = format!("<script src=\"site.js\" defer></script>\n{script}");
+        let [site, section] = ["site", "section"].map(|name| format!("<script src=\"{name}.js\" defer></script>"));
+        let site = format!("{site}\n{section}\n{script}");
         let html = self.html().replace(kind, &policy).replace(script, &site);
         let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
         let viewer = [("re_viewer.js", self.viewer.clone()), ("re_viewer_bg.wasm", self.module.clone())];
         let scripts = [(&SCRIPT[1..], self.script.clone()), ("module.js", Bytes::from_static(MODULE))];
         let viewer = viewer.into_iter().filter(move |_| has_viewer);
-        own.chain(viewer).chain(scripts).chain([("index.html", html.into())])
+        let languages = self.languages.iter().map(|(name, bytes)| (name.as_str(), bytes.clone()));
+        own.chain(viewer).chain(languages).chain(scripts).chain([("index.html", html.into())])
     }
 
     /// The service worker of a site: it keeps these files, under a mark that differs from that of other files.

@@ -1,6 +1,7 @@
 //! What no process can have: rules on the sections of a setup, one after the other.
 
 use super::{LoadPath, Method, ProcessKind, Setup, Solid};
+use crate::contact::Load;
 use crate::error::{Conflict, ConflictRule, SetupError};
 use crate::grid::Grid;
 
@@ -73,7 +74,7 @@ const OF_PROCESSES: &[ProcessRule] = &[
     (ConflictRule::AdhesionBySolver, |it, kind, _| it.other_solver().filter(|_| kind == ProcessKind::Adhesion)),
     (ConflictRule::YieldOfFree, |_, kind, grid| broken(kind == ProcessKind::Plastic && !grid.is_periodic())),
     (ConflictRule::YieldLoad, |it, kind, _| {
-        let is_broken = kind == ProcessKind::Plastic && !it.load.is_pressure();
+        let is_broken = kind == ProcessKind::Plastic && matches!(it.load, Load::Approach(_));
         is_broken.then(|| vec![("load", it.load.to_string())])
     }),
     (ConflictRule::SlidingOfFree, |_, kind, grid| broken(kind == ProcessKind::Sliding && !grid.is_periodic())),

@@ -65,12 +65,9 @@ pub struct Extras {
 }
 
 /// Fields of the solver of flows, with its coarse grids; those of its results, along both axes; and with their archive.
-const FLOW_FIELDS: f64 = 35.5;
+const FLOW_FIELDS: f64 = 31.0;
 const KEPT_FLOW_FIELDS: f64 = 4.0;
 const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
-
-/// Fields of the outer steps of the multilevel solver, as measured.
-const OUTER_FIELDS: f64 = 2.0;
 
 impl Setup {
     /// The cost of the solve with the additional work.
@@ -85,7 +82,7 @@ impl Setup {
         let one = |is_done: bool, fields: f64| if is_done { fields } else { 0.0 };
         // the heights, the solver or the three fields of the result, and what watches
         let yielding = one(self.law.hardness().is_some(), YIELD_FIELDS);
-        let solving = 1.0 + solid + self.solver.fields(&grid, area).max(KEPT_FIELDS) + yielding;
+        let solving = 1.0 + (solid + self.solver.fields(&grid, area)).max(KEPT_FIELDS) + yielding;
         let recorded = one(extras.is_recorded, self.solver.recorded_fields());
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
         let flows = one(self.flow.leakage && archived > 0.0, KEPT_FLOW_FIELDS);
@@ -99,10 +96,10 @@ impl Setup {
                 + one(self.surface.has_target_heights(), RANK_FIELDS),
             solving + recorded + diagnosed + kept,
             one(extras.has_stress, 1.0 + KEPT_FIELDS + solid + stress),
-            // the stiffness is found by the correction of the multilevel solver, without the fields of its outer steps
+            // the stiffness is found by the correction of the multilevel solver
             one(
                 extras.has_stiffness || self.flow.has_conductance(),
-                1.0 + KEPT_FIELDS + solid + Multilevel::fields(&grid, area) - OUTER_FIELDS,
+                1.0 + KEPT_FIELDS + solid + Multilevel::stiffness_fields(&grid, area),
             ),
             one(self.flow.leakage, 1.0 + KEPT_FIELDS + FLOW_FIELDS + KEPT_FLOW_FIELDS + kept),
             // the solver is still there when its last state is recorded

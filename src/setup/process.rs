@@ -18,6 +18,8 @@ const TIME_TOLERANCE: f64 = 1e-2;
 
 /// The iterations of a load step that are expected.
 const ITERATIONS: usize = 30;
+/// The memory of a history of yielding with those that estimate its errors, over its own: one of the same grid, and two of at most half as many places.
+const HISTORIES: f64 = 3.0;
 
 impl Setup {
     /// The process that the setup describes; none for a contact without a history.
@@ -97,12 +99,27 @@ impl Setup {
         self.yield_law()?.yield_stress
     }
 
-    /// The setup of a solid that yields whose loads go back after the last one, and then to 0.
+    /// Whether the solid yields in layers that were given, to which none are added.
+    pub fn has_fixed_layers(&self) -> bool {
+        self.yields() && self.yield_law().is_some_and(|law| !law.grows())
+    }
+
+    /// The number of steps from load to load of a solid that yields.
+    pub fn yield_steps(&self) -> usize {
+        self.path.as_ref().and_then(|path| path.steps).unwrap_or(1)
+    }
+
+    /// Whether the errors of a solid that yields are estimated, by other histories beside its own.
+    pub fn estimates_errors(&self) -> bool {
+        self.yield_law().is_some_and(|law| law.errors)
+    }
+
+    /// The setup of a solid that yields whose loads go back after the last one, and then to 0. Mean gaps go back to the first one.
     pub fn unloaded(mut self) -> Self {
         let mut loads: Vec<f64> = self.path_points().iter().map(|point| point.load.value()).collect();
         let back: Vec<f64> = loads.iter().rev().skip(1).copied().collect();
         loads.extend(back);
-        loads.push(0.0);
+        loads.extend((!matches!(self.load, Load::MeanGap(_))).then_some(0.0));
         self.path.get_or_insert_default().load = loads;
         self
     }
@@ -134,14 +151,14 @@ impl Setup {
     /// The states of a solid that yields, with the iterations if these are kept.
     pub(super) fn states_of_yielding(&self) -> usize {
         let each = if self.record.iterations { ITERATIONS } else { 1 };
-        let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
-        self.path_points().len().saturating_mul(steps).saturating_mul(each)
+        self.path_points().len().saturating_mul(self.yield_steps()).saturating_mul(each)
     }
 
     /// The bytes that flow below a grid takes, with those of the states that are kept.
     pub(super) fn plastic_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
         let (_, layers) = self.plastic_solid(grid)?;
-        Ok(Plastic::bytes(grid, &layers)
+        let histories = if self.estimates_errors() { HISTORIES } else { 1.0 };
+        Ok(histories * Plastic::bytes(grid, &layers, self.expected_flow(grid)?)
             + self.states_of_path(1) as f64 * PlasticLoading::bytes_of_state(grid, &layers))
     }
 
@@ -149,12 +166,14 @@ impl Setup {
     pub(super) fn plastic(&self, problem: Problem) -> Result<PlasticLoading<'_>, SetupError> {
         let (solid, layers) = self.plastic_solid(problem.surface().grid())?;
         let loads = self.path_points().into_iter().map(|point| point.load).collect();
-        let steps = self.path.as_ref().and_then(|path| path.steps).unwrap_or(1);
+        let steps = self.yield_steps();
         let loading = Plastic::new(problem, solid, layers, self.solver.solver())
             .and_then(|plastic| plastic.with_tolerance(self.stop.tolerance()))
             .map(|plastic| plastic.with_max_iterations(self.stop.max_iterations()))
+            .map(|plastic| if self.has_fixed_layers() { plastic } else { plastic.with_growing_depth() })
             .map(|plastic| if self.record.iterations { plastic.with_iterations() } else { plastic })
-            .and_then(|plastic| PlasticLoading::new(plastic, loads, steps));
+            .and_then(|plastic| PlasticLoading::new(plastic, loads, steps))
+            .and_then(|loading| if self.estimates_errors() { loading.with_errors() } else { Ok(loading) });
         Ok(loading.map_err(HistoryError::from)?)
     }
 

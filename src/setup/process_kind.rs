@@ -269,7 +269,7 @@ const PLASTIC: ProcessRow = ProcessRow {
     bytes: Setup::plastic_bytes,
     make: |it, problem| Ok(Box::new(it.plastic(problem)?)),
     takes_hardness: false,
-    needs_pressure: true,
+    needs_pressure: false,
     missed: WITHOUT_CERTIFICATE,
     axis: None,
     is_logarithmic: false,

@@ -177,7 +177,12 @@ impl Solid {
 
     /// The solid in words.
     pub fn description(&self) -> String {
-        let words = |Body { young, poisson }: Body| format!("E {young:e}, nu {poisson}");
+        self.described(&|pressure| format!("{pressure:e}"))
+    }
+
+    /// The solid in words, with its pressures as `in_words` writes them.
+    pub fn described(&self, in_words: &dyn Fn(f64) -> String) -> String {
+        let words = |Body { young, poisson }: Body| format!("E {}, nu {poisson}", in_words(young));
         match *self {
             Self::ContactModulus(_) => "given".into(),
             Self::Bodies(one, None) => format!("of one elastic body, {}", words(one)),
@@ -188,8 +193,10 @@ impl Solid {
             Self::Layer { poisson, .. } => format!("of a layer, nu {poisson}"),
             Self::Stiffness(_) => "of the shortest wave with a given stiffness".into(),
             Self::Yielding(ref elastic, ref law) => match law.yield_stress {
-                Some(yield_stress) => format!("{}, yield stress {yield_stress:e}", elastic.description()),
-                None => elastic.description(),
+                Some(yield_stress) => {
+                    format!("{}, yield stress {}", elastic.described(in_words), in_words(yield_stress))
+                }
+                None => elastic.described(in_words),
             },
         }
     }
@@ -248,6 +255,8 @@ struct SolidKeys {
     yield_depth: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     yield_layers: Option<usize>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    yield_errors: bool,
 }
 
 impl SolidKeys {
@@ -274,14 +283,27 @@ impl SolidKeys {
 impl SolidKeys {
     /// How the solid yields.
     fn yield_law(&self) -> YieldLaw {
-        let Self { yield_stress, hardening_modulus, kinematic_hardening, yield_depth, yield_layers, .. } = *self;
-        YieldLaw { yield_stress, hardening_modulus, kinematic_hardening, depth: yield_depth, layers: yield_layers }
+        YieldLaw {
+            yield_stress: self.yield_stress,
+            hardening_modulus: self.hardening_modulus,
+            kinematic_hardening: self.kinematic_hardening,
+            depth: self.yield_depth,
+            layers: self.yield_layers,
+            errors: self.yield_errors,
+        }
     }
 
     /// The keys of the same solid that yields in another way.
     fn with_yield_law(self, law: YieldLaw) -> Self {
-        let YieldLaw { yield_stress, hardening_modulus, kinematic_hardening, depth, layers } = law;
-        Self { yield_stress, hardening_modulus, kinematic_hardening, yield_depth: depth, yield_layers: layers, ..self }
+        Self {
+            yield_stress: law.yield_stress,
+            hardening_modulus: law.hardening_modulus,
+            kinematic_hardening: law.kinematic_hardening,
+            yield_depth: law.depth,
+            yield_layers: law.layers,
+            yield_errors: law.errors,
+            ..self
+        }
     }
 }
 

@@ -254,6 +254,21 @@ impl SetupTable {
         Ok((surface, grid))
     }
 
+    /// The recipe of the surface without its preparation, whatever its cell is.
+    ///
+    /// # Errors
+    /// [`SetupError::Text`].
+    pub(super) fn recipe(&self) -> Result<Recipe, SetupError> {
+        #[derive(Deserialize)]
+        struct SurfaceSection {
+            surface: Recipe,
+        }
+        let mut table = self.clone();
+        table.0.retain(|section, _| section == "surface");
+        table.remove("surface.prepare");
+        Ok(table.read_as::<SurfaceSection>()?.surface)
+    }
+
     /// Reads it with a section for the grid, be it empty.
     pub(super) fn read_as<T: DeserializeOwned>(mut self) -> Result<T, SetupError> {
         self.0.entry("grid").or_insert_with(|| toml::Table::new().into());

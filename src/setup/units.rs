@@ -2,7 +2,7 @@
 
 use super::SetupTable;
 use crate::error::SetupError;
-use crate::quantity::{ForceUnit, force_unit, has_pressure_unit};
+use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit};
 use toml::Value;
 
 /// The kind of quantities that have nothing to do with forces.
@@ -62,16 +62,45 @@ const LOADS: [&str; 5] = [FORCE, "friction.tangential", "path.load", "path.tange
 const CONDUCTION: [&str; 2] = ["flow.resistivity", "flow.conductivity"];
 const KELVIN: char = 'K';
 
-/// The key of the unit of pressures in a recording, and the unit of those that are given with theirs.
+/// The keys of the units of lengths and pressures in a recording, and the unit of pressures that are given with theirs.
+const LENGTH_UNIT: &str = "record.length-unit";
 const PRESSURE_UNIT: &str = "record.pressure-unit";
 const PASCAL: &str = "Pa";
 
 impl SetupTable {
-    /// States that pressures are in pascals, where one is given with its unit and the recording has none.
+    /// States that pressures are in pascals, where one is given with its unit and the recording has none; and that lengths have no unit, where
+    /// they are numbers alone beside such pressures. So the setup of a result says which of its numbers have units.
     pub(super) fn complete_units(&mut self) {
-        if self.find(PRESSURE_UNIT).is_none() && self.texts().iter().any(|text| has_pressure_unit(text)) {
-            self.lay(PRESSURE_UNIT, PASCAL.into());
+        if self.find(PRESSURE_UNIT).is_some() || !self.is_in_pascals() {
+            return;
         }
+        if self.find(LENGTH_UNIT).is_none() && !self.is_in_metres() {
+            self.lay(LENGTH_UNIT, "".into());
+        }
+        self.lay(PRESSURE_UNIT, PASCAL.into());
+    }
+
+    /// Whether pressures are in pascals: one is given with its unit, or this is the setup of a result, which says so.
+    pub fn is_in_pascals(&self) -> bool {
+        self.has_told_pascals() || self.texts().iter().any(|text| has_pressure_unit(text))
+    }
+
+    /// Whether lengths are in metres: one is given with its unit, a height file has metres, or this is the setup of a result in pascals that does
+    /// not say that its lengths have no unit.
+    pub fn is_in_metres(&self) -> bool {
+        let is_told = || self.has_told_pascals() && self.find(LENGTH_UNIT).and_then(Value::as_str) != Some("");
+        self.texts().iter().any(|text| has_length_unit(text)) || is_told() || self.is_file_in_metres()
+    }
+
+    fn has_told_pascals(&self) -> bool {
+        self.find(PRESSURE_UNIT).and_then(Value::as_str) == Some(PASCAL)
+    }
+
+    /// Whether one of the height files of the surface has heights in metres.
+    fn is_file_in_metres(&self) -> bool {
+        let Ok(surface) = self.recipe() else { return false };
+        let mut files = surface.files().map(|file| file.layout(surface.channel.as_deref()));
+        files.any(|layout| layout.is_ok_and(|it| it.is_in_metres))
     }
 
     /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
@@ -80,6 +109,16 @@ impl SetupTable {
     /// # Errors
     /// [`SetupError::MixedUnits`], [`SetupError::ForceWithoutUnit`] and [`SetupError::ElectricalAndThermal`].
     pub fn check_units(&self) -> Result<(), SetupError> {
+        self.check_numbers()?;
+        self.check_force_numbers()?;
+        self.check_conduction()
+    }
+
+    /// Refuses a number alone beside a quantity of its kind with a unit, and beside a force with one.
+    ///
+    /// # Errors
+    /// [`SetupError::MixedUnits`].
+    pub fn check_numbers(&self) -> Result<(), SetupError> {
         KINDS.iter().try_for_each(|(kind, keys)| self.check_kind(kind, keys))?;
         // a force belongs to a pressure times an area
         for (kind, keys) in KINDS.iter().filter(|(kind, _)| *kind != TIME) {
@@ -89,8 +128,7 @@ impl SetupTable {
                 return Err(SetupError::MixedUnits { kind, without: named(&number), with: named(&(FORCE, force)) });
             }
         }
-        self.check_force_numbers()?;
-        self.check_conduction()
+        Ok(())
     }
 
     fn check_kind(&self, kind: &'static str, keys: &[&'static str]) -> Result<(), SetupError> {

@@ -17,17 +17,25 @@ pub struct YieldLaw {
     pub hardening_modulus: Option<f64>,
     /// Modulus `C` of linear kinematic hardening, a pressure; none if it is left out.
     pub kinematic_hardening: Option<f64>,
-    /// The depth at which the layers end, a length; half the longest side of the cell if it is left out.
+    /// The depth at which the layers end, a length; half the longest side of the cell if it is left out. If it and the number of layers are left
+    /// out, layers are added where the last one yields.
     pub depth: Option<f64>,
     /// A number of layers of equal thickness. If it is left out, the first layer is half as thick as the spacing of the grid, and each further one is thicker by
     /// a tenth.
     pub layers: Option<usize>,
+    /// Whether the errors by steps, layers and grid are estimated.
+    pub errors: bool,
 }
 
 impl YieldLaw {
     /// Whether anything is given.
     pub fn is_given(&self) -> bool {
         *self != Self::default()
+    }
+
+    /// Whether layers are added where the last one yields.
+    pub fn grows(&self) -> bool {
+        self.depth.is_none() && self.layers.is_none()
     }
 
     /// The solid of an elastic body of Young's modulus, a pressure, and Poisson's ratio.

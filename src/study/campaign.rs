@@ -35,23 +35,21 @@ impl Plan {
     /// [`super::Ledger`] collects them.
     ///
     /// # Errors
-    /// The errors of [`super::Realisation::press`].
+    /// The errors of [`super::Realisation::press`], as [`StudyError::Row`].
     pub fn solve<O: Observer>(
         &self,
         realisation: usize,
         watch: impl FnMut(usize) -> O,
     ) -> Result<Vec<Point>, StudyError> {
-        let realisation = self.realisation(realisation)?;
-        let mut points = Vec::new();
-        Identity::new(&realisation)?.press(watch, |point, _| points.push(point))?;
-        Ok(points)
+        let solved = self.realisation(realisation)?;
+        Identity::new(&solved)?.points(watch, |_| (), |load, error| self.in_row_of([realisation, load], error))
     }
 
     /// Solves the rows of a share that are not in `table` yet, largest first. Then it writes the finished table and
     /// returns its points in the order of their rows. `watch` is called for each solved point.
     ///
     /// # Errors
-    /// The errors of [`Sweep::run`], and for a realisation that needs more memory than is allowed.
+    /// The errors of [`Sweep::run`], [`StudyError::Row`] for a row that fails, and for a realisation that needs more memory than is allowed.
     pub fn run(
         &self,
         campaign: &Campaign,
@@ -60,7 +58,8 @@ impl Plan {
     ) -> Result<Vec<Point>, StudyError> {
         let share = self.share(campaign.shard)?;
         let sweep = self.sweep(campaign, &share)?;
-        let (points, is_new) = sweep.solved(table, watch)?;
+        let (points, is_new) =
+            sweep.solved(table, watch, &|[i, load], error| self.in_row_of([share[i], load], error))?;
         if is_new || !table.path().exists() {
             self.finish(table, &share, &points)?;
         }
@@ -83,7 +82,9 @@ impl Plan {
         let expenses = self.expenses()?;
         match expenses.iter().find(|(_, expense)| expense.bytes > memory) {
             Some(&(i, expense)) => {
-                Err(StudyError::Memory { values: self.words_but_seed(i), needed: expense.bytes, memory })
+                let words = self.words_but_seed(i);
+                let values = if words.is_empty() { "a row".into() } else { words };
+                Err(StudyError::Memory { values, needed: expense.bytes, memory })
             }
             None => Ok(()),
         }
@@ -113,7 +114,7 @@ impl Plan {
                 if merged[i].is_some() || is_twice {
                     let other = if is_twice { number } else { origin[i] };
                     let [path, other] = [number, other].map(|it| tables[it].path().to_path_buf());
-                    return Err(StudyError::Overlap { row: 1 + i * self.loads().len(), path, other });
+                    return Err(StudyError::Overlap { row: self.first_row(i), values: self.words(i), path, other });
                 }
                 (merged[i], origin[i]) = (Some(found), number);
             }
@@ -130,7 +131,8 @@ impl Plan {
         match missing.next() {
             Some(first) => Err(StudyError::Missing {
                 rows: (1 + missing.count()) * self.loads().len(),
-                first: 1 + first * self.loads().len(),
+                first: self.first_row(first),
+                values: self.words(first),
                 of: self.rows(),
             }),
             None => Ok(points.into_iter().flatten().flatten().collect()),

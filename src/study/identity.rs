@@ -69,6 +69,26 @@ impl<'a> Identity<'a> {
         Some(found.iter().copied().cloned().collect())
     }
 
+    /// Solves the realisation, `watch`ed under each load, and returns its points, each of which is also shown. `locate` adds the number of the load
+    /// that fails, from 0, to its error.
+    ///
+    /// # Errors
+    /// The errors of [`Identity::press`], located.
+    pub fn points<O: Observer>(
+        &self,
+        watch: impl FnMut(usize) -> O,
+        mut show: impl FnMut(&Point),
+        locate: impl FnOnce(usize, StudyError) -> StudyError,
+    ) -> Result<Vec<Point>, StudyError> {
+        let mut points = Vec::new();
+        let pressed = self.press(watch, |point, _| {
+            show(&point);
+            points.push(point);
+        });
+        pressed.map_err(|error| locate(points.len(), error))?;
+        Ok(points)
+    }
+
     /// Solves the realisation, `watch`ed under each load, and shows each point with its contact.
     ///
     /// # Errors

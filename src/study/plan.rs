@@ -139,10 +139,11 @@ impl Plan {
         self.first.adhesion.is_some()
     }
 
-    /// The law under which all contacts are elastic or yield; none for a solid that creeps, whose modulus depends on the time.
+    /// The law under which all contacts are elastic or yield; none for a solid that creeps, whose modulus depends on the time, and for one that yields
+    /// below its surface, which has a law of its own.
     pub(super) fn law(&self) -> Option<Law> {
         let creeps = self.first.viscoelastic.is_some() && self.first.sliding.is_none();
-        (!creeps).then_some(self.first.law)
+        (!creeps && !self.first.yields()).then_some(self.first.law)
     }
 
     /// The paths of all files that it names, those in lists as well.
@@ -222,7 +223,7 @@ impl Plan {
         numbers.iter().map(|&i| self.realisation(i)).collect()
     }
 
-    /// The values from the lists for realisation number `i`, in words.
+    /// The values from the lists for realisation number `i`, in words; a list of one value does not tell realisations apart, and is left out.
     pub fn words(&self, i: usize) -> String {
         self.words_of(i, |_| true)
     }
@@ -239,7 +240,7 @@ impl Plan {
     }
 
     fn words_of(&self, i: usize, is_named: impl Fn(&ParameterAxis) -> bool) -> String {
-        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| is_named(axis));
+        let chosen = self.places(i).zip(&self.axes).filter(|(_, axis)| axis.len() > 1 && is_named(axis));
         chosen.map(|(place, axis)| format!("{} {}", axis.name(), axis.word(place))).collect::<Vec<_>>().join(", ")
     }
 
@@ -314,7 +315,29 @@ impl Plan {
     pub(super) fn in_row(&self, i: usize, source: SetupError) -> StudyError {
         match self.axes.as_slice() {
             [] => source.into(),
-            _ => StudyError::Row { row: 1 + i * self.loads.len(), values: self.words(i), source },
+            _ => StudyError::Row { row: self.first_row(i), values: self.words(i), source },
+        }
+    }
+
+    /// The number of the first row of a realisation.
+    pub(super) fn first_row(&self, i: usize) -> usize {
+        1 + i * self.loads.len()
+    }
+
+    /// An error of a realisation under one of its loads, given by their numbers from 0, with its row. Errors of the table stay as they are.
+    pub(super) fn in_row_of(&self, [i, load]: [usize; 2], error: StudyError) -> StudyError {
+        let source = match error {
+            StudyError::Setup(error) => error,
+            StudyError::Solve(error) => error.into(),
+            other => return other,
+        };
+        match self.loads.get(load) {
+            Some(it) if self.loads.len() > 1 => {
+                let values = [self.words(i), it.to_string()].into_iter().filter(|words| !words.is_empty());
+                let values = values.collect::<Vec<_>>().join(", ");
+                StudyError::Row { row: self.first_row(i) + load, values, source }
+            }
+            _ => self.in_row(i, source),
         }
     }
 }

@@ -117,7 +117,7 @@ impl Refinement {
         Warning::new(
             "Area and kappa_r are not accurate enough on the finest possible grid (limited by memory, by 64-fold \
              refinement, or by plateaus in the heights)",
-            "Use a larger tolerance, or heights that are smoother and less rounded",
+            "Use a larger tolerance, or heights that are smoother and have more digits",
         )
         .with_remedy("grid.area-tolerance", None)
     }

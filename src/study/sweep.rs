@@ -13,6 +13,9 @@ use crate::setup::Extras;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
+/// Adds the place of a point to its error: the numbers of its realisation and of its load, from 0.
+pub(super) type Locate<'a> = &'a (dyn Fn([usize; 2], StudyError) -> StudyError + Sync);
+
 /// Realisations, each solved under its loads; each solve starts from the contact under the previous load.
 ///
 /// The numbers depend only on the setups and their loads, not on the number of workers, and not on the points that a
@@ -51,7 +54,7 @@ impl Sweep {
     /// For surfaces and loads that cannot be, files that cannot be read or written, and a table of another study, which would
     /// be lost.
     pub fn run(&self, table: &Table, watch: &(dyn Fn(&Point) + Sync)) -> Result<Vec<Point>, StudyError> {
-        let (points, is_new) = self.solved(table, watch)?;
+        let (points, is_new) = self.solved(table, watch, &|_, error| error)?;
         if is_new {
             table.finish(&points)?;
         }
@@ -59,7 +62,7 @@ impl Sweep {
     }
 
     /// Solves the points that are not in `table` yet. Returns all points, realisation by realisation, and whether the
-    /// table must be rewritten.
+    /// table must be rewritten. `locate` adds the place of a point that fails to its error.
     ///
     /// # Errors
     /// The errors of [`Sweep::run`].
@@ -67,12 +70,13 @@ impl Sweep {
         &self,
         table: &Table,
         watch: &(dyn Fn(&Point) + Sync),
+        locate: Locate<'_>,
     ) -> Result<(Vec<Point>, bool), StudyError> {
         self.check()?;
         let identities = self.identities()?;
         let there = Self::there(&identities, table)?;
         let known = Known::new(&there).find_all(&identities);
-        let solved = self.solve(&identities, known, table, watch)?;
+        let solved = self.solve(&identities, known, table, watch, locate)?;
         let points: Vec<Point> = solved.into_iter().flatten().collect();
         let is_new = points != there;
         Ok((points, is_new))
@@ -161,20 +165,14 @@ impl Sweep {
         known: Vec<Option<Vec<Point>>>,
         table: &Table,
         watch: &(dyn Fn(&Point) + Sync),
+        locate: Locate<'_>,
     ) -> Result<Vec<Vec<Point>>, StudyError> {
         let appended = Mutex::new(());
         self.in_parallel(|i| {
             if let Some(points) = &known[i] {
                 return Ok(points.clone());
             }
-            let mut points = Vec::new();
-            identities[i].press(
-                |_| (),
-                |point, _| {
-                    watch(&point);
-                    points.push(point);
-                },
-            )?;
+            let points = identities[i].points(|_| (), watch, |load, error| locate([i, load], error))?;
             let _one_at_a_time = appended.lock().unwrap_or_else(PoisonError::into_inner);
             table.append(&points)?;
             Ok(points)

@@ -28,6 +28,7 @@ impl Surface {
         };
         move |node| match &self.plateaus {
             Some(plateaus) => plateaus.has(grid, node),
+            None if !grid.neighbours(node).iter().any(|&next| next != node && h[next] == h[node]) => false,
             None => axes.iter().all(|&[dy, dx]| is_tied(node, [dy, dx]) || is_tied(node, [-dy, -dx])),
         }
     }

@@ -217,6 +217,9 @@ impl Surface {
         let [ny, nx] = grid.shape();
         let slope = |i: usize, n: usize, stride: usize, first: usize, is_periodic: bool| {
             let inside = |i: usize| h[first + i * stride];
+            if i >= 2 && i + 2 < n {
+                return 8.0 * (inside(i + 1) - inside(i - 1)) - (inside(i + 2) - inside(i - 2));
+            }
             let at = |step: isize| match i as isize + step {
                 to if to >= 0 && to < n as isize => inside(to as usize),
                 to if is_periodic => inside(to.rem_euclid(n as isize) as usize),

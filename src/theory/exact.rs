@@ -39,6 +39,8 @@ pub struct Exact {
     pub name: &'static str,
     /// Area in contact over the area of the cell.
     pub relative_area: f64,
+    /// Radius of the circle of contact, or half the width of its strip on a line, a length; none for other contacts.
+    pub contact_radius: Option<f64>,
     /// `kappa_r = a_rel gbar_r E* / p_mean` (Eq. 3); none for punches, which are flat in contact.
     pub kappa_r: Option<f64>,
     /// Gap averaged over the cell, a length; none for isolated solutions.
@@ -159,6 +161,7 @@ impl Case<'_> {
         is_known.then(|| Exact {
             kappa_r: Some(contact.kappa_r()),
             max_pressure,
+            contact_radius: Some(a),
             ..self.exact(name, PI * a * a / (lx * ly), pressure)
         })
     }
@@ -209,12 +212,16 @@ impl Case<'_> {
         };
         let approach = load / (2.0 * self.contact_modulus * radius);
         let relative_area = PI * radius * radius / (lx * ly);
-        (approach < depth).then(|| self.exact("disc punch, isolated", relative_area, pressure))
+        (approach < depth).then(|| Exact {
+            contact_radius: Some(radius),
+            ..self.exact("disc punch, isolated", relative_area, pressure)
+        })
     }
 
     /// A solution of `pressure` at the offset `[y, x]` from the peak, of which nothing else is known.
     fn exact(&self, name: &'static str, relative_area: f64, pressure: impl Fn([f64; 2]) -> f64 + Sync) -> Exact {
         let pressure = about_peak(self.grid, pressure);
-        Exact { name, relative_area, kappa_r: None, max_pressure: None, mean_gap: None, pressure }
+        let contact_radius = self.grid.is_line().then(|| 0.5 * relative_area * self.grid.area());
+        Exact { name, relative_area, contact_radius, kappa_r: None, max_pressure: None, mean_gap: None, pressure }
     }
 }

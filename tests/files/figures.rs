@@ -216,7 +216,8 @@ fn long_logarithmic_axes_have_powers_of_ten() {
 
 #[test]
 fn short_logarithmic_axes_have_more() {
-    assert_eq!(labels(&Axis::log("p*", [2e-2, 0.6])), ["2·10⁻²", "5·10⁻²", "10⁻¹", "2·10⁻¹", "5·10⁻¹"]);
+    assert_eq!(labels(&Axis::log("p*", [2e-2, 0.6])), ["0.02", "0.05", "0.1", "0.2", "0.5"]);
+    assert_eq!(labels(&Axis::log("p*", [2e-5, 2e-4])), ["2·10⁻⁵", "5·10⁻⁵", "10⁻⁴", "2·10⁻⁴"]);
     assert_eq!(labels(&Axis::log("p*", [3.0, 4.0])), ["3.0", "3.2", "3.4", "3.6", "3.8", "4.0"]);
 }
 

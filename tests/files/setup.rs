@@ -60,6 +60,7 @@ fn setups() -> Vec<Setup> {
         kinematic_hardening: Some(1e8 / 7.0),
         depth: Some(1.0 / 3.0),
         layers: Some(7),
+        errors: true,
     };
     let yielding = line.clone().on(Solid::Yielding(Box::new(Solid::Bodies(one, None)), law));
     vec![line, wide, apart, on_body, on_bodies, yielding]

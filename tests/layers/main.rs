@@ -59,7 +59,7 @@ const PLACES: &[(&str, &[&str])] = &[
     ("colorgrad", &["record/"]),
     ("csv", &["files/", "study/", "paper/"]),
     ("dejavu", &["plot/"]),
-    ("flate2", &["plot/", "surface/"]),
+    ("flate2", &["plot/", "serve/", "surface/"]),
     ("futures_util", &["serve/"]),
     ("glam", &["record/"]),
     ("indicatif", &["cli/", "main.rs"]),

@@ -7,6 +7,7 @@ use asperity::adhesion::{
 use asperity::contact::{ContactModulus, Load, Problem, Quantity, ResultClaim, State, Stop};
 use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::surface::Indenter;
+use asperity::theory::PullOff;
 use std::f64::consts::PI;
 
 const AMPLITUDE: f64 = 1.0;
@@ -86,6 +87,10 @@ fn pull_off_and_loop_of_a_sine() {
     assert!(totals.separated && states.last().unwrap().claim == ResultClaim::Separated);
     let pull_off = totals.lowest_pressure.unwrap();
     assert!((pull_off / -0.055611 - 1.0).abs() < 0.01, "{pull_off}");
+    for state in states.iter().filter(|state| state.claim == ResultClaim::Separated) {
+        assert_eq!(state.value(Quantity::MeanPressure), 0.0);
+        assert_eq!([Quantity::Dissipated, Quantity::WorkDone].map(|it| state.get(it)), [None; 2]);
+    }
     // at a mean gap the contact holds further, up to the place where Johnson's curve turns back
     let states = follow(&problem, &[Load::MeanGap(1.6), Load::MeanGap(0.4), Load::MeanGap(1.6)], 12);
     let totals = AdhesionTotals::new(&states).unwrap();
@@ -122,20 +127,57 @@ fn a_sine_that_sticks_everywhere_needs_no_load() {
 /// that is wide beside the contact.
 #[test]
 fn a_cylinder_lets_go_at_the_force_of_the_short_range() {
-    let (radius, half_width) = (1.0, 0.02);
-    let work = PI / 2.0 * f64::powi(half_width, 3) / (radius * radius);
-    let exact = -3.0 * (PI * work * work * radius / 16.0).cbrt();
-    let errors = [8192, 32768].map(|points| {
-        let surface = Indenter::Cylinder { radius }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
-        let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(1e-3)).unwrap();
-        let range = (PI * work * 4.5 / points as f64).sqrt();
-        let problem =
-            AdhesiveProblem::new(problem, Attraction::new(AttractionForm::Exponential, work, range).unwrap()).unwrap();
-        let states = follow(&problem, &[Load::MeanPressure(-0.5 * exact), Load::MeanPressure(1.3 * exact)], 8);
-        AdhesionTotals::new(&states).unwrap().lowest_pressure.unwrap() / exact - 1.0
-    });
+    let work = work_of(0.02);
+    let exact = -3.0 * (PI * work * work / 16.0).cbrt();
+    let errors = [8192, 32768].map(|points| pull_off_of_cylinder(work, points, exact) / exact - 1.0);
     // the pull-off is told to a thousandth of the step of the path
     assert!(errors.iter().all(|error| error.abs() < 2e-3), "{errors:?}");
+    let [told, free] = [Grid::line(64, 1.0).unwrap(), free_line(64, 1.0)].map(|grid| jkr(&grid, work));
+    assert!((free / exact - 1.0).abs() < 1e-12 && (told / exact - 1.0).abs() < 1e-3, "{told} {free} {exact}");
+}
+
+/// The same in a cell with contacts that feel their neighbours: each alone would let go at less.
+#[test]
+fn a_cylinder_in_a_narrow_cell_lets_go_at_the_force_of_the_short_range() {
+    let work = work_of(0.1);
+    let told = jkr(&Grid::line(64, 1.0).unwrap(), work);
+    let alone = -3.0 * (PI * work * work / 16.0).cbrt();
+    let found = pull_off_of_cylinder(work, 8192, told);
+    assert!((found / told - 1.0).abs() < 2e-3 && told / alone > 1.01, "{found} {told} {alone}");
+}
+
+/// A cylinder that would stick to all of its cell has no pull-off in theory, nor has a sphere that its cell has no room for.
+#[test]
+fn what_does_not_fit_the_cell_has_no_pull_off_in_theory() {
+    let line = Grid::line(64, 1.0).unwrap();
+    let surface = Grid::surface([64; 2], [1.0; 2]).unwrap();
+    let of_sphere = |work: f64| PullOff::new(&Indenter::Sphere { radius: 1.0 }, &surface, 1.0, work);
+    assert_eq!(PullOff::new(&Indenter::Cylinder { radius: 1.0 }, &line, 1.0, 1.0), None);
+    assert_eq!(of_sphere(1.0), None);
+    // force over pi w R, with the area of the cell 1
+    let PullOff { jkr, dmt } = of_sphere(1e-4).unwrap();
+    assert!((jkr / (PI * 1e-4) + 1.5).abs() < 1e-12 && (dmt.unwrap() / (PI * 1e-4) + 2.0).abs() < 1e-12);
+}
+
+/// The work of adhesion with which a cylinder of radius 1 lets go at a half-width, alone.
+fn work_of(half_width: f64) -> f64 {
+    PI / 2.0 * half_width.powi(3)
+}
+
+/// The pull-off of a cylinder of radius 1 in theory.
+fn jkr(grid: &Grid, work: f64) -> f64 {
+    PullOff::new(&Indenter::Cylinder { radius: 1.0 }, grid, 1.0, work).unwrap().jkr
+}
+
+/// The pull-off of a cylinder of radius 1 in a cell of length 1, whose attraction has the shortest range that the grid resolves.
+fn pull_off_of_cylinder(work: f64, points: usize, expected: f64) -> f64 {
+    let surface = Indenter::Cylinder { radius: 1.0 }.surface(Grid::line(points, 1.0).unwrap()).unwrap();
+    let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(1e-3)).unwrap();
+    let range = (PI * work * 4.5 / points as f64).sqrt();
+    let attraction = Attraction::new(AttractionForm::Exponential, work, range).unwrap();
+    let problem = AdhesiveProblem::new(problem, attraction).unwrap();
+    let states = follow(&problem, &[Load::MeanPressure(-0.5 * expected), Load::MeanPressure(1.3 * expected)], 8);
+    AdhesionTotals::new(&states).unwrap().lowest_pressure.unwrap()
 }
 
 /// Baney & Hui, J. Appl. Phys. 82, 3910 (1997): a cylinder with Dugdale's attraction. The error is of first order in the spacing, as nodes are

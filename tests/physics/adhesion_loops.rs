@@ -1,7 +1,7 @@
 //! Closed paths with adhesion: what the jumps lose is what the load did.
 
 use asperity::adhesion::{AdhesionScales, AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
-use asperity::contact::{ContactModulus, Load, Problem, Quantity, State, Stop};
+use asperity::contact::{ContactModulus, Load, Problem, Quantity, ResultClaim, State, Stop};
 use asperity::history::{AdhesionTotals, AdhesiveProcess, PathPoint, Process};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
@@ -187,6 +187,70 @@ fn jumps_without_a_long_way_are_told() {
         println!("{steps} steps: {:.4e}, {:+.2} % and told {:.2} %", loss.in_jumps, 1e2 * missed, 1e2 * error);
         assert!(missed.abs() < error.min(0.02) && error < 0.1 && loss.jumps > 0, "{steps}: {missed} {error}");
     }
+}
+
+/// The states of a contact that is moved by hand, in equal moves from the first to the last of some loads, the first of which it begins with.
+fn by_hand(problem: &AdhesiveProblem, load: fn(f64) -> Load, ends: &[f64], moves: usize) -> Vec<State> {
+    let first = vec![PathPoint::under(load(ends[0]))];
+    let mut process = AdhesiveProcess::new(problem.clone(), first, 1, AdhesiveMethod::Fast, Stop::default());
+    let mut states = vec![process.at_end(&mut ()).unwrap()];
+    for pair in ends.windows(2) {
+        for i in 1..=moves {
+            let value = pair[0] + (pair[1] - pair[0]) * i as f64 / moves as f64;
+            states.push(process.move_to(PathPoint::under(load(value)), &mut ()).unwrap());
+        }
+    }
+    states
+}
+
+/// A cycle by hand loses the area of the loop of mean pressure and datum, which many short moves integrate, and no state loses less than the one before.
+#[test]
+fn a_cycle_by_hand_loses_the_area_of_its_loop() {
+    let sine = Indenter::Sine { amplitude: 1.0 }.surface(Grid::line(512, 1.0).unwrap()).unwrap();
+    let sine = Problem::new(sine, ContactModulus(1.0 / PI), Load::MeanPressure(0.1)).unwrap();
+    let sine = AdhesiveProblem::new(sine, Attraction::new(AttractionForm::Exponential, 0.0628, 0.08).unwrap()).unwrap();
+    let (width, radius) = (0.1f64, 1.0);
+    let cylinder =
+        Indenter::Cylinder { radius }.surface(Grid::line(96, 6.0 * width).unwrap().with_periodic([false; 2]));
+    let cylinder = Problem::new(cylinder.unwrap(), ContactModulus(1.0), Load::Force(1.0)).unwrap();
+    let work = width.powi(3);
+    let range = (PI * work * 4.0 * 6.0 * width / 96.0).sqrt();
+    let attraction = Attraction::new(AttractionForm::Exponential, work, range).unwrap();
+    let cylinder = AdhesiveProblem::new(cylinder, attraction).unwrap();
+    let far = -3.0 * width * width - 2.0 * range;
+    type Case<'a> = (&'a AdhesiveProblem, fn(f64) -> Load, [f64; 3]);
+    let cases: [Case<'_>; 2] =
+        [(&sine, Load::MeanGap, [1.7, 0.4, 1.7]), (&cylinder, Load::Approach, [far, 0.5 * width * width, far])];
+    for (problem, load, ends) in cases {
+        let fine = by_hand(problem, load, &ends, 1500);
+        let area = by_load(&fine);
+        assert!(area > 1e-3 * problem.attraction().work(), "{area}");
+        for moves in [6, 40] {
+            let states = by_hand(problem, load, &ends, moves);
+            let lost: Vec<f64> = states.iter().map(|state| state.value(Quantity::Dissipated)).collect();
+            let end = lost.last().unwrap();
+            println!("{moves} moves: {:.4e} lost, area {:.4e}", end, area);
+            assert!((end / area - 1.0).abs() < 0.02, "{moves} moves: {end} {area}");
+            assert!(lost.windows(2).all(|pair| pair[1] >= pair[0] - 1e-3 * area), "{lost:?}");
+        }
+    }
+}
+
+/// Moved by hand until it parts under a pull, a contact carries nothing, and no energy lost is told from there on.
+#[test]
+fn a_contact_pulled_off_by_hand_carries_nothing() {
+    let problem = small_jumps().problem;
+    let first = vec![PathPoint::under(Load::MeanPressure(0.01))];
+    let mut process = AdhesiveProcess::new(problem.clone(), first, 1, AdhesiveMethod::Fast, Stop::default());
+    let mut moved = |pressure: f64| process.move_to(PathPoint::under(Load::MeanPressure(pressure)), &mut ()).unwrap();
+    assert!(moved(0.02).get(Quantity::Dissipated).is_some());
+    let pull = -2.0 * problem.attraction().strength();
+    for state in [moved(pull), moved(0.9 * pull)] {
+        assert_eq!((state.claim, state.value(Quantity::MeanPressure)), (ResultClaim::Separated, 0.0));
+        assert_eq!(state.get(Quantity::Dissipated), None);
+    }
+    let again = moved(0.02);
+    assert!((again.value(Quantity::MeanPressure) - 0.02).abs() < 1e-9 && again.get(Quantity::Dissipated).is_none());
 }
 
 /// Asserts of some loops, at 8, 32 and 128 steps, that the jumps lose what the load did to 2 %, and, on periodic grids, that the true error of this is

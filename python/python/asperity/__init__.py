@@ -166,7 +166,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return [*globals(), *__all__]
+    return sorted({*globals(), *__all__})
 
 
 if TYPE_CHECKING:
@@ -243,7 +243,7 @@ def solve(
         a function or array as stiffness, with the wavenumbers of an array as wavenumber, and with uniform_stiffness, the stiffness
         under a uniform pressure. Its boundary is periodic.
         A body that yields below its surface also has yield_stress and hardening_modulus, pressures; and, if you want, kinematic_hardening, yield_depth
-        (where the layers end in which it may yield) and yield_layers (their number). It returns a History: a list of loads, or the loads of a
+        (where the layers end in which it may yield), yield_layers (their number) and yield_errors (True: also estimate the errors by steps, layers and grid). It returns a History: a list of loads, or the loads of a
         path, follow each other, up and down. History.fields["imprint"] has what stays, History.cut the strain and the stress below.
     law: {"hardness": pressure} of the softer body. Without it the solid is elastic at any pressure.
     friction: {"coefficient": mu, "tangential": load} adds a tangential load along x; Contact.slip has the stick and slip areas.

@@ -40,11 +40,6 @@ impl EdgeLaw {
         p / (p + self.stiffness * gap) - self.excess
     }
 
-    /// The strength of the edge of such a link.
-    pub fn strength(self, p: f64, gap: f64) -> f64 {
-        p + self.stiffness * gap
-    }
-
     /// The law between this one and another one, at a share of the way.
     pub fn towards(self, other: Self, share: f64) -> Self {
         let between = |a: f64, b: f64| a + share * (b - a);
@@ -66,19 +61,43 @@ pub struct EdgeSide {
 }
 
 impl EdgeSide {
-    /// The distance from an edge of the strength `a` into the contact, in spacings of the link projected on the normal:
-    /// `P k / a - c` of the last node and `-c - (pi / 2e) m G / a` of the next one, exactly; linear up to the second one on either
-    /// side, as it is there, and farther as in the continuum.
-    pub fn distance(self, cosine: f64, strength: f64, law: EdgeLaw) -> f64 {
-        let c = law.excess;
-        let (p, g) = (self.pressure * cosine / strength, law.stiffness * self.gap / strength);
-        match self.touches {
-            true if p <= 1.0 => p - c,
-            true if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),
-            true => PI * PI / (4.0 * E) * p * p,
-            false if g <= 1.0 => -c - g,
-            false if g <= SECOND_GAP => -c - 1.0 - (g - 1.0) / (SECOND_GAP - 1.0),
-            false => -(0.75 * E.sqrt() * g).powi(2).cbrt(),
+    /// The distance from an edge into the contact, in spacings of the link projected on the normal: `P k / a - c` of the last node and
+    /// `-c - (pi / 2e) m G / a` of the next one, exactly, `a` being the strength of the edge; linear up to the second one on either side, as
+    /// it is there, and farther as in the continuum.
+    #[inline]
+    pub fn distance(self, edge: &EdgeScale) -> f64 {
+        let c = edge.excess;
+        if self.touches {
+            let p = self.pressure * edge.per_pressure;
+            match p {
+                _ if p <= 1.0 => p - c,
+                _ if p <= SECOND_PRESSURE => 1.0 - c + (p - 1.0) / (SECOND_PRESSURE - 1.0),
+                _ => PI * PI / (4.0 * E) * p * p,
+            }
+        } else {
+            let g = self.gap * edge.per_gap;
+            match g {
+                _ if g <= 1.0 => -c - g,
+                _ if g <= SECOND_GAP => -c - 1.0 - (g - 1.0) / (SECOND_GAP - 1.0),
+                _ => -(0.75 * E.sqrt() * g).powi(2).cbrt(),
+            }
         }
+    }
+}
+
+/// The scale of pressures and gaps beside an edge: its strength `a = P k + (pi / 2e) m G`.
+pub struct EdgeScale {
+    /// `k / a`.
+    per_pressure: f64,
+    /// `m / a`.
+    per_gap: f64,
+    excess: f64,
+}
+
+impl EdgeScale {
+    /// That of the edge on a link from the last node in contact to the next one, for the cosine `k`.
+    pub fn new(law: EdgeLaw, cosine: f64, [last, next]: [EdgeSide; 2]) -> Self {
+        let per_strength = 1.0 / (last.pressure * cosine + law.stiffness * next.gap);
+        Self { per_pressure: cosine * per_strength, per_gap: law.stiffness * per_strength, excess: law.excess }
     }
 }

@@ -9,12 +9,14 @@ mod law;
 mod moving;
 mod normal;
 
+use crate::contact::links::for_each_in_contact;
 use crate::contact::{Problem, chunks};
 use crate::grid::Grid;
 pub use law::NODE_EXCESS_PER_SWITCH_LINE;
 use law::{EdgeSide, GAP_WEIGHT};
 use moving::EdgeLaws;
 use normal::EdgeNormal;
+use std::ops::Range;
 
 /// If more than this share of the edges of a contact is given by its shape, the gradient over the contact is
 /// meaningless.
@@ -66,6 +68,8 @@ pub struct Edges<'a, G> {
     pressure: &'a [f64],
     gap: G,
     laws: EdgeLaws,
+    /// Spacings along y and x over the contact modulus: the length of a pressure in the law of an edge.
+    per_modulus: [f64; 2],
 }
 
 /// The edge of a contact on the link between a node in contact and a neighbour that is not.
@@ -127,7 +131,8 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
     pub fn new(problem: &'a Problem, pressure: &'a [f64], gap: G) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        Self { problem, grid, pressure, gap, laws: EdgeLaws::new(problem) }
+        let per_modulus = grid.spacing().map(|spacing| spacing / problem.contact_modulus());
+        Self { problem, grid, pressure, gap, laws: EdgeLaws::new(problem), per_modulus }
     }
 
     /// The edges around a node, none if it is not in contact.
@@ -138,14 +143,54 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         ends.map(move |(next, towards)| self.edge([node, next], towards))
     }
 
+    /// All edges of the contact, in the order of their nodes.
+    pub fn all(&self) -> Vec<Edge> {
+        chunks::visit(self.pressure.len(), |nodes| self.among(nodes)).concat()
+    }
+
+    /// The edges around some nodes, in the order of these.
+    fn among(&self, nodes: Range<usize>) -> Vec<Edge> {
+        let mut edges = Vec::new();
+        for_each_in_contact(self.grid, self.pressure, nodes, |node, links| {
+            edges.extend(self.around(node).take(links));
+        });
+        edges
+    }
+
     /// Area and gradient.
     pub fn resolved(&self) -> Resolved {
+        self.summed(chunks::visit(self.pressure.len(), |nodes| self.sums(nodes.clone(), &self.among(nodes))))
+    }
+
+    /// Area and gradient of a contact of which [`Edges::all`] are known.
+    pub(crate) fn resolved_of(&self, all: &[Edge]) -> Resolved {
+        let sums = |nodes: Range<usize>| {
+            let [start, end] = [nodes.start, nodes.end].map(|node| all.partition_point(|edge| edge.node < node));
+            self.sums(nodes, &all[start..end])
+        };
+        self.summed(chunks::visit(self.pressure.len(), sums))
+    }
+
+    /// The sums over some nodes; `edges` are all edges around these.
+    fn sums(&self, nodes: Range<usize>, mut edges: &[Edge]) -> EdgeSums {
         let square_slope = self.problem.surface().square_slope();
-        let parts = chunks::visit(self.pressure.len(), |nodes| {
-            chunks::positive(self.pressure, nodes)
-                .fold(EdgeSums::default(), |sums, node| sums.plus(self.share(node, &square_slope)))
+        let mut sums = EdgeSums::default();
+        for_each_in_contact(self.grid, self.pressure, nodes, |node, links| {
+            let (own, rest) = edges.split_at(links);
+            edges = rest;
+            sums.add(if links == 0 {
+                EdgeSums::cell(square_slope(node))
+            } else {
+                self.share(node, own, &square_slope)
+            });
         });
-        let sums = parts.into_iter().fold(EdgeSums::default(), EdgeSums::plus);
+        sums
+    }
+
+    /// Area and gradient by the sums over all nodes.
+    fn summed(&self, parts: Vec<EdgeSums>) -> Resolved {
+        let mut sums = EdgeSums::default();
+        parts.into_iter().for_each(|part| sums.add(part));
         let is_smooth = sums.edges_of_shape as f64 <= MOST_OF_SHAPE * sums.edges as f64;
         let mean_square = if sums.area > 0.0 { sums.squares / sums.area } else { 0.0 };
         let strain = self.problem.mean_pressure_of(self.pressure) / self.problem.effective_modulus(self.pressure);
@@ -161,12 +206,12 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         }
     }
 
-    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its edges, and
+    /// The area and the square gradients of a node in contact: those of its cell, cut off or extended at its `edges`, and
     /// no less than is needed to carry its pressure.
-    fn share(&self, node: usize, square_slope: &impl Fn(usize) -> f64) -> EdgeSums {
+    fn share(&self, node: usize, edges: &[Edge], square_slope: &impl Fn(usize) -> f64) -> EdgeSums {
         let square = square_slope(node);
-        let mut sums = EdgeSums { area: 1.0, squares: square, ..EdgeSums::default() };
-        for edge in self.around(node) {
+        let mut sums = EdgeSums::cell(square);
+        for edge in edges {
             let beyond = edge.weight * (edge.place - 0.5);
             let next = square_slope(self.grid.neighbour(node, edge.towards));
             sums.area += beyond;
@@ -195,8 +240,11 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         if self.grid.is_line() {
             return EdgeNormal::ALONG;
         }
-        let aside = nodes.map(|node| [[dx, dy], [-dx, -dy]].map(|step| self.grid.neighbour(node, step)));
-        let aside = aside.map(|both| both.map(|node| self.side(node, [dy, dx])));
+        let aside = nodes.map(|node| {
+            let [right, left, above, below] = self.grid.neighbours(node);
+            let both = if dy == 0 { [above, below] } else { [right, left] };
+            both.map(|node| self.side(node, [dy, dx]))
+        });
         let spacing = self.grid.spacing();
         let ratio = along(spacing, [dy, dx]) / along(spacing, [dx, dy]);
         EdgeNormal::new(link, aside, ratio, |share| self.laws.at([dy, dx], share))
@@ -204,17 +252,18 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
 
     /// Pressure and gap of a node as lengths in the law of an edge across a link.
     fn side(&self, node: usize, towards: [isize; 2]) -> EdgeSide {
-        let per_modulus = along(self.grid.spacing(), towards) / self.problem.contact_modulus();
         let touches = self.touches(node);
         let gap = if touches { 0.0 } else { GAP_WEIGHT * (self.gap)(node).max(0.0) };
-        EdgeSide { touches, pressure: self.pressure[node] * per_modulus, gap }
+        EdgeSide { touches, pressure: self.pressure[node] * along(self.per_modulus, towards), gap }
     }
 
     /// Whether the pressure rises towards the edge over three nodes, as that of a punch does.
     fn rises(&self, node: usize, [dy, dx]: [isize; 2]) -> bool {
-        let inner = self.grid.neighbour(node, [-dy, -dx]);
-        let [p, before, first] = [node, inner, self.grid.neighbour(inner, [-dy, -dx])].map(|i| self.pressure[i]);
-        p >= before && before >= first && first > 0.0
+        let behind = |node: usize| self.grid.neighbour(node, [-dy, -dx]);
+        let inner = behind(node);
+        let before = self.pressure[inner];
+        let is_behind = |first: f64| first > 0.0 && before >= first;
+        self.pressure[node] >= before && is_behind(self.pressure[behind(inner)])
     }
 
     fn touches(&self, node: usize) -> bool {
@@ -240,12 +289,15 @@ struct EdgeSums {
 }
 
 impl EdgeSums {
-    fn plus(self, other: Self) -> Self {
-        Self {
-            area: self.area + other.area,
-            squares: self.squares + other.squares,
-            edges: self.edges + other.edges,
-            edges_of_shape: self.edges_of_shape + other.edges_of_shape,
-        }
+    /// The sums of one node in contact that has no edge: the area of its cell, and its square gradient.
+    fn cell(square: f64) -> Self {
+        Self { area: 1.0, squares: square, ..Self::default() }
+    }
+
+    fn add(&mut self, other: Self) {
+        self.area += other.area;
+        self.squares += other.squares;
+        self.edges += other.edges;
+        self.edges_of_shape += other.edges_of_shape;
     }
 }

@@ -49,17 +49,22 @@ impl EdgeLaws {
 
     /// The law on a link with a share `k^2` in the contour, `k` the cosine of its angle to the normal of the edge.
     pub fn at(&self, [dy, _]: [isize; 2], share: f64) -> EdgeLaw {
-        let slope = (1.0 / share - 1.0).max(0.0).sqrt().ln();
-        let place = (slope + SLOPES) / (2.0 * SLOPES) * STEPS as f64;
         match self.by_slope.as_slice() {
             _ if dy == 0 => self.along_x,
             [] => self.along_y,
-            _ if place.is_nan() || place < 0.0 => self.along_y,
-            laws => {
-                let before = (place as usize).min(STEPS - 1);
-                laws[before].towards(laws[before + 1], (place - before as f64).min(1.0))
-            }
+            laws => self.between(laws, share),
         }
+    }
+
+    /// The law of a share between those of the table.
+    fn between(&self, laws: &[EdgeLaw], share: f64) -> EdgeLaw {
+        let slope = (1.0 / share - 1.0).max(0.0).sqrt().ln();
+        let place = (slope + SLOPES) / (2.0 * SLOPES) * STEPS as f64;
+        if place.is_nan() || place < 0.0 {
+            return self.along_y;
+        }
+        let before = (place as usize).min(STEPS - 1);
+        laws[before].towards(laws[before + 1], (place - before as f64).min(1.0))
     }
 }
 

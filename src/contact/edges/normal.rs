@@ -1,6 +1,6 @@
 //! The normal of an edge, from the nodes around a link.
 
-use super::law::{EdgeLaw, EdgeSide};
+use super::law::{EdgeLaw, EdgeScale, EdgeSide};
 
 /// Rounds in which the cosine is found, where they begin, and how much of it each keeps: rounds alternate about the solution.
 const ROUNDS: usize = 4;
@@ -32,8 +32,8 @@ impl EdgeNormal {
     }
 
     fn next(self, link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64, law: EdgeLaw) -> Self {
-        let strength = law.strength(link[0].pressure * self.cosine, link[1].gap);
-        let distance = |side: EdgeSide| side.distance(self.cosine, strength, law);
+        let scale = EdgeScale::new(law, self.cosine, link);
+        let distance = |side: EdgeSide| side.distance(&scale);
         let [inside, outside] = link.map(distance);
         let steps = |here: f64, aside: [EdgeSide; 2]| aside.map(|side| (distance(side) - here) * ratio);
         let [a, b] = steps(inside, aside[0]);

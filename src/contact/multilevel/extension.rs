@@ -4,8 +4,8 @@ use super::support::Support;
 use crate::chunks;
 use crate::fourier::Real;
 
-/// Cells of a line that one task restricts.
-const TILE: usize = 1 << 12;
+/// Cells whose shares are set together.
+const SHARES: usize = 1 << 14;
 
 /// Weights of linear interpolation between cell centres, for the cell around a point and for the neighbour next to it.
 const NEAR: f64 = 0.75;
@@ -69,12 +69,7 @@ impl<T: Real> Extension<T> {
         let mut extension = Self { shape, wide, side, pieces: shape[1] / support.shape()[1], levels };
         extension.pool(support, |_| T::one());
         let share = if shape[0] == 1 { |w: f64| 1.0 / (1.0 - w.ln()) } else { f64::sqrt };
-        for cells in &mut extension.levels {
-            let filled = cells.values.iter().map(|w| w.to_double().min(1.0));
-            let shares: Vec<_> = filled.map(|w| if w > 0.0 { (w, share(w)) } else { (1.0, 0.0) }).collect();
-            cells.share = shares.iter().map(|(_, share)| *share as f32).collect();
-            cells.gain = shares.iter().map(|(w, share)| (share / w) as f32).collect();
-        }
+        extension.levels.iter_mut().for_each(|cells| cells.set_shares(share));
         extension
     }
 
@@ -83,14 +78,17 @@ impl<T: Real> Extension<T> {
         self.pool(support, value);
         let mut coarser: Option<&Cells<T>> = None;
         for cells in self.levels.iter_mut().rev() {
+            let tile = chunks::tile(cells.shape);
             let Cells { shape, share, gain, values } = cells;
-            chunks::rows_mut(values, shape[1], |y, row| {
-                let at = y * shape[1];
-                row.iter_mut().zip(&gain[at..]).for_each(|(value, &gain)| *value = *value * number(gain));
+            chunks::rows_mut(values, tile, |task, part| {
+                let at = task * tile;
+                let (y, first) = (at / shape[1], at % shape[1]);
+                part.iter_mut().zip(&gain[at..]).for_each(|(value, &gain)| *value = *value * number(gain));
                 if let Some(coarser) = coarser {
                     let share = &share[at..];
-                    coarser.interpolate(*shape, y, 0..shape[1], |x, value| {
-                        row[x] = row[x] + number::<T>(1.0 - share[x]) * value;
+                    coarser.interpolate(*shape, y, first..first + part.len(), |x, value| {
+                        let at = x - first;
+                        part[at] = part[at] + number::<T>(1.0 - share[at]) * value;
                     });
                 }
             });
@@ -132,13 +130,16 @@ impl<T: Real> Extension<T> {
         }
         let mut coarser: Option<&Cells<T>> = None;
         for cells in self.levels.iter_mut().rev() {
+            let tile = chunks::tile(cells.shape);
             let Cells { shape, gain, values, .. } = cells;
-            chunks::rows_mut(values, shape[1], |y, row| {
-                row.iter_mut().zip(&gain[y * shape[1]..]).for_each(|(value, &gain)| *value = *value * number(gain));
+            chunks::rows_mut(values, tile, |task, part| {
+                let at = task * tile;
+                let (y, first) = (at / shape[1], at % shape[1]);
+                part.iter_mut().zip(&gain[at..]).for_each(|(value, &gain)| *value = *value * number(gain));
                 if let Some(coarser) = coarser {
                     let weight = weight::<T>(*shape, 2);
-                    let above = &coarser.values[y / 2 * coarser.shape[1]..];
-                    row.iter_mut().enumerate().for_each(|(x, value)| *value = *value + weight * above[x / 2]);
+                    let above = &coarser.values[y / 2 * coarser.shape[1] + first / 2..];
+                    part.iter_mut().enumerate().for_each(|(x, value)| *value = *value + weight * above[x / 2]);
                 }
             });
             coarser = Some(cells);
@@ -171,34 +172,20 @@ impl<T: Real> Extension<T> {
 
     /// Means of `value` over the cells of all sizes, zero off the set.
     fn pool(&mut self, support: &Support, value: impl Fn(usize) -> T + Sync) {
-        let ([ny, nx], side, pieces) = (self.shape, self.side, self.pieces);
+        let (side, by_node, [count, width]) = (self.side, weight::<T>(self.shape, self.side), support.shape());
         let Some(finest) = self.levels.first_mut() else { return };
-        let (length, by_node) = (finest.shape[1], weight::<T>([ny, nx], side));
-        chunks::rows_mut(&mut finest.values, length, |y, row| {
-            row.fill(T::zero());
+        // a row of cells lies on some rows of nodes; of a line, cells are taken by the pieces that they lie on
+        let (rows, length) = if self.pieces == 1 { (side, finest.shape[1]) } else { (1, width / side) };
+        chunks::rows_mut(&mut finest.values, length, |y, cells| {
+            cells.fill(T::zero());
             // cells beyond the grid are empty
-            for piece in side * y * pieces..ny.min(side * (y + 1)) * pieces {
-                let first = piece % pieces * support.shape()[1];
-                for (run, nodes) in support.runs(piece) {
-                    run.zip(nodes).for_each(|(x, node)| {
-                        let cell = &mut row[(first + x) / side];
-                        *cell = *cell + by_node * value(node);
-                    });
-                }
+            for (run, nodes) in (rows * y..count.min(rows * (y + 1))).flat_map(|row| support.runs(row)) {
+                run.zip(nodes).for_each(|(x, node)| cells[x / side] = cells[x / side] + by_node * value(node));
             }
         });
         for level in 1..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(level);
-            let Cells { shape: [height, width], values: finer, .. } = &finer[level - 1];
-            let (weight, length) = (weight::<T>([*height, *width], 2), coarser[0].shape[1]);
-            chunks::rows_mut(&mut coarser[0].values, length, |y, row| {
-                row.fill(T::zero());
-                for finer in finer[2 * y * width..(2 * y + 2).min(*height) * width].chunks_exact(*width) {
-                    row.iter_mut().zip(finer.chunks(2)).for_each(|(cell, pair)| {
-                        *cell = pair.iter().fold(*cell, |cell, &finer| cell + weight * finer);
-                    });
-                }
-            });
+            coarser[0].pool(&finer[level - 1]);
         }
     }
 }
@@ -230,6 +217,41 @@ fn points(cell: usize, n: usize, m: usize) -> impl Iterator<Item = (usize, f64)>
 }
 
 impl<T: Real> Cells<T> {
+    /// Sets `a` and `a / w` by the shares `w` of nodes, which are the values.
+    fn set_shares(&mut self, share_of: impl Fn(f64) -> f64 + Sync) {
+        let Self { share, gain, values, .. } = self;
+        for shares in [&mut *share, &mut *gain] {
+            *shares = vec![0.0; values.len()];
+        }
+        let parts = share.chunks_mut(SHARES).zip(gain.chunks_mut(SHARES)).zip(values.chunks(SHARES));
+        chunks::spread(parts, |((shares, gains), values)| {
+            for ((share, gain), value) in shares.iter_mut().zip(gains).zip(values) {
+                let w = value.to_double().min(1.0);
+                if w > 0.0 {
+                    let of_cell = share_of(w);
+                    (*share, *gain) = (of_cell as f32, (of_cell / w) as f32);
+                }
+            }
+        });
+    }
+
+    /// Takes the means of finer cells.
+    fn pool(&mut self, finer: &Self) {
+        let ([height, width], tile, length) = (finer.shape, chunks::tile(self.shape), self.shape[1]);
+        let weight = weight::<T>(finer.shape, 2);
+        chunks::rows_mut(&mut self.values, tile, |task, cells| {
+            cells.fill(T::zero());
+            let (y, first) = (task * tile / length, task * tile % length);
+            let columns = 2 * first..width.min(2 * (first + cells.len()));
+            for y in 2 * y..height.min(2 * y + 2) {
+                let pairs = finer.values[y * width..][columns.clone()].chunks(2);
+                cells.iter_mut().zip(pairs).for_each(|(cell, pair)| {
+                    *cell = pair.iter().fold(*cell, |cell, &finer| cell + weight * finer);
+                });
+            }
+        });
+    }
+
     /// Hands the values interpolated at the points `xs` of row `y` of a finer shape to `put`.
     fn interpolate(&self, [ny, nx]: [usize; 2], y: usize, xs: std::ops::Range<usize>, mut put: impl FnMut(usize, T)) {
         let [my, mx] = self.shape;
@@ -256,7 +278,7 @@ impl<T: Real> Cells<T> {
     /// The transpose of [`Cells::interpolate`], of the `value` at row `y` and column `x` of the finer shape.
     fn collect(&mut self, [ny, nx]: [usize; 2], value: impl Fn(usize, usize) -> T + Sync) {
         let [my, mx] = self.shape;
-        let tile = if my == 1 { mx.min(TILE) } else { mx };
+        let tile = chunks::tile(self.shape);
         let [by_near, by_far] = [NEAR, FAR].map(T::from_double);
         chunks::rows_mut(&mut self.values, tile, |task, cells| {
             let (y, first) = (task * tile / mx, task * tile % mx);

@@ -14,8 +14,8 @@ const FEWEST: usize = 32;
 pub(in crate::contact) fn coarser(problem: &Problem) -> Option<Problem> {
     let surface = problem.surface();
     let coarse = halved(surface.grid())?;
-    let height = Field::from_shape_fn(coarse.shape(), |(y, x)| surface.height()[[2 * y, 2 * x]]);
-    let surface = Surface::new(coarse, height).ok()?;
+    let height = subsampled(surface.heights(), [surface.grid(), &coarse]);
+    let surface = Surface::new(coarse, Field::from_shape_vec(coarse.shape(), height).ok()?).ok()?;
     // the datum of the heights of this grid, above their own mean
     let datum = problem.datum().map(|datum| datum - surface.mean_height());
     let load = match (problem.load(), datum) {
@@ -37,7 +37,14 @@ pub(in crate::contact) fn coarser(problem: &Problem) -> Option<Problem> {
 /// The values of a field at the nodes of the [`halved`] grid.
 fn subsampled(values: &[f64], [from, to]: [&Grid; 2]) -> Vec<f64> {
     let ([_, width], [ny, nx]) = (from.shape(), to.shape());
-    (0..ny * nx).map(|i| values[2 * (i / nx) * width + 2 * (i % nx)]).collect()
+    let tile = chunks::tile([ny, nx]);
+    let mut coarse = vec![0.0; ny * nx];
+    chunks::rows_mut(&mut coarse, tile, |task, part| {
+        let (y, x) = (task * tile / nx, task * tile % nx);
+        let every_other = values[2 * (y * width + x)..].iter().step_by(2);
+        part.iter_mut().zip(every_other).for_each(|(to, from)| *to = *from);
+    });
+    coarse
 }
 
 /// The highest height above the mean.

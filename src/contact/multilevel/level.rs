@@ -189,7 +189,7 @@ impl<'a> Level<'a> {
             if self.ceiling().is_finite() {
                 return slack::level(self.problem, &self.pressure.spread(), &self.u);
             }
-            let sums = self.sums();
+            let sums = self.sums_with(|_, _| ());
             sums.reference_v + sums.pressure_v / sums.pressure
         };
         self.problem.datum().map_or_else(of_pressure, |gap| -gap)
@@ -255,24 +255,35 @@ impl<'a> Level<'a> {
 
     /// Takes the displacement from a transform of the pressure, which has changed.
     pub fn refresh_from_pressure(&mut self) {
-        self.u.resize(self.problem.nodes(), 0.0);
+        // memory that comes as zeros is first touched by all threads
+        if self.u.is_empty() {
+            self.u = vec![0.0; self.problem.nodes()];
+        }
         displace(&self.pressure, &mut self.response, &mut self.u);
         self.displacement = Displacement::Exact;
     }
 
-    /// The sums of this state, with the first node of the set as the reference.
+    /// The sums of this state.
     fn sums(&self) -> CertificateSums {
+        let (u, h, width) = (&self.u, self.problem.height(), self.pressure.support.shape()[1]);
+        self.sums_with(|row, sums| {
+            let nodes = row * width..(row + 1) * width;
+            u[nodes.clone()].iter().zip(&h[nodes]).for_each(|(&u, &h)| sums.add_displacement(u, h));
+        })
+    }
+
+    /// The sums over the set, with its first node as the reference, to which `add` adds others of each row.
+    fn sums_with(&self, add: impl Fn(usize, &mut CertificateSums) + Sync) -> CertificateSums {
         let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let [count, width] = support.shape();
         let none = CertificateSums::none(support.first().map_or(0.0, |node| u[node] - h[node]));
         let parts = chunks::rows(count, width, |row| {
-            let at = row * width;
-            let (u, h) = (&u[at..at + width], &h[at..at + width]);
+            let (u, h) = (&u[row * width..], &h[row * width..]);
             let mut sums = none;
             for (run, nodes) in support.runs(row) {
                 run.zip(nodes).for_each(|(x, node)| sums.add_pressure(values[node], u[x], h[x]));
             }
-            (0..width).for_each(|x| sums.add_displacement(u[x], h[x]));
+            add(row, &mut sums);
             sums
         });
         parts.into_iter().fold(none, CertificateSums::plus)
@@ -361,6 +372,16 @@ impl<'a> Level<'a> {
             piece.iter_mut().zip(nodes).for_each(|(value, x)| *value = of(*value - h[row * width + x]));
         });
         values
+    }
+
+    /// The displacement alone: all else is freed before the fields of the contact are made.
+    pub fn into_displacement(self) -> Vec<f64> {
+        self.u
+    }
+
+    /// The response alone.
+    pub fn into_response(self) -> Response {
+        self.response
     }
 
     /// Whether the stored displacement is that of `pressure`.

@@ -154,8 +154,8 @@ const PATIENCE: usize = 600;
 /// feasible pressure next to it, clipped and scaled, whose fields are made only on request. Transforms of coarse grids
 /// count by their share of points, and those in single precision like others.
 ///
-/// Memory on the finest grid, besides the heights, is the larger of two. An outer step needs 1 field of n doubles and the
-/// [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
+/// Memory on the finest grid, besides the heights, is the largest of three. The result has 3 fields of n doubles, and all else is freed
+/// before they are made. An outer step needs 1 field and the [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
 /// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs 6 fields, and
 /// 8 vectors on the contact set. From a good start there are 2 and 1 vectors more, on lines as well. On a thin bonded layer the preconditioner takes up to 6 fields more on a surface. Below a hardness an
 /// exchange takes 1 field more, guarded steps 4. Coarse grids are freed before the finest one is set up.
@@ -186,9 +186,22 @@ impl Multilevel {
     /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
     /// contact, as measured.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
-        let (fields, with_margins) =
-            if grid.is_line() { (8.6 + 3.0 * relative_area, 5.0) } else { (4.2 + 11.0 * relative_area, 2.0) };
-        fields + if grid.is_periodic() { 0.0 } else { with_margins }
+        match (grid.is_line(), grid.is_periodic()) {
+            (true, true) => 8.6 + 3.0 * relative_area,
+            (true, false) => 13.6 + 3.0 * relative_area,
+            (false, true) => 2.4 + 17.0 * relative_area,
+            (false, false) => 2.3 + 19.5 * relative_area,
+        }
+    }
+
+    /// Number of fields that the stiffness of a contact needs, without the heights and the fields of the contact, as measured.
+    pub fn stiffness_fields(grid: &Grid, relative_area: f64) -> f64 {
+        match (grid.is_line(), grid.is_periodic()) {
+            (true, true) => 6.6 + 3.0 * relative_area,
+            (true, false) => 11.6 + 3.0 * relative_area,
+            (false, true) => 2.2 + 13.0 * relative_area,
+            (false, false) => 4.2 + 13.0 * relative_area,
+        }
     }
 
     /// Largest number of coarse grids above `grid`, each with half as many points per side.
@@ -226,9 +239,10 @@ impl Solver for Multilevel {
         let transforms = cascade.transforms(&level);
         let run = cascade.run;
         if level.is_displaced(run.best.pressure.as_ref()) {
-            return Ok(run.finish_with(status, transforms, |_| level.u));
+            let displacement = level.into_displacement();
+            return Ok(run.finish_with(status, transforms, |_| displacement));
         }
-        Ok(run.finish_after(status, transforms, level.response))
+        Ok(run.finish_after(status, transforms, level.into_response()))
     }
 }
 

@@ -133,7 +133,9 @@ impl<T: Real> SetOperator for Spectral<T> {
     }
 
     fn prepare(&mut self, support: &Support) {
-        self.field.resize(self.wide[0] * self.wide[1], T::zero());
+        if self.field.is_empty() {
+            self.field = vec![T::zero(); self.wide[0] * self.wide[1]];
+        }
         let largest = self.film.as_ref().map_or(f64::INFINITY, Film::largest_cell);
         // the memory of an earlier one is free for this one
         self.extension = None;

@@ -113,6 +113,15 @@ impl DepthLayers {
         Self::new(std::iter::once(0.0).chain(halves).collect())
     }
 
+    /// Two layers each made one, for an estimate of the error by the layers; the last one stays as it is if their number is odd.
+    ///
+    /// # Errors
+    /// None that is known: depths rise as before.
+    pub fn doubled(&self) -> Result<Self, PlasticError> {
+        let last = (!self.count().is_multiple_of(2)).then_some(self.depth());
+        Self::new(self.interfaces.iter().copied().step_by(2).chain(last).collect())
+    }
+
     /// The thickness of each layer, a length.
     pub fn thicknesses(&self) -> &[f64] {
         &self.thicknesses

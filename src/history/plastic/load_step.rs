@@ -4,6 +4,7 @@ use super::accelerated::Accelerated;
 use super::flow::{FlowLaw, FlowPlace, PlaceFlow};
 use super::{PlasticCertificate, PlasticState};
 use crate::chunks::{self, spread};
+use crate::clock::Instant;
 use crate::contact::{Contact, Observer, Problem, Solver, Status, Stop, Work};
 use crate::elastic::DepthResponse;
 use crate::error::{PlasticError, SolveError};
@@ -58,7 +59,7 @@ pub(super) struct FlowIterate {
     pub back_work: f64,
     pub iterations: usize,
     pub is_converged: bool,
-    /// Work of all contacts of the step.
+    /// Work of all contacts of the step, with the seconds of the flow.
     pub work: Work,
     /// A lower bound of `Phi`, and the size of its terms.
     energy: [f64; 2],
@@ -114,13 +115,15 @@ impl LoadStep<'_, '_> {
         next: &mut Array3<f64>,
         flows: &mut [bool],
     ) -> Result<Vec<[usize; 2]>, PlasticError> {
-        let (before, increment) = (self.before, &now.increment);
+        let (begun, before, increment) = (Instant::now(), self.before, &now.increment);
         self.response.load(strained_layers(before, increment), |layer, component, field| {
             let rows = [&before.strain, increment].map(|field| values(field, layer, component));
             field.iter_mut().enumerate().for_each(|(i, value)| *value = rows[0][i] + rows[1][i]);
         });
         self.response.displace(now.residual.as_slice_mut().expect("standard layout"));
+        let pressing = Instant::now();
         self.press(now)?;
+        let pressed = pressing.elapsed();
         let pressure = now.contact.as_ref().map(|it| it.pressure.as_slice().expect("standard layout"));
         self.response.stress(pressure, &mut now.stress);
         let sums = match next.dim().1 {
@@ -128,6 +131,8 @@ impl LoadStep<'_, '_> {
             _ => self.flow::<6>(now, next, flows),
         };
         self.certify(now, &sums.flow);
+        // the contact has a clock of its own, without what watches it
+        now.work.seconds += begun.elapsed().saturating_sub(pressed).as_secs_f64();
         Ok(sums.begun)
     }
 

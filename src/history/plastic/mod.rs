@@ -5,7 +5,9 @@
 //! ```
 
 mod accelerated;
+mod companions;
 mod flow;
+mod gap_search;
 mod load_step;
 mod plastic_errors;
 mod plastic_loading;
@@ -13,7 +15,7 @@ mod plastic_process;
 mod plastic_solid;
 mod plastic_state;
 
-pub use plastic_errors::PlasticErrors;
+pub use plastic_errors::{PlasticErrorSources, PlasticErrors};
 pub use plastic_loading::PlasticLoading;
 pub use plastic_process::Plastic;
 pub use plastic_solid::PlasticSolid;

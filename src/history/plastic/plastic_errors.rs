@@ -1,16 +1,10 @@
 //! Estimated errors of a state by a coarser history.
 
 use super::PlasticState;
+use crate::contact::Quantity;
 
-/// By how much a state differs from that of a coarser history under the same load. What is coarser says which error it estimates:
-///
-/// | coarser are   | the error                             |
-/// |---------------|---------------------------------------|
-/// | the steps, of twice the length | of the steps, of first order: about the difference |
-/// | the layers, of twice the thickness, see [`DepthLayers::halved`](crate::elastic::DepthLayers::halved) | in depth, of second order: about a third of it |
-/// | the grid      | of the grid: contact edges count in nodes, so that it may be larger than the difference |
-///
-/// None of them is in the certificate, which is that of one step on its grid.
+/// By how much a state differs from that of a coarser or a finer history under the same load, or an error that is estimated from that, see
+/// [`PlasticErrorSources`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PlasticErrors {
     /// Of the approach, a length.
@@ -21,22 +15,63 @@ pub struct PlasticErrors {
     pub total_accumulated: f64,
     /// Of the mean pressure over the nodes in contact, a pressure.
     pub mean_contact_pressure: f64,
-    /// Of the part of the nodes that are in contact.
+    /// The error of the relative area, dimensionless: a difference of areas with edges resolved between the nodes. Areas by counted nodes are often equal where
+    /// the contacts are not.
     pub relative_area: f64,
 }
 
+/// The estimated errors of a state by their sources. None of them is in the certificate, which is that of one step on its grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlasticErrorSources {
+    /// The errors by the load steps, which are of first order: twice the difference from steps of half the length.
+    pub steps: PlasticErrors,
+    /// The errors by the layers, which are of second order: a third of the difference from layers of twice the thickness.
+    pub layers: PlasticErrors,
+    /// The errors by the grid: the difference from a grid of half as many points along each axis. None where
+    /// a number of points is odd, or too small.
+    pub grid: Option<PlasticErrors>,
+}
+
+impl PlasticErrorSources {
+    /// The numbers of a state for imprint and area.
+    pub(super) fn numbers(&self) -> Vec<(Quantity, f64)> {
+        let imprint = |it: &PlasticErrors| it.imprint_depth;
+        let area = |it: &PlasticErrors| it.relative_area;
+        let grid = self.grid.iter().flat_map(|grid| {
+            [(Quantity::ImprintGridError, imprint(grid)), (Quantity::RelativeAreaGridError, area(grid))]
+        });
+        let others = [
+            (Quantity::ImprintStepError, imprint(&self.steps)),
+            (Quantity::RelativeAreaStepError, area(&self.steps)),
+            (Quantity::ImprintLayerError, imprint(&self.layers)),
+            (Quantity::RelativeAreaLayerError, area(&self.layers)),
+        ];
+        others.into_iter().chain(grid).collect()
+    }
+}
+
 impl PlasticErrors {
-    /// The differences of a state and that of a coarser history; NaN where one of them is not converged, since they estimate nothing then.
-    pub fn between(state: &PlasticState, coarser: &PlasticState) -> Self {
-        let is_known = state.is_converged && coarser.is_converged;
-        let difference =
-            |of: fn(&PlasticState) -> f64| if is_known { (of(state) - of(coarser)).abs() } else { f64::NAN };
+    /// Each of them times a factor.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self {
+            approach: factor * self.approach,
+            imprint_depth: factor * self.imprint_depth,
+            total_accumulated: factor * self.total_accumulated,
+            mean_contact_pressure: factor * self.mean_contact_pressure,
+            relative_area: factor * self.relative_area,
+        }
+    }
+
+    /// The differences of a state and that of another history; NaN where one of them is not converged, since they estimate nothing then.
+    pub fn between(state: &PlasticState, other: &PlasticState) -> Self {
+        let is_known = state.is_converged && other.is_converged;
+        let difference = |of: fn(&PlasticState) -> f64| if is_known { (of(state) - of(other)).abs() } else { f64::NAN };
         Self {
             approach: difference(PlasticState::approach),
             imprint_depth: difference(PlasticState::imprint_depth),
             total_accumulated: difference(PlasticState::total_accumulated),
             mean_contact_pressure: difference(PlasticState::mean_contact_pressure),
-            relative_area: difference(PlasticState::relative_area),
+            relative_area: difference(|state| state.contact.resolved().relative_area),
         }
     }
 }

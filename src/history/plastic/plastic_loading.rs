@@ -1,6 +1,7 @@
 //! The process of a list of loads on a solid that yields below its surface.
 
-use super::{Plastic, PlasticErrors, PlasticState};
+use super::companions::Companions;
+use super::{Plastic, PlasticErrorSources, PlasticState};
 use crate::contact::{Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status};
 use crate::elastic::DepthLayers;
 use crate::error::{HistoryError, PlasticError};
@@ -9,11 +10,11 @@ use crate::history::process::{PathPoint, Process};
 use std::collections::VecDeque;
 
 /// The process of a list of loads, up and down, on a solid that yields below its surface, with a number of equal steps from each load to the next. Each
-/// step is a state; those at the loads have a [point](State::point). If the process keeps its [iterations](Plastic::with_iterations), they are states as well,
+/// step is a state; those at the loads have a [point](State::point). The cut of each state goes through the layers that were there at first, also where more were added. If the process keeps its [iterations](Plastic::with_iterations), they are states as well,
 /// with the claim [`ResultClaim::Moving`].
 ///
-/// With [`PlasticLoading::with_step_errors`] the same loads are solved beside it in steps of twice the length, and the difference of both estimates the error of the
-/// steps.
+/// With [`PlasticLoading::with_errors`] the same loads are solved beside it in finer steps, coarser layers and on a coarser grid, which estimates the errors by
+/// all three.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, PolonskyKeer, Quantity};
@@ -25,7 +26,7 @@ use std::collections::VecDeque;
 /// let problem = Problem::new(cylinder, ContactModulus(solid.contact_modulus()), Load::MeanPressure(1e-3))?;
 /// let plastic = Plastic::new(problem, solid, DepthLayers::below(1.0 / 128.0, 0.2)?, &PolonskyKeer)?;
 /// let loads = [1e-3, 2e-3, 0.0].map(Load::MeanPressure);
-/// let mut loading = PlasticLoading::new(plastic, loads.into(), 4)?.with_step_errors()?;
+/// let mut loading = PlasticLoading::new(plastic, loads.into(), 4)?.with_errors()?;
 /// let mut work = Vec::new();
 /// loading.run(&mut (), &mut |state| {
 ///     work.extend(state.point.map(|_| state.value(Quantity::WorkDone)));
@@ -33,14 +34,16 @@ use std::collections::VecDeque;
 /// })?;
 /// // a part of the work comes back
 /// assert!(0.0 < work[0] && work[0] < work[2] && work[2] < work[1]);
-/// let (imprint, errors) = (loading.plastic().state().imprint_depth(), loading.step_errors().expect("asked for"));
-/// assert!(errors.imprint_depth < 0.1 * imprint);
+/// let (imprint, errors) = (loading.plastic().state().imprint_depth(), loading.errors().expect("asked for"));
+/// assert!(errors.steps.imprint_depth < 0.1 * imprint && errors.layers.imprint_depth < 0.1 * imprint);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct PlasticLoading<'s> {
     plastic: Plastic<'s>,
-    /// The same in half as many steps.
-    coarser: Option<Plastic<'s>>,
+    /// The same loads solved otherwise, if errors are estimated.
+    companions: Option<Companions<'s>>,
+    /// The layers at first, through which the cuts of all states go.
+    layers: usize,
     /// The number of the load before the first one.
     start: f64,
     loads: Vec<Load>,
@@ -61,18 +64,18 @@ impl<'s> PlasticLoading<'s> {
             return Err(PlasticError::Range { name: "the number of steps", value: 0.0, range: "[1, infinity)" });
         }
         loads.iter().try_for_each(|load| plastic.check(*load))?;
-        let is_like_first = |last: &Load| loads.first().is_some_and(|first| first.name() == last.name());
-        let start = plastic.state().load.filter(is_like_first).map_or(0.0, |last| last.value());
-        Ok(Self { plastic, coarser: None, start, loads, steps, next: 0, queue: VecDeque::new() })
+        let start = loads.first().map_or(0.0, |first| plastic.start_of(*first));
+        let layers = plastic.state().layers().count();
+        Ok(Self { plastic, companions: None, layers, start, loads, steps, next: 0, queue: VecDeque::new() })
     }
 
-    /// The process with twice as many steps, beside another one with as many as now. It takes half as much work again, and twice the memory.
+    /// The process with [errors](Self::errors), also among the numbers of its states. It takes about four times the work, and three times the memory.
     ///
     /// # Errors
-    /// [`PlasticError::Memory`].
-    pub fn with_step_errors(self) -> Result<Self, PlasticError> {
-        let coarser = Some(self.plastic.branched()?);
-        Ok(Self { coarser, steps: 2 * self.steps, ..self })
+    /// [`PlasticError::HasBegun`] for a process that is not at rest, and [`PlasticError::Memory`].
+    pub fn with_errors(self) -> Result<Self, PlasticError> {
+        let companions = Some(Companions::new(&self.plastic)?);
+        Ok(Self { companions, ..self })
     }
 
     /// The process of the solid, with its last state.
@@ -80,10 +83,9 @@ impl<'s> PlasticLoading<'s> {
         &self.plastic
     }
 
-    /// The estimated error of the last state by its steps; none if it was not asked for, and between two steps of twice the length.
-    pub fn step_errors(&self) -> Option<PlasticErrors> {
-        let coarser = self.coarser.as_ref().filter(|it| it.state().load == self.plastic.state().load)?;
-        Some(PlasticErrors::between(self.plastic.state(), coarser.state()))
+    /// The estimated errors of the last state; none if they were not asked for.
+    pub fn errors(&self) -> Option<PlasticErrorSources> {
+        self.companions.as_ref().map(|companions| companions.errors(&self.plastic))
     }
 
     /// The bytes of a state that is kept, besides those of its contact.
@@ -108,13 +110,19 @@ impl<'s> PlasticLoading<'s> {
 impl PlasticLoading<'_> {
     /// Presses one step. Its states stand in the queue then: the iterations that are kept, and the end.
     fn press(&mut self, load: Load, point: Option<usize>, observer: &mut dyn Observer) -> Result<(), PlasticError> {
-        if let Some(coarser) = self.coarser.as_mut().filter(|_| self.next.is_multiple_of(2)) {
-            coarser.press(load, &mut ())?;
-        }
         let state = self.plastic.press(load, observer)?.to_state().at(point);
-        self.queue.extend(self.plastic.take_iterations().iter().map(PlasticState::to_frame));
-        self.queue.push_back(state);
+        self.companions.iter_mut().try_for_each(|companions| companions.press(load))?;
+        let state = state.with_numbers(&self.errors().map_or_else(Vec::new, |errors| errors.numbers()));
+        let all = self.plastic.take_iterations().iter().map(PlasticState::to_frame).chain([state]).collect::<Vec<_>>();
+        let framed = all.into_iter().map(|state| self.framed(state));
+        self.queue.extend(framed.collect::<Vec<_>>());
         Ok(())
+    }
+
+    /// The state whose cut goes through as many layers as those of the other states.
+    fn framed(&self, mut state: State) -> State {
+        state.cut = state.cut.map(|cut| cut.above(self.layers));
+        state
     }
 }
 
@@ -132,11 +140,10 @@ impl Process for PlasticLoading<'_> {
     }
 
     fn move_to(&mut self, point: PathPoint, observer: &mut dyn Observer) -> Result<State, HistoryError> {
-        if let Some(coarser) = &mut self.coarser {
-            coarser.press_in(self.steps / 2, point.load, &mut ())?;
-        }
+        self.companions = None;
         self.queue.clear();
-        Ok(self.plastic.press_in(self.steps, point.load, observer)?.to_state())
+        let state = self.plastic.press_in(self.steps, point.load, observer)?.to_state();
+        Ok(self.framed(state))
     }
 }
 

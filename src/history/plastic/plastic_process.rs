@@ -15,11 +15,12 @@ use ndarray::{Array2, Array3, Axis};
 /// The tolerance of the relative gap, and the most iterations of a step, if none are given.
 const TOLERANCE: f64 = 1e-6;
 const MOST_ITERATIONS: usize = 1000;
-/// Tensors below each node: the strain and the stress of two states, the increment and its successor, and sixteen of Anderson's method if all of the solid
-/// flows.
-const TENSORS: f64 = 22.0;
-/// Further numbers for each place: two accumulated strains, and where a place is that flows.
-const NUMBERS: f64 = 5.0;
+/// Tensors below each node: strain and stress before the step, increment, its successor and stress in the step.
+const TENSORS: f64 = 5.0;
+/// Tensors of Anderson's method for each place that flows: twelve of earlier points, and those of the new one.
+const TENSORS_OF_FLOW: f64 = 18.0;
+/// Further numbers for each place: two accumulated strains.
+const NUMBERS: f64 = 2.0;
 /// The largest relative difference of the contact moduli of problem and solid.
 const SAME_MODULUS: f64 = 1e-9;
 
@@ -29,15 +30,17 @@ const SAME_MODULUS: f64 = 1e-9;
 /// certificate bounds the distance from it, see [`PlasticCertificate`]. So the claim of a converged state is: *the solution of the load step on this grid and these
 /// layers*. Three other errors have other names, and are estimated by solving again:
 ///
-/// - the error of the step, of first order in the steps: by twice as many steps, see [`Plastic::press_in`];
-/// - the error in depth, of second order: by [`DepthLayers::halved`];
+/// - the error of the steps, of first order in their length;
+/// - the error of the layers, of second order in their thickness;
 /// - the error of the grid.
+///
+/// [`PlasticLoading::with_errors`](super::PlasticLoading::with_errors) estimates all three.
 ///
 /// An elastic step takes one contact. Unloading and loading again are steps like any other; flow in reverse on unloading is included. Where the solid is
 /// fully plastic and hardly hardens, the pressure differs by some percent from node to node: that is the minimum on the grid. Sums such as load, area
 /// and approach are more accurate than the pressure of one node.
 ///
-/// Memory: up to 22 tensors below each node, and the [`DepthResponse`].
+/// Memory: 5 tensors below each node, 18 more where the solid flows, and the [`DepthResponse`].
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, PolonskyKeer};
@@ -143,16 +146,11 @@ impl<'s> Plastic<'s> {
         &self.state
     }
 
-    /// Another process of the same problem and solid, that goes on from the last state.
-    ///
-    /// # Errors
-    /// [`PlasticError::Memory`].
-    pub fn branched(&self) -> Result<Self, PlasticError> {
-        let layers = self.state.layers.clone();
-        let other = Self::new(self.problem.clone(), self.solid, layers, self.solver)?;
-        let state = self.state.clone();
+    /// A process of another problem and of other layers, which has not begun.
+    pub(super) fn like(&self, problem: Problem, layers: DepthLayers) -> Result<Self, PlasticError> {
+        let other = Self::new(problem, self.solid, layers, self.solver)?;
         let Self { tolerance, most_iterations, grows, .. } = *self;
-        Ok(Self { tolerance, most_iterations, grows, state, ..other })
+        Ok(Self { tolerance, most_iterations, grows, ..other })
     }
 
     /// Goes on from a state that a process of the same problem, solid and layers has reached.
@@ -169,11 +167,21 @@ impl<'s> Plastic<'s> {
         &self.solid
     }
 
-    /// The bytes that the process takes below a grid.
-    pub fn bytes(grid: &Grid, layers: &DepthLayers) -> f64 {
-        let tensors = TENSORS * size_of::<f64>() as f64 + DepthResponse::BYTES;
+    /// The bytes that the process takes below a grid, if a share of the places in the layers flows in one step, from 0 to 1.
+    pub fn bytes(grid: &Grid, layers: &DepthLayers, flow: f64) -> f64 {
+        let tensors = (TENSORS + flow * TENSORS_OF_FLOW) * size_of::<f64>() as f64 + DepthResponse::BYTES;
         let places = layers.count() as f64 * grid.len() as f64;
         places * (DepthResponse::components(grid) as f64 * tensors + NUMBERS * size_of::<f64>() as f64)
+    }
+
+    /// The problem, whose own load is not used.
+    pub(super) fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// What solves the contacts.
+    pub(super) fn solver(&self) -> &dyn Solver {
+        self.solver
     }
 
     /// Refuses a load that cannot be.
@@ -181,15 +189,31 @@ impl<'s> Plastic<'s> {
     /// # Errors
     /// The errors of [`Plastic::press`] that are known before anything is solved, such as a load under which the solid yields at all depths.
     pub fn check(&self, load: Load) -> Result<(), PlasticError> {
-        self.posed(load).map(drop)
+        match load {
+            Load::MeanGap(gap) if gap.is_finite() && gap > 0.0 => Ok(()),
+            Load::MeanGap(gap) => Err(PlasticError::NotPositive { name: "mean gap", value: gap }),
+            pressure => self.posed(pressure).map(drop),
+        }
     }
 
-    /// Solves one step to a load, which may be zero. A step that has not converged is returned, and says so.
+    /// Solves one step to a load: a pressure or a force, which may be zero, or a mean gap, a length. At a mean gap the state is that of the load step under the
+    /// mean pressure that is found for it, which takes some load steps. A step that has not converged is returned, and says so.
     ///
     /// # Errors
-    /// [`PlasticError::NeedsPressure`] for a mean gap or an approach, [`PlasticError::Load`] for a load that is negative or not finite,
-    /// [`PlasticError::YieldsEverywhere`] for a mean pressure above [`PlasticSolid::deep_limit`], and those of the solver.
+    /// [`PlasticError::NeedsPressure`] for an approach, [`PlasticError::Load`] for a pressure or a force that is negative or not finite,
+    /// [`PlasticError::NotPositive`] for such a mean gap, [`PlasticError::YieldsEverywhere`] for a mean pressure above [`PlasticSolid::deep_limit`], and
+    /// those of the solver.
     pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<&PlasticState, PlasticError> {
+        self.check(load)?;
+        self.state = match load {
+            Load::MeanGap(gap) => self.step_to_gap(gap, observer)?,
+            pressure => self.step(pressure, observer)?,
+        };
+        Ok(&self.state)
+    }
+
+    /// The state after a load step to a pressure or a force, which is not kept; layers that were added are.
+    pub(super) fn step(&mut self, load: Load, observer: &mut dyn Observer) -> Result<PlasticState, PlasticError> {
         let problem = self.posed(load)?;
         loop {
             let (before, of_problem, iterations) = (&self.state, &self.problem, &mut self.iterations);
@@ -211,8 +235,7 @@ impl<'s> Plastic<'s> {
             let reached = step.run()?;
             let state = self.state.after(&self.problem, load, reached);
             if !(self.grows && state.reaches_the_bottom()) {
-                self.state = state;
-                return Ok(&self.state);
+                return Ok(state);
             }
             self.grow()?;
         }
@@ -245,13 +268,19 @@ impl<'s> Plastic<'s> {
         load: Load,
         observer: &mut dyn Observer,
     ) -> Result<&PlasticState, PlasticError> {
-        let same_kind = self.state.load.filter(|last| last.name() == load.name());
-        let from = same_kind.map_or(0.0, |last| last.value());
+        let from = self.start_of(load);
         for step in 1..steps {
             let share = step as f64 / steps as f64;
             self.press(load.with_value(from + share * (load.value() - from)), observer)?;
         }
         self.press(load, observer)
+    }
+
+    /// The number from which steps to a load begin: that of the last load of its kind, or else that at which the surfaces just touch.
+    pub(super) fn start_of(&self, load: Load) -> f64 {
+        let same_kind = self.state.load.filter(|last| last.name() == load.name());
+        let touching = if matches!(load, Load::MeanGap(_)) { self.problem.highest() } else { 0.0 };
+        same_kind.map_or(touching, |last| last.value())
     }
 
     /// The problem under a load; none for a load of zero.
@@ -347,9 +376,9 @@ fn accumulate(accumulated: &mut Array2<f64>, increment: &Array3<f64>) {
     }
 }
 
-/// Refuses more layers and nodes than fit in memory.
+/// Refuses more layers and nodes than fit in memory, even if nothing flows.
 fn check_memory(grid: &Grid, layers: &DepthLayers) -> Result<(), PlasticError> {
-    let needed = Plastic::bytes(grid, layers);
+    let needed = Plastic::bytes(grid, layers, 0.0);
     let refuse = |free| PlasticError::Memory { layers: layers.count(), shape: grid.shape(), needed, free };
     check_bytes(needed).map_err(|missing| refuse(missing.free))
 }

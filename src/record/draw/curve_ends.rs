@@ -1,6 +1,6 @@
 //! The ends of axes of curves that settle.
 
-use crate::contact::{Contact, Forecast, Resolved};
+use crate::contact::{Forecast, Reading, Readings, Resolved};
 
 /// `kappa_r` of rough surfaces, where no exact value is known.
 const KAPPA_R: f64 = 1.6;
@@ -30,8 +30,8 @@ impl CurveEnds {
     }
 
     /// The ends that suit a contact.
-    pub fn after(contact: &Contact) -> Self {
-        let Resolved { kappa_r, relative_area, .. } = contact.resolved();
+    pub fn after(contact: &Reading<'_>) -> Self {
+        let &Resolved { kappa_r, relative_area, .. } = contact.resolved();
         Self::new(kappa_r, relative_area, Some(contact.counted().reduced_pressure))
     }
 

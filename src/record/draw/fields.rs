@@ -1,6 +1,5 @@
 //! The fields of a frame, and how far they reach.
 
-use crate::chunks::positive;
 use crate::contact::{Contact, Edge, Edges, Patch, Problem, Step};
 use crate::diagnosis::ContactHistory;
 use crate::grid::Grid;
@@ -47,14 +46,13 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The outline of the contact of a `pressure` on `grid`; of a surface only where each node has a pixel.
-    fn new<G: Fn(usize) -> f64 + Sync>(grid: &Grid, pressure: &[f64], edges: &Edges<'_, G>) -> Self {
-        if grid.is_line() {
-            let touching = positive(pressure, 0..grid.len());
-            return Self { edges: touching.flat_map(|node| edges.around(node)).collect(), contour: Vec::new() };
+    /// The outline of a contact on `grid`, all edges of which are given; of a surface only where each node has a pixel.
+    fn new<G: Fn(usize) -> f64 + Sync>(grid: &Grid, edges: &Edges<'_, G>, all: &[Edge]) -> Self {
+        match grid.is_line() {
+            true => Self { edges: all.to_vec(), ..Self::default() },
+            false if has_contour(grid) => Self { contour: edges.contour_of(all), ..Self::default() },
+            false => Self::default(),
         }
-        let contour = if has_contour(grid) { edges.contour() } else { Vec::new() };
-        Self { edges: Vec::new(), contour }
     }
 
     /// The distance of the edge from a node in contact of a line, in spacings to the left or right; half of one where none is known.
@@ -69,7 +67,7 @@ impl<'a> FrameFields<'a> {
     /// The fields of `step` that `parts` show.
     pub fn from_step(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
-        let outline = || Outline::new(step.problem().surface().grid(), step.pressure(), &step.edges());
+        let outline = || Outline::new(step.problem().surface().grid(), &step.edges(), step.all_edges());
         let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
         let patches = if parts.has(Part::Mask) { largest(step.problem(), step.pressure()) } else { Vec::new() };
         let candidates = step.candidates().filter(|_| parts.has(Part::Mask)).unwrap_or_default();
@@ -87,7 +85,8 @@ impl<'a> FrameFields<'a> {
 
     pub fn from_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
-        let outline = Outline::new(contact.problem.surface().grid(), pressure, &contact.edges());
+        let edges = contact.edges();
+        let outline = Outline::new(contact.problem.surface().grid(), &edges, &edges.all());
         let patches = largest(&contact.problem, pressure);
         let candidates = Cow::default();
         let (pressure, gap, further) = (pressure.into(), gap.into(), Vec::new());

@@ -15,7 +15,7 @@ use super::parts;
 use super::patch::patch_map::PatchMap;
 use super::patch::patch_tree::PatchTreePicture;
 use super::plane::Plane;
-use crate::contact::{Contact, Observables, Phase, Quantity};
+use crate::contact::{Contact, Phase, Quantity, Reading, Readings};
 use crate::diagnosis::{Diagnosis, Reference};
 use crate::grid::Grid;
 use crate::record::description;
@@ -110,7 +110,7 @@ impl Stage {
     }
 
     /// Fits the axes of curves to the end of a run, and returns whether that was necessary: the layout must then be sent again.
-    pub fn fit_curves(&self, contact: &Contact) -> bool {
+    pub fn fit_curves(&self, contact: &Reading<'_>) -> bool {
         let (ends, kappa_r) = (CurveEnds::after(contact), contact.resolved().kappa_r);
         let is_known = kappa_r > 0.0 && kappa_r.is_finite();
         let is_needed = is_known && !ends.are_read_on(&self.ends());
@@ -187,10 +187,10 @@ impl Stage {
     }
 
     /// The end of a run and the error of its grid, in words.
-    pub fn result(contact: &Contact) -> String {
+    pub fn result(contact: &Contact, reading: &Reading<'_>) -> String {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
-        let Observables { kappa_r, kappa_r_error: error, .. } = Observables::new(contact);
+        let [kappa_r, error] = [Quantity::KappaR, Quantity::KappaRError].map(|it| reading.value(it));
         let grid = match error.is_nan() {
             true => String::new(),
             false => format!(". kappa_r is {kappa_r:.4}, with an error of about {:.1} % on this grid", 100.0 * error),

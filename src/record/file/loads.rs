@@ -8,7 +8,7 @@ use super::output::Output;
 use super::recording::{Name, Recording, stages};
 use super::state_times::StateTimes;
 use super::target::Target;
-use crate::contact::{Contact, PatchHistory};
+use crate::contact::{Contact, PatchHistory, Reading};
 use crate::error::FileError;
 use crate::plot;
 use crate::record::draw::{
@@ -216,7 +216,7 @@ impl LoadRecording {
         let stage = &self.recording.stages[scene];
         self.recording.write(|stream| {
             self.turn_to(stream, load)?;
-            stream.log(stage.description(), &stage.described(&Stage::result(contact), ""))?;
+            stream.log(stage.description(), &stage.described(&Stage::result(contact, &Reading::from(contact)), ""))?;
             if stage.what.has_planes() {
                 stage.log_caption(stream, &self.captions[load])?;
             }

@@ -9,7 +9,7 @@ const MOST: usize = 1 << 23;
 /// Smallest number of nodes that a step counts for, so that at most 1024 steps are written together.
 const LEAST: usize = 1 << 13;
 /// Nodes of the steps that are written first.
-const FIRST: usize = 1 << 19;
+const FIRST: usize = 1 << 21;
 /// The longest time that a step waits for the next ones, so that slow runs can be viewed, and are not lost.
 const LONGEST: Duration = Duration::from_secs(10);
 
@@ -79,8 +79,8 @@ mod tests {
 
     #[test]
     fn a_killed_run_loses_half_of_its_steps_at_the_most_and_a_long_one_much_less() {
-        assert_eq!(written(512, 4000), [64, 128, 256, 512, 1024, 2048, 3072]);
-        assert_eq!(written(1 << 18, 100), [2, 4, 8, 16, 32, 64, 96]);
+        assert_eq!(written(512, 4000), [256, 512, 1024, 2048, 3072]);
+        assert_eq!(written(1 << 18, 100), [8, 16, 32, 64, 96]);
         assert_eq!(written(1 << 24, 4), [1, 2, 3, 4]);
     }
 }

@@ -21,6 +21,15 @@ impl LeftOut {
     pub fn pictures(&self) -> usize {
         self.0.load(Ordering::Relaxed)
     }
+
+    /// What a person should know of them, and what to do; none if the viewer got all. `fewer` says how fewer pictures are recorded.
+    pub fn warning(&self, fewer: &str) -> Option<String> {
+        let pictures = Some(self.pictures()).filter(|pictures| *pictures > 0)?;
+        Some(format!(
+            "The viewer was too slow for {pictures} pictures of steps or states, which it did not get. It has all numbers, and a file that is \
+             recorded has everything. Record into a file and open that, or record fewer pictures ({fewer})."
+        ))
+    }
 }
 
 /// What goes to the viewer: a message with its size, or who waits until all before is there.
@@ -131,6 +140,7 @@ mod tests {
             made.take().into_iter().for_each(|message| feed.send(message));
         }
         stream.disconnect();
+        assert!(left_out.warning("N").unwrap().contains(&format!("too slow for {} pictures", left_out.pictures())));
         assert!(left_out.pictures() > 0 && got.lock().unwrap().is_empty(), "{left_out:?}");
         drop(closed);
         feed.flush_blocking(Duration::from_secs(600)).unwrap();

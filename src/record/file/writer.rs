@@ -4,7 +4,7 @@ use super::background_task::BackgroundTask;
 use super::output::Output;
 use super::pace::Waiting;
 use super::schedule::{Schedule, Thinning};
-use crate::contact::{Contact, Phase, Problem, Solver, Step, Stop, Work};
+use crate::contact::{Contact, Phase, Problem, Reading, Solver, Step, Stop, Work};
 use crate::record::description;
 use crate::record::draw::{DrawnRun, FieldExtent, FrameFields, SECONDS, STEP, Stage, TRANSFORMS, level};
 use crate::record::layout;
@@ -153,8 +153,8 @@ impl Writer {
     }
 
     fn log_last(&mut self, contact: &Contact) -> RecordingStreamResult<()> {
-        let fields = &FrameFields::from_contact(contact);
-        if self.stage().what.has(Part::Traces) && self.stage().fit_curves(contact) {
+        let (fields, reading) = (&FrameFields::from_contact(contact), &Reading::from(contact));
+        if self.stage().what.has(Part::Traces) && self.stage().fit_curves(reading) {
             layout::send_steps(&self.stages, &self.stream)?;
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
@@ -164,9 +164,9 @@ impl Writer {
             let words = found.to_string();
             format!("\n\n**Why it was slow**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table())
         });
-        self.log_description(&(Stage::result(contact) + &found))?;
+        self.log_description(&(Stage::result(contact, reading) + &found))?;
         self.is_open = false;
-        properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact))
+        properties::send(&self.stream, &self.stage().root, &properties::of_contact(contact, reading))
     }
 
     fn record(&mut self, step: &Step<'_>) -> RecordingStreamResult<()> {

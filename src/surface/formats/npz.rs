@@ -3,14 +3,15 @@
 use super::format::{Format, ReadSeek, malformed};
 use super::npy;
 use crate::files::check_text;
-use std::io::{self, Read, SeekFrom};
+use crc32fast::Hasher;
+use std::io::{self, BufRead, BufReader, Read, SeekFrom};
 use std::ops::Range;
 
 /// An array of an archive, such as a result.
 pub(super) const FORMAT: Format = Format {
     is_it: is_archive,
     shape: |file, wanted| member(file, wanted.name).and_then(|place| npy::shape(file, place, wanted)),
-    read: |file, wanted| member(file, wanted.name).and_then(|place| npy::read(file, place, wanted)),
+    read: |file, wanted| whole_member(file, wanted.name).and_then(|place| npy::read(file, place, wanted)),
 };
 
 /// The start of an archive and of each of its members.
@@ -19,6 +20,8 @@ const MARK: [u8; 4] = *b"PK\x03\x04";
 const MOST: usize = 64;
 /// Bytes before the name of a member.
 const HEAD: usize = 30;
+/// Bytes that are read at a time.
+const READ: usize = 1 << 16;
 
 /// Whether a file is an archive.
 pub(super) fn is_archive(file: &mut dyn ReadSeek) -> bool {
@@ -39,6 +42,7 @@ pub(super) fn text(file: &mut dyn ReadSeek, name: &str) -> io::Result<String> {
     let place = member(file, name)?;
     let (_, start) = npy::header(file, &place)?;
     check_text(place.end - start)?;
+    whole_member(file, name)?;
     let mut text = String::new();
     file.seek(SeekFrom::Start(start))?;
     file.take(place.end - start).read_to_string(&mut text)?;
@@ -50,8 +54,37 @@ pub(super) fn text(file: &mut dyn ReadSeek, name: &str) -> io::Result<String> {
 /// # Errors
 /// The names of all arrays, where there is none of that name, and the errors of [`find_member`].
 fn member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Range<u64>> {
+    Ok(named_member(file, name)?.place)
+}
+
+/// The bytes of a member within an archive, which are as they were written.
+///
+/// # Errors
+/// The reason, where they fail their check sum, and the errors of [`member`].
+fn whole_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Range<u64>> {
+    let Member { place, sum, .. } = named_member(file, name)?;
+    file.seek(SeekFrom::Start(place.start))?;
+    match check_sum((&mut *file).take(place.end - place.start))? == sum {
+        true => Ok(place),
+        false => Err(malformed(format!("its array `{name}` is damaged: it fails its check sum"))),
+    }
+}
+
+fn check_sum(bytes: impl Read) -> io::Result<u32> {
+    let (mut bytes, mut sum) = (BufReader::with_capacity(READ, bytes), Hasher::new());
+    loop {
+        let part = bytes.fill_buf()?;
+        sum.update(part);
+        match part.len() {
+            0 => return Ok(sum.finalize()),
+            count => bytes.consume(count),
+        }
+    }
+}
+
+fn named_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Member> {
     match find_member(file, name)? {
-        Some(place) => Ok(place),
+        Some(member) => Ok(member),
         None => {
             let names = names(file)?.join(", ");
             Err(malformed(format!("it is an archive without the array `{name}`: it contains {names}")))
@@ -59,16 +92,16 @@ fn member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Range<u64>> {
     }
 }
 
-/// The bytes of a member within an archive, if it has one of that name. Nothing of a claimed size is allocated.
+/// The member of an archive, if it has one of that name. Nothing of a claimed size is allocated.
 ///
 /// # Errors
 /// The reason, where the member is compressed, or the archive is cut short.
-pub(super) fn find_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Option<Range<u64>>> {
+pub(super) fn find_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Option<Member>> {
     let mut at = 0;
     while let Some(member) = next(file, at)? {
         if member.array.as_deref() == Some(name) {
             return match member.is_stored {
-                true => Ok(Some(member.place)),
+                true => Ok(Some(member)),
                 false => Err(malformed("it is compressed: save it with numpy.savez")),
             };
         }
@@ -91,12 +124,14 @@ pub(super) fn names(file: &mut dyn ReadSeek) -> io::Result<Vec<String>> {
 }
 
 /// A member of an archive.
-struct Member {
+pub(super) struct Member {
     /// The name, if it is an array.
     array: Option<String>,
     place: Range<u64>,
     /// Whether it is not compressed.
     is_stored: bool,
+    /// Its check sum.
+    sum: u32,
 }
 
 /// The member that begins at a place, if one does.
@@ -121,7 +156,8 @@ fn next(file: &mut dyn ReadSeek, at: u64) -> io::Result<Option<Member>> {
     let cut = || malformed("it is an archive that is incomplete, encrypted or streamed");
     let end = end.filter(|_| is_plain).ok_or_else(cut)?;
     let array = found.strip_suffix(b".npy").map(|name| String::from_utf8_lossy(name).into_owned());
-    Ok(Some(Member { array, place: start..end, is_stored: number(&head[8..10]) == 0 }))
+    let (is_stored, sum) = (number(&head[8..10]) == 0, number(&head[14..18]) as u32);
+    Ok(Some(Member { array, place: start..end, is_stored, sum }))
 }
 
 /// The size of a member that does not fit 32 bits, from what stands beside its name.

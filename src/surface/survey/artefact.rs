@@ -80,6 +80,9 @@ impl Artefact {
                 line(axis),
                 words(rms)
             ),
+            Self::Outliers { nodes: 1 } => {
+                "1 single height stands off all its neighbours, as dead pixels and spikes do".into()
+            }
             Self::Outliers { nodes } => {
                 format!("{nodes} single heights stand off all their neighbours, as dead pixels and spikes do")
             }

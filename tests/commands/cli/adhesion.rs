@@ -73,7 +73,10 @@ fn a_loop_jumps_in_and_out_and_is_written_to_every_file() {
     assert_eq!(field.shape(), [pressure.len(), 512]);
     let numbers: Array1<f64> = archive.by_name("mean_pressure").unwrap();
     assert_eq!(numbers.to_vec(), pressure);
-    assert!(read_to_string(folder.join("loop.svg")).unwrap().contains("<svg"));
+    let svg = read_to_string(folder.join("loop.svg")).unwrap();
+    for axis in ["mean gap / µm", "mean pressure / kPa", "relative area"] {
+        assert!(svg.contains(&format!(">{axis}</text>")), "{axis}");
+    }
     assert!(folder.join("loop.rrd").metadata().unwrap().len() > 10_000);
 }
 
@@ -392,4 +395,19 @@ fn studies_with_adhesion_that_cannot_be_solved_are_refused_before_they_begin() {
     refused(several, "study study.toml", "give one load, and further ones as path.load");
     refused(STUDY.replace("\"3mJ/m^2\"", "\"90mJ/m^2\""), "study study.toml", "row 3 (rms-gradient 0.02");
     refused(STUDY.into(), "study study.toml --record-row 3 --record row.rrd", "record it with asperity solve");
+}
+
+/// A gap at which nothing is felt is refused before a path to it begins, and one that is only large is not.
+#[test]
+fn a_gap_beyond_all_contacts_is_refused() {
+    let folder = Folder::new();
+    let path = |gap: &str| folder.run(&format!("{SINE} {STICKY} --mean-gap 1um --path-load {gap},1um --path-steps 1"));
+    let refused = path("1e140m");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(
+        text(&refused.stderr).contains("the mean gap is 1e140: give one of at most 1e2"),
+        "{}",
+        text(&refused.stderr)
+    );
+    assert!(path("1mm").status.success());
 }

@@ -216,3 +216,31 @@ fn a_history_that_is_killed_leaves_the_states_that_it_reached() {
     signalled(&folder, &format!("{} --out all.csv", run(300)), "-KILL", || table().is_some_and(|it| rows(&it) > 30));
     assert!(std::fs::read_to_string(table().unwrap()).unwrap().starts_with("state,status,claim,time,"));
 }
+
+/// An error in a later row keeps the rows before it, and says where they are.
+#[test]
+fn a_row_that_fails_says_where_the_others_are() {
+    let folder = Folder::new();
+    let study = |radius: &str| {
+        format!(
+            "surface = {{ indenter = {{ shape = 'cylinder', radius = [{radius}] }} }}\ngrid = {{ points = 64, size = 4.0 }}\n\
+             load = {{ mean-pressure = 0.01 }}\nsolid = {{ contact-modulus = 1.0 }}\n"
+        )
+    };
+    std::fs::write(folder.join("study.toml"), study("1.0, 1e305")).unwrap();
+    let output = folder.run("study study.toml --workers 1");
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stderr);
+    assert_eq!(
+        folder.join("study.unfinished").is_file(),
+        said.contains("rows that were solved are in study.unfinished"),
+        "{said}"
+    );
+    assert!(
+        !folder.join("study.csv").exists() && said.lines().filter(|it| it.starts_with("error: ")).count() == 1,
+        "{said}"
+    );
+    std::fs::write(folder.join("list.toml"), "[\"a\\nb\"]\nx = [1, 2]\n").unwrap();
+    let broken = folder.run("solve list.toml");
+    assert_eq!((broken.status.code(), text(&broken.stderr).lines().count()), (Some(2), 1), "{}", text(&broken.stderr));
+}

@@ -1,6 +1,7 @@
 //! Pictures of contacts and of load curves, and the units in summaries.
 
 use super::*;
+use asperity::quantity::number_in_words;
 
 /// Distances of the lines of a drawing that have a colour.
 fn lines(svg: &str) -> usize {
@@ -148,9 +149,126 @@ fn several_results_are_drawn_together() {
     }
 }
 
+/// A needle has several times the pressure of all other nodes: the colours end below it, and its pressure is told. Mirror images are told, too.
+#[test]
+fn a_map_shows_more_than_its_largest_pressure_and_tells_mirror_images() {
+    let folder = Folder::new();
+    let hill = |y: usize, x: usize| 1e-3 * ((0.3 * x as f64).sin() + (0.4 * y as f64).cos() + 0.02 * (x + y) as f64);
+    let needle = |(y, x): (usize, usize)| hill(y, x) + if [y, x] == [20, 30] { 4e-3 } else { 0.0 };
+    write_npy(folder.join("needle.npy"), &Array2::from_shape_fn((48, 64), needle)).unwrap();
+    let solve = "solve --height needle.npy --size 0.48,0.64 --modulus 1 --pressure 5e-3";
+    for (flags, title) in [("", "needle"), ("--mirror both", "needle with its mirror images")] {
+        let output = folder.run(&format!("{solve} {flags} --out map.svg --json"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let highest = number_in_words(summary["max_pressure"].as_f64().unwrap());
+        let svg = std::fs::read_to_string(folder.join("map.svg")).unwrap();
+        assert!(svg.contains(&format!(">{title}</text>")), "{title}");
+        assert!(folder.run(&format!("{solve} {flags} --out needle.npz")).status.success());
+        assert!(folder.run("plot needle.npz --map pressure --out drawn.svg").status.success());
+        let drawn = std::fs::read_to_string(folder.join("drawn.svg")).unwrap();
+        assert!(drawn.contains(&format!(">{title}</text>")), "{title}: {drawn}");
+        assert!(svg.contains(&format!(">pressure, at most {highest}</text>")), "{title}: {highest}");
+    }
+    let smooth = "solve --indenter sphere --radius 1 --points 64,64 --size 1 --modulus 1 --pressure 1e-2 --out map.svg";
+    assert!(folder.run(smooth).status.success());
+    let svg = std::fs::read_to_string(folder.join("map.svg")).unwrap();
+    assert!(
+        svg.contains(">pressure</text>") && !svg.contains("at most"),
+        "a smooth contact has all of its pressures in colours"
+    );
+}
+
+/// Maps of results have the same colours: the axis of each goes to the largest value of all. The setup of a result tells its units.
+#[test]
+fn maps_of_results_stand_side_by_side() {
+    let folder = Folder::new();
+    let rough = "solve --hurst 0.8 --rolloff 500um --short-cutoff 100um --rms-gradient 0.1 --points 32,32 --size 1mm --modulus 230GPa";
+    for (name, pressure) in [("light", "100MPa"), ("heavy", "900MPa")] {
+        assert!(folder.run(&format!("{rough} --pressure {pressure} --out {name}.npz")).status.success());
+    }
+    let largest = |name: &str| {
+        let mut archive = NpzReader::new(File::open(folder.join(&format!("{name}.npz"))).unwrap()).unwrap();
+        let pressure: Array2<f64> = archive.by_name("pressure").unwrap();
+        pressure.iter().copied().fold(0.0, f64::max)
+    };
+    assert!(largest("heavy") > 1.05 * largest("light"));
+    let svg = |line: &str| {
+        let output = folder.run(line);
+        assert!(output.status.success(), "{line}: {}", text(&output.stderr));
+        std::fs::read_to_string(folder.join("maps.svg")).unwrap()
+    };
+    let both = svg("plot light.npz heavy.npz --map pressure --out maps.svg");
+    let alone = svg("plot heavy.npz --map pressure --out maps.svg");
+    for title in ["light", "heavy", "x / mm"] {
+        assert!(both.contains(&format!(">{title}</text>")), "{title}");
+    }
+    let bar = |svg: &str| {
+        svg.split("</text>")
+            .filter_map(|it| it.rsplit('>').next())
+            .filter(|it| it.contains("/ GPa"))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!((bar(&both).len(), bar(&alone).len()), (2, 1));
+    assert!(bar(&both).iter().all(|name| *name == bar(&alone)[0]), "{:?}", bar(&both));
+    assert!(svg("plot light.npz heavy.npz --map gap --out maps.svg").contains(">gap / µm</text>"));
+    assert!(svg("solve light.npz --out maps.svg").contains("/ GPa</text>"));
+
+    folder.run("solve --indenter cylinder --radius 1 --points 64 --size 4 --modulus 1 --pressure 1e-2 --out line.npz");
+    folder.run("solve --indenter sphere --radius 1 --points 16,16 --size 4 --modulus 1 --pressure 1e-2 --out bare.npz");
+    for (files, reason) in
+        [("line.npz", "has no maps"), ("light.npz bare.npz", "the same units"), ("light.npz new.toml", "has no maps")]
+    {
+        let output = folder.run(&format!("plot {files} --map pressure --out none.svg"));
+        assert_eq!(output.status.code(), Some(2), "{files}");
+        assert!(text(&output.stderr).contains(reason) && !folder.join("none.svg").exists(), "{}", text(&output.stderr));
+    }
+}
+
 /// The value of a row of a summary.
 fn row<'a>(output: &'a Output, name: &str) -> Option<&'a str> {
     text(&output.stdout).lines().find_map(|line| line.trim().strip_prefix(name)).map(str::trim)
+}
+
+/// Numbers alone are lengths without a unit beside pressures with one, and a result of them says so: solved again it is printed, and drawn, in the
+/// same units. A setup that was written before results said so is in metres.
+#[test]
+fn a_result_has_the_units_of_its_setup() {
+    let folder = Folder::new();
+    for (size, said) in [("--radius 1 --size 4", "radius 1.0"), ("--radius 1mm --size 4mm", "radius 1 mm")] {
+        let run = format!("solve --indenter sphere {size} --points 32,32 --young 210GPa --poisson 0.3");
+        let first = folder.run(&format!("{run} --pressure 90MPa --out run.npz"));
+        let mut results = vec!["solve run.npz", "solve --setup-of run.npz --pressure 90MPa"];
+        if cfg!(feature = "record") {
+            assert!(folder.run(&format!("{run} --pressure 90MPa --record run.rrd")).status.success());
+            results.push("solve --setup-of run.rrd");
+        }
+        for again in results {
+            let output = folder.run(again);
+            for name in ["source", "mean gap", "spacing", "area of the contact", "contact modulus E*", "mean pressure"]
+            {
+                assert_eq!(row(&output, name), row(&first, name), "{again}: {name}");
+            }
+        }
+        assert!(row(&first, "source").unwrap().ends_with(said), "{}", text(&first.stdout));
+        assert!(row(&first, "contact modulus E*").unwrap().contains("E 210 GPa"), "{}", text(&first.stdout));
+        assert!(folder.run("plot run.npz --map gap --out gap.svg").status.success());
+        let svg = std::fs::read_to_string(folder.join("gap.svg")).unwrap();
+        assert_eq!(svg.contains(">x / mm</text>"), size.contains("mm"), "{svg}");
+        assert!(folder.run(&format!("{run} --pressure 90MPa --save-setup scene.toml")).status.success());
+        let scene = std::fs::read_to_string(folder.join("scene.toml")).unwrap();
+        std::fs::write(folder.join("older.toml"), scene.replace("length-unit = \"\"", "length-unit = \"m\"")).unwrap();
+        assert!(row(&folder.run("solve older.toml"), "mean gap").unwrap().contains("m ("));
+    }
+    // a file has metres, also where the grid of its surface is chosen later
+    let rough = "--hurst 0.8 --rolloff 40um --short-cutoff 20um --rms-gradient 0.05 --points 16,16 --size 100um";
+    assert!(folder.run(&format!("surface {rough} --out patch.sdf")).status.success());
+    let solved = folder.run(
+        "solve patch.sdf --prepare auto --refine auto --young 3GPa --poisson 0.4 --pressure 10MPa --out patch.npz",
+    );
+    assert!(row(&solved, "mean gap").unwrap().contains("nm ("), "{}", text(&solved.stdout));
+    assert_eq!(row(&folder.run("solve patch.npz"), "mean gap"), row(&solved, "mean gap"));
 }
 
 #[test]
@@ -167,16 +285,43 @@ fn summaries_have_units_where_the_setup_has_them() {
         let number: f64 = number.parse().unwrap();
         assert!(found_unit == unit && (number / told - 1.0).abs() < 5e-3, "{number} {found_unit}, not {told} {unit}");
     };
-    near(row(&output, "half-width of the contact"), "nm", half_width * 1e9);
+    let (own, beside) = row(&output, "half-width of the contact").unwrap().split_once("   exact ").unwrap();
+    near(Some(own), "nm", half_width * 1e9);
+    near(Some(beside), "nm", half_width * 1e9);
     near(row(&output, "largest pressure"), "GPa", largest * 1e-9);
     near(row(&output, "mean pressure"), "MPa", 10.0);
     let all = folder.run(&format!("{cylinder} --pressure 10MPa --verbose"));
     assert!(row(&all, "elastic energy per area").unwrap().ends_with(" J/m²"));
     let bare = folder.run("solve --indenter sphere --radius 1 --points 64,64 --size 4 --modulus 1 --pressure 1e-2");
     assert!(row(&bare, "largest pressure").unwrap().parse::<f64>().is_ok(), "{}", text(&bare.stdout));
-    assert!(row(&bare, "area of the contact").unwrap().parse::<f64>().is_ok());
+    let area = row(&bare, "area of the contact").unwrap().split(',').next().unwrap();
+    assert!(area.parse::<f64>().is_ok(), "{area}");
     let layer = folder.run("solve --indenter cylinder --radius 1mm --points 512 --size 4mm --modulus 1GPa --poisson 0.3 --layer 1mm --pressure 1MPa");
     assert!(row(&layer, "approach").unwrap().ends_with(" µm"), "{}{}", text(&layer.stdout), text(&layer.stderr));
+}
+
+/// Hertz: a = (3 F R / (4 E*))^(1/3), for a sphere alone and beside its images.
+#[test]
+fn the_radius_of_a_sphere_stands_beside_that_of_hertz() {
+    let folder = Folder::new();
+    let sphere =
+        "solve --indenter sphere --radius 1mm --points 128,128 --size 100um --young 210GPa --poisson 0.3 --force 1N";
+    let radius = (0.75 * 1e-3 / (210e9 / 0.91f64)).cbrt() * 1e6;
+    for (boundary, words) in [("free", "exact"), ("periodic", "without neighbouring cells")] {
+        let output = folder.run(&format!("{sphere} --boundary {boundary}"));
+        let told = row(&output, "area of the contact").and_then(|row| row.split_once(", radius ")).unwrap().1;
+        let (own, exact) = told.split_once(&format!("   {words} ")).unwrap();
+        let [own, exact] = [own, exact].map(|it| it.strip_suffix(" µm").unwrap().parse::<f64>().unwrap());
+        assert!((exact / radius - 1.0).abs() < 1e-3 && (own / radius - 1.0).abs() < 0.01, "{told}, not {radius}");
+        let json = json(&folder.run(&format!("{sphere} --boundary {boundary} --json")));
+        assert!((json["exact"]["contact_radius"].as_f64().unwrap() * 1e6 / radius - 1.0).abs() < 1e-9);
+    }
+    let rough = "solve --hurst 0.8 --rolloff 500um --short-cutoff 60um --rms-gradient 0.1 --points 64,64 --size 1mm --modulus 230GPa --pressure 500MPa";
+    assert!(!row(&folder.run(rough), "area of the contact").unwrap().contains("radius"));
+    let kappa_r = |hardness: &str| {
+        text(&folder.run(&format!("{rough} {hardness}")).stdout).contains("before the surface is flattened")
+    };
+    assert!(kappa_r("--hardness 2GPa") && !kappa_r("--hardness 900GPa") && !kappa_r(""));
 }
 
 #[test]

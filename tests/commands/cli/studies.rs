@@ -85,6 +85,50 @@ fn refused(folder: &Folder, line: &str) -> String {
     said
 }
 
+/// A row that fails while it is solved is named by its number and its values, of a share as well.
+#[test]
+fn a_row_that_fails_is_named() {
+    let folder = folder_with(
+        r#"
+surface = { indenter = { shape = "sphere", radius = [1.0, 2.0] } }
+grid = { points = [64, 64], size = 4.0 }
+solid = { contact-modulus = 1.0 }
+law = { hardness = [1.0, 0.03] }
+load = { mean-pressure = [0.01, 0.02, 0.05] }
+"#,
+    );
+    for (line, row) in [
+        ("--workers 1", "row 6 (radius 1.0, hardness 0.03, p = 0.05)"),
+        ("--json --out other.csv --workers 1", "row 6 (radius 1.0, hardness 0.03, p = 0.05)"),
+        ("--shard 2/2 --workers 1", "row 6 (radius 1.0, hardness 0.03, p = 0.05)"),
+    ] {
+        let output = folder.run(&format!("study study.toml {line}"));
+        let said = text(&output.stderr);
+        assert_eq!((output.status.code(), text(&output.stdout)), (Some(2), ""), "{said}");
+        let error = format!("error: {row}: a mean pressure of 0.05 is above the hardness of 0.03");
+        assert!(said.lines().last().unwrap().starts_with(&error), "{said}");
+    }
+}
+
+/// Values from the lists of a study are drawn to the right as well: a curve for each load, a dot for each value, the mean over the seeds.
+#[test]
+fn a_list_of_a_study_is_an_axis() {
+    let folder = folder_with(&STUDY.replace("[[1024], [2048]]", "[1024]").replace("[0.3, 0.8]", "[0.3, 0.5, 0.8]"));
+    done(&folder, "study study.toml");
+    for x in ["hurst", "surface.spectrum.hurst"] {
+        done(&folder, &format!("plot study.csv --x {x} --y relative_area --out hurst.svg"));
+        let svg = String::from_utf8(bytes(&folder, "hurst.svg")).unwrap();
+        let filled = |colour: &str| svg.matches(&format!("fill=\"{colour}\" fill-opacity=\"1\"")).count();
+        // three values and the legend, for each of two loads
+        assert_eq!(["#0072b2", "#d55e00", "#009e73"].map(filled), [4, 4, 0]);
+        for words in [">hurst</text>", ">reduced pressure 0.01</text>", ">reduced pressure 0.1</text>"] {
+            assert!(svg.contains(words), "{words}: {svg}");
+        }
+    }
+    let unknown = refused(&folder, "plot study.csv --x roundness --out no.svg");
+    assert!(unknown.contains("it has no roundness: give another quantity, or a value from the lists"), "{unknown}");
+}
+
 /// The rows of a table by the names of the columns.
 fn rows(path: &Path) -> Vec<std::collections::HashMap<String, String>> {
     csv::Reader::from_path(path).unwrap().into_deserialize().map(Result::unwrap).collect()
@@ -145,6 +189,16 @@ fn shares_of_a_job_array_are_the_whole_to_the_last_bit() {
     // what is missing, twice there or of another study
     let missing = refused(&folder, &format!("merge study.toml {} --out no.csv", shares[1..].join(" ")));
     assert!(missing.contains(" of 24 rows are missing in the tables, or were changed "), "{missing}");
+    let named = |said: &str| said.split_once("row ").unwrap().1.split_once(')').unwrap().0.to_owned();
+    let table = rows(&folder.join("study.csv"));
+    let row = |number: &str| table.iter().find(|row| row["row"] == number).unwrap();
+    for said in [&missing, &refused(&folder, &format!("merge study.toml {0} {0} --out no.csv", shares[0]))] {
+        let named = named(said);
+        let (number, values) = named.split_once(" (").unwrap();
+        let [hurst, seed, points] =
+            ["surface.spectrum.hurst", "surface.seed", "grid.points"].map(|name| &row(number)[name]);
+        assert_eq!(values, format!("hurst {hurst}, points {points}, seed {seed}"), "{said}");
+    }
     let share = std::fs::read_to_string(folder.join(&shares[2])).unwrap();
     let number = share.lines().nth(1).unwrap().split(',').find(|field| field.starts_with("0.")).unwrap();
     std::fs::write(folder.join("edited.csv"), share.replacen(number, "0.25", 1)).unwrap();

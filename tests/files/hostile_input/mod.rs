@@ -718,6 +718,29 @@ fn hostile_fields() -> Folder {
     folder
 }
 
+/// A bit of a result that has changed is found by the check sum of its array, be it in the setup or in a field.
+#[test]
+fn results_with_a_changed_digit_are_refused() {
+    let folder = folder();
+    let made = folder.run(&format!("solve {CYLINDER} {LOAD} --out whole.npz"));
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let whole = std::fs::read(folder.join("whole.npz")).unwrap();
+    let digit = whole.windows(4).position(|bytes| bytes == b"0.01").unwrap() + 3;
+    let changed = |place: usize| [&whole[..place], &[whole[place] ^ 1], &whole[place + 1..]].concat();
+    std::fs::write(folder.join("setup.npz"), changed(digit)).unwrap();
+    refuse_in_one_sentence(
+        &folder,
+        "solve --setup-of setup.npz",
+        "its array `setup` is damaged: it fails its check sum",
+    );
+    let name = b"pressure.npy";
+    let pressure = whole.windows(name.len()).position(|bytes| bytes == name).unwrap() + name.len() + 400;
+    std::fs::write(folder.join("field.npz"), changed(pressure)).unwrap();
+    let certify = "certify --setup-of whole.npz --pressure";
+    assert!(folder.run(&format!("{certify} whole.npz")).status.success());
+    refuse_in_one_sentence(&folder, &format!("{certify} field.npz"), "its array `pressure` is damaged");
+}
+
 const SINE: &str = "--height h.npy --size 1 --modulus 1";
 
 #[test]

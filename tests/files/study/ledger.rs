@@ -47,7 +47,7 @@ fn what_comes_in_any_order_is_the_study_of_one_machine_to_the_last_bit() {
     for i in [19, 13, 6] {
         ledger.enter((i..20.min(i + 7)).rev().map(|i| (i, sent(&plan, i))).collect()).unwrap();
     }
-    assert!(matches!(ledger.finish(), Err(StudyError::Missing { rows: 12, first: 1, of: 40 })));
+    assert!(matches!(ledger.finish(), Err(StudyError::Missing { rows: 12, first: 1, of: 40, .. })));
     // begun again, it knows what came before; as long as the first one is there, the table is its own
     let again = |i: usize| {
         let mut ledger = Ledger::new(plan.clone(), Some(table("pieces.csv")))?;

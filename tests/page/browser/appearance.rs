@@ -185,6 +185,11 @@ fn a_pin_keeps_its_numbers(page: &mut Page) {
     page.until("pinned !== null");
     let pin = page.text("pinned");
     let kappa = page.text("document.querySelector('#numbers td[data-number=kappa]').innerText");
+    assert_eq!(
+        page.text("document.querySelector('#numbers td[data-number=kappa] + td').innerText"),
+        kappa,
+        "its own column"
+    );
     page.click("dice");
     rested(page);
     let rival = "document.querySelector('#numbers td[data-number=kappa] + td').innerText";
@@ -211,7 +216,7 @@ fn words_are_explained(page: &mut Page) {
     let words = page.value("[...document.querySelectorAll('#glossary dt')].map((it) => it.innerText)");
     assert_eq!(
         words,
-        json!(["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T", "w, ρ"])
+        json!(["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "Y, H", "t, L", "f, τ", "V, T", "w, ρ"])
     );
     assert_eq!(page.value("document.getElementById('glossary').open"), true);
     page.press("Escape");
@@ -283,8 +288,9 @@ fn persson_is_about_rough_flats(page: &mut Page) {
     sweep(page);
     page.until("report.sweep.knobs.layer === 0.02 && report.sweep.ended");
     assert_eq!(page.value(persson), 0);
-    let tops = "[3.9, 9.5].map((value) => topOf([{ points: [[0.1, value]] }]))";
-    assert_eq!(page.value(tops), json!([4, 10]));
+    let tops = "[3.9, 9.5, 14].map((value) => topOf([{ points: [[0.1, value]] }]))";
+    assert_eq!(page.value(tops), json!([4, 10, 10]));
+    assert_eq!(page.value("topOf([], [], 14)"), 20, "the state that is shown is on the axis");
     page.type_into("control-layer-value", "0");
     rested(page);
 }

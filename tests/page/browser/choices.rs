@@ -15,7 +15,7 @@ const MARKED: &str =
     "[...document.querySelectorAll('.choices [aria-pressed=true]')].map((it) => it.id.replace('choice-', ''))";
 /// What solids and motions put in a state.
 const SET: &str =
-    "[knobs.hardness > 0, knobs.layer, knobs.creep, knobs.adhesion > 0, knobs.speed, knobs.time, knobs.pull]";
+    "[knobs.hardness > 0, knobs.layer, knobs.creep, knobs.adhesion > 0, knobs.speed, knobs.time, knobs.depth]";
 
 /// A newcomer sees few controls.
 fn few_controls_at_first(page: &mut Page) {
@@ -41,7 +41,7 @@ fn choices_set_and_clear(page: &mut Page) {
             "sliding",
             json!([false, 0, 9, false, 0.5, 0, 0]),
             ["rough", "rubber", "sliding"],
-            "Sliding does not go with “Yielding”",
+            "Sliding does not go with “Hardness cap”",
         ),
         ("in-time", json!([false, 0, 9, false, 0, 1, 0]), ["rough", "rubber", "in-time"], "The load rests"),
         ("round", json!([false, 0, 9, false, 0, 1, 0]), ["round", "rubber", "in-time"], "A smooth cylinder"),
@@ -51,7 +51,7 @@ fn choices_set_and_clear(page: &mut Page) {
             ["round", "sticky", "pressed"],
             "Sticky does not go with “In time”",
         ),
-        ("pulled", json!([false, 0, 0, true, 0, 0, 0.01]), ["round", "sticky", "pulled"], "Pressed, then pulled up"),
+        ("pulled", json!([false, 0, 0, true, 0, 0, 0.5]), ["round", "sticky", "pulled"], "Pressed, then pulled up"),
         ("elastic", none.clone(), ["round", "elastic", "pressed"], "Elastic does not go with “Pulled off”"),
         ("rough", none, ["rough", "elastic", "pressed"], "A random rough surface"),
     ] {
@@ -66,6 +66,35 @@ fn choices_set_and_clear(page: &mut Page) {
             "{choice}"
         );
     }
+}
+
+/// A solid that yields below its surface takes fewer points, as each stands for all layers below, and its load is not swept; what is left
+/// has the usual points again.
+fn yielding_takes_fewer_points(page: &mut Page) {
+    page.click("choice-round");
+    rested(page);
+    page.click("choice-yielding");
+    rested(page);
+    let said = "[latest().numbers.status, knobs.points, knobs['yield-stress'] > 0, byId('sweep').disabled, !byId('press').hidden]";
+    assert_eq!(page.value(said), json!(["converged", 512, true, true, false]));
+    page.until("section.zone.strain.highest > 0");
+    assert!(page.text("byId('label-solid').innerText").starts_with("orange: yielded, plastic strain up to "));
+    page.click("choice-released");
+    rested(page);
+    page.until("section.highest_pressure === 0");
+    // the imprint is a quarter of the heights that are seen
+    let seen = page.value("(axes.high - axes.low) / (Math.max(...section.solid) - Math.min(...section.solid))");
+    assert!((seen.as_f64().unwrap() - 4.0).abs() < 1e-3, "{seen}");
+    assert_eq!(page.value(MARKED), json!(["round", "yielding", "released"]));
+    page.click("choice-hard");
+    rested(page);
+    assert_eq!(
+        page.value("[knobs.points, knobs['yield-stress'], knobs.release, !byId('press').hidden]"),
+        json!([4096, 0, false, true])
+    );
+    page.click("choice-elastic");
+    page.click("choice-rough");
+    rested(page);
 }
 
 /// What is turned by hand marks the choice that it comes to, and what is folded away is counted.
@@ -112,6 +141,7 @@ fn a_person_who_chooses() {
     assert_eq!(page.text("document.body.dataset.view"), "picture");
     few_controls_at_first(&mut page);
     choices_set_and_clear(&mut page);
+    yielding_takes_fewer_points(&mut page);
     turned_knobs_are_choices(&mut page);
     a_lay_is_sketched(&mut page);
     if load_axe(&mut page) {

@@ -56,6 +56,21 @@ fn pressing_raises_the_load(page: &mut Page) {
     assert!((solved / held - 1.0).abs() < 2e-3, "the run is at the gap {solved}, the hand at {held}");
 }
 
+/// A contact that is to be made is made when the hand lets go there, not where it passes through.
+fn what_a_hand_passes_is_not_made(page: &mut Page) {
+    pictured(page);
+    page.value("globalThis.made = 0; setWish({ relative_area: [1.02 * latest().numbers.relative_area, 1] }, () => { made += 1; }); true");
+    let grip = middle(page.place("press"));
+    page.mouse("mousePressed", grip);
+    page.mouse("mouseMoved", [grip[0], grip[1] + 5.0]);
+    page.until("moment && moment.numbers.relative_area >= wish.goal.relative_area[0] && !holding");
+    assert!(page.text("byId('label-drag').textContent").starts_with("p* "), "the hand is told what it holds");
+    assert_eq!(page.value("made"), 0);
+    page.mouse("mouseReleased", [grip[0], grip[1] + 5.0]);
+    page.until("made === 1");
+    pictured(page);
+}
+
 /// The largest difference between the rigid surface and what is kept of it, both less their first value, over the largest height.
 const BENT: &str =
     "Math.max(...section.rigid.map((z, i) => Math.abs(z - section.rigid[0] - kept[i] + kept[0]))) / section.highest";
@@ -290,6 +305,25 @@ fn an_attraction_snaps_in_and_lets_go(page: &mut Page) {
     assert_eq!(page.value("moment"), Value::Null);
 }
 
+/// A cylinder beside the surface: both have their names and loads, and the cylinder the curve of its exact pressure.
+fn both_halves_say_what_they_are(page: &mut Page) {
+    page.value("Object.assign(knobs.beside, { body: 'round', roughness: 0 }); changed(); true");
+    pictured(page);
+    let [own, other] = ["label-pressure", "label-beside"].map(|id| page.text(&format!("byId('{id}').textContent")));
+    let told = |page: &mut Page, of: &str| page.text(&format!("figure(latest(){of}.numbers.reduced_pressure, 3)"));
+    let [load, load_beside] = ["", ".beside"].map(|of| told(page, of));
+    assert!(own.starts_with(&format!("Rough line, p* = {load}. Contact pressure")), "{own}");
+    assert!(other.starts_with(&format!("Cylinder, p* = {load_beside}, same mean pressure. ")), "{other}");
+    let green = "(() => { const { width, height } = byId('section-beside'); const want = rgb(colours().green); \
+        const { data } = byId('section-beside').getContext('2d').getImageData(0, 0, width, height); let found = 0; \
+        for (let i = 0; i < data.length; i += 4) if (want.every((it, j) => Math.abs(it - data[i + j]) < 8)) found += 1; return found; })()";
+    assert!(page.value(green).as_u64().unwrap() > 50, "the exact pressure is drawn beside");
+    assert!(
+        page.value("section.exact").is_null() && !own.ends_with("exact") && other.ends_with("dashed: exact"),
+        "{own} {other}"
+    );
+}
+
 /// Another surface beside, under the same mean pressure.
 fn surfaces_stand_side_by_side(page: &mut Page) {
     pictured(page);
@@ -308,6 +342,7 @@ fn surfaces_stand_side_by_side(page: &mut Page) {
     let [first, second] =
         ["latest().numbers", "latest().beside.numbers"].map(|it| page.value(&format!("{it}.relative_area")));
     assert_ne!(first, second);
+    both_halves_say_what_they_are(page);
     page.click("beside");
     pictured(page);
     assert_eq!(page.value("document.getElementById('section-beside-box').hidden"), true);
@@ -319,6 +354,7 @@ fn a_person_with_a_hand_on_the_contact() {
     let (_explorer, mut page) = opened(&program);
     page.resize([1440, 880]);
     pressing_raises_the_load(&mut page);
+    what_a_hand_passes_is_not_made(&mut page);
     lifting_lets_go(&mut page);
     what_is_lifted_clear_stays(&mut page);
     a_cylinder_presses_a_dent(&mut page);

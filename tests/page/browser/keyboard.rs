@@ -107,6 +107,39 @@ fn a_refused_value_is_put_back(page: &mut Page) {
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
 }
 
+/// Tab leads to a control in a few steps.
+fn tab_to(page: &mut Page, id: &str) {
+    for _ in 0..10 {
+        if focus(page) == id {
+            return;
+        }
+        page.press("Tab");
+    }
+    panic!("{id} is far away");
+}
+
+/// A lesson takes the focus along: from the welcome to its question, from a wrong choice to the question again, from an answer to the text, from there to the next
+/// question, and at the end to the list of lessons.
+fn a_lesson_takes_the_focus_along(page: &mut Page) {
+    let is_in_lesson = "['lesson-ask', 'lesson-text'].includes(document.activeElement.id)";
+    page.press_at("welcome-lesson", "Enter");
+    page.until(is_in_lesson);
+    page.value("openLesson('gecko', 1); byId('lesson-ask').focus()");
+    tab_to(page, "answer-1");
+    page.press("Enter");
+    assert_eq!(page.value("byId('answer-1').disabled"), true);
+    assert_eq!(focus(page), "lesson-ask");
+    tab_to(page, "answer-2");
+    page.press("Enter");
+    page.until("document.activeElement.id === 'lesson-text'");
+    tab_to(page, "lesson-next");
+    page.press("Enter");
+    page.until(&format!("lesson.at === 2 && {is_in_lesson}"));
+    page.press_at("lesson-close", "Enter");
+    assert_eq!(focus(page), "lesson");
+    rested(page);
+}
+
 #[test]
 fn a_person_with_a_keyboard() {
     let Some(program) = installed() else { return };
@@ -117,4 +150,5 @@ fn a_person_with_a_keyboard() {
     values_are_typed(&mut page);
     commas_are_decimal_marks(&mut page);
     a_refused_value_is_put_back(&mut page);
+    a_lesson_takes_the_focus_along(&mut page);
 }

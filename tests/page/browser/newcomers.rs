@@ -38,6 +38,11 @@ fn the_first_half_minute(page: &mut Page) {
     page.click("welcome-lesson");
     page.until("document.body.dataset.asked === 'true' && byId('welcome').hidden");
     assert_eq!(page.text("byId('lesson').value"), "hertz-and-rough");
+    page.type_into("control-load-value", "0.02");
+    page.until("document.body.dataset.asked === 'false' && latest()?.knobs.load === 0.02");
+    assert_eq!(page.value("byId('lesson-ask').checkVisibility()"), false, "another contact is no answer");
+    page.click("lesson-again");
+    page.until("document.body.dataset.asked === 'true' && byId('lesson-ask').checkVisibility()");
     page.click("lesson-close");
     rested(page);
     page.value("globalThis.isOld = true; location.reload(); true");

@@ -33,15 +33,20 @@ fn the_map_shows_the_contact(page: &mut Page) {
 fn a_click_cuts_it(page: &mut Page) {
     let [x, y, ..] = page.place("top");
     let number = |page: &mut Page, of: &str| page.value(of).as_f64().unwrap();
+    // a click has whole pixels
     let place = [
         x + number(page, "frameOfTop().x + 0.3 * frameOfTop().wide"),
         y + number(page, "frameOfTop().y + 0.7 * frameOfTop().high"),
-    ];
+    ]
+    .map(f64::round);
+    let share = (place[1] - y - number(page, "frameOfTop().y")) / number(page, "frameOfTop().high");
     page.mouse("mouseMoved", place);
     assert!(page.text("byId('top-value').textContent").contains("µm"), "the value below the pointer");
     page.mouse("mousePressed", place);
     page.mouse("mouseReleased", place);
-    page.until("Math.abs(section.y / above.size[0] - 0.7) < 0.01");
+    page.until(&format!(
+        "section.y / above.size[0] <= {share} && {share} - section.y / above.size[0] < 1 / above.shape[0]"
+    ));
     let same = "(() => { const row = Math.round(section.y / above.size[0] * above.shape[0]); \
                 const from = row * above.shape[1]; return section.pressure.every((p, i) => p === above.pressure[from + i]); })()";
     assert_eq!(page.value(same), true);
@@ -75,6 +80,16 @@ fn it_is_seen_in_space(page: &mut Page) {
     page.click("map-pressure");
 }
 
+/// The map of heights is over their mean, and where the pressure is largest it is high.
+fn heights_are_seen(page: &mut Page) {
+    page.click("map-height");
+    let heights = "(() => { const { values, high } = mapOf('height'); const peak = above.pressure.indexOf(Math.max(...above.pressure)); \
+                   return [values.reduce((sum, z) => sum + z, 0) / values.length / high, values[peak] / high]; })()";
+    let [mean, peak] = serde_json::from_value::<[f64; 2]>(page.value(heights)).unwrap();
+    assert!(mean.abs() < 1e-6 && peak > 0.3, "{mean} {peak}");
+    page.click("map-pressure");
+}
+
 /// A line has no map.
 fn a_line_has_none(page: &mut Page) {
     page.value("Object.assign(knobs, { domain: 'line' }); show(); changed()");
@@ -91,6 +106,7 @@ fn a_person_who_looks_at_a_surface() {
     a_click_cuts_it(&mut page);
     it_moves_under_the_hand(&mut page);
     it_is_seen_in_space(&mut page);
+    heights_are_seen(&mut page);
     a_line_has_none(&mut page);
     assert_eq!(page.value("document.getElementById('fault').hidden"), true);
 }

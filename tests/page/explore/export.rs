@@ -3,6 +3,7 @@
 use assert_cmd::Command;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
+use std::io::Write;
 use std::path::Path;
 
 /// A lesson of two steps: a load to turn, and a sweep.
@@ -45,9 +46,34 @@ fn data(site: &Path, script: &str) -> Value {
     serde_json::from_str(json).unwrap()
 }
 
+/// The value in a script of a site that is in letters of 15 bits.
+fn compressed(site: &Path, script: &str) -> Value {
+    let bytes = std::fs::read(site.join(script)).unwrap();
+    let units: Vec<u16> = bytes.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect();
+    let bits: String =
+        units.iter().filter(|&it| (0x3400..0xb400).contains(it)).map(|it| format!("{:015b}", it - 0x3400)).collect();
+    let text = String::from_utf16_lossy(&units);
+    let length: usize = text.split_once("bytes: ").unwrap().1.split_once(',').unwrap().0.parse().unwrap();
+    let whole = &bits[..length * 8];
+    let bytes: Vec<u8> =
+        (0..whole.len()).step_by(8).map(|at| u8::from_str_radix(&whole[at..at + 8], 2).unwrap()).collect();
+    serde_json::from_reader(flate2::read::ZlibDecoder::new(&bytes[..])).unwrap()
+}
+
 /// What every site has.
-const FILES: [&str; 8] =
-    ["index.html", "explore.js", "explore.css", "favicon.svg", "module.js", "site.js", "lessons.js", "offline.js"];
+const FILES: [&str; 11] = [
+    "index.html",
+    "explore.js",
+    "en.js",
+    "de.js",
+    "explore.css",
+    "favicon.svg",
+    "module.js",
+    "site.js",
+    "section.js",
+    "lessons.js",
+    "offline.js",
+];
 
 #[test]
 fn a_site_has_all_that_the_page_loads_and_recordings_of_its_lessons() {
@@ -68,7 +94,16 @@ fn a_site_has_all_that_the_page_loads_and_recordings_of_its_lessons() {
     for script in html.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
         assert!(files.contains(script), "{script} is not among {files:?}");
     }
-    let lessons = data(&site, "lessons.js");
+    let lessons = compressed(&site, "lessons.js");
+    let [english, german] =
+        [include_str!("../../../assets/explore/texts/en.json"), include_str!("../../../assets/explore/texts/de.json")];
+    let [english, german]: [Value; 2] = [english, german].map(|json| serde_json::from_str(json).unwrap());
+    assert_eq!(compressed(&site, "en.js")["texts"], english);
+    assert_eq!(compressed(&site, "de.js")["texts"], german);
+    let script = std::fs::read_to_string(site.join("explore.js")).unwrap();
+    for texts in [&english, &german] {
+        assert!(!script.contains(texts["lesson.none"].as_str().unwrap()), "the texts are scripts of their own");
+    }
     let data = data(&site, "site.js");
     let recorded = data["recorded"].as_array().unwrap();
     for run in recorded {
@@ -100,8 +135,9 @@ fn a_site_without_recordings_has_a_first_picture_and_no_viewer() {
     let data = data(&site, "site.js");
     assert_eq!((&data["recorded"], &data["start"]["body"]), (&json!([]), &json!("round")));
     assert_eq!(data["first"]["run"]["numbers"]["status"], "converged");
+    let section = compressed(&site, "section.js");
     let [solid, pressure] = ["solid", "pressure"].map(|name| {
-        let values = data["first"]["section"][name].as_array().unwrap().iter();
+        let values = section[name].as_array().unwrap().iter();
         values.map(|z| z.as_f64().unwrap()).collect::<Vec<_>>()
     });
     let mean = |is_pressed: bool| {
@@ -110,8 +146,28 @@ fn a_site_without_recordings_has_a_first_picture_and_no_viewer() {
         chosen.iter().sum::<f64>() / chosen.len() as f64
     };
     assert!(mean(true) < mean(false), "the solid is lower where it is pressed");
+}
+
+/// The bytes of a file of a site as a web server sends them.
+fn sent(path: &Path) -> usize {
+    let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    encoder.write_all(&std::fs::read(path).unwrap()).unwrap();
+    encoder.finish().unwrap().len()
+}
+
+/// The whole site, with all lessons, and what of it a browser loads before its first picture.
+#[test]
+fn a_site_is_small() {
+    let folder = tempfile::tempdir().unwrap();
+    let site = folder.path().join("site");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+    command.args(["explore", "--no-recordings", "--export"]).arg(&site).assert().success();
     let size: u64 = FILES.iter().map(|name| std::fs::metadata(site.join(name)).unwrap().len()).sum();
-    assert!(size < 1_450_000, "{size} bytes");
+    let html = std::fs::read_to_string(site.join("index.html")).unwrap();
+    let scripts = html.split("<script src=\"").skip(1).filter_map(|rest| rest.split('"').next());
+    let first: usize = scripts.chain(["index.html", "explore.css"]).map(|name| sent(&site.join(name))).sum();
+    println!("the whole site has {size} bytes, {first} of them are sent before the first picture");
+    assert!(size < 1_400_000 && first < 150_000, "{size} bytes, {first} before the first picture");
 }
 
 #[test]

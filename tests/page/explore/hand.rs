@@ -134,3 +134,18 @@ fn a_surface_is_pressed_beside_another() {
     assert_eq!(without["beside"], Value::Null);
     assert_eq!(run["numbers"]["relative_area"], without["numbers"]["relative_area"]);
 }
+
+/// A cylinder beside a rough line has its exact pressure, under the mean pressure of both.
+#[test]
+fn a_cylinder_beside_another_surface_keeps_its_exact_pressure() {
+    let page = Page::open();
+    let cylinder = knobs(Start::RoughLine, json!({"body": "round", "roughness": 0}));
+    let run = page.solve(&knobs(Start::RoughLine, json!({"load": 0.1, "beside": cylinder})));
+    let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
+    let beside = facet("beside");
+    let [exact, pressure] = ["exact", "pressure"].map(|name| numbers(&beside[name]));
+    let highest = pressure.iter().copied().fold(0.0, f64::max);
+    let largest_error = exact.iter().zip(&pressure).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+    assert!(highest > 0.0 && largest_error < 0.05 * highest, "{largest_error} of {highest}");
+    assert!(facet("section")["exact"].is_null());
+}

@@ -16,6 +16,7 @@ mod scripts;
 mod sessions;
 mod sticking;
 mod texts;
+mod yielding;
 
 use asperity::Stop;
 use asperity::contact::{Multilevel, Quantity, Solver};
@@ -237,9 +238,17 @@ fn own_pages_may_ask() {
 #[test]
 fn every_answer_confines_the_page() {
     let page = Page::open();
-    for path in
-        ["/", "/explore.js", "/explore.css", "/favicon.svg", "/re_viewer.js", "/re_viewer_bg.wasm", "/api/state", "/no"]
-    {
+    for path in [
+        "/",
+        "/en.js",
+        "/explore.js",
+        "/explore.css",
+        "/favicon.svg",
+        "/re_viewer.js",
+        "/re_viewer_bg.wasm",
+        "/api/state",
+        "/no",
+    ] {
         let answer = page.get(path);
         assert_eq!(answer.status, if path == "/no" { 404 } else { 200 }, "{path}");
         assert!(answer.headers.contains("x-content-type-options: nosniff"), "{path}: {}", answer.headers);
@@ -257,7 +266,7 @@ fn the_page_names_nothing_outside() {
     let scripts: Vec<&str> =
         html.text().split("script src=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
     assert!(scripts.contains(&"explore.js"), "{scripts:?}");
-    let own = scripts.into_iter().filter(|path| *path != "re_viewer.js");
+    let own = scripts.into_iter().filter(|path| *path != "en.js"); // compressed texts
     for path in own.chain(["", "explore.css"]) {
         let answer = page.get(&format!("/{path}"));
         let elsewhere = answer.text().replace("http://www.w3.org/2000/svg", "");
@@ -273,7 +282,8 @@ fn page_and_guide_explain_the_same_symbols() {
     let page = Page::open();
     let html = page.get("/");
     let words = html.text().split("<dt>").skip(1).filter_map(|rest| rest.split("</dt>").next());
-    let symbols = ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "t, L", "f, τ", "V, T", "w, ρ"];
+    let symbols =
+        ["E*", "a_rel", "p*", "κ", "κ_r", "η", "ḡ, ḡ_r", "h_rms", "H_c", "Y, H", "t, L", "f, τ", "V, T", "w, ρ"];
     assert_eq!(words.collect::<Vec<_>>(), symbols);
     let symbols = ["`a_rel`", "`p*`", "`kappa`", "`kappa_r`", "`eta`", "`gbar`, `gbar_r`", "`E*`", "`h_rms`"];
     for symbol in symbols.into_iter().chain(["`H_c`, `t`, `L`", "`f`, `tau`", "`V`, `T`", "`w`, `rho`", "`mu`"]) {

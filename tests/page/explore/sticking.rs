@@ -28,7 +28,7 @@ fn work_range_and_pull_make_the_setup() {
     let adhesion = pulled.adhesion.as_ref().unwrap();
     assert_eq!(adhesion.work, Some(6e-7 * MODULUS * CELL));
     assert_eq!(adhesion.range, Some(1e-4 * CELL));
-    assert_eq!(pulled.path.as_ref().unwrap().load, [0.001, -0.03]);
+    assert_eq!(pulled.path.as_ref().unwrap().load, [0.0, 0.001, -0.03]);
     assert_eq!(pulled.process().unwrap(), Some(ProcessKind::Adhesion));
     let pressed = setup(&wave(json!({})));
     assert!(pressed.path.is_none() && pressed.is_history().unwrap());
@@ -41,7 +41,7 @@ fn work_range_and_pull_make_the_setup() {
 #[test]
 fn states_without_the_knobs_do_not_stick() {
     let mut earlier = with(json!({}));
-    for name in ["adhesion", "range", "pull"] {
+    for name in ["adhesion", "range", "pull", "depth"] {
         earlier.as_object_mut().unwrap().remove(name);
     }
     assert_eq!(Knobs::read(earlier.to_string().as_bytes()).unwrap(), Start::RoughLine.knobs());
@@ -58,6 +58,7 @@ fn what_cannot_stick_is_refused() {
         (json!({"solver": {"method": "polonsky-keer"}}), "choose the multilevel method"),
         (json!({"adhesion": -1}), "`adhesion` cannot be -1: give a number from 0 to 1"),
         (json!({"range": 0}), "`range` cannot be 0: give a number from "),
+        (json!({"depth": 1}), "`depth` cannot be 1: give a number from 0 to 0.95"),
         (json!({"pull": -1}), "`pull` cannot be -1: give a number from 0 to 1000"),
     ] {
         let answer = page.post("/api/solve", &wave(changes.clone()).to_string());
@@ -107,12 +108,84 @@ fn a_wave_holds_under_a_pull_as_in_the_library() {
     let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
     let steps = facet("steps");
     let areas: Vec<f64> = steps["relative_area"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
-    assert!(areas.len() > 10 && areas.is_sorted_by(|a, b| a >= b), "the contact shrinks state by state: {areas:?}");
+    let turn = areas.iter().position(|area| area >= areas.iter().max_by(|a, b| a.total_cmp(b)).unwrap()).unwrap();
+    let (approach, retreat) = (&areas[..=turn], &areas[turn..]);
+    assert!(approach.len() > 10 && approach.is_sorted(), "the contact grows state by state: {areas:?}");
+    assert!(retreat.len() > 10 && retreat.is_sorted_by(|a, b| a >= b), "the contact shrinks state by state: {areas:?}");
     assert!(facet("why").is_null() && facet("shear").is_null());
     assert_eq!(facet("patches")["is_hertzian"], false);
     let parted = page.solve(&wave(json!({"pull": 0.1})));
     assert_eq!((number(&parted, "relative_area"), number(&parted, "patches")), (0.0, 0.0));
     assert!(number(&parted, "mean_gap") > 3.0 * number(&run, "mean_gap"));
+}
+
+/// At gaps the load follows: approach and retreat have states at equal gaps of which one holds and the other does not, energy is lost in between, and the
+/// pull-off is that of theory.
+#[test]
+fn a_cylinder_at_gaps_has_a_wide_loop() {
+    let page = Page::open();
+    let cylinder = json!({"domain": "line", "body": "round", "roughness": 0, "points": 4096, "load": 0.01, "adhesion": 1e-7, "range": 2e-5, "depth": 0.5});
+    let run = page.solve(&with(cylinder.clone()));
+    let touch = CELL / 2400.0;
+    let setup = Setup::from_toml(run["setup"].as_str().unwrap()).unwrap();
+    let gaps = &setup.path.as_ref().unwrap().load;
+    for (gap, share) in gaps.iter().zip([2.0, 0.5, 2.0]) {
+        assert!((gap / touch / share - 1.0).abs() < 1e-3, "{gaps:?} beside {touch}");
+    }
+    assert!(run["title"].as_str().unwrap().starts_with("Cylinder, δ/g₀ = 0.5, w/"), "{}", run["title"]);
+    assert!(run["command"].as_str().unwrap().contains(" --mean-gap "), "{}", run["command"]);
+    assert_eq!(number(&run, "relative_area"), 0.0);
+    assert!(number(&run, "dissipated") > 0.0);
+    let steps = page.get(&format!("/api/run/{}/steps", run["id"].as_str().unwrap())).json();
+    let column = |name: &str| steps[name].as_array().unwrap().iter().map(|it| it.as_f64()).collect::<Vec<_>>();
+    let [gap, pressure, area] = ["mean_gap", "mean_pressure", "relative_area"]
+        .map(|name| column(name).into_iter().map(Option::unwrap).collect::<Vec<f64>>());
+    let turn = (0..gap.len()).min_by(|&a, &b| gap[a].total_cmp(&gap[b])).unwrap();
+    let last_apart = (0..turn).rfind(|&i| area[i] == 0.0).unwrap();
+    let last_held = (turn..gap.len()).rfind(|&i| area[i] > 0.0).unwrap();
+    assert!(gap[last_held] > 1.1 * gap[last_apart], "snaps in at {}, lets go at {}", gap[last_apart], gap[last_held]);
+    assert_eq!(column("jump").into_iter().flatten().filter(|energy| *energy > 0.0).count(), 2);
+    let lowest = pressure.iter().copied().fold(f64::INFINITY, f64::min);
+    let jkr = run["pull_off"]["jkr"].as_f64().unwrap();
+    assert!((lowest / jkr - 1.0).abs() < 1e-2, "{lowest} against {jkr}");
+    let beside = {
+        let mut knobs = with(cylinder);
+        knobs["beside"] = with(json!({"body": "sine", "roughness": 0, "points": 4096}));
+        page.solve(&knobs)
+    };
+    assert_eq!(number(&beside, "mean_gap"), number(&run, "mean_gap"));
+}
+
+/// Theory says when a cylinder lets go, and nothing of a wave.
+#[test]
+fn a_cylinder_lets_go_where_theory_says() {
+    let page = Page::open();
+    let cylinder = json!({"domain": "line", "body": "round", "roughness": 0, "points": 4096, "load": 0.01, "adhesion": 1e-7, "range": 2e-5, "pull": 0.1});
+    let run = page.solve(&with(cylinder));
+    let told = &run["pull_off"];
+    assert!((told["tabor"].as_f64().unwrap() - 5.0).abs() < 1e-3 && told["dmt"].is_null(), "{told}");
+    let steps = page.get(&format!("/api/run/{}/steps", run["id"].as_str().unwrap())).json();
+    let column = |name: &str| steps[name].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect::<Vec<_>>();
+    let held = column("mean_pressure").into_iter().zip(column("mean_attraction")).filter(|(_, held)| *held > 0.0);
+    let lowest = held.map(|(pressure, _)| pressure).fold(f64::INFINITY, f64::min);
+    let jkr = told["jkr"].as_f64().unwrap();
+    assert!((lowest / jkr - 1.0).abs() < 2e-3, "{lowest} against {jkr}");
+    assert!(page.solve(&wave(json!({})))["pull_off"].is_null());
+}
+
+/// A sphere that was pulled off has no pressure: its section is through its lowest point.
+#[test]
+fn what_has_parted_is_cut_at_its_peak() {
+    let page = Page::open();
+    let sphere = json!({"domain": "surface", "body": "round", "roughness": 0, "points": 32, "cutoff": 16, "load": 0.01, "adhesion": 1e-7, "range": 3e-3, "pull": 1});
+    let run = page.solve(&with(sphere));
+    assert_eq!(number(&run, "relative_area"), 0.0);
+    let facet = |name: &str| page.get(&format!("/api/run/{}/{name}", run["id"].as_str().unwrap())).json();
+    let (section, top) = (facet("section"), facet("top"));
+    let rigid: Vec<f64> = top["rigid"].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).collect();
+    let lowest = (0..rigid.len()).min_by(|&a, &b| rigid[a].total_cmp(&rigid[b])).unwrap();
+    let y = section["y"].as_f64().unwrap();
+    assert!((y / CELL * 32.0 - (lowest / 32) as f64).abs() < 1e-9, "cut at {y}, the peak is in row {}", lowest / 32);
 }
 
 /// The surface beside is pulled with the same mean pressure, whatever its own slopes are.

@@ -72,7 +72,10 @@ fn every_refusal_has_a_text() {
     let english = english();
     let conflicts = ConflictRule::iter().map(|rule| (rule.id(), Some(rule.sentence())));
     let refusals = RefusalRule::iter().map(|rule| (rule.id(), Some(rule.sentence())));
-    let errors = KNOWN_ERRORS.into_iter().chain([KnownFault::ABOVE_HARDNESS]).map(|id| (id, None));
+    let errors = KNOWN_ERRORS
+        .into_iter()
+        .chain([KnownFault::ABOVE_HARDNESS, KnownFault::YIELDS_EVERYWHERE])
+        .map(|id| (id, None));
     let mut ids = BTreeSet::new();
     for (id, sentence) in conflicts.chain(refusals).chain(errors) {
         assert!(ids.insert(id), "two faults are called {id}");

@@ -17,8 +17,10 @@ use std::process::{Command, Stdio};
 const TOLERANCE: f64 = 1e-14;
 /// Largest difference between numbers and pressures of the module and native ones.
 const DIFFERENCE: f64 = 1e-12;
-/// The same for any settings. Long lines on thick layers and steep bodies make more of the rounding.
+/// The same for any settings. Long lines on thick layers, steep bodies and load steps that follow each other make more of the rounding.
 const DIFFERENCE_OF_ANY: f64 = 1e-10;
+/// The state that is a history of load steps.
+const YIELDING: &str = "a solid that yields below its surface";
 /// How many of the random settings differ by less than [`DIFFERENCE`].
 const MOST: usize = 44;
 
@@ -31,7 +33,8 @@ fn answers(asked: &[Asked]) -> Option<Vec<(u16, String, Value)>> {
     let module = std::env::var_os("MODULE").map_or_else(|| root.join("assets/explore/module.js"), PathBuf::from);
     let node = Command::new("node")
         .arg(root.join("tests/page/module/answers.mjs"))
-        .args([module, root.join("assets/explore/lzma.js"), root.join("assets/explore/worker.js")])
+        .arg(module)
+        .args(["letters", "lzma", "worker"].map(|name| root.join("assets/explore").join(name).with_extension("js")))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn();
@@ -171,6 +174,7 @@ fn the_module_solves_as_the_native_library_does() {
             "a solid that creeps",
             knobs(Start::RoughLine, json!({"creep": 9.0, "time": 1.0, "points": 1024, "cutoff": 64.0})),
         ),
+        (YIELDING, knobs(Start::HertzLine, json!({"yield-stress": 2e-4, "points": 256}))),
         ("a hardness", knobs(Start::RoughLine, json!({"hardness": 5e-4}))),
         ("a free boundary", knobs(Start::RoughSurface, heights)),
         ("GFMD", knobs(Start::RoughLine, json!({"solver": {"method": "gfmd"}, "points": 512, "cutoff": 64.0}))),
@@ -179,7 +183,8 @@ fn the_module_solves_as_the_native_library_does() {
     let Some(found) = differences(&states, &[file]) else { return };
     for (name, [numbers, pressures]) in names.iter().zip(found) {
         println!("{name}: numbers differ by {numbers:.1e}, pressures by {pressures:.1e}");
-        assert!(numbers <= DIFFERENCE && pressures <= DIFFERENCE, "{name}: {numbers:.1e} {pressures:.1e}");
+        let most = if *name == YIELDING { DIFFERENCE_OF_ANY } else { DIFFERENCE };
+        assert!(numbers <= most && pressures <= most, "{name}: {numbers:.1e} {pressures:.1e}");
     }
 }
 

@@ -64,18 +64,19 @@ impl FieldCurves {
         ruler: &Ruler,
         pick: impl Fn(f64, f64) -> f64,
     ) -> RecordingStreamResult<()> {
-        let columns = Columns::new(nodes.count());
-        let (curve, pieces) = columns.pieces(|i| self.plane.level(field[nodes.node(i)], ruler));
-        let curve: Vec<[f32; 2]> = curve.into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect();
+        let curve = Columns::new(nodes.count()).curve(|i| field[nodes.node(i)]);
+        let place = |&(i, value): &(usize, f64)| [nodes.place(i) * WIDTH, self.plane.level(value, ruler)];
+        let places: Vec<[f32; 2]> = curve.points.iter().map(place).collect();
         let [start, end] = self.plane.ends;
         let position = |sample: f64| f64::from(nodes.place(0)) + sample * f64::from(nodes.spacing());
-        let values = columns.fold(|i| field[nodes.node(i)], pick);
-        let (x, values): (Vec<_>, Vec<_>) =
-            values.map(|(sample, value)| ((start + position(sample) * (end - start)) as f32, value as f32)).unzip();
+        let (x, values): (Vec<_>, Vec<_>) = curve
+            .values(pick)
+            .map(|(sample, value)| ((start + position(sample) * (end - start)) as f32, value as f32))
+            .unzip();
         let values = AnyValues::default()
             .with_component_override::<Float32>("x", "length", x)
             .with_component_override::<Float32>(name, name, values);
-        let strips = strips_of(&curve, pieces.into_iter());
+        let strips = strips_of(&places, curve.pieces());
         to.log(format!("{}/{name}/curves/{name}", self.plane.root), &[&strips as &dyn AsComponents, &values])
     }
 }

@@ -9,6 +9,7 @@ use crate::plot::{Align, AxesFrame, Axis, AxisSide, Colour, Element, NAME, Sheet
 use crate::record::draw::ink::fill;
 use crate::record::draw::ink::letter_lines::{RADIUS, letter_lines};
 use crate::record::draw::ink::palette::{Palette, colour};
+use crate::record::draw::ink::strips;
 use rerun::components::Text;
 use rerun::{AnyValues, AsComponents, Color, LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
@@ -173,7 +174,7 @@ pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
         size = size.max(*own);
         all.extend((!words.is_empty()).then(|| words.clone()));
     }
-    let lines = LineStrips2D::new(lines)
+    let lines = strips::lines_of(&lines)
         .with_colors([colour(palette.ink)])
         .with_radii([Radius::new_scene_units(RADIUS * size as f32)])
         .with_draw_order(40.0);

@@ -58,7 +58,8 @@ impl Image {
 
     /// Records the values of the pixels, row by row from above, at the current time.
     pub fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
-        let bytes: Vec<u8> = values.flat_map(|value| (value as f32).to_le_bytes()).collect();
+        let mut bytes = Vec::with_capacity(self.frame.size.iter().product::<f64>() as usize * size_of::<f32>());
+        values.for_each(|value| bytes.extend_from_slice(&(value as f32).to_le_bytes()));
         to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
     }
 

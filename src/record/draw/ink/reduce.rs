@@ -41,39 +41,22 @@ impl Columns {
     }
 
     /// The points that hold the smallest and the largest value of each column, in the order in which they lie on the curve.
-    pub fn extremes(self, value: impl Fn(usize) -> f32) -> Vec<(usize, f32)> {
+    pub fn extremes<T: Copy + PartialOrd>(self, value: impl Fn(usize) -> T) -> Vec<(usize, T)> {
         let mut points = Vec::with_capacity(2 * self.count);
         self.ranges().for_each(|range| points.extend(ends(range, &value)));
         points
     }
 
-    /// The same points, and where among them the pieces of the columns lie, which reach to the next one; the last one begins in
-    /// the one before.
-    pub fn pieces(self, value: impl Fn(usize) -> f32) -> (Vec<(usize, f32)>, Vec<Range<usize>>) {
+    /// The curve of a field, with the extremes of each column as in [`Columns::extremes`].
+    pub fn curve(self, value: impl Fn(usize) -> f64) -> FieldCurve {
         let mut points = Vec::with_capacity(2 * self.count);
-        let mut starts = Vec::with_capacity(self.count);
+        let mut columns = Vec::with_capacity(self.count);
         for range in self.ranges() {
-            starts.push(points.len());
+            let (start, middle) = (points.len(), 0.5 * (range.start + range.end - 1) as f64);
             points.extend(ends(range, &value));
+            columns.push((middle, start..points.len()));
         }
-        let piece = |i: usize| match starts.get(i + 1) {
-            Some(next) => starts[i]..next + 1,
-            None => starts[i].saturating_sub(1)..points.len(),
-        };
-        let pieces = (0..starts.len()).map(piece).collect();
-        (points, pieces)
-    }
-
-    /// The middle of each column, as a point with a fraction, and the value of the point in it that `pick` prefers to the others.
-    pub fn fold(
-        self,
-        value: impl Fn(usize) -> f64,
-        pick: impl Fn(f64, f64) -> f64,
-    ) -> impl Iterator<Item = (f64, f64)> {
-        self.ranges().filter_map(move |column| {
-            let middle = 0.5 * (column.start + column.end - 1) as f64;
-            Some((middle, column.map(&value).reduce(&pick)?))
-        })
+        FieldCurve { points, columns }
     }
 
     /// The number of columns.
@@ -94,15 +77,42 @@ impl Columns {
     }
 }
 
+/// A curve with the points of the smallest and of the largest value of each column.
+pub struct FieldCurve {
+    /// Numbers and values of the points, from left to right.
+    pub points: Vec<(usize, f64)>,
+    /// The middle of each column, as a point with a fraction, and where among the points its own lie.
+    columns: Vec<(f64, Range<usize>)>,
+}
+
+impl FieldCurve {
+    /// Where among the points the pieces of the columns lie, which reach to the next one; the last one begins in the one before.
+    pub fn pieces(&self) -> impl ExactSizeIterator<Item = Range<usize>> + Clone {
+        let last = self.points.len();
+        self.columns.iter().map(move |(_, own)| match own.end < last {
+            true => own.start..own.end + 1,
+            false => own.start.saturating_sub(1)..last,
+        })
+    }
+
+    /// The middle of each column, and the value of the point in it that `pick` prefers.
+    pub fn values(&self, pick: impl Fn(f64, f64) -> f64) -> impl Iterator<Item = (f64, f64)> {
+        self.columns.iter().map(move |(middle, own)| {
+            let values = self.points[own.clone()].iter().map(|point| point.1);
+            (*middle, values.reduce(&pick).unwrap_or_default())
+        })
+    }
+}
+
 /// The points of the smallest and of the largest value in `range`, in their order, or the one that is both.
-fn ends(range: Range<usize>, value: &impl Fn(usize) -> f32) -> impl Iterator<Item = (usize, f32)> {
+fn ends<T: Copy + PartialOrd>(range: Range<usize>, value: &impl Fn(usize) -> T) -> impl Iterator<Item = (usize, T)> {
     let (low, high) = extremes(range, value);
     let (first, second) = if low.0 <= high.0 { (low, high) } else { (high, low) };
     [Some(first), (second.0 != first.0).then_some(second)].into_iter().flatten()
 }
 
 /// First node and value of the smallest and of the largest value in `range`.
-fn extremes(range: Range<usize>, value: impl Fn(usize) -> f32) -> ((usize, f32), (usize, f32)) {
+fn extremes<T: Copy + PartialOrd>(range: Range<usize>, value: impl Fn(usize) -> T) -> ((usize, T), (usize, T)) {
     let first = (range.start, value(range.start));
     let (mut low, mut high) = (first, first);
     for i in range {
@@ -142,6 +152,9 @@ impl Blocks {
     /// The results of `fold` over all nodes of each block, starting from `start`, row by row. The `values` are those of every
     /// `stride`-th node; where a block has none, the nearest one counts.
     pub fn fold(&self, values: &[f64], stride: [usize; 2], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+        if self.cells == self.shape && stride == [1, 1] {
+            return values.iter().map(|&value| fold(start, value)).collect();
+        }
         let share = |axis: usize, cell| share(self.shape[axis], stride[axis], self.cells[axis], cell);
         let row_length = self.shape[1] / stride[1];
         let columns: Vec<Range<usize>> = (0..self.cells[1]).map(|column| share(1, column)).collect();
@@ -202,16 +215,17 @@ mod tests {
     #[test]
     fn pieces_join_to_the_curve_and_values_stand_for_their_nodes() {
         for points in [2, 20, 100_000] {
-            let (columns, value) = (Columns::new(points), |i: usize| (i * 7919 % 1013) as f32);
-            let (curve, pieces) = columns.pieces(value);
+            let (columns, value) = (Columns::new(points), |i: usize| (i * 7919 % 1013) as f64);
+            let curve = columns.curve(value);
+            let pieces: Vec<_> = curve.pieces().collect();
             assert!(pieces.len() == columns.count() && pieces.iter().all(|piece| piece.len() > 1));
-            assert_eq!(curve, columns.extremes(value));
-            assert_eq!([pieces[0].start, pieces.last().unwrap().end], [0, curve.len()]);
+            assert_eq!(curve.points, columns.extremes(value));
+            assert_eq!([pieces[0].start, pieces.last().unwrap().end], [0, curve.points.len()]);
             assert!(pieces.windows(2).all(|pair| pair[1].start < pair[0].end));
-            let folded: Vec<_> = columns.fold(|i| f64::from(value(i)), f64::max).collect();
+            let folded: Vec<_> = curve.values(f64::max).collect();
             assert_eq!(folded.len(), columns.count());
-            let most = (0..points).map(value).fold(0.0, f32::max);
-            assert!(folded.iter().any(|(_, largest)| *largest == f64::from(most)));
+            let most = (0..points).map(value).fold(0.0, f64::max);
+            assert!(folded.iter().any(|(_, largest)| *largest == most));
             assert!(folded.is_sorted_by_key(|(middle, _)| *middle) && folded[0].0 >= 0.0);
         }
     }

@@ -6,10 +6,11 @@ use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::image::format;
 use crate::record::draw::ink::palette::{CANDIDATE_CLASS, CONTACT_CLASS, CONTOUR, GAP_CLASS, YIELDING_CLASS};
 use crate::record::draw::ink::pane::Pane;
+use crate::record::draw::ink::strips::lines_of;
 use crate::record::draw::ink::surface_plane::SurfacePlane;
 use crate::record::draw::patch::patch_points;
 use crate::record::sdk::ChannelDatatype;
-use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
+use rerun::{Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
 
 /// The nodes in contact, those of them that yield, the candidates of an inner iteration, the contour, and the patches as points.
 pub struct ContactMask {
@@ -50,8 +51,9 @@ impl ContactMask {
     }
 
     /// The lines of the contour in pixels.
-    fn contour<'a>(&'a self, fields: &'a FrameFields<'_>) -> impl Iterator<Item = [[f32; 2]; 2]> + use<'a> {
-        fields.outline.contour.iter().map(move |line| line.map(|place| self.plane.pixel(place, fields.stride)))
+    fn contour(&self, fields: &FrameFields<'_>) -> Vec<[[f32; 2]; 2]> {
+        let lines = fields.outline.contour.iter();
+        lines.map(|line| line.map(|place| self.plane.pixel(place, fields.stride))).collect()
     }
 }
 
@@ -85,8 +87,7 @@ impl Drawing for ContactMask {
         let SurfacePlane { root, blocks, .. } = &self.plane;
         let mask = SegmentationImage::update_fields().with_buffer(self.classes(fields));
         to.log(format!("{root}/contact"), &mask)?;
-        let contour = LineStrips2D::update_fields().with_strips(self.contour(fields));
-        to.log(format!("{root}/contact/contour"), &contour)?;
+        to.log(format!("{root}/contact/contour"), &lines_of(&self.contour(fields)))?;
         let nx = blocks.shape[1] / fields.stride[1];
         let place = |node: usize| Some(self.plane.pixel([node / nx, node % nx].map(|n| n as f64), fields.stride));
         patch_points::log(to, &format!("{root}/contact/patches"), &fields.patches, place)
