@@ -9,7 +9,7 @@ use anyhow::Result;
 use asperity::contact::{Status, Stop};
 use asperity::files::{check_named, write_csv};
 use asperity::lab::bench::{
-    CREEP_HEAD, Contest, CreepTiming, Group, HEAD, HeldCreep, PEER_HEAD, PeerTiming, Python, Timing,
+    Contest, Group, HEAD, HISTORY_HEAD, HistoryContest, HistoryTiming, PEER_HEAD, PeerTiming, Python, Timing,
 };
 use asperity::plot::write_svg;
 use asperity::setup::Method;
@@ -48,9 +48,11 @@ heights, load and tolerance; this program judges all pressures:
 The other codes are those that the interpreter finds: tamaas, ContactMechanics and aspher; aspher-mixed is aspher that begins in
 single precision. A code that is missing is skipped. --max-iterations holds for this program only.
 
-The group histories is run alone, too. Each row is one surface under a held load on a solid that creeps, in 20 equal steps
-by one code; the other one is tamaas, which runs once and gets the same tolerance, in its own sense:
-  error       difference of the pressure at the end from that of this program in 320 steps, root mean square, relative";
+The group histories is run alone, too. Each row is one history of a rough surface by one code. The other code runs once and gets
+the same tolerance, in its own sense: tamaas for creep under a held load, Adhesion for mean gaps down and up with an attraction,
+aspher for pulls with friction under a load that grows, which gets 1e-5 for the traction:
+  error       difference of the traction at the end from that of this program, root mean square, relative; for creep this
+              program takes 320 steps for it, otherwise the tolerance 1e-11";
 
 #[derive(Args)]
 #[command(after_help = HELP)]
@@ -191,9 +193,9 @@ impl Bench {
         }
         let (python, stop) = (self.interpreter(), self.stop(Group::Histories)?);
         let mut rows = Vec::new();
-        writeln!(stdout(), "{CREEP_HEAD}\n\n{}", self.title(Group::Histories))?;
-        for contest in HeldCreep::all(self.quick, self.seed)? {
-            self.show(&mut rows, |show| Ok(CreepTiming::all(&contest, &stop, self.repeats, &python, show)?))?;
+        writeln!(stdout(), "{HISTORY_HEAD}\n\n{}", self.title(Group::Histories))?;
+        for contest in HistoryContest::all(self.quick, self.seed)? {
+            self.show(&mut rows, |show| Ok(HistoryTiming::all(&contest, &stop, self.repeats, &python, show)?))?;
         }
         self.out.iter().for_each(|path| wrote(path));
         Ok(ExitStatus::Done)
@@ -203,7 +205,7 @@ impl Bench {
         for &group in &self.groups {
             writeln!(stdout(), "\n{}", self.title(group))?;
             if group == Group::Histories {
-                for contest in HeldCreep::all(self.quick, self.seed)? {
+                for contest in HistoryContest::all(self.quick, self.seed)? {
                     writeln!(stdout(), "{}", contest.name())?;
                 }
             }

@@ -24,7 +24,7 @@ pub enum Group {
     Large,
     /// Rough surfaces of 512^2 to 2048^2 points by this code and by others, see --python
     Rivals,
-    /// Rough surfaces of 256^2 points that creep, by this code and by another one, see --python
+    /// Rough surfaces of 256^2 points that creep, stick and slip, by this code and by others, see --python
     Histories,
 }
 

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-use strum::{EnumIter, IntoStaticStr};
+use strum::IntoStaticStr;
 
 /// Solves a contact with another code.
 const SCRIPT: &str = include_str!("../../../assets/bench/peers.py");
@@ -23,7 +23,7 @@ const THREADS: [&str; 3] = ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_
 const PAUSE: Duration = Duration::from_millis(5);
 
 /// Another code for rough contacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum Peer {
     /// <https://tamaas.readthedocs.io>: conjugate gradients of Polonsky and Keer, in double precision.
@@ -34,6 +34,8 @@ pub(super) enum Peer {
     Aspher,
     /// ASPHER, first in single precision.
     AspherMixed,
+    /// <https://contactengineering.github.io/Adhesion>: contacts with an attraction.
+    Adhesion,
 }
 
 /// The solution of another code.
@@ -62,6 +64,9 @@ pub struct Python {
 }
 
 impl Peer {
+    /// The codes that solve single contacts without adhesion.
+    pub const OF_CONTACTS: [Self; 4] = [Self::Tamaas, Self::ContactMechanics, Self::Aspher, Self::AspherMixed];
+
     /// Solves a contact of a cell of length 1 and modulus 1 on a number of threads, to a tolerance in the sense of the code.
     ///
     /// # Errors
@@ -74,6 +79,7 @@ impl Peer {
         threads: usize,
     ) -> Result<PeerSolution, String> {
         let task = json!({
+            "kind": "contact",
             "pressure": problem.expected_mean_pressure(),
             "free": !problem.surface().grid().is_periodic(),
             "tolerance": tolerance,

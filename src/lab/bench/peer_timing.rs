@@ -13,7 +13,6 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::num::NonZeroUsize;
 use std::time::Instant;
-use strum::IntoEnumIterator;
 
 /// The names of the columns in which a [`PeerTiming`] displays.
 pub const PEER_HEAD: &str = "\
@@ -83,7 +82,7 @@ impl PeerTiming {
             let ours = TimedSolve::of_repeats(repeats, || solve(&problem, stop, threads, watch, &title));
             let seconds = ours.as_ref().ok().map(|solved| solved.seconds);
             show(row(THIS, Some(env!("CARGO_PKG_VERSION").into()), ours, seconds));
-            for peer in Peer::iter() {
+            for peer in Peer::OF_CONTACTS {
                 let mut of = None;
                 let solved = TimedSolve::of_repeats(repeats, || {
                     let PeerSolution { version, seconds, pressure } =
