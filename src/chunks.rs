@@ -3,6 +3,7 @@
 //! A vector is cut into chunks of fixed length; results of chunks are combined in their order. A vector of one chunk is
 //! handled on the spot, since waking another core would cost more than the loop.
 
+use ndarray::aview1;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Mutex;
@@ -102,6 +103,11 @@ pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Syn
 /// Sum of `term(i)` over `0..len`.
 pub(crate) fn sum(len: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     visit(len, |range| range.fold(0.0, |sum, i| sum + term(i))).into_iter().sum()
+}
+
+/// The scalar product of two equally long vectors.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    visit(a.len(), |range| aview1(&a[range.clone()]).dot(&aview1(&b[range]))).into_iter().sum()
 }
 
 /// Mean of `values` with the rounding of its sums made up for (Neumaier), so that it keeps its digits where the values cancel.

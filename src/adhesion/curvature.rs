@@ -1,7 +1,8 @@
 //! The least curvature of the energy of a state: whether it is stable.
 
 use super::gap_energy::{GapEnergy, GapState};
-use super::newton::{OpenNodes, dot, norm};
+use super::newton::{OpenNodes, add_scaled, norm};
+use crate::chunks::{self, dot};
 
 /// Curvatures below this part of the softest stiffness are marginal.
 pub(super) const MARGINAL: f64 = 1e-3;
@@ -46,49 +47,38 @@ impl LeastCurvature {
 type Imaged = [Vec<f64>; 2];
 
 /// Finds the least curvature by the locally optimal conjugate gradients of Knyazev, SIAM J. Sci. Comput. 23, 517 (2001), with two vectors:
-/// the least Rayleigh quotients of the vectors, of the last steps and of the preconditioned residuals.
+/// the least Rayleigh quotients of the vectors, of the last steps and of the preconditioned residuals. All of these are kept perpendicular to
+/// each other, with length one: the new ones as fields, and the vectors and their steps by their weights.
 pub(super) fn least_curvature(energy: &mut GapEnergy<'_>, state: &GapState) -> Option<LeastCurvature> {
     let open = OpenNodes::new(energy, state);
     let free = open.count().saturating_sub(usize::from(energy.keeps_mean()));
-    let mut vectors: Vec<Imaged> = Vec::new();
+    // the vectors come first, and then their last steps
+    let mut basis: Vec<Imaged> = Vec::new();
     for start in 0..VECTORS.min(free) {
-        let mut image = vec![0.0; state.gap.len()];
         let vector = improved(energy, &open, first_vector(energy, state, start));
-        open.curved(energy, state, &vector, &mut image);
-        add(&mut vectors, [vector, image]);
+        extend(&mut basis, energy, &open, vector);
     }
     let softest = energy.softest();
-    let count = vectors.len();
-    let mut steps: Vec<Imaged> = Vec::new();
+    let count = basis.len();
     for _ in 0..ROUNDS {
-        let residuals: Vec<Vec<f64>> = vectors.iter().map(residual).collect();
-        let [vector, image] = vectors.first()?;
+        let residuals: Vec<Vec<f64>> = basis[..count].iter().map(residual).collect();
+        let [vector, image] = basis.first()?;
         if norm(&residuals[0]) <= RESIDUAL * dot(vector, image).abs().max(SMALL * softest) {
             break;
         }
-        let mut basis = vectors.clone();
-        steps.into_iter().for_each(|step| add(&mut basis, step));
         let known = basis.len();
         for residual in residuals {
-            let mut better = improved(energy, &open, residual);
-            let size = norm(&better);
-            // the image is computed of what is new, so that rounding does not grow
-            orthogonalise(&mut better, &basis);
-            if norm(&better) > NOTHING * size {
-                let mut image = vec![0.0; better.len()];
-                open.curved(energy, state, &better, &mut image);
-                add(&mut basis, [better, image]);
-            }
+            let better = improved(energy, &open, residual);
+            extend(&mut basis, energy, &open, better);
         }
         if basis.len() == known {
             break;
         }
-        let weights = least_of(&basis, count);
-        vectors = weights.iter().map(|weights| combined(&basis, weights, 0)).collect();
-        // what is added to the last vectors is the direction of the next round
-        steps = weights.iter().map(|weights| combined(&basis, weights, count)).collect();
+        let mut weights = least_of(&basis, count);
+        add_steps(&mut weights, count);
+        basis = weights.iter().map(|weights| combined(&basis, weights)).collect();
     }
-    let first = vectors.swap_remove(0);
+    let first = basis.swap_remove(0);
     let error = norm(&residual(&first));
     let [vector, image] = first;
     Some(LeastCurvature { value: dot(&vector, &image), error, vector })
@@ -138,48 +128,67 @@ fn residual([vector, image]: &Imaged) -> Vec<f64> {
     image.iter().zip(vector).map(|(a, x)| a - value * x).collect()
 }
 
-/// Adds a vector to a basis of vectors of length one that are perpendicular to each other, unless nothing of it is new.
-fn add(basis: &mut Vec<Imaged>, [mut vector, mut image]: Imaged) {
+/// Extends a basis of vectors of length one that are perpendicular to each other by what a vector has of its own, and its image.
+fn extend(basis: &mut Vec<Imaged>, energy: &mut GapEnergy<'_>, open: &OpenNodes, mut vector: Vec<f64>) {
     let size = norm(&vector);
+    // twice, because of rounding
     for _ in 0..2 {
-        for [other, of_other] in basis.iter() {
-            let along = dot(&vector, other);
-            vector.iter_mut().zip(other).for_each(|(x, v)| *x -= along * v);
-            image.iter_mut().zip(of_other).for_each(|(x, v)| *x -= along * v);
+        let along: Vec<f64> = basis.iter().map(|[other, _]| dot(&vector, other)).collect();
+        for ([other, _], along) in basis.iter().zip(along) {
+            add_scaled(&mut vector, -along, other);
         }
     }
     let left = norm(&vector);
     if left.is_finite() && left > NOTHING * size {
-        vector.iter_mut().chain(&mut image).for_each(|x| *x /= left);
+        vector.iter_mut().for_each(|x| *x /= left);
+        let mut image = vec![0.0; vector.len()];
+        open.curved(energy, &vector, &mut image);
         basis.push([vector, image]);
     }
 }
 
-/// Takes off the parts along the vectors of a basis, twice because of rounding.
-fn orthogonalise(x: &mut [f64], basis: &[Imaged]) {
-    for _ in 0..2 {
-        for [vector, _] in basis {
-            let along = dot(x, vector);
-            x.iter_mut().zip(vector).for_each(|(x, v)| *x -= along * v);
+/// Adds the weights of the steps of the vectors: of what was added to the last ones, the first `count` of the basis, what is perpendicular to the
+/// vectors and to the other steps.
+fn add_steps(weights: &mut Vec<Vec<f64>>, count: usize) {
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    for k in 0..count {
+        let mut step = weights[k].clone();
+        step[..count].fill(0.0);
+        let size = product(&step, &step).sqrt();
+        for _ in 0..2 {
+            for other in weights.iter() {
+                let along = product(&step, other);
+                step.iter_mut().zip(other).for_each(|(x, other)| *x -= along * other);
+            }
+        }
+        let left = product(&step, &step).sqrt();
+        if left.is_finite() && left > NOTHING * size {
+            step.iter_mut().for_each(|x| *x /= left);
+            weights.push(step);
         }
     }
 }
 
-/// A combination of the vectors of a basis from a place on.
-fn combined(basis: &[Imaged], weights: &[f64], from: usize) -> Imaged {
+/// A combination of the vectors of a basis.
+fn combined(basis: &[Imaged], weights: &[f64]) -> Imaged {
     [0, 1].map(|part| {
         let mut sum = vec![0.0; basis[0][part].len()];
-        for (vector, weight) in basis.iter().zip(weights).skip(from) {
-            sum.iter_mut().zip(&vector[part]).for_each(|(sum, x)| *sum += weight * x);
-        }
+        chunks::update(&mut sum, |range, sum| {
+            for (vector, weight) in basis.iter().zip(weights) {
+                sum.iter_mut().zip(&vector[part][range.clone()]).for_each(|(sum, x)| *sum += weight * x);
+            }
+        });
         sum
     })
 }
 
 /// The weights of the vectors of the least eigenvalues of the curvature in a basis.
 fn least_of(basis: &[Imaged], count: usize) -> Vec<Vec<f64>> {
-    let entry = |i: usize, j: usize| 0.5 * (dot(&basis[i][0], &basis[j][1]) + dot(&basis[j][0], &basis[i][1]));
-    let matrix = (0..basis.len()).map(|i| (0..basis.len()).map(|j| entry(i, j)).collect()).collect();
+    let mut matrix = vec![vec![0.0; basis.len()]; basis.len()];
+    for (i, j) in (0..basis.len()).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+        let entry = dot(&basis[i][0], &basis[j][1]);
+        (matrix[i][j], matrix[j][i]) = (entry, entry);
+    }
     let (values, vectors) = eigen(matrix);
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|&i, &j| values[i].total_cmp(&values[j]));
@@ -245,7 +254,7 @@ mod tests {
             let mut unit: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == column))).collect();
             open.project(&mut unit);
             let mut image = vec![0.0; n];
-            open.curved(energy, state, &unit, &mut image);
+            open.curved(energy, &unit, &mut image);
             (0..n).map(|row| image[row] + large * (f64::from(u8::from(row == column)) - unit[row])).collect()
         };
         let matrix: Vec<Vec<f64>> = (0..n).map(&mut column_of).collect();

@@ -2,7 +2,7 @@
 
 use super::gap_energy::{GapEnergy, GapState};
 use super::search_limits::SearchLimits;
-use crate::chunks;
+use crate::chunks::{self, dot};
 
 /// Most conjugate gradient iterations in one step.
 const INNER: usize = 60;
@@ -99,8 +99,10 @@ fn newton_direction(energy: &mut GapEnergy<'_>, state: &GapState, violation: f64
             break;
         }
         let factor = if inner == 0 { 0.0 } else { square / before };
-        direction.iter_mut().zip(&better).for_each(|(d, z)| *d = z + factor * *d);
-        open.curved(energy, state, &direction, &mut image);
+        chunks::update(&mut direction, |range, direction| {
+            direction.iter_mut().zip(&better[range]).for_each(|(d, z)| *d = z + factor * *d);
+        });
+        open.curved(energy, &direction, &mut image);
         let curvature = dot(&direction, &image);
         if curvature.is_nan() || curvature <= 0.0 {
             if inner == 0 {
@@ -109,8 +111,8 @@ fn newton_direction(energy: &mut GapEnergy<'_>, state: &GapState, violation: f64
             break;
         }
         let length = square / curvature;
-        step.iter_mut().zip(&direction).for_each(|(s, d)| *s += length * d);
-        residual.iter_mut().zip(&image).for_each(|(r, a)| *r -= length * a);
+        add_scaled(&mut step, length, &direction);
+        add_scaled(&mut residual, -length, &image);
         before = square;
         if norm(&residual) <= goal {
             break;
@@ -133,7 +135,7 @@ fn take_step(energy: &mut GapEnergy<'_>, state: &mut GapState, direction: Vec<f6
         let by: Vec<f64> = gap.iter().zip(&state.gap).map(|(to, from)| to - from).collect();
         energy.stiffness(&by, &mut stiff);
         let change = energy.change(state, &by, &stiff);
-        let slope = (chunks::sum(n, |i| state.gradient[i] * by[i]) / n as f64).min(0.0);
+        let slope = (dot(&state.gradient, &by) / n as f64).min(0.0);
         if change <= ENOUGH * slope || change.abs() <= noise {
             let force = state.force.iter().zip(&stiff).map(|(f, k)| f + k).collect();
             *state = energy.with_force(gap, force);
@@ -147,6 +149,8 @@ fn take_step(energy: &mut GapEnergy<'_>, state: &mut GapState, direction: Vec<f6
 /// The nodes that do not touch. Where the mean gap is given, changes of the gap have the sum zero.
 pub(super) struct OpenNodes {
     is_open: Vec<bool>,
+    /// The slope of the attraction at each node, a pressure per length.
+    slopes: Vec<f64>,
     count: usize,
     keeps_mean: bool,
 }
@@ -155,7 +159,11 @@ impl OpenNodes {
     pub fn new(energy: &GapEnergy<'_>, state: &GapState) -> Self {
         let is_open: Vec<bool> = (0..state.gap.len()).map(|i| !state.touches(i)).collect();
         let count = is_open.iter().filter(|it| **it).count();
-        Self { is_open, count, keeps_mean: energy.keeps_mean() }
+        let mut slopes = vec![0.0; state.gap.len()];
+        chunks::update(&mut slopes, |range, slopes| {
+            slopes.iter_mut().zip(&state.gap[range]).for_each(|(slope, gap)| *slope = energy.attraction.slope(*gap));
+        });
+        Self { is_open, slopes, count, keeps_mean: energy.keeps_mean() }
     }
 
     pub fn count(&self) -> usize {
@@ -168,20 +176,25 @@ impl OpenNodes {
             true => chunks::sum(x.len(), |i| if self.is_open[i] { x[i] } else { 0.0 }) / self.count as f64,
             false => 0.0,
         };
-        x.iter_mut().zip(&self.is_open).for_each(|(x, open)| *x = if *open { *x - off } else { 0.0 });
+        chunks::update(x, |range, x| {
+            x.iter_mut().zip(&self.is_open[range]).for_each(|(x, open)| *x = if *open { *x - off } else { 0.0 });
+        });
     }
 
     /// `(K + V'') x` on the open nodes.
-    pub fn curved(&self, energy: &mut GapEnergy<'_>, state: &GapState, x: &[f64], result: &mut [f64]) {
+    pub fn curved(&self, energy: &mut GapEnergy<'_>, x: &[f64], result: &mut [f64]) {
         energy.stiffness(x, result);
-        let nodes = result.iter_mut().zip(x).zip(&state.gap);
-        nodes.for_each(|((result, x), gap)| *result += energy.attraction.slope(*gap) * x);
+        chunks::update(result, |range, result| {
+            let nodes = result.iter_mut().zip(&x[range.clone()]).zip(&self.slopes[range]);
+            nodes.for_each(|((result, x), slope)| *result += slope * x);
+        });
         self.project(result);
     }
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    chunks::sum(a.len(), |i| a[i] * b[i])
+/// Adds a multiple of a vector to another one.
+pub(super) fn add_scaled(to: &mut [f64], scale: f64, of: &[f64]) {
+    chunks::update(to, |range, to| to.iter_mut().zip(&of[range]).for_each(|(to, of)| *to += scale * of));
 }
 
 pub(super) fn norm(a: &[f64]) -> f64 {

@@ -1,7 +1,7 @@
 //! A multigrid cycle on groups of cells, which preconditions the conjugate gradients.
 
 use super::laplacian::Laplacian;
-use crate::chunks;
+use crate::chunks::{self, dot};
 
 /// Of the strongest conductance of a cell, the part that another one needs for a pair.
 const STRONG: f64 = 0.25;
@@ -191,9 +191,4 @@ fn pairs(matrix: &Laplacian) -> (Vec<u32>, usize) {
         }
     }
     (of, groups as usize)
-}
-
-/// The scalar product.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    chunks::sum(a.len(), |i| a[i] * b[i])
 }

@@ -1,6 +1,6 @@
 //! The correction of the pressure on a set of nodes, by GMRES.
 
-use crate::chunks;
+use crate::chunks::{self, dot};
 use crate::contact::multilevel::operator::SetOperator;
 use crate::contact::multilevel::support::Support;
 
@@ -155,10 +155,6 @@ impl<'a, O: SetOperator> Gmres<'a, O> {
             chunks::update(values, |_, values| values.iter_mut().for_each(|value| *value -= mean));
         }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    chunks::sum(a.len(), |i| a[i] * b[i])
 }
 
 fn norm(values: &[f64]) -> f64 {
