@@ -79,6 +79,12 @@ pub(crate) fn spread<A: Send, T: Send>(
     results
 }
 
+/// Does work whose loops are over vectors of `len` values on a thread of the pool, where it pays. A loop that begins outside of the pool wakes the
+/// other threads each time, which costs as much as a few loops over a vector of some chunks.
+pub(crate) fn in_pool<T: Send>(len: usize, work: impl FnOnce() -> T + Send) -> T {
+    if len <= CHUNK || is_alone() { work() } else { rayon::scope(|_| work()) }
+}
+
 /// The ranges of `length` that `0..len` is cut into; one of them is there in any case.
 fn ranges(len: usize, length: usize) -> impl ExactSizeIterator<Item = Range<usize>> {
     (0..len.div_ceil(length).max(1)).map(move |c| c * length..len.min((c + 1) * length))

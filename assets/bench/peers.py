@@ -94,7 +94,7 @@ def adhesion_loop(height, work, reach, gaps, tolerance):
             maxiter=100_000,
         )
         if not result.success:
-            raise RuntimeError(f"at the mean gap {mean}: {result.message}")
+            raise RuntimeError(f"at the mean gap {mean:g}: {result.message}")
         gap = result.x.reshape(height.shape)
     # the pressure but for its mean, which follows where nothing touches: there it is the attraction
     elastic = -substrate.evaluate_force(gap + height) * height.size
@@ -114,7 +114,7 @@ def aspher_slip(height, friction, poisson, path, tolerance):
             p_bar=pressure, q_bar=(pull, 0.0), tol_normal=tolerance, tol_tangential=max(tolerance, 1e-5), max_iter=100_000
         )
         if not step.converged:
-            raise RuntimeError(f"at the mean pressure {pressure} and the pull {pull}: {step.status_reason}")
+            raise RuntimeError(f"at the mean pressure {pressure:g} and the pull {pull:g}: {step.status_reason}")
     return step.qx
 
 

@@ -50,6 +50,11 @@ type Imaged = [Vec<f64>; 2];
 /// the least Rayleigh quotients of the vectors, of the last steps and of the preconditioned residuals. All of these are kept perpendicular to
 /// each other, with length one: the new ones as fields, and the vectors and their steps by their weights.
 pub(super) fn least_curvature(energy: &mut GapEnergy<'_>, state: &GapState) -> Option<LeastCurvature> {
+    chunks::in_pool(state.gap.len(), || search(energy, state))
+}
+
+/// The search for the least curvature.
+fn search(energy: &mut GapEnergy<'_>, state: &GapState) -> Option<LeastCurvature> {
     let open = OpenNodes::new(energy, state);
     let free = open.count().saturating_sub(usize::from(energy.keeps_mean()));
     // the vectors come first, and then their last steps

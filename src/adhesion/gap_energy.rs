@@ -105,13 +105,16 @@ impl<'a> GapEnergy<'a> {
 
     /// The state of a gap whose `K u` is known.
     pub fn with_force(&self, gap: Vec<f64>, force: Vec<f64>) -> GapState {
-        let pulled: Vec<f64> = force.iter().zip(&gap).map(|(f, g)| f + self.attraction.traction(*g)).collect();
+        let mut gradient = force.clone();
+        chunks::update(&mut gradient, |range, gradient| {
+            gradient.iter_mut().zip(&gap[range]).for_each(|(r, g)| *r += self.attraction.traction(*g));
+        });
         let mean_pressure = match self.control {
             AdhesiveControl::MeanPressure(pressure) => pressure,
             AdhesiveControl::Approach(_) => 0.0,
-            AdhesiveControl::MeanGap(_) => multiplier(&gap, &pulled),
+            AdhesiveControl::MeanGap(_) => multiplier(&gap, &gradient),
         };
-        let gradient = pulled.into_iter().map(|value| value + mean_pressure).collect();
+        gradient.iter_mut().for_each(|value| *value += mean_pressure);
         GapState { gap, force, gradient }
     }
 

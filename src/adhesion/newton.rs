@@ -3,6 +3,7 @@
 use super::gap_energy::{GapEnergy, GapState};
 use super::search_limits::SearchLimits;
 use crate::chunks::{self, dot};
+use ndarray::aview1;
 
 /// Most conjugate gradient iterations in one step.
 const INNER: usize = 60;
@@ -62,8 +63,11 @@ pub(super) fn lower(
         if step == steps {
             break;
         }
-        let direction = newton_direction(energy, state, violation);
-        if !take_step(energy, state, direction) {
+        let falls = chunks::in_pool(state.gap.len(), || {
+            let direction = newton_direction(energy, state, violation);
+            take_step(energy, state, direction)
+        });
+        if !falls {
             return (GapEnd::Failed, step);
         }
         if step % REFRESH == REFRESH - 1 {
@@ -93,17 +97,19 @@ fn newton_direction(energy: &mut GapEnergy<'_>, state: &GapState, violation: f64
     let mut before = 0.0;
     for inner in 0..INNER {
         energy.precondition(&residual, &mut better);
-        open.project(&mut better);
-        let square = dot(&residual, &better);
+        // residual and direction are projected, so that products with them need no projection of the other vector
+        let [square, off] = open.product(&residual, &better);
         if square.is_nan() || square <= 0.0 {
             break;
         }
         let factor = if inner == 0 { 0.0 } else { square / before };
         chunks::update(&mut direction, |range, direction| {
-            direction.iter_mut().zip(&better[range]).for_each(|(d, z)| *d = z + factor * *d);
+            let nodes = direction.iter_mut().zip(&better[range.clone()]).zip(&open.weights[range]);
+            nodes.for_each(|((d, z), weight)| *d = weight * (z - off) + factor * *d);
         });
-        open.curved(energy, &direction, &mut image);
-        let curvature = dot(&direction, &image);
+        energy.stiffness(&direction, &mut image);
+        open.add_slopes(&direction, &mut image);
+        let [curvature, off] = open.product(&direction, &image);
         if curvature.is_nan() || curvature <= 0.0 {
             if inner == 0 {
                 step.copy_from_slice(&direction);
@@ -111,10 +117,15 @@ fn newton_direction(energy: &mut GapEnergy<'_>, state: &GapState, violation: f64
             break;
         }
         let length = square / curvature;
-        add_scaled(&mut step, length, &direction);
-        add_scaled(&mut residual, -length, &image);
         before = square;
-        if norm(&residual) <= goal {
+        let left = chunks::update_both(&mut step, &mut residual, |range, step, residual| {
+            let nodes = step.iter_mut().zip(&direction[range.clone()]);
+            nodes.for_each(|(step, direction)| *step += length * direction);
+            let nodes = residual.iter_mut().zip(&image[range.clone()]).zip(&open.weights[range]);
+            nodes.for_each(|((residual, image), weight)| *residual -= length * weight * (image - off));
+            aview1(residual).dot(&aview1(residual))
+        });
+        if left.iter().sum::<f64>().sqrt() <= goal {
             break;
         }
     }
@@ -148,7 +159,8 @@ fn take_step(energy: &mut GapEnergy<'_>, state: &mut GapState, direction: Vec<f6
 
 /// The nodes that do not touch. Where the mean gap is given, changes of the gap have the sum zero.
 pub(super) struct OpenNodes {
-    is_open: Vec<bool>,
+    /// One at open nodes, and zero at closed ones: sums and products with this are fast.
+    weights: Vec<f64>,
     /// The slope of the attraction at each node, a pressure per length.
     slopes: Vec<f64>,
     count: usize,
@@ -157,13 +169,13 @@ pub(super) struct OpenNodes {
 
 impl OpenNodes {
     pub fn new(energy: &GapEnergy<'_>, state: &GapState) -> Self {
-        let is_open: Vec<bool> = (0..state.gap.len()).map(|i| !state.touches(i)).collect();
-        let count = is_open.iter().filter(|it| **it).count();
+        let weights: Vec<f64> = (0..state.gap.len()).map(|i| f64::from(u8::from(!state.touches(i)))).collect();
+        let count = weights.iter().filter(|weight| **weight > 0.0).count();
         let mut slopes = vec![0.0; state.gap.len()];
         chunks::update(&mut slopes, |range, slopes| {
             slopes.iter_mut().zip(&state.gap[range]).for_each(|(slope, gap)| *slope = energy.attraction.slope(*gap));
         });
-        Self { is_open, slopes, count, keeps_mean: energy.keeps_mean() }
+        Self { weights, slopes, count, keeps_mean: energy.keeps_mean() }
     }
 
     pub fn count(&self) -> usize {
@@ -172,23 +184,40 @@ impl OpenNodes {
 
     /// Sets closed nodes to zero, and takes the mean of the open ones off where it is kept.
     pub fn project(&self, x: &mut [f64]) {
-        let off = match self.keeps_mean && self.count > 0 {
-            true => chunks::sum(x.len(), |i| if self.is_open[i] { x[i] } else { 0.0 }) / self.count as f64,
-            false => 0.0,
-        };
+        let off = self.kept_mean(dot(x, &self.weights));
         chunks::update(x, |range, x| {
-            x.iter_mut().zip(&self.is_open[range]).for_each(|(x, open)| *x = if *open { *x - off } else { 0.0 });
+            x.iter_mut().zip(&self.weights[range]).for_each(|(x, weight)| *x = weight * (*x - off));
         });
+    }
+
+    /// The product of a projected vector and another one, and what a projection takes off the other one.
+    fn product(&self, projected: &[f64], other: &[f64]) -> [f64; 2] {
+        let sums = chunks::visit(other.len(), |range| {
+            let other = aview1(&other[range.clone()]);
+            [&projected[range.clone()], &self.weights[range]].map(|of| aview1(of).dot(&other))
+        });
+        let [product, sum] = [0, 1].map(|of| sums.iter().map(|sums| sums[of]).sum());
+        [product, self.kept_mean(sum)]
+    }
+
+    /// The mean of the open nodes by their sum, if it is kept, else zero.
+    fn kept_mean(&self, sum: f64) -> f64 {
+        if self.keeps_mean && self.count > 0 { sum / self.count as f64 } else { 0.0 }
     }
 
     /// `(K + V'') x` on the open nodes.
     pub fn curved(&self, energy: &mut GapEnergy<'_>, x: &[f64], result: &mut [f64]) {
         energy.stiffness(x, result);
+        self.add_slopes(x, result);
+        self.project(result);
+    }
+
+    /// Adds `V'' x`.
+    fn add_slopes(&self, x: &[f64], result: &mut [f64]) {
         chunks::update(result, |range, result| {
             let nodes = result.iter_mut().zip(&x[range.clone()]).zip(&self.slopes[range]);
             nodes.for_each(|((result, x), slope)| *result += slope * x);
         });
-        self.project(result);
     }
 }
 
