@@ -66,18 +66,17 @@ impl HistoryContest {
     pub fn all(is_quick: bool, seed: u64) -> Result<Vec<Self>, SetupError> {
         let side = SIDES[usize::from(is_quick)];
         let grid = Grid::surface([side; 2], [1.0; 2])?;
-        let rough = |grid: &Grid, spacings: f64| {
+        let rough = |grid: Grid, spacings: f64| {
             let short_cutoff = spacings / side as f64;
             let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff, rms_gradient: SLOPE };
-            Surface::rough(grid.clone(), &spectrum, seed)
+            Surface::rough(grid, &spectrum, seed)
         };
-        let [fine, free] = [grid.clone(), grid.clone().with_periodic([false; 2])].map(|grid| rough(&grid, 4.0));
-        let fine = fine?;
+        let fine = rough(grid, 4.0)?;
         Ok(vec![
             Self::creep(fine.clone(), 2e-3)?,
             Self::creep(fine, 2e-2)?,
-            Self::adhesion(rough(&grid, 16.0)?)?,
-            Self::slip(free?)?,
+            Self::adhesion(rough(grid, 16.0)?)?,
+            Self::slip(rough(grid.with_periodic([false; 2]), 4.0)?)?,
         ])
     }
 
