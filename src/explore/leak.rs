@@ -39,8 +39,8 @@ impl Leak {
         if contact.problem.surface().grid().is_line() {
             return None;
         }
-        let along = |axis| Some(LeakAlong::new(&Leakage::from_contact(contact, axis, Leakage::TOLERANCE).ok()?));
-        Some(Self { axes: [along(FlowAxis::X)?, along(FlowAxis::Y)?] })
+        let along = Leakage::along(contact, &[FlowAxis::X, FlowAxis::Y], Leakage::TOLERANCE).ok()?;
+        Some(Self { axes: [LeakAlong::new(&along[0]), LeakAlong::new(&along[1])] })
     }
 }
 

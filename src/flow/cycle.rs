@@ -41,14 +41,33 @@ impl GroupSize {
 /// Notay, Electron. Trans. Numer. Anal. 37, 123 (2010): aggregation by pairwise matching, and the K-cycle. Deviations: the size of the groups, and
 /// that cells without a free partner join a group.
 pub(super) struct GroupCycle {
-    /// From fine to coarse, each with the groups of its cells on the next level, which are empty on the last.
-    levels: Vec<(Laplacian, Vec<u32>)>,
+    /// From fine to coarse.
+    levels: Vec<CycleLevel>,
+}
+
+/// A level of the cycle, with room for what is computed on it: new room in each cycle would cost more than a sweep.
+struct CycleLevel {
+    matrix: Laplacian,
+    /// The groups of its cells on the next level; none on the last one.
+    groups: Vec<u32>,
+    /// The approximate solution.
+    z: Vec<f64>,
+    /// The conjugate gradients; on the finest level they are those of the caller.
+    gradients: Gradients,
+}
+
+impl CycleLevel {
+    fn new(matrix: Laplacian, is_coarse: bool) -> Self {
+        let (z, cells) = (vec![0.0; matrix.cells()], if is_coarse { matrix.cells() } else { 0 });
+        let gradients = Gradients::new(vec![0.0; cells], vec![0.0; cells]);
+        Self { matrix, groups: Vec::new(), z, gradients }
+    }
 }
 
 impl GroupCycle {
     /// The levels below a matrix.
     pub fn new(matrix: Laplacian, size: GroupSize) -> Self {
-        Self { levels: vec![(matrix, Vec::new())] }.with_groups(size)
+        Self { levels: vec![CycleLevel::new(matrix, false)] }.with_groups(size)
     }
 
     /// The cycle of the same equations with groups of another size. The finest groups are the same.
@@ -56,59 +75,49 @@ impl GroupCycle {
         let levels = &mut self.levels;
         levels.truncate(1 + GroupSize::Small.levels());
         for level in levels.len() - 1.. {
-            let fine = &levels[level].0;
+            let fine = &levels[level].matrix;
             let coarser = if level < size.levels() { pairs_of_pairs(fine) } else { paired(fine) };
             let Some((coarse, of)) = coarser else {
-                levels[level].1.clear();
+                levels[level].groups.clear();
                 break;
             };
-            levels[level].1 = of;
-            levels.push((coarse, Vec::new()));
+            levels[level].groups = of;
+            levels.push(CycleLevel::new(coarse, true));
         }
         self
     }
 
-    /// The matrix of the finest level.
-    pub fn matrix(&self) -> &Laplacian {
-        &self.levels[0].0
-    }
-
-    /// An approximate solution of `A z = r`.
-    pub fn apply(&self, r: &[f64]) -> Vec<f64> {
-        self.relax(0, r)
-    }
-
-    /// An approximate solution on a level.
-    fn relax(&self, level: usize, r: &[f64]) -> Vec<f64> {
-        let (matrix, groups) = &self.levels[level];
-        let mut z = matrix.sweep_from_zero(r);
-        if !groups.is_empty() {
-            let mut coarse = vec![0.0; self.levels[level + 1].0.cells()];
-            (0..r.len()).for_each(|cell| coarse[groups[cell] as usize] += matrix.rest_of_sweep(cell, &z));
-            let correction = self.solve_coarse(level + 1, coarse);
-            chunks::update(&mut z, |range, z| {
-                z.iter_mut().zip(range).for_each(|(z, cell)| *z += correction[groups[cell] as usize]);
-            });
-        }
-        matrix.sweep_back(r, &mut z);
-        z
-    }
-
-    /// Two steps of conjugate gradients on a coarse level.
-    fn solve_coarse(&self, level: usize, r: Vec<f64>) -> Vec<f64> {
-        let matrix = &self.levels[level].0;
-        let mut gradients = Gradients::new(vec![0.0; r.len()], r);
-        for _ in 0..COARSE_STEPS {
-            let z = self.relax(level, &gradients.residual);
-            if gradients.step(matrix, z).is_none() {
-                break;
-            }
-        }
-        gradients.x
+    /// A step of conjugate gradients on the finest level, preconditioned by the cycle, see [`Gradients::step`].
+    pub fn step(&mut self, gradients: &mut Gradients) -> Option<f64> {
+        relax(&mut self.levels, &gradients.residual);
+        gradients.step(&self.levels[0].matrix, &self.levels[0].z)
     }
 }
 
+/// An approximate solution of `A z = r` on the first of some levels.
+fn relax(levels: &mut [CycleLevel], r: &[f64]) {
+    let Some((CycleLevel { matrix, groups, z, .. }, coarser)) = levels.split_first_mut() else { return };
+    matrix.sweep_from_zero(r, z);
+    if !groups.is_empty() {
+        let mut gradients = std::mem::take(&mut coarser[0].gradients);
+        gradients.start_from_zero();
+        (0..r.len()).for_each(|cell| gradients.residual[groups[cell] as usize] += matrix.rest_of_sweep(cell, z));
+        for _ in 0..COARSE_STEPS {
+            relax(coarser, &gradients.residual);
+            if gradients.step(&coarser[0].matrix, &coarser[0].z).is_none() {
+                break;
+            }
+        }
+        chunks::update(z, |range, z| {
+            z.iter_mut().zip(&groups[range]).for_each(|(z, group)| *z += gradients.x[*group as usize]);
+        });
+        coarser[0].gradients = gradients;
+    }
+    matrix.sweep_back(r, z);
+}
+
 /// Flexible conjugate gradients, for a preconditioner that is not quite linear.
+#[derive(Default)]
 pub(super) struct Gradients {
     /// The solution so far.
     pub x: Vec<f64>,
@@ -127,10 +136,17 @@ impl Gradients {
         Self { x, residual, direction, product, curvature: 0.0 }
     }
 
+    /// Begins again at zero. The residual is zero until the right side is added to it.
+    fn start_from_zero(&mut self) {
+        self.x.fill(0.0);
+        self.residual.fill(0.0);
+        self.curvature = 0.0;
+    }
+
     /// A step along the preconditioned residual `z`, made conjugate to the last direction. Returns by how much the power
     /// `<x A x> - 2 <b x>` falls, or none where no step lowers it.
-    pub fn step(&mut self, matrix: &Laplacian, z: Vec<f64>) -> Option<f64> {
-        let overlap = if self.curvature > 0.0 { dot(&z, &self.product) / self.curvature } else { 0.0 };
+    fn step(&mut self, matrix: &Laplacian, z: &[f64]) -> Option<f64> {
+        let overlap = if self.curvature > 0.0 { dot(z, &self.product) / self.curvature } else { 0.0 };
         chunks::update(&mut self.direction, |range, d| {
             d.iter_mut().zip(range).for_each(|(d, i)| *d = z[i] - overlap * *d);
         });

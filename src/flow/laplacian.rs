@@ -141,13 +141,11 @@ impl Laplacian {
         });
     }
 
-    /// One sweep of Gauss and Seidel of `A x = b` from zero, from the first cell to the last.
-    pub fn sweep_from_zero(&self, b: &[f64]) -> Vec<f64> {
-        let mut x = Vec::with_capacity(b.len());
+    /// One sweep of Gauss and Seidel of `A x = b` from zero, from the first cell to the last. What `x` holds before does not matter.
+    pub fn sweep_from_zero(&self, b: &[f64], x: &mut [f64]) {
         for (cell, (&b, &inverse)) in b.iter().zip(&self.inverse).enumerate() {
-            x.push(self.earlier.add(cell, &x, b) * inverse);
+            x[cell] = self.earlier.add(cell, x, b) * inverse;
         }
-        x
     }
 
     /// The residual `b - A x` at a cell after [`Laplacian::sweep_from_zero`]: what later cells have changed.

@@ -5,6 +5,7 @@ use super::cycle::{Gradients, GroupCycle, GroupSize};
 use super::laplacian::Laplacian;
 use super::network::Network;
 use super::tree::ChannelTree;
+use crate::chunks;
 use crate::contact::{Contact, StateField};
 use crate::error::FlowError;
 use crate::grid::Grid;
@@ -22,6 +23,8 @@ const FIRST_GOAL: f64 = 0.1;
 const NEXT_GOAL: f64 = 0.03;
 /// Smallest tolerance: sums over all faces err by rounding.
 const SMALLEST_TOLERANCE: f64 = 1e-12;
+/// Nodes up to which both axes are solved at the same time: with more of them, their memory counts.
+const TOGETHER: usize = 1 << 22;
 
 /// The flow of a fluid through the gap of a contact, with bounds of it.
 ///
@@ -54,7 +57,7 @@ const SMALLEST_TOLERANCE: f64 = 1e-12;
 /// The first pressure falls linearly, and steps do not raise its power. So the upper bound is at most `<g^3>`.
 ///
 /// # Solver
-/// Conjugate gradients, preconditioned by multigrid on groups of cells, until the bounds are close. It uses 250 to 600 bytes a node.
+/// Conjugate gradients, preconditioned by multigrid on groups of cells, until the bounds are close. It uses 250 to 600 bytes a node and axis.
 ///
 /// # Source
 /// Dapp, Luecke, Persson & Mueser, Phys. Rev. Lett. 108, 244301 (2012), for the leakage of rough contacts.
@@ -137,6 +140,28 @@ impl Leakage {
         Self::new(contact.problem.surface().grid(), &gap, axis, tolerance)
     }
 
+    /// The flow through the gap of a contact along each of some axes, see [`Leakage::from_contact`]. The solver of one axis works on one thread. Up to
+    /// 4 million nodes, both axes are solved at the same time, which takes twice the memory.
+    ///
+    /// # Errors
+    /// The errors of [`Leakage::new`].
+    pub fn along(contact: &Contact, axes: &[FlowAxis], tolerance: f64) -> Result<Vec<Self>, FlowError> {
+        let solve = |axis: &FlowAxis| Self::from_contact(contact, *axis, tolerance);
+        match Self::together(contact.problem.surface().grid()) {
+            1 => axes.iter().map(solve).collect(),
+            _ => chunks::spread(axes.iter(), solve).into_iter().collect(),
+        }
+    }
+
+    /// The number of axes that [`Leakage::along`] solves at the same time.
+    pub(crate) fn together(grid: &Grid) -> usize {
+        if grid.len() <= TOGETHER && !grid.is_line() {
+            rayon::current_num_threads().min(FlowAxis::ALL.len())
+        } else {
+            1
+        }
+    }
+
     /// The upper bound, a length cubed. It is closer to the solution than the lower one.
     pub fn sigma(&self) -> f64 {
         self.upper
@@ -210,7 +235,7 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     let (mut power, mut goal, mut last_gain) = (network.power(&flux), FIRST_GOAL * tolerance, f64::INFINITY);
     leakage.upper = unit * power;
     while leakage.steps < MOST_STEPS && leakage.width() > tolerance {
-        let gain = gradients.step(cycle.matrix(), cycle.apply(&gradients.residual));
+        let gain = cycle.step(&mut gradients);
         leakage.steps += 1;
         power -= gain.unwrap_or(0.0);
         if leakage.steps == MOST_STEPS || gain.is_none_or(|gain| gain <= goal * power) {

@@ -4,6 +4,7 @@ use super::{Part, Setup};
 use crate::contact::Multilevel;
 use crate::elastic::Compliance;
 use crate::error::SetupError;
+use crate::flow::Leakage;
 use crate::grid::Grid;
 use crate::memory::check_bytes;
 
@@ -64,7 +65,7 @@ pub struct Extras {
     pub archived: usize,
 }
 
-/// Fields of the solver of flows, with its coarse grids; those of its results, along both axes; and with their archive.
+/// Fields of the solver of flows along an axis, with its coarse grids; those of its results, along both axes; and with their archive.
 const FLOW_FIELDS: f64 = 31.0;
 const KEPT_FLOW_FIELDS: f64 = 4.0;
 const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
@@ -89,6 +90,7 @@ impl Setup {
         let states = self.expected_states()?;
         let kept = (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows) + states as f64 * STATE_FIELDS;
         let is_flow_recorded = extras.is_recorded && !grid.is_line() && self.recorded_parts().contains(&Part::Flow);
+        let flow = FLOW_FIELDS * Leakage::together(&grid) as f64;
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };
         let stress = STRESS_VALUES * DEPTHS / grid.shape()[0] as f64 + STRESS_FIELDS[of_dimension];
         let phases = [
@@ -101,9 +103,9 @@ impl Setup {
                 extras.has_stiffness || self.flow.has_conductance(),
                 1.0 + KEPT_FIELDS + solid + Multilevel::stiffness_fields(&grid, area),
             ),
-            one(self.flow.leakage, 1.0 + KEPT_FIELDS + FLOW_FIELDS + KEPT_FLOW_FIELDS + kept),
+            one(self.flow.leakage, 1.0 + KEPT_FIELDS + flow + KEPT_FLOW_FIELDS + kept),
             // the solver is still there when its last state is recorded
-            one(is_flow_recorded, solving + recorded + FLOW_FIELDS),
+            one(is_flow_recorded, solving + recorded + flow),
             archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS))
                 + one(archived > 0.0, ARCHIVE_ONCE[of_dimension]),
         ];

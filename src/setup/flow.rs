@@ -88,16 +88,16 @@ impl Flow {
     /// What is asked for of a contact: numbers, and the leakages with their fields. On a line, none of it is along `y`.
     ///
     /// # Errors
-    /// The errors of [`Flow::resistivities`], [`Leakage::from_contact`] and [`Conductance::new`].
+    /// The errors of [`Flow::resistivities`], [`Leakage::along`] and [`Conductance::new`].
     pub fn measure(&self, contact: &Contact) -> Result<FlowFound, FlowError> {
         let mut found = FlowFound::default();
         if self.leakage {
             let is_line = contact.problem.surface().grid().is_line();
             let percolation = Percolation::from_contact(contact);
-            for axis in FlowAxis::ALL.into_iter().take(if is_line { 1 } else { 2 }) {
-                let leakage = Leakage::from_contact(contact, axis, Leakage::TOLERANCE)?;
-                found.numbers.extend(AxisFlow::new(&percolation, &leakage).numbers());
-                found.leakages.push(leakage);
+            let axes = &FlowAxis::ALL[..if is_line { 1 } else { 2 }];
+            found.leakages = Leakage::along(contact, axes, Leakage::TOLERANCE)?;
+            for leakage in &found.leakages {
+                found.numbers.extend(AxisFlow::new(&percolation, leakage).numbers());
             }
         }
         if let Some([first, second]) = self.resistivities()? {

@@ -61,9 +61,7 @@ impl AxisPicture {
         [&self.flux, &self.pressure]
     }
 
-    fn log(&self, to: &RecordingStream, plane: &SurfacePlane, contact: &Contact) -> RecordingStreamResult<()> {
-        // what cannot be solved at all, such as more than 1e9 nodes, has no picture
-        let Ok(leakage) = Leakage::from_contact(contact, self.axis, TOLERANCE) else { return Ok(()) };
+    fn log(&self, to: &RecordingStream, plane: &SurfacePlane, leakage: &Leakage) -> RecordingStreamResult<()> {
         let fold = |values: &crate::surface::Field| {
             plane.blocks.fold(values.as_slice().unwrap_or_default(), [1, 1], 0.0, f64::max)
         };
@@ -99,6 +97,10 @@ impl Drawing for FlowPicture {
     }
 
     fn log_contact(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
-        self.along.iter().try_for_each(|it| it.log(to, &self.plane, contact))
+        // what cannot be solved at all, such as more than 1e9 nodes, has no picture
+        let Ok(leakages) = Leakage::along(contact, &self.along.each_ref().map(|it| it.axis), TOLERANCE) else {
+            return Ok(());
+        };
+        self.along.iter().zip(&leakages).try_for_each(|(it, leakage)| it.log(to, &self.plane, leakage))
     }
 }
