@@ -75,16 +75,16 @@ pub struct Bench {
     /// Solve each case N times; the median time is reported
     #[arg(long, value_name = "N", default_value = "1", value_parser = count)]
     repeats: NonZeroUsize,
-    /// Use smaller grids: lines of 2^14 points, surfaces of 256^2, without the wavelengths that are too short for them
+    /// Use smaller grids: lines of 2^14 points, surfaces of 256^2 (histories: 128^2), without the wavelengths that are too short for them
     #[arg(long)]
     quick: bool,
     /// Write the rows in full precision; the file is updated after each row, or in the group rivals after each case
     #[arg(long, value_name = "FILE.csv")]
     out: Option<PathBuf>,
-    /// Group rivals: interpreter with the other codes
+    /// Groups rivals and histories: interpreter with the other codes
     #[arg(long, value_name = "PROGRAM", default_value = "python3")]
     python: PathBuf,
-    /// Group rivals: largest time of a run of another code, in seconds, with the start of the interpreter
+    /// Groups rivals and histories: largest time of a run of another code, in seconds, with the start of the interpreter
     #[arg(long, value_name = "S", default_value = "120", value_parser = count)]
     time_limit: NonZeroUsize,
     /// Draw certificates against seconds (group rivals) or seconds against the contact area (group contact)

@@ -3,7 +3,7 @@
 use super::operator::SetOperator;
 use super::support::Support;
 use super::workspace::Workspace;
-use crate::chunks::{self, dot};
+use crate::chunks;
 use crate::contact::{Decision, Status};
 
 /// Largest number of conjugate gradient steps.
@@ -171,6 +171,11 @@ fn uniform_stiffness(support: &Support, operator: &mut (impl SetOperator + ?Size
     operator.comply(support, &ones, support, &mut displacement);
     let compliance = dot(&ones, &displacement) / ones.len() as f64;
     if compliance > 0.0 { 1.0 / compliance } else { 0.0 }
+}
+
+/// The scalar product, term by term: the order of summation is a part of the digits that the guide shows.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    chunks::sum(a.len(), |i| a[i] * b[i])
 }
 
 pub(super) fn mean(values: &[f64]) -> f64 {

@@ -1,9 +1,9 @@
 //! Guarded steps, which always lower the energy.
 
-use super::correction::remove_mean;
+use super::correction::{dot, remove_mean};
 use super::level::{Displacement, InnerStepCallback, Level};
 use super::support::{SparsePressure, Support};
-use crate::chunks::{self, dot};
+use crate::chunks;
 use crate::contact::Status;
 use crate::contact::bound::{is_uniform, to_bound};
 use crate::contact::feasible::nearest;

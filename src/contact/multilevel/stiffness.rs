@@ -1,10 +1,9 @@
 //! The stiffness of a contact.
 
-use super::correction::Correction;
+use super::correction::{Correction, dot};
 use super::operator::Spectral;
 use super::support::SparsePressure;
 use super::workspace::Workspace;
-use crate::chunks::dot;
 use crate::contact::Problem;
 
 /// Reduction of the residual. The stiffness errs by the square of it.
