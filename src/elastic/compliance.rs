@@ -1,6 +1,7 @@
 //! The compliance of a solid on a grid.
 
 use super::directed::{DirectedTable, SteadyMotion, rolling_strip};
+use super::ewald::EwaldTables;
 use super::free::{FreeTable, datum};
 use super::solid::stiffness;
 use super::{ElasticSolid, HalfSpace};
@@ -38,8 +39,10 @@ pub(super) enum ComplianceKind {
     HalfSpace { modulus: f64 },
     /// Stiffness by the places of the filter.
     Table(Vec<f64>),
-    /// A boundary without images.
+    /// A boundary without images, as a whole.
     Free(FreeTable),
+    /// A boundary without images, in two parts.
+    Ewald(EwaldTables),
     /// A contact that moves over the solid.
     Directed { base: Box<ComplianceKind>, table: DirectedTable },
 }
@@ -54,7 +57,10 @@ impl Compliance {
     pub fn new(grid: &Grid, solid: Arc<dyn ElasticSolid>, with_uniform: bool) -> Result<Self, GridError> {
         check_known(grid, solid.as_ref())?;
         let modulus = solid.contact_modulus();
-        let (kind, range) = if !grid.is_periodic() {
+        let (kind, range) = if let Some(tables) = EwaldTables::new(grid, solid.as_ref()) {
+            let range = [tables.softest(), periodic_range(grid, solid.as_ref())[1]];
+            (ComplianceKind::Ewald(tables), range)
+        } else if !grid.is_periodic() {
             let table = FreeTable::new(grid, solid.as_ref())?;
             let range = [table.softest(), periodic_range(grid, solid.as_ref())[1]];
             (ComplianceKind::Free(table), range)
@@ -314,7 +320,7 @@ impl Compliance {
             (true, true) => 0.0,
             (true, false) => table,
             (false, _) if grid.is_line() => 1.0 + padded + table,
-            (false, _) => 2.0 + table,
+            (false, _) => EwaldTables::new(grid, solid).map_or(2.0 + table, |tables| tables.fields()),
         }
     }
 
@@ -328,7 +334,7 @@ impl Compliance {
         match &self.kind {
             ComplianceKind::HalfSpace { .. } => false,
             ComplianceKind::Table(stiffness) => stiffness[0] > 0.0,
-            ComplianceKind::Free(_) => true,
+            ComplianceKind::Free(_) | ComplianceKind::Ewald(_) => true,
             ComplianceKind::Directed { table, .. } => table.has_uniform(),
         }
     }
@@ -342,7 +348,7 @@ impl Compliance {
     /// Whether waves are independent, as on periodic grids.
     pub fn is_diagonal(&self) -> bool {
         match &self.kind {
-            ComplianceKind::Free(_) => false,
+            ComplianceKind::Free(_) | ComplianceKind::Ewald(_) => false,
             ComplianceKind::Directed { table, .. } => table.is_periodic(),
             ComplianceKind::HalfSpace { .. } | ComplianceKind::Table(_) => true,
         }

@@ -3,6 +3,7 @@
 use super::Compliance;
 use super::compliance::ComplianceKind;
 use super::directed::DirectedConvolution;
+use super::ewald::{EwaldConvolution, EwaldTables};
 use super::free::{FreeConvolution, FreeTable};
 use crate::fourier::{Filter, Real, Wave};
 use std::sync::Arc;
@@ -18,6 +19,7 @@ pub(crate) struct Convolution<T: Real> {
     /// Made on first use: a free boundary rarely needs the first, and nothing else the second.
     filter: Option<Filter<T>>,
     padded: Option<FreeConvolution<T>>,
+    ewald: Option<EwaldConvolution<T>>,
     directed: Option<DirectedConvolution<T>>,
 }
 
@@ -25,7 +27,7 @@ impl<T: Real> Convolution<T> {
     /// The waves of a solid; transforms are planned on first use.
     pub fn new(compliance: Arc<Compliance>, unit: f64) -> Self {
         let rows = Filter::rows_of(&compliance.grid);
-        Self { unit, rows, filter: None, padded: None, directed: None, compliance }
+        Self { unit, rows, filter: None, padded: None, ewald: None, directed: None, compliance }
     }
 
     pub fn compliance(&self) -> &Arc<Compliance> {
@@ -40,7 +42,7 @@ impl<T: Real> Convolution<T> {
 
     /// Frees the memory of the transforms until they are used again.
     pub fn release(&mut self) {
-        (self.filter, self.padded, self.directed) = (None, None, None);
+        (self.filter, self.padded, self.ewald, self.directed) = (None, None, None, None);
     }
 
     /// `unit` times the displacement under a pressure, for fields that need not exist as a whole.
@@ -58,6 +60,11 @@ impl<T: Real> Convolution<T> {
             ComplianceKind::Free(table) => {
                 let padded = self.padded.get_or_insert_with(|| FreeConvolution::new(&self.compliance.grid, table));
                 padded.convolve(table, unit, rows, fill, sinks, store);
+            }
+            ComplianceKind::Ewald(tables) => {
+                let (table, shape) = (tables.at_precision::<T>(), self.compliance.grid.shape());
+                let ewald = self.ewald.get_or_insert_with(|| EwaldConvolution::new(shape, table));
+                ewald.convolve(table, unit, fill, sinks, store);
             }
             ComplianceKind::Directed { table, .. } => {
                 let grid = &self.compliance.grid;
@@ -98,7 +105,7 @@ impl<T: Real> Convolution<T> {
         let filter = self.filter.get_or_insert_with(|| Filter::new(&self.compliance.grid));
         filter.load(fill);
         scale(filter, &self.compliance.kind, |_, k| factor(k), with_uniform);
-        filter.store(sinks, store);
+        filter.store(sinks, |r, row, sink| store(r, row, sink));
     }
 }
 
@@ -111,7 +118,9 @@ fn scale<T: Real>(
 ) {
     let kind = if let ComplianceKind::Directed { base, .. } = kind { base } else { kind };
     match kind {
-        &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
+        &ComplianceKind::HalfSpace { modulus }
+        | &ComplianceKind::Free(FreeTable { modulus, .. })
+        | &ComplianceKind::Ewald(EwaldTables { modulus, .. }) => {
             filter.scale(|Wave { q, .. }| factor(q, 0.5 * modulus * q));
         }
         ComplianceKind::Directed { .. } => unreachable!("a solid without motion is not directed"),

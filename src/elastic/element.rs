@@ -62,8 +62,7 @@ pub(crate) fn sheared_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: 
     let far = FAR_RECTANGLE * dx.max(dy);
     let along = if x * x + y * y > far * far {
         let value = |y: f64, x: f64| x * x / (x * x + y * y).powf(1.5);
-        let inner = GAUSS.map(|[t, w]| w * GAUSS.map(|[s, v]| v * value(y + dy * s, x + dx * t)).iter().sum::<f64>());
-        dx * dy * inner.iter().sum::<f64>()
+        dx * dy * mean(at, sides, value)
     } else {
         let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
         let edge = |s: f64| s * ((right / s.abs()).asinh() - (left / s.abs()).asinh());
@@ -83,8 +82,7 @@ pub(crate) fn crossed_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: 
     let far = FAR_RECTANGLE * dx.max(dy);
     let integral = if x * x + y * y > far * far {
         let value = |y: f64, x: f64| x * y / (x * x + y * y).powf(1.5);
-        let inner = GAUSS.map(|[t, w]| w * GAUSS.map(|[s, v]| v * value(y + dy * s, x + dx * t)).iter().sum::<f64>());
-        dx * dy * inner.iter().sum::<f64>()
+        dx * dy * mean(at, sides, value)
     } else {
         let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
         right.hypot(below) + left.hypot(above) - right.hypot(above) - left.hypot(below)
@@ -102,8 +100,7 @@ pub(crate) fn coupled_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: 
     let far = FAR_RECTANGLE * dx.max(dy);
     let integral = if x * x + y * y > far * far {
         let value = |y: f64, x: f64| x / (x * x + y * y);
-        let inner = GAUSS.map(|[t, w]| w * GAUSS.map(|[s, v]| v * value(y + dy * s, x + dx * t)).iter().sum::<f64>());
-        dx * dy * inner.iter().sum::<f64>()
+        dx * dy * mean(at, sides, value)
     } else {
         let [[below, above], [left, right]] = [[y, dy], [x, dx]].map(|[at, side]| [at - 0.5 * side, at + 0.5 * side]);
         let of = |y: f64, x: f64| {
@@ -114,6 +111,12 @@ pub(crate) fn coupled_rectangle(at: [f64; 2], sides: [f64; 2], contact_modulus: 
         of(above, right) - of(above, left) - of(below, right) + of(below, left)
     };
     integral / (PI * contact_modulus)
+}
+
+/// The mean of `value(y, x)`, which is smooth, over a rectangle of sides `[dy, dx]` around `[y, x]`, by quadrature.
+pub(super) fn mean([y, x]: [f64; 2], [dy, dx]: [f64; 2], value: impl Fn(f64, f64) -> f64) -> f64 {
+    let along_y = |x: f64| GAUSS.map(|[s, v]| v * value(y + dy * s, x)).iter().sum::<f64>();
+    GAUSS.map(|[t, w]| w * along_y(x + dx * t)).iter().sum()
 }
 
 /// The integral of `1/r` over a rectangle in closed form. It loses digits as the square of the distance, by cancellation.

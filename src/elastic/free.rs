@@ -75,15 +75,21 @@ pub(super) fn padded(grid: &Grid) -> Result<Grid, GridError> {
     if grid.is_line() { Grid::line(points[1], size[1]) } else { Grid::surface(points, size) }
 }
 
-/// The `influence` of an element at a distance, transformed along all axes: of lines, and of surfaces without images. It is even along
-/// each axis, so that a quarter of it is enough, and so is its transform.
-fn transformed(padded: &Grid, influence_at: impl Fn([f64; 2]) -> f64 + Sync) -> Vec<f64> {
-    let ([my, mx], [dy, dx]) = (padded.shape(), padded.spacing());
+/// The `influence` of an element at a distance, transformed along all axes: of lines, and of surfaces without images.
+fn transformed(padded: &Grid, influence: impl Fn([f64; 2]) -> f64 + Sync) -> Vec<f64> {
+    let [dy, dx] = padded.spacing();
+    transformed_quarter(padded, |y, row| {
+        row.iter_mut().enumerate().for_each(|(x, value)| *value = influence([dy * y as f64, dx * x as f64]));
+    })
+}
+
+/// The transform of a field that is even along each axis, so that a quarter of it is enough, and so is its transform. `fill(y, row)` writes
+/// row `y` up to the middle; rows are zero before.
+pub(super) fn transformed_quarter(padded: &Grid, fill: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
+    let [my, mx] = padded.shape();
     let [height, width] = [my / 2 + 1, mx / 2 + 1];
     let mut quarter = vec![0.0; height * width];
-    chunks::rows_mut(&mut quarter, width, |y, row| {
-        row.iter_mut().enumerate().for_each(|(x, value)| *value = influence_at([dy * y as f64, dx * x as f64]));
-    });
+    chunks::rows_mut(&mut quarter, width, fill);
     transform_even_rows(&mut quarter, mx);
     if padded.is_line() {
         return Filter::places(padded).into_iter().map(|[_, kx]| quarter[kx]).collect();
@@ -101,6 +107,9 @@ fn transform_even_rows(field: &mut [f64], points: usize) {
     let plan = || (Fourier::new(&line), vec![0.0; points], vec![Complex::default(); width]);
     let mut rows: Vec<_> = field.chunks_exact_mut(width).collect();
     chunks::each_with(&mut rows, width, plan, |(fourier, whole, spectrum), _, row| {
+        if row.iter().all(|value| *value == 0.0) {
+            return;
+        }
         (0..points).for_each(|x| whole[x] = row[x.min(points - x)]);
         fourier.forward(whole, spectrum);
         row.iter_mut().zip(&*spectrum).for_each(|(value, mode)| *value = points as f64 * mode.re);
@@ -170,7 +179,9 @@ impl<T: Real> FreeConvolution<T> {
         store: impl Fn(usize, &[T], &mut S) + Sync,
     ) {
         let (width, weight) = (rows[1], |place| unit * table.weights[place]);
-        let Some(line) = &mut self.line else { return self.fields.scale_rows(weight, fill, sinks, store) };
+        let Some(line) = &mut self.line else {
+            return self.fields.scale_rows(weight, fill, sinks, |r, row, sink| store(r, row, sink));
+        };
         chunks::rows_mut(line, width, fill);
         self.fields.scale(line, weight);
         chunks::each(sinks, width, |r, sink| store(r, &line[r * width..][..width], sink));

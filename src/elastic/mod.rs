@@ -11,6 +11,7 @@ mod depth;
 pub mod direct;
 mod directed;
 pub(crate) mod element;
+mod ewald;
 mod free;
 mod half_space;
 mod layer;

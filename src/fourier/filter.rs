@@ -77,11 +77,11 @@ impl<T: Real> Filter<T> {
         each_kind!(self, filter => filter.scale(factor))
     }
 
-    /// Gives row `r` of the result to `store(r, row, sink)` with the sink of that row. The result is lost.
+    /// Gives row `r` of the result, which may be changed there, to `store(r, row, sink)` with the sink of that row. The result is lost.
     ///
     /// # Panics
     /// If there is not one sink per row.
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
         assert_eq!(sinks.len(), self.rows()[0], "one sink per row");
         each_kind!(self, filter => filter.store(sinks, store))
     }

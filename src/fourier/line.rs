@@ -54,8 +54,8 @@ impl<T: Real> LineFilter<T> {
             .for_each(|(mode, wave)| *mode = *mode * T::from_double(norm * factor(wave)));
     }
 
-    pub fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S)) {
+    pub fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S)) {
         self.plans.inverse_row(&mut self.spectrum, &mut self.values, &mut self.scratch);
-        store(0, &self.values, &mut sinks[0]);
+        store(0, &mut self.values, &mut sinks[0]);
     }
 }

@@ -85,7 +85,7 @@ impl<T: Real> LongLineFilter<T> {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks(per_worker * n2).zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();

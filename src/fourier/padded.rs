@@ -16,6 +16,11 @@ impl<T: Real> Padded<T> {
         Self { shape, filter: Filter::with_used_rows(padded, shape[0]) }
     }
 
+    /// The shape of the fields without padding.
+    pub fn shape(&self) -> [usize; 2] {
+        self.shape
+    }
+
     /// Multiplies the modes of a padded field by the `weight` of the [`Filter::places`] of its grid.
     pub fn scale(&mut self, field: &mut [T], weight: impl Fn(usize) -> f64 + Sync) {
         let [ny, nx] = self.shape;
@@ -34,14 +39,14 @@ impl<T: Real> Padded<T> {
     }
 
     /// Multiplies the modes of a padded surface by the `weight` of the [`Filter::places`] of its grid. The surface need not exist as a
-    /// whole: `fill(r, row)` writes row `r` of the field without padding, and `store(r, row, sink)` takes row `r` of the result with its
-    /// sink.
+    /// whole: `fill(r, row)` writes row `r` of the field without padding, and `store(r, row, sink)` takes row `r` of the result, which may be
+    /// changed there, with its sink.
     pub fn scale_rows<S: Send>(
         &mut self,
         weight: impl Fn(usize) -> f64 + Sync,
         fill: impl Fn(usize, &mut [T]) + Sync,
         sinks: &mut [S],
-        store: impl Fn(usize, &[T], &mut S) + Sync,
+        store: impl Fn(usize, &mut [T], &mut S) + Sync,
     ) {
         let (nx, filter) = (self.shape[1], &mut self.filter);
         filter.load(|r, row| {
@@ -50,7 +55,7 @@ impl<T: Real> Padded<T> {
             padding.fill(T::zero());
         });
         filter.scale(|wave| weight(wave.place));
-        filter.store(sinks, |r, row, sink| store(r, &row[..nx], sink));
+        filter.store(sinks, |r, row, sink| store(r, &mut row[..nx], sink));
     }
 }
 

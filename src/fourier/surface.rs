@@ -94,7 +94,7 @@ impl<T: Real> SurfaceFilter<T> {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &[T], &mut S) + Sync) {
+    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
         let nx = self.shape[1];
         let half = nx / 2 + 1;
         let per_worker = self.used_rows.div_ceil(self.workers.len());
@@ -103,7 +103,7 @@ impl<T: Real> SurfaceFilter<T> {
         spread(tasks, |(task, ((spectra, sinks), Worker { row, scratch, .. }))| {
             for (i, (spectrum, sink)) in spectra.chunks_exact_mut(half).zip(sinks).enumerate() {
                 self.plans.inverse_row(spectrum, &mut row[..nx], scratch);
-                store(task * per_worker + i, &row[..nx], sink);
+                store(task * per_worker + i, &mut row[..nx], sink);
             }
         });
     }
