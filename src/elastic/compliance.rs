@@ -47,6 +47,18 @@ pub(super) enum ComplianceKind {
     Directed { base: Box<ComplianceKind>, table: DirectedTable },
 }
 
+impl ComplianceKind {
+    /// Points of the grids whose transforms make a displacement.
+    fn points(&self, grid: &Grid) -> usize {
+        match self {
+            Self::HalfSpace { .. } | Self::Table(_) => grid.len(),
+            Self::Free(table) => table.points(),
+            Self::Ewald(tables) => tables.points(),
+            Self::Directed { base, .. } => base.points(grid),
+        }
+    }
+}
+
 impl Compliance {
     /// The compliance of a solid over a periodic or free grid. `with_uniform` includes the displacement by a uniform
     /// pressure on a periodic grid, if the solid has one. Otherwise displacements have zero mean there.
@@ -343,6 +355,11 @@ impl Compliance {
     /// the compliance is not symmetric, it is that of its symmetric part: the inverse of the real part of the weights.
     pub fn stiffness_range(&self) -> [f64; 2] {
         self.range
+    }
+
+    /// Points of the grids whose transforms make a displacement.
+    pub(crate) fn transformed_points(&self) -> usize {
+        self.kind.points(&self.grid)
     }
 
     /// Whether waves are independent, as on periodic grids.

@@ -51,6 +51,11 @@ impl FreeTable {
         Ok(Self { modulus, padded, weights })
     }
 
+    /// Points of the padded grid.
+    pub fn points(&self) -> usize {
+        self.padded.len()
+    }
+
     /// Displacement over traction by the places of the filter of the padded grid.
     pub fn weights(&self) -> &[f64] {
         &self.weights

@@ -96,13 +96,13 @@ impl Split {
         let spacing = spacing.map(|d| d / unit);
         let (near, stiffness) = (near(shape, spacing, is_periodic), SplitStiffness::new(shape, spacing, is_periodic));
         let values = (near.values() + stiffness.near.values()) * set;
-        // a transform of a field with free boundaries is padded to twice as many nodes along each side
-        let padded = if is_periodic { 1 } else { 4 };
-        if values as f64 > VALUES_PER_POINT * ((padded + 1) * grid.len()) as f64 {
+        // a product and the preconditioner
+        let points = problem.compliance().transformed_points();
+        if values as f64 > VALUES_PER_POINT * (points + grid.len()) as f64 {
             return None;
         }
         let far = if is_periodic { periodic(shape, spacing, near.sum()) } else { free(shape, spacing) };
-        let share = far.points() as f64 / (padded * grid.len()) as f64;
+        let share = far.points() as f64 / points as f64;
         Some(Self { unit: unit / problem.contact_modulus(), near, far, stiffness, share, transforms: 0.0 })
     }
 }

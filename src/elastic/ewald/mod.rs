@@ -70,10 +70,18 @@ impl EwaldTables {
         element::rectangle([0.5 * dy, 0.5 * dx], padded.size(), self.modulus).recip()
     }
 
+    /// Points of both grids of the convolution in double precision.
+    pub fn points(&self) -> usize {
+        self.shape().points()
+    }
+
     /// Fields of doubles of the convolution and its table in double precision.
     pub fn fields(&self) -> f64 {
-        let shape = EwaldShape::new(&self.grid, DOUBLE).expect("checked when it was made");
-        shape.values() as f64 / self.grid.len() as f64
+        self.shape().values() as f64 / self.grid.len() as f64
+    }
+
+    fn shape(&self) -> EwaldShape {
+        EwaldShape::new(&self.grid, DOUBLE).expect("checked when it was made")
     }
 }
 
