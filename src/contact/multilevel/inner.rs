@@ -40,10 +40,6 @@ impl Level<'_> {
         }
         let candidates = self.candidates(self.lambda());
         let mut operator = self.take_operator();
-        if self.method != UpdateMethod::Split {
-            // the transforms of inner steps and those in double precision are not used at the same time
-            self.response.release();
-        }
         self.decision = self.method.decision();
         let SparsePressure { support, values } = &self.pressure;
         let v = if self.displacement == Displacement::Interpolated {
@@ -56,7 +52,12 @@ impl Level<'_> {
         };
         let mut pressure = vec![0.0; candidates.nodes()];
         support.transfer(values, &candidates, &mut pressure);
-        (self.u, self.displacement) = (Vec::new(), Displacement::Outdated);
+        self.displacement = Displacement::Outdated;
+        if self.method != UpdateMethod::Split {
+            // inner steps by transforms take as much memory as a displacement in double precision, and are not used at the same time
+            self.response.release();
+            self.u = Vec::new();
+        }
         let mut inner = Inner::new(self.problem, self.pace, candidates, pressure, v);
         self.first_eta.get_or_insert(inner.certificate() / self.problem.rms_height());
         let spent = self.transforms();

@@ -133,6 +133,9 @@ const COARSE_UPDATES: usize = 12;
 /// find the best state. Only rounding causes this.
 const PATIENCE: usize = 600;
 
+/// Share of the nodes in contact below which a contact with a free boundary is solved by sums over neighbours, which take little memory.
+const SPARSE: f64 = 0.011;
+
 /// Active-set updates on nested grids: the fastest solver.
 ///
 /// On each grid, from the coarsest on, repeats:
@@ -190,7 +193,8 @@ impl Multilevel {
             (true, true) => 8.6 + 3.0 * relative_area,
             (true, false) => 13.6 + 3.0 * relative_area,
             (false, true) => 2.4 + 17.0 * relative_area,
-            (false, false) => 2.3 + 19.5 * relative_area,
+            (false, false) if relative_area < SPARSE => 2.3 + 19.5 * relative_area,
+            (false, false) => 3.4 + 15.5 * relative_area,
         }
     }
 

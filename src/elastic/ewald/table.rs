@@ -5,8 +5,12 @@ use super::super::free::transformed_quarter;
 use super::far::FarKernel;
 use super::shape::{EwaldShape, Fineness, ImageDistance};
 use super::window::{CoarseWindow, SIDE};
+use crate::chunks;
 use crate::grid::Grid;
 use std::f64::consts::{PI, TAU};
+
+/// Values of a field that take as long as the near influence of an element.
+const WORK: usize = 256;
 
 /// The parts of the influence of an element, transformed: displacement over pressure by the places of the filters of both grids.
 #[derive(Debug, Clone)]
@@ -52,10 +56,22 @@ fn near(shape: &EwaldShape, kernel: &FarKernel, modulus: f64) -> Vec<f64> {
         let smooth = dx * dy * element::mean(at, sides, |y, x| kernel.at((y * y + x * x).sqrt()));
         element::rectangle(at, sides, modulus) - smooth / (PI * modulus)
     };
-    transformed_quarter(&shape.near, |row, values| {
+    // on square elements both axes are alike, and the columns before the diagonal are rows
+    let is_square = dy == dx;
+    let first = |row: usize| if is_square { row } else { 0 };
+    let [height, width] = [dy, dx].map(|d| (reach / d) as usize + 1);
+    let rows = chunks::rows(height, WORK * width, |row| {
         let y = dy * row as f64;
-        let columns = (0..).map(|column| dx * f64::from(column)).take_while(|x| y * y + x * x <= reach * reach);
-        values.iter_mut().zip(columns).for_each(|(value, x)| *value = influence([y, x]));
+        let columns =
+            (first(row)..width).map(|column| dx * column as f64).take_while(|x| y * y + x * x <= reach * reach);
+        columns.map(|x| influence([y, x])).collect::<Vec<f64>>()
+    });
+    let value = |row: usize, column: usize| rows[row].get(column - first(row)).copied().unwrap_or(0.0);
+    transformed_quarter(&shape.near, |row, values| {
+        if row < height {
+            let values = values.iter_mut().enumerate().take(width);
+            values.for_each(|(x, to)| *to = if x < first(row) { value(x, row) } else { value(row, x) });
+        }
     })
 }
 
