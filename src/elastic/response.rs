@@ -18,11 +18,12 @@ use std::sync::Arc;
 /// [`Compliance`] was made to keep it; and the inverse is exact except for the mean.
 ///
 /// Along a free axis there is no pressure outside the cell: `u` is the sum of the displacements by a uniform pressure
-/// on each element, computed by a convolution padded with zeros (Liu, Wang & Liu 2000). Its inverse is approximated by
+/// on each element, computed by a convolution padded with zeros (Liu, Wang & Liu 2000), or on large free surfaces as the sum of a near
+/// part on a slightly larger grid and a smooth part on a coarse one, to rounding. Its inverse is approximated by
 /// that of the periodic solid.
 ///
 /// Memory: one half spectrum, which is about one real field, and scratch for some rows and columns per thread; where an axis is free
-/// one field more and a half spectrum that is twice as large for each such axis.
+/// one field more and a half spectrum that is twice as large for each such axis, or on large free surfaces two fields in all.
 ///
 /// # Source
 /// Johnson, *Contact Mechanics* (1985), section 13.2; Stanley & Kato, J. Tribol. 119, 481 (1997); Liu, Wang & Liu, Wear 243, 101

@@ -8,10 +8,10 @@
 //! where the [`FarKernel`] `g` is smooth, and equal to `1/r` beyond a radius `R`. The near part is zero there: its grid is padded by `R`
 //! only. The far part has no waves shorter than four spacings of a grid of every fourth node, on which it is convolved; the
 //! [`CoarseWindow`] takes pressures there, and displacements back. Both parts are exact to the rounding of the numbers. On 1024^2 nodes both
-//! grids together have a third of the points of the padded one.
+//! grids together have two fifths of the points of the padded one.
 //!
 //! # Source
-//! Ewald, Ann. Phys. 369, 253 (1921); a window in place of the Gaussian: Jiang & Greengard, Commun. Pure Appl. Math. 78, 1041 (2025);
+//! Ewald, Ann. Phys. 369, 253 (1921); a window in place of the Gaussian: Jiang & Greengard, Commun. Pure Appl. Math. (2025), doi 10.1002/cpa.22240;
 //! the coarse grid: Hockney & Eastwood, *Computer Simulation Using Particles* (1988), chapter 8, and Barnett, Magland & af Klinteberg,
 //! SIAM J. Sci. Comput. 41, C479 (2019).
 
