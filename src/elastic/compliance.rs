@@ -42,7 +42,7 @@ pub(super) enum ComplianceKind {
     /// A boundary without images, as a whole.
     Free(FreeTable),
     /// A boundary without images, in two parts.
-    Ewald(EwaldTables),
+    Ewald(Box<EwaldTables>),
     /// A contact that moves over the solid.
     Directed { base: Box<ComplianceKind>, table: DirectedTable },
 }
@@ -71,7 +71,7 @@ impl Compliance {
         let modulus = solid.contact_modulus();
         let (kind, range) = if let Some(tables) = EwaldTables::new(grid, solid.as_ref()) {
             let range = [tables.softest(), periodic_range(grid, solid.as_ref())[1]];
-            (ComplianceKind::Ewald(tables), range)
+            (ComplianceKind::Ewald(tables.into()), range)
         } else if !grid.is_periodic() {
             let table = FreeTable::new(grid, solid.as_ref())?;
             let range = [table.softest(), periodic_range(grid, solid.as_ref())[1]];

@@ -3,7 +3,7 @@
 use super::Compliance;
 use super::compliance::ComplianceKind;
 use super::directed::DirectedConvolution;
-use super::ewald::{EwaldConvolution, EwaldTables};
+use super::ewald::EwaldConvolution;
 use super::free::{FreeConvolution, FreeTable};
 use crate::fourier::{Filter, Real, Wave};
 use std::sync::Arc;
@@ -117,12 +117,12 @@ fn scale<T: Real>(
     with_uniform: bool,
 ) {
     let kind = if let ComplianceKind::Directed { base, .. } = kind { base } else { kind };
+    let half_space = |filter: &mut Filter<T>, modulus: f64| filter.scale(|Wave { q, .. }| factor(q, 0.5 * modulus * q));
     match kind {
-        &ComplianceKind::HalfSpace { modulus }
-        | &ComplianceKind::Free(FreeTable { modulus, .. })
-        | &ComplianceKind::Ewald(EwaldTables { modulus, .. }) => {
-            filter.scale(|Wave { q, .. }| factor(q, 0.5 * modulus * q));
+        &ComplianceKind::HalfSpace { modulus } | &ComplianceKind::Free(FreeTable { modulus, .. }) => {
+            half_space(filter, modulus);
         }
+        ComplianceKind::Ewald(tables) => half_space(filter, tables.modulus),
         ComplianceKind::Directed { .. } => unreachable!("a solid without motion is not directed"),
         ComplianceKind::Table(table) => {
             filter.scale(|Wave { q, place }| factor(q, if q > 0.0 || with_uniform { table[place] } else { 0.0 }));

@@ -11,7 +11,7 @@
 //! grids together have two fifths of the points of the padded one.
 //!
 //! # Source
-//! Ewald, Ann. Phys. 369, 253 (1921); a window in place of the Gaussian: Jiang & Greengard, Commun. Pure Appl. Math. (2025), doi 10.1002/cpa.22240;
+//! Ewald, Ann. Phys. 369, 253 (1921); a window in place of the Gaussian: Jiang & Greengard, Comm. Pure Appl. Math. (2025), doi 10.1002/cpa.22240;
 //! the coarse grid: Hockney & Eastwood, *Computer Simulation Using Particles* (1988), chapter 8, and Barnett, Magland & af Klinteberg,
 //! SIAM J. Sci. Comput. 41, C479 (2019).
 
