@@ -3,7 +3,7 @@
 use super::Compliance;
 use super::compliance::ComplianceKind;
 use super::directed::DirectedConvolution;
-use super::ewald::EwaldConvolution;
+use super::ewald::{EwaldConvolution, EwaldTables};
 use super::free::{FreeConvolution, FreeTable};
 use crate::fourier::{Filter, Real, Wave};
 use std::sync::Arc;
@@ -61,7 +61,7 @@ impl<T: Real> Convolution<T> {
                 let padded = self.padded.get_or_insert_with(|| FreeConvolution::new(&self.compliance.grid, table));
                 padded.convolve(table, unit, rows, fill, sinks, store);
             }
-            ComplianceKind::Ewald(tables) => {
+            ComplianceKind::Ewald(tables) if EwaldTables::ARE_MADE => {
                 let (table, shape) = (tables.at_precision::<T>(), self.compliance.grid.shape());
                 let ewald = self.ewald.get_or_insert_with(|| EwaldConvolution::new(shape, table));
                 ewald.convolve(table, unit, fill, sinks, store);

@@ -45,10 +45,13 @@ pub(super) struct EwaldTables {
 }
 
 impl EwaldTables {
+    /// Whether there are any. The grids of a browser are too small, and the compiler leaves out all else there: a fiftieth of the module.
+    pub const ARE_MADE: bool = !cfg!(target_arch = "wasm32");
+
     /// The tables of a half-space over a grid; none where the padded convolution is as fast, or the only one.
     pub fn new(grid: &Grid, solid: &dyn ElasticSolid) -> Option<Self> {
         let is_free = !grid.is_line() && grid.periodic() == [false; 2];
-        if !is_free || !solid.is_half_space() {
+        if !Self::ARE_MADE || !is_free || !solid.is_half_space() {
             return None;
         }
         let shape = EwaldShape::new(grid, DOUBLE)?;
