@@ -1,7 +1,9 @@
 //! The half-space in Fourier space against the direct sum.
 
 use asperity::Grid;
-use asperity::elastic::{HalfSpace, Response, direct::displacement};
+use asperity::elastic::direct::{displacement, influence};
+use asperity::elastic::{HalfSpace, Response};
+use rand::{RngExt, SeedableRng, rngs::ChaCha8Rng};
 use std::f64::consts::TAU;
 
 fn grids() -> [Grid; 6] {
@@ -65,15 +67,45 @@ fn shared_grids() -> [Grid; 6] {
     ]
 }
 
+/// A free surface that is large enough for a near and a far part.
+fn large_and_free() -> Grid {
+    Grid::surface([402, 445], [1.2, 1.3]).unwrap().with_periodic([false; 2])
+}
+
+#[test]
+fn large_free_surfaces_respond_as_the_direct_sum() {
+    let (grid, solid) = (large_and_free(), HalfSpace::new(3.0));
+    let ([ny, nx], influence) = (grid.shape(), influence(&grid, &solid));
+    let mut response = Response::new(&grid, solid).unwrap();
+    for seed in 0..20 {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let loads: Vec<_> =
+            (0..500).map(|_| (random.random_range(0..grid.len()), random.random_range(0.0..2.0))).collect();
+        let mut pressure = vec![0.0; grid.len()];
+        loads.iter().for_each(|(node, load)| pressure[*node] += load);
+        let mut displacement = vec![0.0; grid.len()];
+        response.displacement(&pressure, &mut displacement);
+        let largest = displacement.iter().fold(0.0, |most: f64, u| most.max(*u));
+        let watched =
+            (0..200).map(|_| random.random_range(0..grid.len())).chain([0, nx - 1, (ny - 1) * nx, ny * nx - 1]);
+        for node in watched {
+            let apart = |other: usize| (node / nx).abs_diff(other / nx) * nx + (node % nx).abs_diff(other % nx);
+            let sum: f64 = loads.iter().map(|(other, load)| influence[apart(*other)] * load).sum();
+            let error = (displacement[node] - sum).abs() / largest;
+            assert!(error < 1e-13, "seed {seed}, node {node}: {error:e}");
+        }
+    }
+}
+
 #[test]
 fn responses_are_the_same_on_any_number_of_threads() {
-    for grid in shared_grids() {
+    for grid in shared_grids().into_iter().chain([large_and_free()]) {
         let pressure: Vec<f64> = (0..grid.len()).map(|i| ((i % 1009 * (i % 911)) as f64 * 0.7).sin() + 0.3).collect();
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
                 let mut displacement = vec![0.0; grid.len()];
-                Response::half_space(&grid, 3.0).displacement(&pressure, &mut displacement);
+                Response::new(&grid, HalfSpace::new(3.0)).unwrap().displacement(&pressure, &mut displacement);
                 displacement
             })
         };

@@ -133,7 +133,8 @@ const COARSE_UPDATES: usize = 12;
 /// find the best state. Only rounding causes this.
 const PATIENCE: usize = 600;
 
-/// Share of the nodes in contact below which a contact with a free boundary is solved by sums over neighbours, which take little memory.
+/// Share of the nodes in contact below which a contact of 1024^2 nodes with a free boundary is solved by sums over neighbours, which take
+/// less memory than transforms. On larger grids the share is larger, so that forecasts of memory are too high in between.
 const SPARSE: f64 = 0.011;
 
 /// Active-set updates on nested grids: the fastest solver.
@@ -158,7 +159,8 @@ const SPARSE: f64 = 0.011;
 /// count by their share of points, and those in single precision like others.
 ///
 /// Memory on the finest grid, besides the heights, is the largest of three. The result has 3 fields of n doubles, and all else is freed
-/// before they are made. An outer step needs 1 field and the [`crate::elastic::Response`]. An inner iteration on a surface needs 4/3 of a field, and 6 vectors on the nodes near the contact
+/// before they are made. An outer step needs 1 field and the [`crate::elastic::Response`], which an inner iteration by sums over neighbours keeps. One by transforms on a surface
+/// frees both, and needs 4/3 of a field. Both need 6 vectors on the nodes near the contact
 /// and as many on the contact set, with 16 bytes for each run of nodes; on a line a correction needs 6 fields, and
 /// 8 vectors on the contact set. From a good start there are 2 and 1 vectors more, on lines as well. On a thin bonded layer the preconditioner takes up to 6 fields more on a surface. Below a hardness an
 /// exchange takes 1 field more, guarded steps 4. Coarse grids are freed before the finest one is set up.

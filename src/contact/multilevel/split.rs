@@ -39,10 +39,11 @@ const STIFFNESS: KernelSplit = KernelSplit { side: 4, radius: 6.0, product: 1.6 
 const ACCURACY: f64 = 5e-3;
 
 /// Values of the near parts, per node of the set, that cost as much as a point of a grid that is transformed forth and back: measured
-/// on periodic and free rough contacts of 1024^2 nodes. Points of larger grids cost more, since these do not fit the caches: by the power
-/// `SLOWDOWN` of the nodes, as measured on 4096^2.
+/// on periodic and free rough contacts of [`MEASURED_NODES`].
 const VALUES_PER_POINT: f64 = 4.0;
+/// The nodes of 1024^2. Points of larger grids cost more, since these do not fit the caches.
 const MEASURED_NODES: f64 = 1048576.0;
+/// The power of the nodes by which points of larger grids cost more, measured on rough contacts of 4096^2 nodes.
 const SLOWDOWN: f64 = 1.0 / 6.0;
 
 /// Nodes along the sides of the grid on which the near part is computed.

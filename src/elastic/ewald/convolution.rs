@@ -39,8 +39,8 @@ impl<T: Real> EwaldConvolution<T> {
         }
     }
 
-    /// Gives `unit` times the displacement under a pressure, as [`crate::elastic::Convolution::displace`] has it. Each row of the pressure is asked for
-    /// twice.
+    /// Gives `unit` times the displacement under a pressure, as [`crate::elastic::Convolution::displace`] has it. `fill` is called twice
+    /// for each row of the pressure.
     pub fn convolve<S: Send>(
         &mut self,
         table: &EwaldTable,

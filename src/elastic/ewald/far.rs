@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 ///
 /// `S(t) = t + sum_m a_m sin(m pi t)` for `0 <= t <= 1`, `a_m = 2 w(m pi) / (m pi w(0))`,
 ///
-/// the integral of the Kaiser-Bessel window with the transform `w(k) = sinh(s)/s`, `s^2 = c^2 - k^2`. Its waves are those below `c/R`;
-/// of the others it has `exp(-c)`.
+/// the integral of the Kaiser-Bessel window with the transform `w(k) = sinh(s)/s`, `s^2 = c^2 - k^2`. It consists of
+/// waves below `c/R`, but for a part of about `exp(-c)`.
 ///
 /// # Source
 /// Kaiser & Schafer, IEEE Trans. Acoust. 28, 105 (1980).

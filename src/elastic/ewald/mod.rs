@@ -10,6 +10,9 @@
 //! [`CoarseWindow`] takes pressures there, and displacements back. Both parts are exact to the rounding of the numbers. On 1024^2 nodes both
 //! grids together have two fifths of the points of the padded one.
 //!
+//! Inner iterations of the multilevel solver split `1/r` as well, but with two digits only and for pressures on few nodes, where the near
+//! part is a sum over neighbours.
+//!
 //! # Source
 //! Ewald, Ann. Phys. 369, 253 (1921); a window in place of the Gaussian: Jiang & Greengard, Comm. Pure Appl. Math. (2025), doi 10.1002/cpa.22240;
 //! the coarse grid: Hockney & Eastwood, *Computer Simulation Using Particles* (1988), chapter 8, and Barnett, Magland & af Klinteberg,

@@ -6,7 +6,7 @@ use crate::fourier::smooth;
 use crate::grid::Grid;
 use std::f64::consts::PI;
 
-/// How well both parts add up. Displacements err by some `exp(-sharpness)` of the largest one, and by a tenth to the power of `width`.
+/// How well both parts add up. The error of a displacement falls as `exp(-sharpness)` and as `10^(-width)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::elastic) struct Fineness {
     /// The product of the radius `R` and the largest wavenumber of the far part.
@@ -15,8 +15,9 @@ pub(in crate::elastic) struct Fineness {
     width: usize,
 }
 
-/// Errors of 3e-15 and 3e-8 of the largest displacement on 512^2 nodes.
+/// The parts of fields in double precision: errors of some 3e-15 of the largest displacement on 512^2 nodes.
 pub(super) const DOUBLE: Fineness = Fineness { sharpness: 28.0, width: 16 };
+/// The parts of fields in single precision: errors of some 3e-8 of the largest displacement, besides the rounding of the numbers.
 pub(super) const SINGLE: Fineness = Fineness { sharpness: 14.0, width: 8 };
 
 /// The grids of both parts.

@@ -9,7 +9,8 @@ pub(super) const SIDE: usize = 4;
 /// Shape parameter of the window over its width, for waves of at least four coarse spacings.
 const BETA: f64 = 2.3;
 
-/// Points of the quadrature over the window. The integrand has no waves shorter than four of them.
+/// Points of the quadrature over the window. With four times as many the transform of the waves of the far part changes by 4e-15 of
+/// itself for 16 coarse nodes, and by 9e-12 for 8.
 const POINTS: usize = 64;
 
 /// The window `f(z) = exp(beta (sqrt(1 - z^2) - 1))`, `|z| < 1`, over `width` coarse nodes: a value at a node is spread over the coarse
