@@ -1,6 +1,8 @@
 //! A multigrid cycle on groups of cells, which preconditions the conjugate gradients.
 
+use super::balance::Balance;
 use super::laplacian::Laplacian;
+use super::network::Network;
 use crate::chunks::{self, dot};
 
 /// Of the strongest conductance of a cell, the part that another one needs for a pair.
@@ -40,78 +42,86 @@ impl GroupSize {
 /// # Source
 /// Notay, Electron. Trans. Numer. Anal. 37, 123 (2010): aggregation by pairwise matching, and the K-cycle. Deviations: the size of the groups, and
 /// that cells without a free partner join a group.
-pub(super) struct GroupCycle {
-    /// From fine to coarse.
+pub(super) struct GroupCycle<'a> {
+    network: &'a Network,
+    room: CycleRoom,
+    /// The groups, from fine to coarse.
     levels: Vec<CycleLevel>,
 }
 
-/// A level of the cycle, with room for what is computed on it: new room in each cycle would cost more than a sweep.
+/// A level of groups.
 struct CycleLevel {
     matrix: Laplacian,
+    /// The conjugate gradients on this level.
+    gradients: Gradients,
+    room: CycleRoom,
+}
+
+/// Room for what is computed on a level: new room in each cycle would cost more than a sweep.
+struct CycleRoom {
     /// The groups of its cells on the next level; none on the last one.
     groups: Vec<u32>,
     /// The approximate solution.
     z: Vec<f64>,
-    /// The conjugate gradients; on the finest level they are those of the caller.
-    gradients: Gradients,
 }
 
-impl CycleLevel {
-    fn new(matrix: Laplacian, is_coarse: bool) -> Self {
-        let (z, cells) = (vec![0.0; matrix.cells()], if is_coarse { matrix.cells() } else { 0 });
-        let gradients = Gradients::new(vec![0.0; cells], vec![0.0; cells]);
-        Self { matrix, groups: Vec::new(), z, gradients }
+impl CycleRoom {
+    fn new(cells: usize) -> Self {
+        Self { groups: Vec::new(), z: vec![0.0; cells] }
     }
 }
 
-impl GroupCycle {
-    /// The levels below a matrix.
-    pub fn new(matrix: Laplacian, size: GroupSize) -> Self {
-        Self { levels: vec![CycleLevel::new(matrix, false)] }.with_groups(size)
+impl CycleLevel {
+    fn new(matrix: Laplacian) -> Self {
+        let cells = matrix.cells();
+        Self { matrix, gradients: Gradients::new(vec![0.0; cells], vec![0.0; cells]), room: CycleRoom::new(cells) }
+    }
+}
+
+impl<'a> GroupCycle<'a> {
+    /// The groups of a network.
+    pub fn new(network: &'a Network, size: GroupSize) -> Self {
+        Self { network, room: CycleRoom::new(network.cells()), levels: Vec::new() }.with_groups(size)
     }
 
     /// The cycle of the same equations with groups of another size. The finest groups are the same.
     pub fn with_groups(mut self, size: GroupSize) -> Self {
-        let levels = &mut self.levels;
-        levels.truncate(1 + GroupSize::Small.levels());
-        for level in levels.len() - 1.. {
-            let fine = &levels[level].matrix;
-            let coarser = if level < size.levels() { pairs_of_pairs(fine) } else { paired(fine) };
-            let Some((coarse, of)) = coarser else {
-                levels[level].groups.clear();
-                break;
+        self.levels.truncate(GroupSize::Small.levels());
+        loop {
+            let are_large = self.levels.len() < size.levels();
+            let (coarser, room) = match self.levels.last_mut() {
+                None => (grouped(self.network, are_large), &mut self.room),
+                Some(level) => (grouped(&level.matrix, are_large), &mut level.room),
             };
-            levels[level].groups = of;
-            levels.push(CycleLevel::new(coarse, true));
+            let Some((coarse, of)) = coarser else { return self };
+            room.groups = of;
+            self.levels.push(CycleLevel::new(coarse));
         }
-        self
     }
 
     /// A step of conjugate gradients on the finest level, preconditioned by the cycle, see [`Gradients::step`].
     pub fn step(&mut self, gradients: &mut Gradients) -> Option<f64> {
-        relax(&mut self.levels, &gradients.residual);
-        gradients.step(&self.levels[0].matrix, &self.levels[0].z)
+        relax(self.network, &mut self.room, &mut self.levels, &gradients.residual);
+        gradients.step(self.network, &self.room.z)
     }
 }
 
-/// An approximate solution of `A z = r` on the first of some levels.
-fn relax(levels: &mut [CycleLevel], r: &[f64]) {
-    let Some((CycleLevel { matrix, groups, z, .. }, coarser)) = levels.split_first_mut() else { return };
+/// An approximate solution of `A z = r` on a level, by all coarser ones.
+fn relax(matrix: &impl Balance, room: &mut CycleRoom, coarser: &mut [CycleLevel], r: &[f64]) {
+    let CycleRoom { groups, z } = room;
     matrix.sweep_from_zero(r, z);
-    if !groups.is_empty() {
-        let mut gradients = std::mem::take(&mut coarser[0].gradients);
+    if let Some((CycleLevel { matrix: coarse, gradients, room }, coarser)) = coarser.split_first_mut() {
         gradients.start_from_zero();
-        (0..r.len()).for_each(|cell| gradients.residual[groups[cell] as usize] += matrix.rest_of_sweep(cell, z));
+        matrix.add_rest_of_sweep(z, groups, &mut gradients.residual);
         for _ in 0..COARSE_STEPS {
-            relax(coarser, &gradients.residual);
-            if gradients.step(&coarser[0].matrix, &coarser[0].z).is_none() {
+            relax(coarse, room, coarser, &gradients.residual);
+            if gradients.step(coarse, &room.z).is_none() {
                 break;
             }
         }
         chunks::update(z, |range, z| {
             z.iter_mut().zip(&groups[range]).for_each(|(z, group)| *z += gradients.x[*group as usize]);
         });
-        coarser[0].gradients = gradients;
     }
     matrix.sweep_back(r, z);
 }
@@ -145,7 +155,7 @@ impl Gradients {
 
     /// A step along the preconditioned residual `z`, made conjugate to the last direction. Returns by how much the power
     /// `<x A x> - 2 <b x>` falls, or none where no step lowers it.
-    fn step(&mut self, matrix: &Laplacian, z: &[f64]) -> Option<f64> {
+    fn step(&mut self, matrix: &impl Balance, z: &[f64]) -> Option<f64> {
         let overlap = if self.curvature > 0.0 { dot(z, &self.product) / self.curvature } else { 0.0 };
         chunks::update(&mut self.direction, |range, d| {
             d.iter_mut().zip(range).for_each(|(d, i)| *d = z[i] - overlap * *d);
@@ -168,27 +178,32 @@ impl Gradients {
     }
 }
 
-/// The level of pairs of pairs, if there are many, and the group of each cell.
-fn pairs_of_pairs(fine: &Laplacian) -> Option<(Laplacian, Vec<u32>)> {
+/// The level of pairs, or of pairs of pairs, if there are many, and the group of each cell.
+fn grouped(fine: &impl Balance, of_pairs: bool) -> Option<(Laplacian, Vec<u32>)> {
     let (pairs, mut of) = paired(fine)?;
-    let Some((coarse, of_pair)) = paired(&pairs) else { return Some((pairs, of)) };
+    let Some((coarse, of_pair)) = of_pairs.then(|| paired(&pairs)).flatten() else { return Some((pairs, of)) };
     of.iter_mut().for_each(|group| *group = of_pair[*group as usize]);
     Some((coarse, of))
 }
 
 /// The level of pairs, if there are many, and the group of each cell.
-fn paired(fine: &Laplacian) -> Option<(Laplacian, Vec<u32>)> {
+fn paired(fine: &impl Balance) -> Option<(Laplacian, Vec<u32>)> {
     let (of, groups) = pairs(fine);
-    ((groups as f64) < WORTHWHILE * fine.cells() as f64).then(|| (fine.grouped(&of, groups), of))
+    ((groups as f64) < WORTHWHILE * fine.cells() as f64).then(|| (Laplacian::new(fine, &of, groups), of))
 }
 
 /// Each cell is paired with the one that is free and whose conductance is largest, if that is strong. If there is none, it joins the
-/// group of the cell to which its conductance is largest. The groups of cells, and their number.
-fn pairs(matrix: &Laplacian) -> (Vec<u32>, usize) {
+/// group of the cell to which its conductance is largest. A cell through which nothing flows joins the first group, which does not change
+/// that one. The groups of cells, and their number.
+fn pairs(matrix: &impl Balance) -> (Vec<u32>, usize) {
     let mut of = vec![u32::MAX; matrix.cells()];
     let mut groups = 0;
     for cell in 0..matrix.cells() {
         if of[cell] != u32::MAX {
+            continue;
+        }
+        if matrix.diagonal(cell) == 0.0 {
+            of[cell] = 0;
             continue;
         }
         let links = matrix.links(cell);

@@ -2,7 +2,7 @@
 
 use super::FlowAxis;
 use super::cycle::{Gradients, GroupCycle, GroupSize};
-use super::laplacian::Laplacian;
+use super::balance::Balance;
 use super::network::Network;
 use super::tree::ChannelTree;
 use crate::chunks;
@@ -17,10 +17,10 @@ const MOST_STEPS: usize = 500;
 /// the flow finds its channels.
 const SLOW: f64 = 0.4;
 const FIRST_STEPS: usize = 6;
-/// The estimated relative error at which bounds are first computed, in parts of the tolerance, and how much lower it has to be for
-/// each later time.
+/// The relative gain of a step at which bounds are first computed, in parts of the tolerance.
 const FIRST_GOAL: f64 = 0.1;
-const NEXT_GOAL: f64 = 0.03;
+/// Bounds that are too far from each other are computed again at this part of the gain that would do if their distance fell as the gain does.
+const NEXT_GOAL: f64 = 0.5;
 /// Smallest tolerance: sums over all faces err by rounding.
 const SMALLEST_TOLERANCE: f64 = 1e-12;
 /// Nodes up to which both axes are solved at the same time: with more of them, their memory counts.
@@ -177,21 +177,15 @@ impl Leakage {
         let (nx, along, spacing) = (grid.shape()[1], self.axis.index(), grid.spacing());
         let flux = network.flux(pressure);
         // twice the flow through each cell along y and x: the sum over both faces
-        let mut through = vec![[0.0; 2]; network.cells];
-        for (face, flux) in network.faces.iter().zip(&flux) {
-            let nodes = face.ends().map(|end| network.nodes.get(end).map(|&node| node as usize));
-            let axis = match nodes {
-                [Some(a), Some(b)] if a / nx == b / nx => FlowAxis::X.index(),
-                [Some(_), Some(_)] => FlowAxis::Y.index(),
-                _ => along,
-            };
-            face.ends().into_iter().filter(|&end| end < network.cells).for_each(|end| through[end][axis] += flux);
+        let mut through = vec![[0.0; 2]; network.cells() + 2];
+        for (face, flux) in flux.iter().enumerate() {
+            network.ends(face).into_iter().for_each(|end| through[end][network.axis(face).index()] += flux);
         }
         // the mean flux is the total over the width, and that through a face is the flow over its own width
         let unit = 0.5 * grid.shape()[1 - along] as f64 / network.inflow(&flux);
         let widths = [0, 1].map(|axis| if axis == along { 1.0 } else { spacing[1 - along] / spacing[along] });
-        for (cell, &node) in network.nodes.iter().enumerate() {
-            let node = [node as usize / nx, node as usize % nx];
+        for cell in (0..network.cells()).filter(|&cell| network.diagonal(cell) > 0.0) {
+            let node = [cell / nx, cell % nx];
             self.pressure[node] = pressure[cell];
             self.flux[node] = unit * f64::hypot(through[cell][0] * widths[0], through[cell][1] * widths[1]);
         }
@@ -219,19 +213,20 @@ impl Leakage {
 fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     let widest = gap.fold(0.0, |most: f64, &gap| most.max(gap));
     let conductivity: Vec<f64> = gap.iter().map(|gap| (gap.max(0.0) / widest).powi(3)).collect();
-    let network = Network::new(&axis.cut(grid), axis, &conductivity);
+    let network = Network::new(&axis.cut(grid), axis, conductivity);
     let size = grid.size();
     let unit = widest.powi(3) * size[axis.index()] / size[1 - axis.index()];
     let (pressure, flux) = (Field::from_elem(grid.shape(), f64::NAN), Field::zeros(grid.shape()));
     let mut leakage = Leakage { axis, lower: 0.0, upper: 0.0, tolerance, steps: 0, pressure, flux };
-    if network.cells == 0 {
+    if network.is_sealed() {
         return leakage;
     }
     let mut groups = GroupSize::Large;
-    let mut cycle = GroupCycle::new(Laplacian::from_network(&network), groups);
+    let mut cycle = GroupCycle::new(&network, groups);
     let tree = ChannelTree::new(&network);
-    let flux = network.flux(&network.linear);
-    let mut gradients = Gradients::new(network.linear.clone(), network.surplus(&flux));
+    let linear = network.linear();
+    let flux = network.flux(&linear);
+    let mut gradients = Gradients::new(linear, network.surplus(&flux));
     let (mut power, mut goal, mut last_gain) = (network.power(&flux), FIRST_GOAL * tolerance, f64::INFINITY);
     leakage.upper = unit * power;
     while leakage.steps < MOST_STEPS && leakage.width() > tolerance {
@@ -241,10 +236,8 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
         if leakage.steps == MOST_STEPS || gain.is_none_or(|gain| gain <= goal * power) {
             let ([lower, upper], residual) = bounds(&network, &tree, &gradients.x);
             (leakage.lower, leakage.upper) = (leakage.lower.max(unit * lower), leakage.upper.min(unit * upper));
-            (power, goal) = (upper, NEXT_GOAL * goal);
-            if gain.is_none() {
-                break;
-            }
+            let Some(gain) = gain else { break };
+            (power, goal) = (upper, NEXT_GOAL * gain / upper * tolerance / leakage.width());
             gradients = Gradients::new(gradients.x, residual);
         }
         let is_slow = leakage.steps >= FIRST_STEPS && gain.is_some_and(|gain| gain > SLOW * last_gain);

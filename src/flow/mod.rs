@@ -26,6 +26,7 @@
 //! ```
 
 mod axis;
+mod balance;
 mod conductance;
 mod cycle;
 mod laplacian;

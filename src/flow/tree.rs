@@ -1,6 +1,7 @@
 //! A tree of wide channels, along which a flow is made free of sources.
 
-use super::network::{Face, Network};
+use super::balance::Balance;
+use super::network::Network;
 use crate::forest::Forest;
 
 /// A spanning tree of a network with the two sides as its one root, of faces that conduct as well as they can.
@@ -12,11 +13,10 @@ pub(super) struct ChannelTree {
 impl ChannelTree {
     /// The tree of the largest conductances (Kruskal), of which those within a sixteenth count as equal.
     pub fn new(network: &Network) -> Self {
-        let Network { cells, faces, .. } = network;
-        let mut order = by_conductance(faces);
-        let mut forest = Forest::new(cells + 1);
+        let mut order = by_conductance(network);
+        let mut forest = Forest::new(network.cells() + 1);
         order.retain(|&face| {
-            let [a, b] = joined(&faces[face as usize], *cells);
+            let [a, b] = joined(network, face);
             forest.join(a, b)
         });
         Self { drains: drains(network, &order) }
@@ -25,9 +25,9 @@ impl ChannelTree {
     /// Sends the surplus of each cell under a flow along the tree to the sides.
     pub fn drain(&self, network: &Network, surplus: &[f64], flux: &mut [f64]) {
         let mut surplus = surplus.to_vec();
-        surplus.resize(network.cells + 2, 0.0);
+        surplus.resize(network.cells() + 2, 0.0);
         for &(cell, face) in &self.drains {
-            let [from, to] = network.faces[face as usize].ends();
+            let [from, to] = network.ends(face as usize);
             let sent = surplus[cell as usize];
             let (other, sign) = if from == cell as usize { (to, 1.0) } else { (from, -1.0) };
             flux[face as usize] += sign * sent;
@@ -36,33 +36,34 @@ impl ChannelTree {
     }
 }
 
-/// The faces from the largest conductance to the smallest, sorted by the leading bits of these: exponent and four bits behind it.
-fn by_conductance(faces: &[Face]) -> Vec<u32> {
-    let key = |face: &Face| ((u64::MAX - face.conductance.to_bits()) >> 48) as usize;
+/// The faces that conduct, from the largest conductance to the smallest, sorted by the leading bits of these: exponent and four bits behind it.
+fn by_conductance(network: &Network) -> Vec<u32> {
+    let key = |face: usize| ((u64::MAX - network.conductance(face).to_bits()) >> 48) as usize;
+    let conducting = || (0..network.faces()).filter(|&face| network.conductance(face) > 0.0);
     let mut starts = vec![0; (1 << 16) + 1];
-    faces.iter().for_each(|face| starts[key(face) + 1] += 1);
+    conducting().for_each(|face| starts[key(face) + 1] += 1);
     (0..1 << 16).for_each(|key| starts[key + 1] += starts[key]);
-    let mut order = vec![0; faces.len()];
-    for (number, face) in faces.iter().enumerate() {
+    let mut order = vec![0; starts[1 << 16]];
+    for face in conducting() {
         let place = &mut starts[key(face)];
-        order[*place] = number as u32;
+        order[*place] = face as u32;
         *place += 1;
     }
     order
 }
 
 /// The ends of a face, with the two sides as one.
-fn joined(face: &Face, cells: usize) -> [usize; 2] {
-    face.ends().map(|end| end.min(cells))
+fn joined(network: &Network, face: u32) -> [usize; 2] {
+    network.ends(face as usize).map(|end| end.min(network.cells()))
 }
 
 /// Cells from the leaves of the tree to its root. The number of the one face that a leaf has left is the exclusive or of the numbers of
 /// its faces.
 fn drains(network: &Network, tree: &[u32]) -> Vec<(u32, u32)> {
-    let cells = network.cells;
+    let cells = network.cells();
     let (mut degree, mut mixed) = (vec![0_u32; cells + 1], vec![0_u32; cells + 1]);
     for &face in tree {
-        for end in joined(&network.faces[face as usize], cells) {
+        for end in joined(network, face) {
             degree[end] += 1;
             mixed[end] ^= face;
         }
@@ -74,7 +75,7 @@ fn drains(network: &Network, tree: &[u32]) -> Vec<(u32, u32)> {
         while cell < cells && degree[cell] == 1 {
             let face = mixed[cell];
             drains.push((cell as u32, face));
-            let [a, b] = joined(&network.faces[face as usize], cells);
+            let [a, b] = joined(network, face);
             degree[cell] = 0;
             cell = if a == cell { b } else { a };
             degree[cell] -= 1;
