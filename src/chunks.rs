@@ -101,6 +101,14 @@ pub(crate) fn tile([height, width]: [usize; 2]) -> usize {
     if height == 1 { width.min(TILE) } else { width }
 }
 
+/// Zeros in memory that has been written to. The system gives `vec![0.0; len]` no memory before it is used, and where it is read first and then
+/// written to, it takes the system twice and stops the other threads.
+pub(crate) fn touched(len: usize) -> Vec<f64> {
+    let mut zeros = Vec::new();
+    zeros.resize(len, 0.0);
+    zeros
+}
+
 /// Results of `visit` on each chunk of `0..len`, in order.
 pub(crate) fn visit<T: Send>(len: usize, visit: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     spread(ranges(len, CHUNK), visit)

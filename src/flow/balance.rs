@@ -2,14 +2,16 @@
 
 /// The balance of flows of cells, a symmetric positive matrix `A`: `(A x)_i = d_i x_i - sum_j c_ij x_j` with the conductances `c_ij`
 /// between cells and their sum `d_i`, in which those to the sides count as well.
+///
+/// Conductances differ by many orders of magnitude, so that `d_i` is never used where it would cancel: flows are `c_ij (x_i - x_j)`.
 pub(super) trait Balance {
     /// Number of cells.
     fn cells(&self) -> usize;
 
-    /// The diagonal `d` of a cell, zero for a cell through which nothing flows.
-    fn diagonal(&self, cell: usize) -> f64;
+    /// The conductance of a cell to the sides.
+    fn to_sides(&self, cell: usize) -> f64;
 
-    /// The other cells and the conductances of a cell.
+    /// The other cells and the conductances of a cell, which are above zero.
     fn links(&self, cell: usize) -> impl Iterator<Item = (usize, f64)> + Clone;
 
     /// `A x`.

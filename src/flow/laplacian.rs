@@ -7,8 +7,9 @@ use crate::chunks;
 ///
 /// Links to earlier and to later groups are held apart, since a sweep that begins at zero needs one kind of them only.
 pub(super) struct Laplacian {
-    /// The diagonal, and one over it.
-    diagonal: Vec<f64>,
+    /// The conductances to the sides.
+    to_sides: Vec<f64>,
+    /// One over the sum of all conductances.
     inverse: Vec<f64>,
     /// Links to earlier and to later groups.
     earlier: Links,
@@ -43,6 +44,12 @@ impl Links {
         self.links(cell).fold(start, |sum, (other, conductance)| sum + conductance * x[other])
     }
 
+    /// `start + sum_j c_ij (x_i - x_j)` at a cell.
+    #[inline(always)]
+    fn add_flows(&self, cell: usize, x: &[f64], start: f64) -> f64 {
+        self.links(cell).fold(start, |sum, (other, conductance)| sum + conductance * (x[cell] - x[other]))
+    }
+
     /// Appends a cell.
     fn push(&mut self, links: impl Iterator<Item = (u32, f64)>) {
         for (other, conductance) in links {
@@ -58,20 +65,20 @@ impl Laplacian {
     /// added up.
     pub fn new(fine: &impl Balance, of: &[u32], groups: usize) -> Self {
         let members = members(of, groups);
-        let mut diagonal = vec![0.0; groups];
+        let (mut to_sides, mut inverse) = (Vec::with_capacity(groups), Vec::with_capacity(groups));
         let [mut earlier, mut later] = [Links::none(), Links::none()];
         // links of a group, and where in this list the one to a group is
         let (mut links, mut places) = (Vec::<(u32, f64)>::new(), vec![0; groups]);
         for (group, cells) in members.chunks().enumerate() {
             links.clear();
             for &cell in cells {
-                diagonal[group] += fine.diagonal(cell as usize);
                 for (other, conductance) in fine.links(cell as usize) {
                     let other = of[other];
                     let place = &mut places[other as usize];
                     if other as usize == group {
-                        diagonal[group] -= conductance;
-                    } else if links.get(*place).is_some_and(|link| link.0 == other) {
+                        continue;
+                    }
+                    if links.get(*place).is_some_and(|link| link.0 == other) {
                         links[*place].1 += conductance;
                     } else {
                         *place = links.len();
@@ -79,24 +86,27 @@ impl Laplacian {
                     }
                 }
             }
+            let sides = cells.iter().map(|&cell| fine.to_sides(cell as usize)).sum();
+            inverse.push(1.0 / links.iter().fold(sides, |sum, link| sum + link.1));
+            to_sides.push(sides);
             let is_earlier = |link: &(u32, f64)| (link.0 as usize) < group;
             earlier.push(links.iter().copied().filter(is_earlier));
             later.push(links.iter().copied().filter(|link| !is_earlier(link)));
         }
-        let inverse = diagonal.iter().map(|diagonal| 1.0 / diagonal).collect();
-        Self { diagonal, inverse, earlier, later }
+        Self { to_sides, inverse, earlier, later }
     }
 }
 
 impl Balance for Laplacian {
     fn cells(&self) -> usize {
-        self.diagonal.len()
+        self.inverse.len()
     }
 
-    fn diagonal(&self, cell: usize) -> f64 {
-        self.diagonal[cell]
+    fn to_sides(&self, cell: usize) -> f64 {
+        self.to_sides[cell]
     }
 
+    #[inline(always)]
     fn links(&self, cell: usize) -> impl Iterator<Item = (usize, f64)> + Clone {
         self.earlier.links(cell).chain(self.later.links(cell))
     }
@@ -104,7 +114,8 @@ impl Balance for Laplacian {
     fn apply(&self, x: &[f64], product: &mut [f64]) {
         chunks::update(product, |range, product| {
             for (product, cell) in product.iter_mut().zip(range) {
-                *product = self.diagonal[cell] * x[cell] - self.later.add(cell, x, self.earlier.add(cell, x, 0.0));
+                let to_sides = self.to_sides[cell] * x[cell];
+                *product = self.later.add_flows(cell, x, self.earlier.add_flows(cell, x, to_sides));
             }
         });
     }

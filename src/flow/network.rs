@@ -17,8 +17,7 @@ pub(super) struct Network {
     along: FlowAxis,
     /// The flow through each face per difference of the pressures of its ends. It is zero where there is no face.
     conductance: Vec<f64>,
-    /// The sum of the conductances of each cell, and one over it; zero for cells that carry nothing.
-    diagonal: Vec<f64>,
+    /// One over the sum of the conductances of each cell; zero for cells that carry nothing.
     inverse: Vec<f64>,
 }
 
@@ -32,7 +31,7 @@ impl Network {
         let spacing = grid.spacing();
         let ratio = spacing[1 - along.index()] / spacing[along.index()];
         let cells = grid.len();
-        let mut network = Self { shape: grid.shape(), along, conductance: Vec::new(), diagonal: Vec::new(), inverse: Vec::new() };
+        let mut network = Self { shape: grid.shape(), along, conductance: Vec::new(), inverse: Vec::new() };
         let faces = 2 * (cells + network.cells_of_side());
         let conductance = |face: usize| match network.ends(face) {
             [from, to] if from < cells && to < cells => {
@@ -43,23 +42,27 @@ impl Network {
             [from, to] => 2.0 * ratio * conductivity[from.min(to)],
         };
         network.conductance = (0..faces).map(conductance).collect();
-        network.diagonal = vec![0.0; cells + 2];
-        for face in 0..faces {
-            network.ends(face).into_iter().for_each(|end| network.diagonal[end] += network.conductance[face]);
+        let mut sums = chunks::touched(cells + 2);
+        for (face, conductance) in network.conductance.iter().enumerate() {
+            network.ends(face).into_iter().for_each(|end| sums[end] += conductance);
         }
-        network.diagonal.truncate(cells);
-        network.inverse = network.diagonal.iter().map(|sum| if *sum > 0.0 { 1.0 / sum } else { 0.0 }).collect();
+        network.inverse = sums[..cells].iter().map(|sum| if *sum > 0.0 { 1.0 / sum } else { 0.0 }).collect();
         network
     }
 
     /// Whether nothing flows.
     pub fn is_sealed(&self) -> bool {
-        self.diagonal.iter().all(|&sum| sum == 0.0)
+        !(0..self.cells()).any(|cell| self.carries(cell))
     }
 
     /// The number of faces, also of those without a conductance.
     pub fn faces(&self) -> usize {
         self.conductance.len()
+    }
+
+    /// Whether anything flows through a cell.
+    pub fn carries(&self, cell: usize) -> bool {
+        self.inverse[cell] > 0.0
     }
 
     /// The conductance of a face.
@@ -125,7 +128,7 @@ impl Network {
 
     /// Inflow less outflow of each cell.
     pub fn surplus(&self, flux: &[f64]) -> Vec<f64> {
-        let mut surplus = vec![0.0; self.cells() + 2];
+        let mut surplus = chunks::touched(self.cells() + 2);
         for (face, flux) in flux.iter().enumerate() {
             let [from, to] = self.ends(face);
             surplus[from] -= flux;
@@ -137,7 +140,8 @@ impl Network {
 
     /// The power that a flow dissipates.
     pub fn power(&self, flux: &[f64]) -> f64 {
-        let power = |(conductance, flux): (&f64, &f64)| if *conductance > 0.0 { flux * flux / conductance } else { 0.0 };
+        let power =
+            |(conductance, flux): (&f64, &f64)| if *conductance > 0.0 { flux * flux / conductance } else { 0.0 };
         self.conductance.iter().zip(flux).map(power).sum()
     }
 
@@ -155,7 +159,8 @@ impl Network {
     fn rows_beside(&self, row: usize) -> impl Iterator<Item = (usize, &[f64])> {
         let ny = self.shape[0];
         let above = (row + ny - 1) % ny;
-        let beside = [(above, above), ((row + 1) % ny, row)].map(|(other, faces)| (other, self.row(&self.conductance, faces)));
+        let beside =
+            [(above, above), ((row + 1) % ny, row)].map(|(other, faces)| (other, self.row(&self.conductance, faces)));
         beside.into_iter().filter(move |(other, _)| *other != row)
     }
 
@@ -170,8 +175,13 @@ impl Balance for Network {
         self.shape[0] * self.shape[1]
     }
 
-    fn diagonal(&self, cell: usize) -> f64 {
-        self.diagonal[cell]
+    fn to_sides(&self, cell: usize) -> f64 {
+        let [nx, along] = [self.shape[1], self.along.index()];
+        let place = [cell / nx, cell % nx];
+        let across = place[1 - along];
+        let at = |side: usize| self.conductance[2 * self.cells() + side * self.cells_of_side() + across];
+        let is_at = [place[along] == 0, place[along] + 1 == self.shape[along]];
+        (0..2).filter(|&side| is_at[side]).map(at).sum()
     }
 
     fn links(&self, cell: usize) -> impl Iterator<Item = (usize, f64)> + Clone {
@@ -186,16 +196,21 @@ impl Balance for Network {
     fn apply(&self, x: &[f64], product: &mut [f64]) {
         let nx = self.shape[1];
         chunks::rows_mut(product, nx, |row, product| {
-            let (x_row, next) = (self.row(x, row), self.along_row(row));
-            product.iter_mut().zip(x_row).zip(self.row(&self.diagonal, row)).for_each(|((product, x), d)| *product = d * x);
+            let (here, next) = (self.row(x, row), self.along_row(row));
+            product.fill(0.0);
             for (other, faces) in self.rows_beside(row) {
-                product.iter_mut().zip(faces).zip(self.row(x, other)).for_each(|((product, c), x)| *product -= c * x);
+                add_flows(product, faces, here, self.row(x, other));
             }
-            product.iter_mut().zip(next).zip(&x_row[1..]).for_each(|((product, c), x)| *product -= c * x);
-            product[1..].iter_mut().zip(next).zip(x_row).for_each(|((product, c), x)| *product -= c * x);
-            product[nx - 1] -= next[nx - 1] * x_row[0];
-            product[0] -= next[nx - 1] * x_row[nx - 1];
+            add_flows(product, next, here, &here[1..]);
+            add_flows(&mut product[1..], next, &here[1..], here);
+            let wrapped = wrapped(next) * (here[0] - here[nx - 1]);
+            product[0] += wrapped;
+            product[nx - 1] -= wrapped;
         });
+        for face in 2 * self.cells()..self.faces() {
+            let [from, to] = self.ends(face);
+            product[from.min(to)] += self.conductance[face] * x[from.min(to)];
+        }
     }
 
     fn sweep_from_zero(&self, b: &[f64], x: &mut [f64]) {
@@ -258,6 +273,11 @@ impl Balance for Network {
 /// Adds `c x` to each sum, as far as there are factors.
 fn add_products(sums: &mut [f64], c: &[f64], x: &[f64]) {
     sums.iter_mut().zip(c).zip(x).for_each(|((sum, c), x)| *sum += c * x);
+}
+
+/// Adds `c (x - y)` to each sum, as far as there are factors.
+fn add_flows(sums: &mut [f64], c: &[f64], x: &[f64], y: &[f64]) {
+    sums.iter_mut().zip(c).zip(x.iter().zip(y)).for_each(|((sum, c), (x, y))| *sum += c * (x - y));
 }
 
 /// The conductance of the face between the last cell of a row and the first one.

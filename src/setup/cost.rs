@@ -66,7 +66,7 @@ pub struct Extras {
 }
 
 /// Fields of the solver of flows along an axis, with its coarse grids; those of its results, along both axes; and with their archive.
-const FLOW_FIELDS: f64 = 31.0;
+const FLOW_FIELDS: f64 = 25.0;
 const KEPT_FLOW_FIELDS: f64 = 4.0;
 const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
 

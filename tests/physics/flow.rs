@@ -310,6 +310,19 @@ fn a_rough_contact_leaks_less_the_more_it_is_pressed_until_it_seals() {
     assert_eq!(last, 0.0);
 }
 
+/// Close to sealing, the last constrictions are far narrower than all other channels: conductances differ by many orders of magnitude. Groups of
+/// cells whose balance is a difference of large conductances take more than 500 steps for this one.
+#[test]
+fn the_last_constrictions_are_found_in_a_few_steps() {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 0.01, rms_gradient: 1e-3 };
+    let surface = Surface::rough(Grid::surface([512; 2], [1.0, 1.0]).unwrap(), &spectrum, 4).unwrap();
+    let problem = Problem::new(surface, ContactModulus(1.0), Load::ReducedPressure(0.22)).unwrap();
+    let contact = solve(&Multilevel, &problem, 1e-8);
+    let [x, y] = AXES.map(|axis| Leakage::from_contact(&contact, axis, 1e-6).and_then(Leakage::converged).unwrap());
+    assert!(x.is_sealed() && !y.is_sealed() && y.steps < 100, "{} steps", y.steps);
+    assert!(y.lower <= y.upper && y.upper < 1e-2 * contact.mean_gap().powi(3), "{} {}", y.lower, y.upper);
+}
+
 /// One gap in a wall carries all of the fluid: there the flux is the mean times the width over that of the gap.
 #[test]
 fn the_flux_is_the_largest_in_the_constriction() {

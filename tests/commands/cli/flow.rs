@@ -2,7 +2,8 @@
 
 use crate::command::{Folder, text};
 use ndarray::{Array2, Array3, Axis};
-use ndarray_npy::NpzReader;
+use ndarray_npy::{NpzReader, write_npy};
+use rand::{RngExt, SeedableRng, rngs::ChaCha8Rng};
 use serde_json::Value;
 use std::f64::consts::PI;
 use std::fs::File;
@@ -16,17 +17,19 @@ fn json(folder: &Folder, line: &str) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Near the load that seals, the bounds of the leakage may stay apart. This is told, and no gap is made of it.
+/// Where gaps differ by eight orders of magnitude from node to node, the bounds of the leakage stay apart. This is told, and no gap is made of it.
 #[test]
 fn a_leakage_that_is_not_known_is_told() {
     let folder = Folder::new();
-    let rough =
-        "solve --hurst 0.8 --rolloff 100um --short-cutoff 8um --rms-gradient 0.1 --points 1024,1024 --size 800um";
-    let line = format!("{rough} --young 10MPa --poisson 0.5 --pressure 0.29MPa --flow");
-    let output = folder.run(&line);
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    let mut heights = Array2::from_shape_fn((64, 64), |_| -(10f64.powf(-8.0 * rng.random_range(0.0..1.0))));
+    heights[[0, 0]] = 0.0;
+    write_npy(folder.join("gaps.npy"), &heights).unwrap();
+    let line = "solve --height gaps.npy --size 1,1 --modulus 1e6 --pressure 1e-7 --flow";
+    let output = folder.run(line);
     assert!(text(&output.stdout).contains("not known: as between plates"), "{}", text(&output.stdout));
     assert!(text(&output.stderr).contains("warning: The leakage along"), "{}", text(&output.stderr));
-    let found = json(&folder, &line);
+    let found = json(&folder, line);
     let along = found["flow"]["along"].as_array().unwrap();
     let unknown = along.iter().filter(|it| it["hydraulic_gap"].is_null()).count();
     assert!(unknown > 0 && !found["warnings"].as_array().unwrap().is_empty(), "{along:?}");
