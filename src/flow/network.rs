@@ -87,7 +87,7 @@ impl Network {
         }
         if face < 2 * cells {
             let (cell, next) = (face - cells, face - cells + 1);
-            return [cell, if next % nx == 0 { next - nx } else { next }];
+            return [cell, if next.is_multiple_of(nx) { next - nx } else { next }];
         }
         let (stride, last) = match self.along {
             FlowAxis::X => (nx, nx - 1),
@@ -186,7 +186,7 @@ impl Balance for Network {
 
     fn links(&self, cell: usize) -> impl Iterator<Item = (usize, f64)> + Clone {
         let ([_, nx], cells) = (self.shape, self.cells());
-        let left = if cell % nx == 0 { cell + nx - 1 } else { cell - 1 };
+        let left = if cell.is_multiple_of(nx) { cell + nx - 1 } else { cell - 1 };
         let above = if cell < nx { cell + cells - nx } else { cell - nx };
         let [below, right] = [self.ends(cell)[1], self.ends(cells + cell)[1]];
         let links = [(above, above), (left, cells + left), (right, cells + cell), (below, cell)];
