@@ -101,8 +101,8 @@ pub(crate) fn tile([height, width]: [usize; 2]) -> usize {
     if height == 1 { width.min(TILE) } else { width }
 }
 
-/// Zeros in memory that has been written to. The system gives `vec![0.0; len]` no memory before it is used, and where it is read first and then
-/// written to, it takes the system twice and stops the other threads.
+/// Zeros that are written to memory here. The pages of `vec![0.0; len]` are set up at their first use. One that is read before it is written is set up
+/// twice, and the second time stops the other threads for a moment.
 pub(crate) fn touched(len: usize) -> Vec<f64> {
     let mut zeros = Vec::new();
     zeros.resize(len, 0.0);

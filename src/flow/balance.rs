@@ -1,6 +1,6 @@
-//! What a cycle needs of a matrix.
+//! The balance of the flows of cells, as a matrix that a multigrid cycle works on.
 
-/// The balance of flows of cells, a symmetric positive matrix `A`: `(A x)_i = d_i x_i - sum_j c_ij x_j` with the conductances `c_ij`
+/// The balance of flows of cells, a symmetric positive definite matrix `A`: `(A x)_i = d_i x_i - sum_j c_ij x_j` with the conductances `c_ij`
 /// between cells and their sum `d_i`, in which those to the sides count as well.
 ///
 /// Conductances differ by many orders of magnitude, so that `d_i` is never used where it would cancel: flows are `c_ij (x_i - x_j)`.

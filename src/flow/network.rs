@@ -285,12 +285,6 @@ fn wrapped(next: &[f64]) -> f64 {
     next[next.len() - 1]
 }
 
-/// The next neighbours along `x` and `y`, where there are any.
-fn links(grid: &Grid, node: usize) -> impl Iterator<Item = (usize, FlowAxis)> {
-    let [next, _, below, _] = grid.neighbours(node);
-    [(next, FlowAxis::X), (below, FlowAxis::Y)].into_iter().filter(move |(other, _)| *other != node)
-}
-
 /// The mean `2 / (1/a + 1/b)` of values that are not negative, also where they are tiny.
 fn harmonic_mean(a: f64, b: f64) -> f64 {
     let (small, large) = (a.min(b), a.max(b));
@@ -302,7 +296,8 @@ fn leave_connected(grid: &Grid, along: FlowAxis, conductivity: &mut [f64]) {
     let mut forest = Forest::new(grid.len());
     let conducts = |node: usize| conductivity[node] > 0.0;
     for node in (0..grid.len()).filter(|&node| conducts(node)) {
-        links(grid, node).filter(|(other, _)| conducts(*other)).for_each(|(other, _)| _ = forest.join(node, other));
+        let [next, _, below, _] = grid.neighbours(node);
+        [next, below].into_iter().filter(|&other| conducts(other)).for_each(|other| _ = forest.join(node, other));
     }
     let mut reaches = vec![[false; 2]; grid.len()];
     for node in (0..grid.len()).filter(|&node| conducts(node)) {
