@@ -224,7 +224,7 @@ fn keyword(error: &BoxedError) -> &'static str {
             ConflictRule::NoSize => " (size)",
             _ => "",
         },
-        Some(SetupError::NoModulus { .. }) => " (solid)",
+        Some(SetupError::NoModulus { .. } | SetupError::UnitWithoutModulus { .. }) => " (solid)",
         Some(SetupError::Uneven { .. }) => " (prepare={'resample': 'linear'})",
         Some(SetupError::Voids { .. }) => " (prepare={'fill': 'harmonic'}, or prepare='auto')",
         _ => "",

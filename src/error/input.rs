@@ -279,6 +279,7 @@ impl InputError for SetupError {
             | Self::ForceWithoutUnit { .. }
             | Self::ForceUnit { .. }
             | Self::NoModulus { .. }
+            | Self::UnitWithoutModulus { .. }
             | Self::ElectricalAndThermal { .. }
             | Self::Against { .. }
             | Self::Boundaries { .. }

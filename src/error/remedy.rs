@@ -19,7 +19,7 @@ impl SetupError {
                 ConflictRule::AdhesionByGfmd => vec![vec![set_to("adhesion.method", "gfmd")]],
                 _ => Vec::new(),
             },
-            Self::NoModulus { .. } => {
+            Self::NoModulus { .. } | Self::UnitWithoutModulus { .. } => {
                 vec![vec![set("solid.contact-modulus")], vec![set("solid.young"), set("solid.poisson")]]
             }
             Self::Uneven { .. } => vec![vec![set_to("surface.prepare.resample", "linear")]],

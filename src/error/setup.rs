@@ -46,7 +46,7 @@ pub enum SetupError {
     /// A unit for one quantity and none for another of its kind.
     #[error("{without} has no unit, but {with} has one: give a unit for every {kind}, or for none")]
     MixedUnits {
-        /// `pressure`, `length` or `time`.
+        /// `pressure`, `length`, `force`, `energy per area`, `time` or `speed`.
         kind: &'static str,
         /// The quantity without a unit, and its value.
         without: String,
@@ -70,6 +70,15 @@ pub enum SetupError {
         "the {load} {value:?} is given without a modulus: give the contact modulus, or Young's modulus and Poisson's ratio of one body or of both"
     )]
     NoModulus { load: &'static str, value: f64 },
+    /// A quantity with a unit that is compared with a modulus, where no modulus is given.
+    #[error(
+        "{given} has a unit, but no modulus is given that it is compared with: give the contact modulus, or Young's modulus and Poisson's ratio \
+         of one body or of both; or give a number alone, which is taken over the contact modulus"
+    )]
+    UnitWithoutModulus {
+        /// The quantity and its value.
+        given: String,
+    },
     /// Bodies of which one conducts electricity and the other one heat.
     #[error("{electrical} is electrical and {thermal} is thermal: give both bodies of one kind")]
     ElectricalAndThermal { electrical: String, thermal: String },

@@ -1,5 +1,7 @@
 //! Ranges of values with equal ratios, such as `1e-3..1e-1:13`.
 
+use crate::quantity::has_unit;
+
 /// Largest number of values of a range.
 const MOST: u32 = 100_000;
 
@@ -13,6 +15,11 @@ impl<'t> Range<'t> {
     /// The range in a text; none if the text is no range. What is wrong with a range is the sentence of the error.
     pub fn parse(text: &'t str) -> Option<Result<Self, String>> {
         let (first, rest) = text.split_once("..")?;
+        // A third dot would become the decimal point of the last value: 1e-3...1e-1 would end at 0.01.
+        if rest.starts_with('.') {
+            let meant = format!("{first}..{}", rest.trim_start_matches('.'));
+            return Some(Err(format!("`{text}` has more than two dots between its ends: give two, as in {meant}")));
+        }
         let wrong = || format!("`{text}` is not a range: give first..last:number, such as 1e-3..1e-1:13");
         let parsed = || {
             let (last, count) = rest.rsplit_once(':').ok_or_else(wrong)?;
@@ -20,6 +27,13 @@ impl<'t> Range<'t> {
             let ends = [first.trim(), last.trim()];
             if ends.contains(&"") {
                 return Err(wrong());
+            }
+            // A number alone beside a quantity with a unit would be in the SI unit, which is seldom what is meant.
+            if let Some(unit) = unit_of_one(ends) {
+                return Err(format!(
+                    "one end of `{text}` has a unit and the other one has none: give both with a unit, as in {}",
+                    with_unit(ends, unit, count)
+                ));
             }
             if count > MOST {
                 return Err(format!("`{text}` has too many values: give at most {MOST}"));
@@ -44,4 +58,26 @@ impl<'t> Range<'t> {
         let inner = (1..self.count - 1).map(|i| first * ratio.powf(share(i)));
         Ok([first].into_iter().chain(inner).chain([last]).collect())
     }
+}
+
+/// The unit of one end of a range, if the other end has none; none if both ends have a unit, or neither has.
+fn unit_of_one(ends: [&str; 2]) -> Option<&str> {
+    let [first, last] = ends.map(has_unit);
+    match (first, last) {
+        (true, false) => Some(unit(ends[0])),
+        (false, true) => Some(unit(ends[1])),
+        _ => None,
+    }
+}
+
+/// The unit at the end of a quantity.
+fn unit(word: &str) -> &str {
+    let number = word.char_indices().rev().find(|&(at, _)| word[..at].trim_end().parse::<f64>().is_ok());
+    number.map_or(word, |(at, _)| word[at..].trim())
+}
+
+/// The range with the same unit at both of its ends.
+fn with_unit(ends: [&str; 2], unit: &str, count: u32) -> String {
+    let [first, last] = ends.map(|end| if has_unit(end) { end.to_owned() } else { format!("{end}{unit}") });
+    format!("{first}..{last}:{count}")
 }

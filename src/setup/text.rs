@@ -188,16 +188,18 @@ impl SetupTable {
     /// The setup.
     ///
     /// # Errors
-    /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known.
+    /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known;
+    /// [`SetupError::UnitWithoutModulus`] for a hardness, yield stress or work of adhesion with a unit on no modulus.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
         self.check_surface()?;
         self.check_sections()?;
         self.choose_preparation()?;
         self.complete_solver()?;
         self.complete_units();
+        let modulus = self.check_modulus();
         let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());
         // an unknown key, such as a misspelt load, is said first
-        self.read_as().and_then(|setup| loads.map(|()| setup))
+        self.read_as().and_then(|setup| modulus.and(loads).map(|()| setup))
     }
 
     /// Checks that there is a surface.

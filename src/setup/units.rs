@@ -2,16 +2,16 @@
 
 use super::SetupTable;
 use crate::error::SetupError;
-use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit};
+use crate::files::read_columns;
+use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit, has_unit};
+use std::path::Path;
 use toml::Value;
 
-/// The kind of quantities that have nothing to do with forces.
-const TIME: &str = "time";
-
-/// The keys of all pressures, of all lengths and of all times, of which numbers alone mean the same unit.
-const KINDS: [(&str, &[&str]); 3] = [
+/// The kinds of quantities, each with its keys. Numbers alone of one kind are in the same unit, so either all of them have a unit or none has.
+/// The keys of [`LOADS`] join the kind of the normal load.
+const KINDS: [(&str, &[&str]); 6] = [
     (
-        "pressure",
+        PRESSURE,
         &[
             "solid.contact-modulus",
             "solid.young",
@@ -23,8 +23,9 @@ const KINDS: [(&str, &[&str]); 3] = [
         ],
     ),
     (
-        "length",
+        LENGTH,
         &[
+            "surface.bumps",
             "surface.indenter.radius",
             "surface.indenter.amplitude",
             "surface.indenter.half-width",
@@ -32,31 +33,74 @@ const KINDS: [(&str, &[&str]); 3] = [
             "surface.spectrum.rolloff-wavelength",
             "surface.spectrum.short-cutoff",
             "surface.spectrum.rms-height",
+            "surface.second-spectrum.rolloff-wavelength",
+            "surface.second-spectrum.short-cutoff",
+            "surface.second-spectrum.rms-height",
+            "surface.prepare.high-pass",
+            "surface.prepare.low-pass",
             "grid.size",
+            "grid.datum",
             "solid.layer",
             "solid.yield-depth",
             "load.mean-gap",
             "load.approach",
             "adhesion.range",
+            "rolling.step",
         ],
     ),
-    (TIME, &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
+    (FORCE_KIND, &[FORCE]),
+    ("energy per area", &["adhesion.work"]),
+    ("time", &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
+    ("speed", &["sliding.speed"]),
 ];
+const PRESSURE: &str = "pressure";
+const LENGTH: &str = "length";
+const FORCE_KIND: &str = "force";
+
+/// The loads of a path and the tangential loads: they are of the same kind as the normal load.
+const LOADS: [&str; 4] = ["friction.tangential", "path.load", "path.tangential", "rolling.tangential"];
+
+/// The kinds of the normal loads, by their keys. A reduced pressure has no unit.
+const NORMAL_LOADS: [(&str, &str); 4] = [
+    ("load.mean-pressure", PRESSURE),
+    ("load.force", FORCE_KIND),
+    ("load.mean-gap", LENGTH),
+    ("load.approach", LENGTH),
+];
+
+/// The keys of a contact modulus. Each of them alone says which modulus pressures are compared with.
+const MODULI: [&str; 3] = ["solid.contact-modulus", "solid.young", "solid.stiffness"];
+
+/// The keys of what a contact divides by its modulus, where it may be given without one: then it is a number over the modulus, and a unit
+/// contradicts that. Mean pressures and forces are refused without a modulus in any case.
+const OVER_MODULUS: [&str; 5] =
+    ["law.hardness", "solid.yield-stress", "solid.hardening-modulus", "solid.kinematic-hardening", "adhesion.work"];
+
+/// The section of a path, whose columns may be in a file.
+const PATH: &str = "path.";
 
 /// The section whose lists are pairs of a ratio, which has no unit, and a time.
 const OF_PAIRS: &str = "viscoelastic.";
 
 /// Names of quantities that differ from their keys.
-const NAMES: [(&str, &str); 4] = [
+const NAMES: [(&str, &str); 13] = [
     ("solid.young", "Young's modulus"),
+    ("surface.bumps", "length of a bump"),
+    ("surface.prepare.high-pass", "high-pass wavelength"),
+    ("surface.prepare.low-pass", "low-pass wavelength"),
+    ("friction.tangential", "tangential load"),
+    ("path.load", "load of the path"),
+    ("path.tangential", "tangential load of the path"),
+    ("rolling.tangential", "tangential load of rolling"),
+    ("rolling.step", "step of rolling"),
+    ("adhesion.work", "work of adhesion"),
     ("path.time", "time of the path"),
     ("viscoelastic.creep", "retardation time"),
     ("viscoelastic.relaxation", "relaxation time"),
 ];
 
-/// The key of the force, and those of loads that are forces where that is one.
+/// The key of the force.
 const FORCE: &str = "load.force";
-const LOADS: [&str; 5] = [FORCE, "friction.tangential", "path.load", "path.tangential", "rolling.tangential"];
 
 /// The keys of values that are electrical or thermal, and the letter of the unit that only thermal ones have.
 const CONDUCTION: [&str; 2] = ["flow.resistivity", "flow.conductivity"];
@@ -103,8 +147,8 @@ impl SetupTable {
         files.any(|layout| layout.is_ok_and(|it| it.is_in_metres))
     }
 
-    /// Refuses a setup in which some pressures, or some lengths, have a unit and others have none: a number alone would be in pascals or
-    /// metres there, which is seldom what is meant. Beside a force with a unit all of them need one.
+    /// Refuses a setup in which some quantities of a kind have a unit and others have none: a number alone would be in pascals or
+    /// metres there, which is seldom what is meant. Beside a force with a unit all pressures and lengths need one.
     ///
     /// # Errors
     /// [`SetupError::MixedUnits`], [`SetupError::ForceWithoutUnit`] and [`SetupError::ElectricalAndThermal`].
@@ -119,16 +163,46 @@ impl SetupTable {
     /// # Errors
     /// [`SetupError::MixedUnits`].
     pub fn check_numbers(&self) -> Result<(), SetupError> {
-        KINDS.iter().try_for_each(|(kind, keys)| self.check_kind(kind, keys))?;
-        // a force belongs to a pressure times an area
-        for (kind, keys) in KINDS.iter().filter(|(kind, _)| *kind != TIME) {
-            let force = self.words_of(FORCE).into_iter().find(|word| has_unit(word));
-            let number = self.given(keys).into_iter().find(|(_, word)| !has_unit(word));
-            if let (Some(force), Some(number)) = (force, number) {
-                return Err(SetupError::MixedUnits { kind, without: named(&number), with: named(&(FORCE, force)) });
-            }
+        for (kind, keys) in KINDS {
+            self.check_kind(kind, &self.keys_of_kind(kind, keys))?;
         }
-        Ok(())
+        // a force belongs to a pressure times an area
+        let force = self.words_of(FORCE).into_iter().find(|word| has_unit(word));
+        let number = self.pressures_and_lengths().into_iter().find(|(_, word)| !has_unit(word));
+        match (force, number) {
+            (Some(force), Some(number)) => {
+                let kind = if KINDS[0].1.contains(&number.0) { PRESSURE } else { LENGTH };
+                Err(SetupError::MixedUnits { kind, without: named(&number), with: named(&(FORCE, force)) })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The keys of a kind, with those of the loads that follow the normal load, where this is of the kind.
+    fn keys_of_kind(&self, kind: &str, keys: &[&'static str]) -> Vec<&'static str> {
+        let is_of_kind = NORMAL_LOADS.iter().any(|(key, its)| *its == kind && self.find(key).is_some());
+        let loads: &[&str] = if is_of_kind { &LOADS } else { &[] };
+        [keys, loads].concat()
+    }
+
+    /// The pressures and lengths that are given, each with its key.
+    fn pressures_and_lengths(&self) -> Vec<(&'static str, String)> {
+        let kinds = KINDS.iter().filter(|(kind, _)| [PRESSURE, LENGTH].contains(kind));
+        kinds.flat_map(|(_, keys)| self.given(keys)).collect()
+    }
+
+    /// Refuses a hardness, a yield stress or a work of adhesion with a unit where no modulus is given: the modulus would be 1 Pa.
+    ///
+    /// # Errors
+    /// [`SetupError::UnitWithoutModulus`].
+    pub(super) fn check_modulus(&self) -> Result<(), SetupError> {
+        if MODULI.iter().any(|key| self.find(key).is_some()) {
+            return Ok(());
+        }
+        match self.given(&OVER_MODULUS).iter().find(|(_, word)| has_unit(word)) {
+            Some(given) => Err(SetupError::UnitWithoutModulus { given: named(given) }),
+            None => Ok(()),
+        }
     }
 
     fn check_kind(&self, kind: &'static str, keys: &[&'static str]) -> Result<(), SetupError> {
@@ -152,14 +226,14 @@ impl SetupTable {
     /// [`SetupError::ForceWithoutUnit`].
     pub fn check_force_numbers(&self) -> Result<(), SetupError> {
         let Some(force) = self.words_of(FORCE).into_iter().find(|word| !has_unit(word)) else { return Ok(()) };
-        let mut given = KINDS.iter().filter(|(kind, _)| *kind != TIME).flat_map(|(_, keys)| self.given(keys));
-        let Some(with) = given.find(|(_, word)| has_unit(word)) else { return Ok(()) };
+        let given = self.pressures_and_lengths();
+        let Some(with) = given.iter().find(|(_, word)| has_unit(word)) else { return Ok(()) };
         let example = match self.axes() {
             Some(1) => format!("{force}N/m"),
             Some(_) => format!("{force}N"),
             None => format!("{force}N on a surface or {force}N/m on a line"),
         };
-        Err(SetupError::ForceWithoutUnit { force, with: named(&with), example })
+        Err(SetupError::ForceWithoutUnit { force, with: named(with), example })
     }
 
     /// Refuses a force per length on a surface, and one that is not per length on a line.
@@ -168,7 +242,8 @@ impl SetupTable {
     /// [`SetupError::ForceUnit`].
     pub fn check_force_units(&self) -> Result<(), SetupError> {
         let is_force = self.find(FORCE).is_some();
-        let words: Vec<String> = LOADS.iter().filter(|_| is_force).flat_map(|key| self.words_of(key)).collect();
+        let keys = [FORCE].into_iter().chain(LOADS);
+        let words: Vec<String> = keys.filter(|_| is_force).flat_map(|key| self.words_of(key)).collect();
         let ends = words.iter().flat_map(|word| ends(word));
         let forces: Vec<(&str, ForceUnit)> = ends.filter_map(|word| Some((word, force_unit(word)?))).collect();
         let Some(axes) = forces.first().and_then(|_| self.axes()) else { return Ok(()) };
@@ -188,14 +263,24 @@ impl SetupTable {
         }
     }
 
-    /// The quantities at some keys, as they are written; of pairs of a ratio and a time, the times. Ratios that have units are refused
-    /// where they are read.
+    /// The quantities at some keys, as they are written, those in the file of a path as well; of pairs of a ratio and a time, the times.
+    /// Ratios that have units are refused where they are read.
     fn words_of(&self, key: &str) -> Vec<String> {
         let Some(Value::Array(pairs)) = self.find(key).filter(|_| key.starts_with(OF_PAIRS)) else {
-            return words(self.find(key));
+            let in_file = key.strip_prefix(PATH).map_or_else(Vec::new, |name| self.words_in_path_file(name));
+            return [words(self.find(key)), in_file].concat();
         };
         let every_second = |from: usize| pairs.iter().skip(from).step_by(2).flat_map(|it| words(Some(it)));
         if every_second(0).any(|ratio| has_unit(&ratio)) { Vec::new() } else { every_second(1).collect() }
+    }
+
+    /// The quantities in a column of the file of the path. A file that cannot be read is refused where the path is read.
+    fn words_in_path_file(&self, name: &str) -> Vec<String> {
+        let Some(file) = self.find("path.file").and_then(Value::as_str) else { return Vec::new() };
+        let columns = read_columns(Path::new(file)).unwrap_or_default();
+        let column = columns.into_iter().find(|column| column.name.eq_ignore_ascii_case(name));
+        let words = column.into_iter().flat_map(|column| column.words).map(|word| word.text);
+        words.filter(|word| word.trim().parse::<f64>() != Ok(0.0)).collect()
     }
 
     /// Refuses bodies of which one conducts electricity and the other one heat.
@@ -244,9 +329,4 @@ fn number(value: &Value) -> Option<f64> {
 /// A quantity, or the ends of a range of them such as `1e5..1e6:4`.
 fn ends(word: &str) -> impl Iterator<Item = &str> {
     word.split(':').next().unwrap_or(word).split("..").map(str::trim)
-}
-
-/// Whether a quantity, or a range of them, ends in a unit.
-fn has_unit(word: &str) -> bool {
-    ends(word).last().is_some_and(|last| last.contains(char::is_alphabetic) && last.parse::<f64>().is_err())
 }

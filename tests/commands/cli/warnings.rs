@@ -102,6 +102,97 @@ fn large_strains_warn() {
     assert!(warnings(&output).iter().any(|it| it.contains(soft)), "{}", text(&output.stderr));
 }
 
+/// What is compared with a modulus has a unit only beside a modulus: it would be over one pascal.
+#[test]
+fn units_need_a_modulus() {
+    let folder = Folder::new();
+    let line = "--indenter sine --amplitude 1um --points 64 --size 20um --reduced-pressure 0.05";
+    std::fs::write(
+        folder.join("study.toml"),
+        "surface.indenter = { shape = \"sine\", amplitude = 1e-6 }\ngrid = { points = 64, size = 2e-5 }\n\
+         load.reduced-pressure = 0.05\nlaw.hardness = [\"1 MPa\", \"2 MPa\"]\n",
+    )
+    .unwrap();
+    for (given, expected) in [
+        (format!("solve {line} --hardness 1GPa"), "the hardness 1GPa has a unit, but no modulus is given"),
+        (format!("solve {line} --poisson 0.3 --layer 5um --hardness 1GPa"), "the hardness 1GPa has a unit"),
+        (format!("solve {line} --adhesion 50mJ/m^2 --adhesion-range 10nm"), "the work of adhesion 50mJ/m^2 has a unit"),
+        (format!("solve {line} --yield-stress 1MPa --hardening-modulus 1MPa"), "the yield stress 1MPa has a unit"),
+        ("study study.toml --out study.csv".into(), "the hardness 1 MPa has a unit"),
+    ] {
+        let output = folder.run(&given);
+        assert_eq!(output.status.code(), Some(2), "{given}");
+        assert!(text(&output.stderr).contains(expected), "{given}: {}", text(&output.stderr));
+    }
+    assert!(!folder.join("study.csv").exists());
+    for given in [
+        format!("solve {line} --hardness 0.3"),
+        format!("solve {line} --hardness 1GPa --modulus 5GPa"),
+        format!("solve {line} --hardness 1GPa --young 5GPa --poisson 0.3"),
+    ] {
+        let output = folder.run(&given);
+        assert_eq!(output.status.code(), Some(0), "{given}: {}", text(&output.stderr));
+    }
+    // the modulus of a scene serves the hardness of a flag
+    folder.ok(&format!("solve {line} --modulus 5GPa --save-setup saved.toml"));
+    folder.ok("solve saved.toml --hardness 1GPa");
+}
+
+/// Quantities of every kind that has units: a number alone beside one with a unit is refused.
+#[test]
+fn numbers_beside_units_are_refused_for_every_kind() {
+    let folder = Folder::new();
+    write_npy(folder.join("h.npy"), &hills([12, 24])).unwrap();
+    std::fs::write(folder.join("path.csv"), "time,load\n0,1\n1ms,2kPa\n").unwrap();
+    std::fs::write(folder.join("plain.csv"), "time,load\n0,1\n1,2\n").unwrap();
+    let line = "--indenter sine --amplitude 1um --points 64 --size 20um --modulus 1MPa --pressure 10kPa";
+    let two =
+        "--indenter sine --amplitude 1um --points 64 --size 20um --young 1MPa,1MPa --poisson 0.3,0.3 --pressure 10kPa";
+    for (given, expected) in [
+        (
+            "--height h.npy --size 1mm --low-pass 5 --modulus 1GPa --pressure 1MPa".into(),
+            "the low-pass wavelength 5 has no unit",
+        ),
+        (
+            "--height h.npy --size 1mm --high-pass 5 --modulus 1GPa --pressure 1MPa".into(),
+            "the high-pass wavelength 5 has no unit",
+        ),
+        (format!("{line} --path-load 1,2kPa --creep 1,1ms --path-time 0,1ms"), "the load of the path 1 has no unit"),
+        (format!("{line} --path-load 1,2 --creep 1,1ms --path-time 0,1ms"), "the load of the path 1 has no unit"),
+        (format!("{line} --creep 1,1ms --path path.csv"), "the load of the path 1 has no unit"),
+        (format!("{line} --creep 1,1ms --path plain.csv"), "the time of the path 1 has no unit"),
+        (format!("{line} --creep 1,1ms --speed 1,2m/s"), "the speed 1 has no unit"),
+        (format!("{two} --friction 0.3 --tangential 5"), "the tangential load 5 has no unit"),
+        (format!("{two} --friction 0.3 --path-tangential 5"), "the tangential load of the path 5 has no unit"),
+        (format!("{line} --bumps 0,1um,2um,3,1um,2um"), "the length of a bump 3 has no unit"),
+    ] {
+        let output = folder.run(&format!("solve {given}"));
+        assert_eq!(output.status.code(), Some(2), "{given}");
+        assert!(text(&output.stderr).contains(expected), "{given}: {}", text(&output.stderr));
+    }
+}
+
+/// Both ends of a range have a unit, or none has, and there are two dots between them.
+#[test]
+fn ranges_with_one_unit_or_three_dots_are_refused() {
+    let folder = Folder::new();
+    let line = "--indenter sine --amplitude 1um --points 64 --size 20um --modulus 1MPa";
+    for (given, expected) in [
+        ("--pressure 1..10kPa:4", "give both with a unit, as in 1kPa..10kPa:4"),
+        ("--pressure 1kPa..10:4", "give both with a unit, as in 1kPa..10kPa:4"),
+        ("--pressure 10kPa --creep 1,1ms --speed 1..100um/s:3", "as in 1um/s..100um/s:3"),
+        ("--pressure 10kPa --creep 1,1ms --path-load 1..2kPa:2 --path-time 1ms,2ms", "as in 1kPa..2kPa:2"),
+        ("--reduced-pressure 1e-3...1e-1:3", "give two, as in 1e-3..1e-1:3"),
+        ("--reduced-pressure 1e-3....1e-1:3", "give two, as in 1e-3..1e-1:3"),
+    ] {
+        let output = folder.run(&format!("solve {line} {given}"));
+        assert_eq!(output.status.code(), Some(2), "{given}");
+        assert!(text(&output.stderr).contains(expected), "{given}: {}", text(&output.stderr));
+    }
+    folder.ok(&format!("solve {line} --pressure 1kPa..10kPa:3"));
+    folder.ok(&format!("solve {line} --reduced-pressure 1e-3..1e-1:3"));
+}
+
 /// A force acts on a surface, and a force per length on a line; a number alone beside units would be in newtons.
 #[test]
 fn forces_have_the_unit_of_their_surface() {
