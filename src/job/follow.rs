@@ -5,7 +5,7 @@ use super::posed::Posed;
 use super::run::JobRun;
 use super::sink::StateSink;
 use super::watch::{Pass, ShowSteps, Watcher};
-use crate::contact::{Observer, Problem, State, Status};
+use crate::contact::{Observer, Problem, State, Status, goes_on};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
 use crate::setup::{Flow, ProcessKind, Setup};
@@ -57,7 +57,14 @@ impl JobRun<'_> {
         let mut process = self.process(problem)?;
         let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
         let ended = loop {
-            let solved = match process.next(&mut *watch.observer(Pass::State(self, number, count))) {
+            let mut observer = watch.observer(Pass::State(self, number, count));
+            // a state without contact is found without a step of a solver, which would ask
+            if count > 0 && !goes_on(&mut *observer) {
+                break Some(HistoryError::Stopped);
+            }
+            let next = process.next(&mut *observer);
+            drop(observer);
+            let solved = match next {
                 None => break None,
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved

@@ -18,8 +18,8 @@ const TIME_TOLERANCE: f64 = 1e-2;
 
 /// The iterations of a load step that are expected.
 const ITERATIONS: usize = 30;
-/// The memory of a history of yielding with those that estimate its errors, over its own: one of the same grid, and two of at most half as many places.
-const HISTORIES: f64 = 3.0;
+/// The memory of a history of yielding with those that estimate its errors, over its own: one of the same places, and others of at most a half, a half and a quarter.
+const HISTORIES: f64 = 3.25;
 
 impl Setup {
     /// The process that the setup describes; none for a contact without a history.

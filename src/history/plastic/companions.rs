@@ -1,20 +1,23 @@
 //! Histories beside that of a solid that yields, from which its errors are estimated.
 
 use super::{Plastic, PlasticErrorSources, PlasticErrors};
-use crate::contact::{ContactModulus, Load, Problem};
+use crate::contact::{ContactModulus, Load, Observer, Problem, Step, Wish};
 use crate::error::PlasticError;
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 use ndarray::{Axis, Slice};
 
+/// The error by the layers over the difference from layers of twice the thickness, and over that of these from layers of four times the thickness.
+const LAYERS: [f64; 2] = [1.0, 0.5];
+
 /// The fewest points along a side of a grid of half as many.
 const FEWEST: usize = 8;
 
-/// Three further histories under the same loads: one in steps of half the length, one in layers of twice the thickness, and one on a grid of half as many
-/// points along each axis.
+/// Further histories under the same loads: one in steps of half the length, two in layers of twice and of four times the thickness, and one on a grid of half
+/// as many points along each axis.
 pub(super) struct Companions<'s> {
     steps: Plastic<'s>,
-    layers: Plastic<'s>,
+    layers: [Plastic<'s>; 2],
     /// None where a number of points is odd, or too small.
     grid: Option<Plastic<'s>>,
 }
@@ -29,16 +32,20 @@ impl<'s> Companions<'s> {
         let coarse = on_half_the_points(problem)?;
         Ok(Self {
             steps: plastic.like(problem.clone(), layers.clone())?,
-            layers: plastic.like(problem.clone(), layers.doubled()?)?,
+            layers: [
+                plastic.like(problem.clone(), layers.doubled()?)?,
+                plastic.like(problem.clone(), layers.doubled()?.doubled()?)?,
+            ],
             grid: coarse.map(|problem| plastic.like(problem, layers.clone())).transpose()?,
         })
     }
 
-    /// Goes to a load: in two steps, and in one.
-    pub fn press(&mut self, load: Load) -> Result<(), PlasticError> {
-        self.steps.press_in(2, load, &mut ())?;
-        for plastic in [Some(&mut self.layers), self.grid.as_mut()].into_iter().flatten() {
-            plastic.press(load, &mut ())?;
+    /// Goes to a load: in two steps, and in one. The observer is asked, but sees no step.
+    pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<(), PlasticError> {
+        let mut asked = Unseen(observer);
+        self.steps.press_in(2, load, &mut asked)?;
+        for plastic in self.layers.iter_mut().chain(&mut self.grid) {
+            plastic.press(load, &mut asked)?;
         }
         Ok(())
     }
@@ -49,10 +56,26 @@ impl<'s> Companions<'s> {
         PlasticErrorSources {
             // an error of first order halves with the steps
             steps: between(&self.steps).times(2.0),
-            // one of second order becomes four times as large with layers of twice the thickness
-            layers: between(&self.layers).times(1.0 / 3.0),
+            layers: {
+                let [doubled, fourfold] = &self.layers;
+                let further = PlasticErrors::between(doubled.state(), fourfold.state());
+                between(doubled).times(LAYERS[0]).larger(further.times(LAYERS[1]))
+            },
             grid: self.grid.as_ref().map(between),
         }
+    }
+}
+
+/// The observer that only asks another one whether the work goes on.
+struct Unseen<'o>(&'o mut dyn Observer);
+
+impl Observer for Unseen<'_> {
+    fn step(&mut self, _: &Step<'_>) -> Wish {
+        self.0.ask()
+    }
+
+    fn ask(&mut self) -> Wish {
+        self.0.ask()
     }
 }
 

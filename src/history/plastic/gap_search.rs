@@ -1,15 +1,18 @@
 //! The load step that ends at a mean gap.
 
+use super::plastic_process::CONTACT;
 use super::{Plastic, PlasticState};
 use crate::contact::{Contact, Load, Observer, Status, Stop};
 use crate::error::PlasticError;
 use crate::history::apart::apart;
 use crate::surface::Field;
 
-/// A mean gap is reached if it is off by less than this part of the rms height.
+/// A mean gap is reached if it is off by less than this part of the rms height, and of its distance from closure and from first touch: near these the load
+/// is off by about the last part.
 const TOLERANCE: f64 = 1e-6;
-/// The tolerance of the contact at whose pressure it begins.
-const CONTACT: f64 = 1e-11;
+const ROOM_TOLERANCE: f64 = 1e-5;
+/// The least part of the rms height by which a mean gap may be off, because of rounding.
+const ROUNDING: f64 = 1e-13;
 /// The most load steps of a search.
 const MOST_STEPS: usize = 40;
 
@@ -56,7 +59,8 @@ impl Plastic<'_> {
         if gap >= touching {
             return Ok(free.lifted_to(gap));
         }
-        let within = TOLERANCE * self.problem().rms_height();
+        let (rms_height, room) = (self.problem().rms_height(), gap.min(touching - gap));
+        let within = (TOLERANCE * rms_height).min(ROOM_TOLERANCE * room).max(ROUNDING * rms_height);
         let limit = self.solid().deep_limit();
         let stiff = self.elastic_pressure(gap, observer)?;
         let mut bracket = GapBracket { low: [0.0, touching - gap], high: None, was_low: true };
@@ -73,7 +77,7 @@ impl Plastic<'_> {
             if is_reached || trials == MOST_STEPS {
                 (state.load, state.is_converged) = (Some(Load::MeanGap(gap)), state.is_converged && is_reached);
                 state.contact = state.contact.with_work(work);
-                if !state.is_converged {
+                if !is_reached {
                     state.contact.status = Status::IterationCap;
                 }
                 return Ok(state);

@@ -53,12 +53,21 @@ impl PlasticErrorSources {
 impl PlasticErrors {
     /// Each of them times a factor.
     pub(super) fn times(self, factor: f64) -> Self {
+        self.with(self, |error, _| factor * error)
+    }
+
+    /// The larger ones of both; NaN where one of them is not known.
+    pub(super) fn larger(self, other: Self) -> Self {
+        self.with(other, |a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+    }
+
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
-            approach: factor * self.approach,
-            imprint_depth: factor * self.imprint_depth,
-            total_accumulated: factor * self.total_accumulated,
-            mean_contact_pressure: factor * self.mean_contact_pressure,
-            relative_area: factor * self.relative_area,
+            approach: of(self.approach, other.approach),
+            imprint_depth: of(self.imprint_depth, other.imprint_depth),
+            total_accumulated: of(self.total_accumulated, other.total_accumulated),
+            mean_contact_pressure: of(self.mean_contact_pressure, other.mean_contact_pressure),
+            relative_area: of(self.relative_area, other.relative_area),
         }
     }
 
