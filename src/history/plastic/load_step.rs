@@ -19,10 +19,10 @@ use std::sync::Arc;
 const ELASTIC_SHARE: f64 = 1e-3;
 /// The tolerance `eta` of the first contact of a step.
 const FIRST_CONTACT: f64 = 1e-11;
-/// The least tolerance of a contact, over the rounding of its certificate: solvers do not come much closer.
+/// The least tolerance of a contact, over the rounding that its certificate states: solvers do not come much closer.
 const LEAST_CONTACT: f64 = 2.0;
-/// A step is done, whatever its goal, where its gap is below this many times the rounding of the contact: an elastic step in nearly full contact has a
-/// goal of 1e-8 of so little energy that no pressure in doubles reaches it.
+/// A step is done, whatever its goal, where its gap is below this many times the stated rounding of the contact, plus that of its waves: a step that is elastic
+/// and close to flat has a goal of 1e-8 of so little energy that no pressure in doubles reaches it.
 const FLOOR: f64 = 4.0;
 /// A step has stalled after this many iterations in which its gap has not fallen to [`PROGRESS`] times the least one so far.
 const PATIENCE: usize = 300;
@@ -188,11 +188,14 @@ impl LoadStep<'_, '_> {
     /// The tolerance of the next contact: as loose as the last gap allows, and as the goal allows in the end. The error of a stress makes a gap that is larger
     /// than its energy by the contrast of elastic modulus and hardening.
     fn contact_tolerance(&self, problem: &Problem, now: &FlowIterate) -> f64 {
-        let Some(contact) = &now.contact else { return FIRST_CONTACT };
+        let Some(contact) = &now.contact else {
+            return FIRST_CONTACT.max(rounding_of_waves(problem, problem.expected_mean_pressure()));
+        };
         let certificate = &now.certificate;
         let goal = self.tolerance * (certificate.dissipated + ELASTIC_SHARE * now.elastic);
         let gap = (OF_GOAL * goal).max(OF_LAST_GAP * certificate.flow_gap) * self.law.contrast();
-        let least = (LEAST_CONTACT * contact.certificate.rounding).min(LOOSEST_CONTACT);
+        let waves = rounding_of_waves(problem, rms(&contact.pressure));
+        let least = (LEAST_CONTACT * contact.certificate.rounding + waves).min(LOOSEST_CONTACT);
         (gap / (contact.mean_pressure() * problem.rms_height())).clamp(least, LOOSEST_CONTACT)
     }
 
@@ -229,7 +232,8 @@ impl LoadStep<'_, '_> {
             let [p, u] = [&contact.pressure, &contact.displacement].map(|it| it.as_slice().expect("standard layout"));
             let energy = contact.mean_pressure() * problem.rms_height();
             contact_gap = contact.certificate.eta * energy;
-            floor = FLOOR * contact.certificate.rounding * energy;
+            let waves = rounding_of_waves(problem, rms(&contact.pressure));
+            floor = (FLOOR * contact.certificate.rounding + waves) * energy;
             of_contact = [mean(p, problem.height()), mean(p, residual), mean(p, u)];
         }
         let [heights, sunk, pressed] = of_contact;
@@ -320,6 +324,17 @@ impl FlowIterate {
             energy: [0.0; 2],
         }
     }
+}
+
+/// The rounding of the displacement by a pressure of a root mean square, over the rms height: that of its largest wave, a uniform pressure included, in the
+/// softest one. It counts where the rms height is far below what the pressure would displace.
+fn rounding_of_waves(problem: &Problem, pressure: f64) -> f64 {
+    let [softest, _] = problem.compliance().stiffness_range();
+    f64::EPSILON * pressure / (softest * problem.rms_height())
+}
+
+fn rms(field: &Field) -> f64 {
+    (field.iter().map(|value| value * value).sum::<f64>() / field.len() as f64).sqrt()
 }
 
 /// The number of layers from the surface on in which there is any plastic strain.

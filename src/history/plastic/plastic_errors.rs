@@ -25,7 +25,7 @@ pub struct PlasticErrors {
 pub struct PlasticErrorSources {
     /// The errors by the load steps, which are of first order: twice the difference from steps of half the length.
     pub steps: PlasticErrors,
-    /// The errors by the layers, which are of second order: a third of the difference from layers of twice the thickness.
+    /// The errors by the layers, from the differences of three histories: in these layers, and in layers of twice and of four times the thickness.
     pub layers: PlasticErrors,
     /// The errors by the grid: the difference from a grid of half as many points along each axis. None where
     /// a number of points is odd, or too small.
@@ -33,7 +33,7 @@ pub struct PlasticErrorSources {
 }
 
 impl PlasticErrorSources {
-    /// The numbers of a state for imprint and area.
+    /// The numbers of a state for imprint and area, as far as they are known.
     pub(super) fn numbers(&self) -> Vec<(Quantity, f64)> {
         let imprint = |it: &PlasticErrors| it.imprint_depth;
         let area = |it: &PlasticErrors| it.relative_area;
@@ -46,11 +46,20 @@ impl PlasticErrorSources {
             (Quantity::ImprintLayerError, imprint(&self.layers)),
             (Quantity::RelativeAreaLayerError, area(&self.layers)),
         ];
-        others.into_iter().chain(grid).collect()
+        others.into_iter().chain(grid).filter(|(_, error)| error.is_finite()).collect()
     }
 }
 
 impl PlasticErrors {
+    /// Errors that are not known.
+    pub(super) const UNKNOWN: Self = Self {
+        approach: f64::NAN,
+        imprint_depth: f64::NAN,
+        total_accumulated: f64::NAN,
+        mean_contact_pressure: f64::NAN,
+        relative_area: f64::NAN,
+    };
+
     /// Each of them times a factor.
     pub(super) fn times(self, factor: f64) -> Self {
         self.with(self, |error, _| factor * error)

@@ -34,7 +34,7 @@ const SAME_MODULUS: f64 = 1e-9;
 /// layers*. Three other errors have other names, and are estimated by solving again:
 ///
 /// - the error of the steps, of first order in their length;
-/// - the error of the layers, of second order in their thickness;
+/// - the error of the layers, of an order between one and two in their thickness;
 /// - the error of the grid.
 ///
 /// [`PlasticLoading::with_errors`](super::PlasticLoading::with_errors) estimates all three.
@@ -354,8 +354,9 @@ impl PlasticState {
     /// The state that an iterate of a step reaches.
     fn after(&self, problem: &Problem, load: Load, reached: FlowIterate) -> Self {
         let before = self;
-        let FlowIterate { increment, stress, residual, contact, certificate, iterations, status, unflowed, work, .. } =
-            reached;
+        let FlowIterate {
+            increment, stress, residual, contact, certificate, iterations, status, unflowed, work, ..
+        } = reached;
         let is_converged = status == Status::Converged && before.is_converged;
         let mut contact = match contact {
             None => apart(before.contact.problem.clone(), residual.clone(), work, None),

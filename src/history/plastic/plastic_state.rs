@@ -204,6 +204,13 @@ impl PlasticState {
         (0.5 * differences + 3.0 * shears).sqrt()
     }
 
+    /// The largest von Mises stress, a pressure.
+    pub fn max_von_mises(&self) -> f64 {
+        let (layers, _, nodes) = self.stress.dim();
+        let places = (0..layers).flat_map(|layer| (0..nodes).map(move |node| (layer, node)));
+        places.map(|(layer, node)| self.von_mises(layer, node)).fold(0.0, f64::max)
+    }
+
     /// How far the rigid surface has moved into the solid since its highest peak touched the solid that had not yielded, a length, without what the
     /// uniform pressure displaces, which has no limit on a periodic half-space.
     pub fn approach(&self) -> f64 {

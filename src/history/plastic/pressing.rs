@@ -32,9 +32,7 @@ impl Pressing {
     fn from_parts(contact: &Contact, product: f64, displacement: f64) -> Self {
         match contact.mean_pressure() {
             0.0 => Self::default(),
-            pressure => {
-                Self { pressure, energy: 0.5 * product, approach: displacement - mean(&contact.gap) }
-            }
+            pressure => Self { pressure, energy: 0.5 * product, approach: displacement - mean(&contact.gap) },
         }
     }
 
