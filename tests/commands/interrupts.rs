@@ -26,12 +26,12 @@ fn drives() -> Vec<(&'static str, String)> {
             "loads, damped motion",
             solve(&format!("{ROUGH} --solver gfmd --tolerance 1e-12 --reduced-pressure 1e-3,1e-2")),
         ),
-        ("creep", solve(&format!("{ROUGH} --reduced-pressure 0.05 --creep 9,1 --path-time 100 --path-steps 2000"))),
+        ("creep", solve(&format!("{ROUGH} --reduced-pressure 0.05 --creep 9,1 --path-time 100 --path-steps 60"))),
         (
-            "creep without a load",
-            solve(&format!(
-                "{LINE} --reduced-pressure 0.05 --creep 9,1 --path-time 0,1,1,1000 --path-load 0.05,0.05,0,0 --path-steps 30000"
-            )),
+            "slip",
+            solve(
+                "--indenter cylinder --radius 1 --points 65536 --size 0.5 --boundary free --modulus 1 --force 0.01 --friction 0.3 --path-tangential 0.0029,-0.0029 --path-steps 200",
+            ),
         ),
         (
             "slip of a surface",
@@ -42,7 +42,7 @@ fn drives() -> Vec<(&'static str, String)> {
         (
             "sliding",
             solve(
-                &format!("{LINE} --points 262144 --reduced-pressure 0.1 --creep 9,1 --speed 1e-3..1e3:100")
+                &format!("{LINE} --points 65536 --reduced-pressure 0.1 --creep 9,1 --speed 1e-3..1e3:100")
                     .replace("--points 16384 ", ""),
             ),
         ),
@@ -91,7 +91,7 @@ fn drives() -> Vec<(&'static str, String)> {
         (
             "flow that is elastic",
             solve(
-                "--indenter cylinder --radius 1 --points 1024 --size 1 --young 1 --poisson 0.3 --yield-stress 10 --hardening-modulus 1 --pressure 1e-4 --path-load 1e-4,0,1e-4 --path-steps 100000 --yield-layers 8",
+                "--indenter cylinder --radius 1 --points 256 --size 1 --young 1 --poisson 0.3 --yield-stress 10 --hardening-modulus 1 --pressure 1e-4 --path-load 1e-4,0 --path-steps 10000 --yield-layers 8",
             ),
         ),
         ("leakage", solve(&format!("{ROUGH} --modulus 1 --reduced-pressure 1e-3..1e-1:400 --flow"))),
