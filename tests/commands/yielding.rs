@@ -46,9 +46,15 @@ fn loads_up_and_down_leave_an_imprint() {
     assert!(imprint[1] > 50e-9 && (imprint[3] / imprint[1] - 1.0).abs() < 1e-3, "{imprint:?}");
     assert!(work.windows(2).all(|pair| pair[1] >= pair[0]) && work[1] > 0.0, "{work:?}");
     assert!(over[1] > 1.0 && over[3] == 0.0 && area[3] == 0.0, "{over:?}");
-    // what the load puts in beyond the plastic work and the stored energy is the error of two long steps
-    let [done, stored] = ["work_done", "stored"].map(|name| column(&found, name));
-    assert!(done[1] > work[1] && stored[3] > 0.0 && stored[3] < stored[1]);
+    let stored = column(&found, "stored");
+    assert!(stored[3] > 0.0 && stored[3] < stored[1]);
+    // one long step in which the body flows does not tell the work of the load, but more steps do: it is taken up or stored
+    assert!(found["states"][0]["work_done"].is_number() && found["states"][1]["work_done"].is_null());
+    let fine = json(&folder, &format!("{CYLINDER} {STEEL} --pressure 20MPa,100MPa --unload --path-steps 8 --json"));
+    let [done, taken, stored] = ["work_done", "plastic_work", "stored"].map(|name| column(&fine, name));
+    for i in 0..done.len() {
+        assert!((done[i] / (taken[i] + stored[i]) - 1.0).abs() <= 0.01, "state {i}: {} {}", done[i], taken[i]);
+    }
 
     let mut archive = NpzReader::new(File::open(folder.join("all.npz")).unwrap()).unwrap();
     let interfaces: Array1<f64> = archive.by_name("cut_interfaces").unwrap();
@@ -390,7 +396,7 @@ fn a_study_has_a_row_for_each_yield_stress() {
     assert!(imprint.len() == 2 && imprint[0] > 10.0 * imprint[1], "{imprint:?}");
     // bodies that end unloaded are told by what they keep
     let told = text(&output.stdout);
-    assert!(told.contains("plastic work") && !told.contains(" - "), "{told}");
+    assert!(told.contains("plastic work") && told.contains(&format!("{:.3e}", imprint[0])), "{told}");
     let figure = std::fs::read_to_string(folder.join("rows.svg")).unwrap();
     assert!(figure.contains("depth of the imprint") && figure.contains("plastic work"));
     // a row takes about a tenth of a second of one core; the forecast was a hundred times too small
