@@ -90,7 +90,7 @@ fn the_mean_gap_at_an_approach_is_bounded_all_the_way() {
     for problem in [
         on(rough(line), Base::Bonded),
         on(rough(line), Base::Sliding),
-        on(rough(Grid::surface([32, 24], [1.0; 2]).unwrap()), Base::Bonded),
+        on(rough(Grid::surface([36, 40], [1.0; 2]).unwrap()), Base::Bonded),
         Problem::new(ball, ContactModulus(1.0), Load::Approach(0.03)).unwrap(),
     ] {
         let exact = solved(&problem).mean_gap();

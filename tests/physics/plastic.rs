@@ -566,7 +566,10 @@ fn errors_by_steps_layers_and_grid_are_estimated() {
         assert!((0.4..2.5).contains(&ratio), "{what}: {ratio}");
     };
     near(errors.steps.total_accumulated, against(128, &layers, 48).total_accumulated, "steps");
-    near(errors.layers.imprint_depth, against(128, &thin, 3).imprint_depth, "layers");
+    // the worst of three differences is told, which is on the safe side
+    let found = against(128, &thin, 3).imprint_depth;
+    let told = errors.layers.imprint_depth;
+    assert!(told > found && told < 0.05 * state.imprint_depth(), "layers: {told} {found}");
     let grid = errors.grid.unwrap();
     let found = against(512, &layers, 3);
     assert!(found.imprint_depth < 2.5 * grid.imprint_depth, "{} {}", found.imprint_depth, grid.imprint_depth);

@@ -8,10 +8,10 @@ use crate::surface::{Field, Surface};
 use ndarray::{Axis, Slice};
 
 /// The largest error by the layers over the difference from layers of twice the thickness, and over that of these from layers of four times the thickness.
-/// The order of the error is about 1.4, so that the first difference is about 1.6 times the error; but it is small by chance now and then. On 31 random lines and
-/// surfaces, halves of these numbers were up to 2.3 times too small for areas and 1.6 for imprints in uniform layers, and up to 4 times close to the
-/// onset of flow.
-const LAYERS: [f64; 2] = [2.0, 1.0];
+/// The order of the error is between 1 and 2, and the first difference is small by chance now and then. On 128 random lines and surfaces in uniform layers that are
+/// thin enough for the contact, the error was mostly 0.2 times as large as told, in 99 % of 307 areas and imprints at most 1.2 times, and in none but
+/// one more than 1.5 times: that was an imprint close to the onset of flow. A third of the first difference, as of an error of second order, is too small by up to 77.
+const LAYERS: [f64; 2] = [2.0, 0.5];
 
 /// The least number of layers whose error is estimated.
 const FEWEST_LAYERS: usize = 4;

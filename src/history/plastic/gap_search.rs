@@ -13,6 +13,8 @@ const TOLERANCE: f64 = 1e-6;
 const ROOM_TOLERANCE: f64 = 1e-5;
 /// The least part of the rms height by which a mean gap may be off, because of rounding.
 const ROUNDING: f64 = 1e-13;
+/// The least pressure with which a search begins, over that which moves the softest wave by the distance from first touch: contacts of a few nodes are softer.
+const LEAST_START: f64 = 0.01;
 /// The most load steps of a search.
 const MOST_STEPS: usize = 40;
 
@@ -62,7 +64,9 @@ impl Plastic<'_> {
         let (rms_height, room) = (self.problem().rms_height(), gap.min(touching - gap));
         let within = (TOLERANCE * rms_height).min(ROOM_TOLERANCE * room).max(ROUNDING * rms_height);
         let limit = self.solid().deep_limit();
-        let stiff = self.elastic_pressure(gap, observer)?;
+        // so close to first touch the elastic contact may carry nothing that its tolerance sees; from a pressure of 0 the search would not go on
+        let [softest, _] = self.problem().compliance().stiffness_range();
+        let stiff = self.elastic_pressure(gap, observer)?.max(LEAST_START * softest * room);
         let mut bracket = GapBracket { low: [0.0, touching - gap], high: None, was_low: true };
         let (mut pressure, mut work, mut trials) = (stiff.min(limit), free.contact.work, 0);
         loop {
