@@ -823,10 +823,12 @@ fn the_work_of_the_load_is_what_is_taken_up_and_stored() {
                 assert!((work / exact - 1.0).abs() <= 0.05, "{steps} steps: {work:e} {exact:e}");
             }
             // unloading without flow gives back the elastic energy, in however few steps; the trapezoidal rule over them does not
-            let [done, exact, rule] =
-                [states[3].work - states[1].work, exact[3] - exact[1], trapezoids[3] - trapezoids[1]];
-            assert!((done / exact - 1.0).abs() < 0.03, "{steps} steps: {done:e} {exact:e}");
-            assert!(steps > 1 || (rule / exact - 1.0).abs() > 0.05, "{rule:e} {exact:e}");
+            let [done, rule] = [states[3].work - states[1].work, trapezoids[3] - trapezoids[1]];
+            let stored = states[3].elastic - states[1].elastic;
+            assert!((done / stored - 1.0).abs() < 0.01, "{steps} steps: {done:e} {stored:e}");
+            assert!(steps > 1 || (rule / stored - 1.0).abs() > 0.05, "{rule:e} {stored:e}");
+            // many steps, whose loaded states differ a little, agree by the trapezoidal rule
+            assert!((done / (exact[3] - exact[1]) - 1.0).abs() < 0.06, "{steps} steps: {done:e}");
         }
         assert!(told[2] == 4 && told[0] < 4, "{told:?}");
     }
