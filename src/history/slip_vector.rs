@@ -126,13 +126,12 @@ impl<'a> VectorStep<'a> {
     pub fn solve(&mut self, start: &[Pair], stop: &Stop, observer: &mut dyn Observer) -> VectorFound {
         let mut tau: Vec<Pair> = start.iter().zip(&self.discs.radii).map(|(t, r)| scaled(*t, r.recip())).collect();
         self.discs.carry(&mut tau);
-        let w = self.gradient(&tau);
-        let mut at = SlipIterate { tau, w };
+        let mut at = SlipIterate { w: self.gradient(&tau), tau };
         let scale = self.discs.radii.iter().sum::<f64>() * self.length;
         let (mut shift, mut missed) = self.discs.best_shift(&at.tau, &at.w, [0.0; 2]);
         let mut best = (at.tau.clone(), shift, missed);
-        let (mut iterations, mut patience, mut pace) = (0, 0, self.length.recip());
-        let mut is_guarded = self.gradient_only;
+        let (mut iterations, mut patience) = (0, 0);
+        let (mut pace, mut is_guarded) = (self.length.recip(), self.gradient_only);
         let status = loop {
             if missed <= stop.tolerance() * scale {
                 break Status::Converged;

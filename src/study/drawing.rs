@@ -1,6 +1,5 @@
 //! The figure of a study: area and `kappa_r` against the load, for each combination of values.
 
-use super::history_figure::{OF_ADHESION, OF_YIELDING};
 use super::means::{LoadMeans, SeedMean};
 use super::plan::Plan;
 use super::point::Point;
@@ -24,11 +23,8 @@ impl Plan {
     /// With adhesion it is the pull-off pressure and the energy lost in jumps, against the last list of numbers. Of solids that yield below their surface it
     /// is the depth of the imprint and the plastic work, which a body keeps that is unloaded in the end.
     pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
-        if self.has_adhesion() {
-            return self.history_figure(title, points, &OF_ADHESION);
-        }
-        if self.yields() {
-            return self.history_figure(title, points, &OF_YIELDING);
+        if self.has_adhesion() || self.yields() {
+            return self.history_figure(title, points);
         }
         let all = self.means(points);
         let curves: Vec<&[LoadMeans]> = all.chunks(self.loads().len()).take(MOST).collect();

@@ -10,16 +10,16 @@ use crate::setup::Scalar;
 use std::collections::BTreeMap;
 
 /// What a panel shows: its title, the symbol of its axis, and the number that is drawn.
-pub(super) type HistoryPlot = (&'static str, &'static str, fn(&Point) -> Option<f64>);
+type HistoryPlot = (&'static str, &'static str, fn(&Point) -> Option<f64>);
 
 /// Panels of histories with adhesion: what holds the surfaces together.
-pub(super) const OF_ADHESION: [HistoryPlot; 2] = [
+const OF_ADHESION: [HistoryPlot; 2] = [
     ("pull-off pressure", "-min <p>", |it| it.pull_off().filter(|_| it.is_converged())),
     ("energy lost in jumps, per area", "Δ", |it| it.lost().filter(|_| it.is_converged())),
 ];
 
 /// Panels of solids that yield below their surface: what they keep when they are unloaded.
-pub(super) const OF_YIELDING: [HistoryPlot; 2] = [
+const OF_YIELDING: [HistoryPlot; 2] = [
     ("depth of the imprint", "max u - min u", |it| it.get(Quantity::ImprintDepth).filter(|_| it.is_converged())),
     ("plastic work, per area", "W", |it| it.get(Quantity::PlasticWork).filter(|_| it.is_converged())),
 ];
@@ -28,9 +28,10 @@ pub(super) const OF_YIELDING: [HistoryPlot; 2] = [
 type HistoryCurves<'a> = BTreeMap<usize, (String, Vec<(f64, &'a [Point])>)>;
 
 impl Plan {
-    /// The figure of all `points` of a study of histories: some numbers of their ends against the last list of numbers, with one curve for each combination of
+    /// The figure of all `points` of a study of histories with adhesion, or on a solid that yields below its surface: two numbers of their ends against the last list of numbers, with one curve for each combination of
     /// the other values. The mean is over the seeds, and bars show the standard deviation of single realisations.
-    pub(super) fn history_figure(&self, title: &str, points: &[Point], plots: &[HistoryPlot]) -> Figure {
+    pub(super) fn history_figure(&self, title: &str, points: &[Point]) -> Figure {
+        let plots = if self.has_adhesion() { &OF_ADHESION } else { &OF_YIELDING };
         let (name, curves) = self.history_curves(points);
         let places = ends(curves.values().flat_map(|(_, dots)| dots.iter().map(|dot| dot.0)));
         let panel = |&(title, symbol, of): &HistoryPlot| {

@@ -222,7 +222,8 @@ impl<'s> Plastic<'s> {
 
     /// The work of the load in the step from the last state to another one, per area.
     fn work_of_step(&self, state: &PlasticState, observer: &mut dyn Observer) -> Result<f64, PlasticError> {
-        let [before, after] = [&self.state, state].map(Pressing::of);
+        let pressing = |state: &PlasticState| Pressing::from_whole(&state.contact, &state.residual);
+        let (before, after) = (pressing(&self.state), pressing(state));
         if state.strain == self.state.strain {
             return Ok(before.elastic_work(&after));
         }

@@ -1,6 +1,5 @@
 //! The work of the load in a step.
 
-use super::PlasticState;
 use crate::contact::Contact;
 use crate::surface::Field;
 
@@ -22,10 +21,9 @@ impl Pressing {
         Self::from_parts(contact, mean(&(&contact.pressure * pressed)), mean(pressed) + mean(residual))
     }
 
-    /// The contact of a state.
-    pub fn of(state: &PlasticState) -> Self {
-        let contact = &state.contact;
-        let pressed = &contact.displacement - &state.residual;
+    /// The contact of a state, whose displacement has the residual one in it.
+    pub fn from_whole(contact: &Contact, residual: &Field) -> Self {
+        let pressed = &contact.displacement - residual;
         Self::from_parts(contact, mean(&(&contact.pressure * &pressed)), mean(&contact.displacement))
     }
 
