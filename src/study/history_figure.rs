@@ -28,8 +28,9 @@ const OF_YIELDING: [HistoryPlot; 2] = [
 type HistoryCurves<'a> = BTreeMap<usize, (String, Vec<(f64, &'a [Point])>)>;
 
 impl Plan {
-    /// The figure of all `points` of a study of histories with adhesion, or on a solid that yields below its surface: two numbers of their ends against the last list of numbers, with one curve for each combination of
-    /// the other values. The mean is over the seeds, and bars show the standard deviation of single realisations.
+    /// The figure of all `points` of a study of histories with adhesion, or on a solid that yields below its surface: two numbers of their ends against the
+    /// last list of numbers, with one curve for each combination of the other values. The mean is over the seeds, and bars show the standard deviation of
+    /// single realisations.
     pub(super) fn history_figure(&self, title: &str, points: &[Point]) -> Figure {
         let plots = if self.has_adhesion() { &OF_ADHESION } else { &OF_YIELDING };
         let (name, curves) = self.history_curves(points);
