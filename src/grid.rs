@@ -165,6 +165,12 @@ impl Grid {
         [self.size[0] / self.shape[0] as f64, self.size[1] / self.shape[1] as f64]
     }
 
+    /// The shorter one of both spacings, a length; that along `x` of a line.
+    pub(crate) fn shortest_spacing(&self) -> f64 {
+        let [dy, dx] = self.spacing();
+        if self.is_line() { dx } else { dx.min(dy) }
+    }
+
     /// The node, counted row by row, `dy` rows and `dx` columns from another: beyond a period, the node on the other
     /// side of the cell; beyond a free rim, the node at the rim.
     ///

@@ -100,6 +100,10 @@ impl Observer for StepSender {
         let goes_on = !self.is_cancelled() && (!self.sends_steps || self.send(step));
         Ok(if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
     }
+
+    fn ask(&mut self) -> Wish {
+        Ok(if self.is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+    }
 }
 
 /// Does some work on a thread of its own. An exception of a callback, or Ctrl-C, ends the work and is raised.

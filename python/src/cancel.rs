@@ -32,6 +32,10 @@ impl CancelToken {
 
 impl Observer for &CancelToken {
     fn step(&mut self, _: &Step<'_>) -> Wish {
+        self.ask()
+    }
+
+    fn ask(&mut self) -> Wish {
         Ok(if self.is_cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
     }
 }

@@ -3,6 +3,8 @@
 use super::gap_energy::{GapEnergy, GapState};
 use super::newton::{OpenNodes, add_scaled, norm};
 use crate::chunks::{self, dot};
+use crate::contact::{Observer, goes_on};
+use crate::error::AdhesionError;
 
 /// Curvatures below this part of the softest stiffness are marginal.
 pub(super) const MARGINAL: f64 = 1e-3;
@@ -49,44 +51,61 @@ type Imaged = [Vec<f64>; 2];
 /// Finds the least curvature by the locally optimal conjugate gradients of Knyazev, SIAM J. Sci. Comput. 23, 517 (2001), with two vectors:
 /// the least Rayleigh quotients of the vectors, of the last steps and of the preconditioned residuals. All of these are kept perpendicular to
 /// each other, with length one: the new ones as fields, and the vectors and their steps by their weights.
-pub(super) fn least_curvature(energy: &mut GapEnergy<'_>, state: &GapState) -> Option<LeastCurvature> {
-    chunks::in_pool(state.gap.len(), || search(energy, state))
-}
-
-/// The search for the least curvature.
-fn search(energy: &mut GapEnergy<'_>, state: &GapState) -> Option<LeastCurvature> {
+///
+/// # Errors
+/// [`AdhesionError::Stopped`] by an observer, which is asked in each round.
+pub(super) fn least_curvature(
+    energy: &mut GapEnergy<'_>,
+    state: &GapState,
+    observer: &mut dyn Observer,
+) -> Result<Option<LeastCurvature>, AdhesionError> {
     let open = OpenNodes::new(energy, state);
     let free = open.count().saturating_sub(usize::from(energy.keeps_mean()));
     // the vectors come first, and then their last steps
     let mut basis: Vec<Imaged> = Vec::new();
-    for start in 0..VECTORS.min(free) {
-        let vector = improved(energy, &open, first_vector(energy, state, start));
-        extend(&mut basis, energy, &open, vector);
-    }
-    let softest = energy.softest();
+    chunks::in_pool(state.gap.len(), || {
+        for start in 0..VECTORS.min(free) {
+            let vector = improved(energy, &open, first_vector(energy, state, start));
+            extend(&mut basis, energy, &open, vector);
+        }
+    });
     let count = basis.len();
+    if count == 0 {
+        return Ok(None);
+    }
     for _ in 0..ROUNDS {
-        let residuals: Vec<Vec<f64>> = basis[..count].iter().map(residual).collect();
-        let [vector, image] = basis.first()?;
-        if norm(&residuals[0]) <= RESIDUAL * dot(vector, image).abs().max(SMALL * softest) {
+        if !goes_on(observer) {
+            return Err(AdhesionError::Stopped);
+        }
+        if !chunks::in_pool(state.gap.len(), || advance(&mut basis, count, energy, &open)) {
             break;
         }
-        let known = basis.len();
-        for residual in residuals {
-            let better = improved(energy, &open, residual);
-            extend(&mut basis, energy, &open, better);
-        }
-        if basis.len() == known {
-            break;
-        }
-        let mut weights = least_of(&basis, count);
-        add_steps(&mut weights, count);
-        basis = weights.iter().map(|weights| combined(&basis, weights)).collect();
     }
     let first = basis.swap_remove(0);
     let error = norm(&residual(&first));
     let [vector, image] = first;
-    Some(LeastCurvature { value: dot(&vector, &image), error, vector })
+    Ok(Some(LeastCurvature { value: dot(&vector, &image), error, vector }))
+}
+
+/// A round of the search on a basis of so many vectors and their last steps. Returns whether the vectors have changed.
+fn advance(basis: &mut Vec<Imaged>, count: usize, energy: &mut GapEnergy<'_>, open: &OpenNodes) -> bool {
+    let residuals: Vec<Vec<f64>> = basis[..count].iter().map(residual).collect();
+    let [vector, image] = &basis[0];
+    if norm(&residuals[0]) <= RESIDUAL * dot(vector, image).abs().max(SMALL * energy.softest()) {
+        return false;
+    }
+    let known = basis.len();
+    for residual in residuals {
+        let better = improved(energy, open, residual);
+        extend(basis, energy, open, better);
+    }
+    if basis.len() == known {
+        return false;
+    }
+    let mut weights = least_of(basis, count);
+    add_steps(&mut weights, count);
+    *basis = weights.iter().map(|weights| combined(basis, weights)).collect();
+    true
 }
 
 /// Moves a state off a saddle, to the side of the unstable direction with the lower energy.
@@ -294,7 +313,7 @@ mod tests {
                     let Ok(AdhesiveOutcome::State(found)) = solved else { continue };
                     let mut energy = GapEnergy::new(&problem, attraction, control);
                     let state = energy.state(found.contact.gap.iter().copied().collect());
-                    let Some(least) = least_curvature(&mut energy, &state) else { continue };
+                    let Some(least) = least_curvature(&mut energy, &state, &mut ()).unwrap() else { continue };
                     let exact = dense(&mut energy, &state);
                     let [missed, slack] = [least.value - exact, 1e-9 * energy.softest()];
                     assert!(

@@ -133,13 +133,13 @@ impl<'a> StateSearch<'a> {
                 GapEnd::Stopped => return Err(AdhesionError::Stopped),
                 GapEnd::Failed => break,
                 GapEnd::Separated => Some(self.separated(energy.transforms())),
-                GapEnd::Found => self.settled(&mut energy, &mut state, "gfmd"),
+                GapEnd::Found => self.settled(&mut energy, &mut state, "gfmd", observer)?,
             };
             if let Some(outcome) = outcome {
                 return Ok(AdhesiveMotion { frames: frames.into_vec(), outcome });
             }
         }
-        let outcome = self.missed(&mut energy, &state, "gfmd");
+        let outcome = self.missed(&mut energy, &state, "gfmd", observer)?;
         Ok(AdhesiveMotion { frames: frames.into_vec(), outcome })
     }
 
@@ -196,14 +196,14 @@ impl<'a> StateSearch<'a> {
                 GapEnd::Separated => return Ok(self.separated(energy.transforms())),
                 GapEnd::Found => {
                     by_convex = None;
-                    if let Some(outcome) = self.settled(&mut energy, &mut state, "newton") {
+                    if let Some(outcome) = self.settled(&mut energy, &mut state, "newton", observer)? {
                         return Ok(outcome);
                     }
                 }
                 GapEnd::Failed if self.left() == 0 => break,
                 GapEnd::Failed => {
                     if let Some(found) = by_convex {
-                        return Ok(AdhesiveOutcome::State(self.safe_state(found)));
+                        return Ok(AdhesiveOutcome::State(self.safe_state(found, observer)?));
                     }
                     let sigma = state.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
                     let limits = SearchLimits { tolerance: self.tolerance(), steps: CONVEX_STEPS };
@@ -222,7 +222,7 @@ impl<'a> StateSearch<'a> {
                 }
             }
         }
-        Ok(self.missed(&mut energy, &state, "newton"))
+        self.missed(&mut energy, &state, "newton", observer)
     }
 
     /// Convex steps from a traction, whose work counts.
@@ -247,9 +247,10 @@ impl<'a> StateSearch<'a> {
         energy: &mut GapEnergy<'_>,
         state: &mut GapState,
         method: &'static str,
-    ) -> Option<AdhesiveOutcome> {
-        let least = if self.tests_stability { least_curvature(energy, state) } else { None };
-        match &least {
+        observer: &mut dyn Observer,
+    ) -> Result<Option<AdhesiveOutcome>, AdhesionError> {
+        let least = if self.tests_stability { least_curvature(energy, state, observer)? } else { None };
+        Ok(match &least {
             Some(least) if least.is_saddle(energy.softest()) => {
                 leave_saddle(energy, state, least);
                 None
@@ -258,15 +259,21 @@ impl<'a> StateSearch<'a> {
                 let residual = energy.residual(state, self.tolerance());
                 Some(AdhesiveOutcome::State(self.state(energy, state, FoundState { method, residual, least })))
             }
-        }
+        })
     }
 
     /// The last state of a search that found none.
-    fn missed(&self, energy: &mut GapEnergy<'_>, state: &GapState, method: &'static str) -> AdhesiveOutcome {
+    fn missed(
+        &self,
+        energy: &mut GapEnergy<'_>,
+        state: &GapState,
+        method: &'static str,
+        observer: &mut dyn Observer,
+    ) -> Result<AdhesiveOutcome, AdhesionError> {
         let residual = energy.residual(state, self.tolerance());
         // a state from which a search goes on may be in equilibrium, such as a saddle
-        let least = if residual <= self.tolerance() { least_curvature(energy, state) } else { None };
-        AdhesiveOutcome::State(self.state(energy, state, FoundState { method, residual, least }))
+        let least = if residual <= self.tolerance() { least_curvature(energy, state, observer)? } else { None };
+        Ok(AdhesiveOutcome::State(self.state(energy, state, FoundState { method, residual, least })))
     }
 
     /// Convex steps only.
@@ -282,7 +289,7 @@ impl<'a> StateSearch<'a> {
         match self.convex_steps(sigma, pressed, limits, observer)? {
             (_, ConvexEnd::Separated) => Ok(self.separated(0)),
             (_, ConvexEnd::Stopped) => Err(AdhesionError::Stopped),
-            (Some(found), _) => Ok(AdhesiveOutcome::State(self.safe_state(found))),
+            (Some(found), _) => Ok(AdhesiveOutcome::State(self.safe_state(found, observer)?)),
             (None, _) => Err(AdhesionError::NotFound { steps: self.work.iterations, residual: f64::INFINITY }),
         }
     }
@@ -316,7 +323,7 @@ impl<'a> StateSearch<'a> {
     }
 
     /// The state of a safe search. On a periodic grid its stability is computed as well.
-    fn safe_state(self, found: ConvexState) -> AdhesiveState {
+    fn safe_state(self, found: ConvexState, observer: &mut dyn Observer) -> Result<AdhesiveState, AdhesionError> {
         let n = found.gap.len();
         let mut least = None;
         let mut transforms = 0;
@@ -328,7 +335,7 @@ impl<'a> StateSearch<'a> {
             let mut state = energy.state(gap);
             // nodes touch where they press, whatever rounding says
             state.gradient.iter_mut().zip(&found.pressure).filter(|(_, p)| **p > 0.0).for_each(|(r, p)| *r = *p);
-            least = least_curvature(&mut energy, &state);
+            least = least_curvature(&mut energy, &state, observer)?;
             transforms = energy.transforms();
         }
         let elastic = |i: usize| 0.5 * (found.pressure[i] - found.traction[i]) * found.displacement[i];
@@ -336,7 +343,7 @@ impl<'a> StateSearch<'a> {
         let numbers = SearchNumbers { datum: found.datum, energy: chunks::sum(n, energy) / n as f64, transforms };
         let traction = found.gap.iter().map(|gap| self.attraction.traction(*gap)).collect();
         let fields = [found.pressure, found.displacement, found.gap];
-        self.assemble(fields, traction, numbers, FoundState { method: "safe", residual, least })
+        Ok(self.assemble(fields, traction, numbers, FoundState { method: "safe", residual, least }))
     }
 
     /// The state of a gap.

@@ -1,7 +1,7 @@
 //! Maps of fields in several results.
 
 use super::exit_status::usage;
-use super::picture::{NamedMap, gaps, pressures, with_images};
+use super::picture::{NamedMap, gaps, imprints, pressures, with_images};
 use super::units::Units;
 use anyhow::Result;
 use asperity::Grid;
@@ -16,9 +16,11 @@ use std::path::{Path, PathBuf};
 pub enum MapField {
     Pressure,
     Gap,
+    /// What a body that yields below its surface keeps after its last load
+    Imprint,
 }
 
-/// The results of some files, of one load on a surface each.
+/// The results of some files, each of a surface.
 pub struct FileMaps {
     results: Vec<(String, ArchiveReader)>,
     units: Units,
@@ -28,9 +30,10 @@ impl FileMaps {
     /// The results in some files.
     ///
     /// # Errors
-    /// For a file that is no result of one load on a surface, and for one with units beside one without.
-    pub fn read(files: &[PathBuf]) -> Result<Self> {
-        let results: Vec<(String, ArchiveReader)> = files.iter().map(|path| named(path)).collect::<Result<_>>()?;
+    /// For a file that is no result of one load on a surface, or of some states for an imprint, and for one with units beside one without.
+    pub fn read(files: &[PathBuf], field: MapField) -> Result<Self> {
+        let results: Vec<(String, ArchiveReader)> =
+            files.iter().map(|path| named(path, field)).collect::<Result<_>>()?;
         let units: Vec<Units> = results.iter().map(|(_, it)| units_of(it)).collect::<Result<_>>()?;
         match units.iter().position(|it| *it != units[0]) {
             Some(other) => usage(format!(
@@ -50,9 +53,15 @@ impl FileMaps {
         let name = match field {
             MapField::Pressure => "pressure",
             MapField::Gap => "gap",
+            MapField::Imprint => "imprint",
         };
         let map = |(title, result): &(String, ArchiveReader)| {
-            let field = result.fields(name)?.swap_remove(0);
+            // of some states, the imprint is that of the last one
+            let mut field = result.fields(name)?.pop().expect("a result has at least one state");
+            if name == "imprint" {
+                let highest = field.iter().copied().fold(f64::INFINITY, f64::min);
+                field -= highest;
+            }
             let size = result.shared("size")?;
             let &[ly, lx] = size.as_slice() else {
                 return usage(format!("{} does not have the two lengths of a surface", result.path().display()));
@@ -64,15 +73,16 @@ impl FileMaps {
         Ok(match field {
             MapField::Pressure => pressures(&maps, self.units),
             MapField::Gap => gaps(&maps, self.units),
+            MapField::Imprint => imprints(&maps, self.units),
         })
     }
 }
 
-/// The result of one load on a surface in a file, with the name of the file.
-fn named(path: &Path) -> Result<(String, ArchiveReader)> {
+/// The result of one load on a surface in a file, or of some states for an imprint, with the name of the file.
+fn named(path: &Path, field: MapField) -> Result<(String, ArchiveReader)> {
     let is_archive = path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz"));
     let result = if is_archive { Some(ArchiveReader::open(path)?) } else { None };
-    match result.filter(|it| it.rank() == 2 && !it.is_list()) {
+    match result.filter(|it| it.rank() == 2 && (!it.is_list() || field == MapField::Imprint)) {
         Some(result) => {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let (recipe, _) = SetupTable::from_toml(result.setup())?.surface()?;

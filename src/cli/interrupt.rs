@@ -116,6 +116,10 @@ pub struct Interruption(pub Arc<AtomicBool>);
 
 impl Observer for Interruption {
     fn step(&mut self, _: &Step<'_>) -> Wish {
+        self.ask()
+    }
+
+    fn ask(&mut self) -> Wish {
         Ok(if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
     }
 }

@@ -182,10 +182,20 @@ fn most(field: &Field) -> f64 {
 
 /// Gaps of surfaces in the same colours.
 pub fn gaps(maps: &[NamedMap], units: Units) -> Vec<Panel> {
-    let widest = maps.iter().map(|it| most(&it.field)).fold(0.0, f64::max);
-    let (unit, size) = unit(units.metres, &LENGTHS, widest);
-    let scale = Axis::linear(label("gap", unit), [0.0, (widest / size).max(f64::MIN_POSITIVE)]);
-    maps.iter().map(|it| map(it, it.field.mapv(|gap| gap / size), f64::min, scale.clone(), units)).collect()
+    lengths("gap", maps, f64::min, units)
+}
+
+/// Depths of imprints below the highest place that the body would have without load, in the same colours.
+pub fn imprints(maps: &[NamedMap], units: Units) -> Vec<Panel> {
+    lengths("depth of the imprint", maps, f64::max, units)
+}
+
+/// Fields of lengths from 0 on, of a name, in the same colours. Of several nodes at a pixel they show the value that `pick` leaves of them.
+fn lengths(name: &str, maps: &[NamedMap], pick: fn(f64, f64) -> f64, units: Units) -> Vec<Panel> {
+    let longest = maps.iter().map(|it| most(&it.field)).fold(0.0, f64::max);
+    let (unit, size) = unit(units.metres, &LENGTHS, longest);
+    let scale = Axis::linear(label(name, unit), [0.0, (longest / size).max(f64::MIN_POSITIVE)]);
+    maps.iter().map(|it| map(it, it.field.mapv(|length| length / size), pick, scale.clone(), units)).collect()
 }
 
 /// A field of a surface in colours. Of several nodes at a pixel it shows the value that `pick` leaves of them.

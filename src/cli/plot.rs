@@ -37,7 +37,7 @@ pub struct PlotCommand {
     /// The quantity upwards
     #[arg(long, value_name = "QUANTITY", default_value = "kappa_r")]
     y: String,
-    /// Maps of this field instead, in the same colours side by side: results (.npz) of one load on a surface each
+    /// Maps of this field instead, in the same colours side by side: results (.npz) of one load on a surface each, or of a surface that yields
     #[arg(long, value_name = "FIELD", value_enum, conflicts_with_all = ["x", "y"])]
     map: Option<MapField>,
     /// The picture (.svg, .pdf, .png)
@@ -53,7 +53,7 @@ impl PlotCommand {
         check_named(&self.out, &FIGURES)?;
         check_apart([&self.out], &self.files)?;
         let panels = match self.map {
-            Some(field) => FileMaps::read(&self.files)?.panels(field)?,
+            Some(field) => FileMaps::read(&self.files, field)?.panels(field)?,
             None => vec![self.curves()?],
         };
         write_figure(&self.out, &Figure { title: String::new(), panels }, &style)?;

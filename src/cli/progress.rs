@@ -57,6 +57,10 @@ impl Watcher for Bars {
         let interruption = self.interrupted.clone().filter(|_| matches!(pass, Pass::State(..))).map(Interruption);
         Box::new((interruption, Progress::new(&title)))
     }
+
+    fn ended(&self) -> Option<Arc<AtomicBool>> {
+        self.interrupted.clone()
+    }
 }
 
 impl Bars {

@@ -10,6 +10,8 @@ use anyhow::Result;
 use asperity::contact::{Observer, State};
 use asperity::job::{Pass, Watcher};
 use asperity::setup::{ProcessKind, Setup};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Bars for the solves of each state, and the findings under each of a list of loads.
 pub struct StateWatch<'a> {
@@ -36,6 +38,10 @@ impl<'a> StateWatch<'a> {
 impl Watcher for StateWatch<'_> {
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_> {
         self.bars.observer(pass)
+    }
+
+    fn ended(&self) -> Option<Arc<AtomicBool>> {
+        self.bars.ended()
     }
 
     fn state(&mut self, _: usize, state: &State) {

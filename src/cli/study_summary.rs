@@ -2,11 +2,11 @@
 
 use super::exit_status::ExitStatus;
 use super::output::write_json;
-use super::study_table::{write_adhesion_means, write_means};
+use super::study_table::{write_adhesion_means, write_means, write_yield_means};
 use super::terminal::stdout;
 use super::warnings;
 use anyhow::Result;
-use asperity::study::{AdhesionMeans, LoadMeans, Plan, Point};
+use asperity::study::{AdhesionMeans, LoadMeans, Plan, Point, YieldMeans};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -40,6 +40,7 @@ pub struct StudySummary {
 enum Means {
     Contact(Vec<LoadMeans>),
     Adhesion(Vec<AdhesionMeans>),
+    Yielding(Vec<YieldMeans>),
 }
 
 impl StudySummary {
@@ -56,9 +57,12 @@ impl StudySummary {
 
     /// The summary of all points of a study.
     pub fn of_all(plan: &Plan, table: &Path, points: &[Point]) -> Self {
-        let means = match points.iter().any(Point::has_adhesion) {
-            true => Means::Adhesion(plan.adhesion_means(points)),
-            false => Means::Contact(plan.means(points)),
+        let means = if points.iter().any(Point::has_adhesion) {
+            Means::Adhesion(plan.adhesion_means(points))
+        } else if points.iter().any(Point::yields) {
+            Means::Yielding(plan.yield_means(points))
+        } else {
+            Means::Contact(plan.means(points))
         };
         Self { means: Some(means), ..Self::of_share(plan, table, points) }
     }
@@ -73,6 +77,7 @@ impl StudySummary {
             None => (),
             Some(Means::Contact(means)) => write_means(plan, self.rows, means, &mut stdout())?,
             Some(Means::Adhesion(means)) => write_adhesion_means(plan, self.rows, means, &mut stdout())?,
+            Some(Means::Yielding(means)) => write_yield_means(plan, self.rows, means, &mut stdout())?,
         }
         warnings::refuse_if_strict(&self.warnings, output.strict)?;
         warnings::print(&self.warnings);

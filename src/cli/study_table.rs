@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::quantity::bytes_in_words;
-use asperity::study::{AdhesionMeans, Campaign, LoadMeans, Plan, SeedMean};
+use asperity::study::{AdhesionMeans, Campaign, LoadMeans, Plan, SeedMean, YieldMeans};
 use indicatif::HumanDuration;
 use std::io::Write;
 use std::time::Duration;
@@ -25,10 +25,14 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
     writeln!(out, "  rows          {} of {}", share.len() * loads, plan.rows())?;
     writeln!(
         out,
-        "  realisations  {} of {}, each under {}",
+        "  realisations  {} of {}, each {}",
         share.len(),
         plan.realisations(),
-        if loads == 1 { "one load".to_owned() } else { format!("{loads} loads one after the other") }
+        match (plan.states()?, loads) {
+            (Some(states), _) => format!("a history of about {states} states"),
+            (None, 1) => "under one load".into(),
+            (None, _) => format!("under {loads} loads one after the other"),
+        }
     )?;
     writeln!(out, "  work          about {} of one core", in_words(seconds))?;
     writeln!(
@@ -98,6 +102,28 @@ pub fn write_adhesion_means(plan: &Plan, rows: usize, means: &[AdhesionMeans], o
             out,
             "{pull_off:>10} {pull_off_std:>9} {lost:>10} {lost_std:>9} {area:>9} {jumps:>6} {separated:>6}  {values}"
         )?;
+    }
+    write_rest(means.len(), "lines", out)
+}
+
+/// Writes the means over the seeds of a study of solids that yield below their surface, for each combination of values. Only histories that converged count.
+pub fn write_yield_means(plan: &Plan, rows: usize, means: &[YieldMeans], out: &mut impl Write) -> Result<()> {
+    writeln!(
+        out,
+        "{rows} rows, mean and standard deviation over {} seeds, lengths and energies in units of the scene",
+        plan.seeds()
+    )?;
+    writeln!(
+        out,
+        "\n{:>10} {:>9} {:>12} {:>9} {:>13} {:>12}",
+        "imprint", "std", "plastic work", "std", "largest alpha", "largest area"
+    )?;
+    for YieldMeans { values, imprint_depth, plastic_work, max_plastic_strain, largest_area } in means.iter().take(LINES)
+    {
+        let [imprint, imprint_std] = short_words(imprint_depth);
+        let [work, work_std] = short_words(plastic_work);
+        let ([strain, _], [area, _]) = (short_words(max_plastic_strain), words(largest_area, 5));
+        writeln!(out, "{imprint:>10} {imprint_std:>9} {work:>12} {work_std:>9} {strain:>13} {area:>12}  {values}")?;
     }
     write_rest(means.len(), "lines", out)
 }

@@ -143,8 +143,8 @@ pub struct Certificate {
     /// one, gives no bound. At a mean pressure as large as the hardness it is `2 <H_c - p> / <p>`, and so 0.
     pub pressure_error_bound: f64,
     /// The bound of `|D* - d| / h_rms`, the error of the datum under a given mean pressure, which is the mean gap on a
-    /// periodic grid and the approach on a free one. At a given mean gap or approach it is 0. Where nodes yield it is that of the mean
-    /// gap, in all cases. Of a contact that moves it is infinite:
+    /// periodic grid and the approach on a free one. At a given mean gap it is 0. At a given approach it is that of the mean gap, which is the mean
+    /// displacement there: `t / sqrt(k_min)` for the softest stiffness. Where nodes yield it is that of the mean gap, in all cases. Of a contact that moves it is infinite:
     /// nothing bounds the error.
     pub mean_gap_error_bound: f64,
     /// The relative error of the prescribed load: `|<p> / mean_pressure - 1|`, or `|D - d| / h_rms` at a mean gap.
@@ -250,7 +250,8 @@ impl Certificate {
             eta_gap: datum.map_or(0.0, |datum| bounds.excess() / room(problem, datum)),
             pressure_error_bound: bounds.pressure_error(),
             mean_gap_error_bound: match datum {
-                Some(_) => bounds.spread_error() / rms_height,
+                Some(_) if problem.mean_gap().is_some() => bounds.spread_error() / rms_height,
+                Some(_) => bounds.displacement_error(problem) / rms_height,
                 None if problem.is_moving() => f64::INFINITY,
                 None => bounds.gap_error() / rms_height,
             },
@@ -369,6 +370,12 @@ impl Bounds {
     fn spread_error(&self) -> f64 {
         let softest = self.yielding.and_then(|it| it.softest);
         softest.map_or(0.0, |softest| self.error() / softest.sqrt())
+    }
+
+    /// The bound of the mean of `abs(u - u*)`, `t / sqrt(k_min)`: at a given approach the mean gap errs by the mean displacement.
+    fn displacement_error(&self, problem: &Problem) -> f64 {
+        let [softest, _] = problem.compliance().stiffness_range();
+        self.error() / softest.sqrt()
     }
 
     /// The bound of `|D* - d|`, or of the error of the mean gap where nodes yield.

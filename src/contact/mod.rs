@@ -89,6 +89,7 @@ pub(crate) use monotone::{BoxInequality, LoadOrDatum, SetIteration};
 pub(crate) use moving::{directions, hysteretic_friction, spectrum};
 pub use multilevel::Multilevel;
 pub use observe::Each;
+pub(crate) use observe::goes_on;
 pub use outcome::{Contact, Work};
 pub use patch_history::{NumberedPatch, PatchHistory, PatchSizes, PatchState, TrackedPatch};
 pub use patch_tracker::{PatchEvent, PatchEventKind, PatchTracker};

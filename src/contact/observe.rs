@@ -28,6 +28,11 @@ impl<F: FnMut(&Step<'_>) -> ControlFlow<()>> Observer for Each<F> {
     }
 }
 
+/// Whether an observer lets work without steps go on. One that fails does not.
+pub(crate) fn goes_on(observer: &mut dyn Observer) -> bool {
+    matches!(observer.ask(), Ok(ControlFlow::Continue(())))
+}
+
 impl Observer for () {
     fn step(&mut self, _: &Step<'_>) -> Wish {
         Ok(ControlFlow::Continue(()))
@@ -43,6 +48,10 @@ macro_rules! forward {
 
         fn step(&mut $self, step: &Step<'_>) -> Wish {
             $each.map(|observer| observer.step(step)).fold(Ok(ControlFlow::Continue(())), both)
+        }
+
+        fn ask(&mut $self) -> Wish {
+            $each.map(|observer| observer.ask()).fold(Ok(ControlFlow::Continue(())), both)
         }
 
         fn end(&mut $self, contact: &Contact) -> Result<(), Failure> {

@@ -69,6 +69,14 @@ pub trait Observer {
     /// For an observer that cannot go on: the run ends.
     fn step(&mut self, step: &Step<'_>) -> Wish;
 
+    /// Asked in each iteration of work that has no step of a solver to show, such as plastic flow below the surface; `Break` ends the work.
+    ///
+    /// # Errors
+    /// For an observer that cannot go on: the work ends.
+    fn ask(&mut self) -> Wish {
+        Ok(ControlFlow::Continue(()))
+    }
+
     /// Called at the end, with the contact.
     ///
     /// # Errors

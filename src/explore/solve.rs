@@ -198,4 +198,8 @@ impl Observer for ProgressReport<'_, '_> {
         }
         Ok(ControlFlow::Continue(()))
     }
+
+    fn ask(&mut self) -> Wish {
+        Ok(if self.turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
+    }
 }

@@ -10,6 +10,7 @@ use crate::contact::{Contact, StateField};
 use crate::error::FlowError;
 use crate::grid::Grid;
 use crate::surface::Field;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Largest number of steps of conjugate gradients.
 const MOST_STEPS: usize = 500;
@@ -114,6 +115,16 @@ impl Leakage {
     /// [`FlowError::Shape`] and [`FlowError::Gap`] for gaps that do not fit the grid or are not finite, [`FlowError::Tolerance`] for a tolerance
     /// below 1e-12 or from 1 on, and [`FlowError::TooLarge`] for 4e9 cells.
     pub fn new(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Result<Self, FlowError> {
+        Self::until(grid, gap, (axis, tolerance), &AtomicBool::new(false))
+    }
+
+    /// The same, or what is known of it when `ended` becomes true: then the bounds are wide.
+    fn until(
+        grid: &Grid,
+        gap: &Field,
+        (axis, tolerance): (FlowAxis, f64),
+        ended: &AtomicBool,
+    ) -> Result<Self, FlowError> {
         if gap.shape() != grid.shape() {
             return Err(FlowError::Shape { found: gap.shape().to_vec(), expected: grid.shape() });
         }
@@ -127,7 +138,7 @@ impl Leakage {
         if let Some(((y, x), &value)) = gap.indexed_iter().find(|(_, value)| !value.is_finite()) {
             return Err(FlowError::Gap { index: [y, x], value });
         }
-        Ok(solve(grid, gap, axis, tolerance))
+        Ok(solve(grid, gap, (axis, tolerance), ended))
     }
 
     /// The flow through the gap of a contact, see [`Leakage::new`]. Nodes with a pressure carry nothing.
@@ -135,9 +146,7 @@ impl Leakage {
     /// # Errors
     /// The errors of [`Leakage::new`].
     pub fn from_contact(contact: &Contact, axis: FlowAxis, tolerance: f64) -> Result<Self, FlowError> {
-        let mut gap = contact.gap.clone();
-        gap.zip_mut_with(&contact.pressure, |gap, &pressure| *gap = if pressure > 0.0 { 0.0 } else { *gap });
-        Self::new(contact.problem.surface().grid(), &gap, axis, tolerance)
+        Self::new(contact.problem.surface().grid(), &open_gap(contact), axis, tolerance)
     }
 
     /// The flow through the gap of a contact along each of some axes, see [`Leakage::from_contact`]. The solver of one axis works on one thread. Up to
@@ -146,7 +155,21 @@ impl Leakage {
     /// # Errors
     /// The errors of [`Leakage::new`].
     pub fn along(contact: &Contact, axes: &[FlowAxis], tolerance: f64) -> Result<Vec<Self>, FlowError> {
-        let solve = |axis: &FlowAxis| Self::from_contact(contact, *axis, tolerance);
+        Self::along_until(contact, axes, tolerance, &AtomicBool::new(false))
+    }
+
+    /// The same as [`Leakage::along`], or what is known of it when `ended` becomes true: then the bounds are wide.
+    ///
+    /// # Errors
+    /// The errors of [`Leakage::new`].
+    pub(crate) fn along_until(
+        contact: &Contact,
+        axes: &[FlowAxis],
+        tolerance: f64,
+        ended: &AtomicBool,
+    ) -> Result<Vec<Self>, FlowError> {
+        let (grid, gap) = (contact.problem.surface().grid(), open_gap(contact));
+        let solve = |axis: &FlowAxis| Self::until(grid, &gap, (*axis, tolerance), ended);
         match Self::together(contact.problem.surface().grid()) {
             1 => axes.iter().map(solve).collect(),
             _ => chunks::spread(axes.iter(), solve).into_iter().collect(),
@@ -209,8 +232,15 @@ impl Leakage {
     }
 }
 
-/// The flow through finite gaps.
-fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
+/// The gap of a contact, 0 in nodes with a pressure.
+fn open_gap(contact: &Contact) -> Field {
+    let mut gap = contact.gap.clone();
+    gap.zip_mut_with(&contact.pressure, |gap, &pressure| *gap = if pressure > 0.0 { 0.0 } else { *gap });
+    gap
+}
+
+/// The flow through finite gaps, as far as it is found until `ended` becomes true.
+fn solve(grid: &Grid, gap: &Field, (axis, tolerance): (FlowAxis, f64), ended: &AtomicBool) -> Leakage {
     let widest = gap.fold(0.0, |most: f64, &gap| most.max(gap));
     let conductivity: Vec<f64> = gap.iter().map(|gap| (gap.max(0.0) / widest).powi(3)).collect();
     let network = Network::new(&axis.cut(grid), axis, conductivity);
@@ -231,7 +261,7 @@ fn solve(grid: &Grid, gap: &Field, axis: FlowAxis, tolerance: f64) -> Leakage {
     leakage.upper = unit * power;
     // whether the next step is the first one from the residual of the pressure, and not from what steps have made of it
     let mut is_first = true;
-    while leakage.steps < MOST_STEPS && leakage.width() > tolerance {
+    while leakage.steps < MOST_STEPS && leakage.width() > tolerance && !ended.load(Ordering::Relaxed) {
         let gain = cycle.step(&mut gradients);
         leakage.steps += 1;
         power -= gain.unwrap_or(0.0);

@@ -1,6 +1,6 @@
 //! A process that makes the next state of a contact from the last one.
 
-use crate::contact::{Load, Observer, State};
+use crate::contact::{Load, Observer, State, goes_on};
 use crate::error::HistoryError;
 
 /// A point of the path of a history. Between two points, loads change linearly.
@@ -31,10 +31,15 @@ pub trait Process {
     /// Goes along the path to its end, and gives each state to `each` as soon as it is solved.
     ///
     /// # Errors
-    /// An error for a load that is impossible, and those of the solver and of `each`. The history ends there.
+    /// An error for a load that is impossible, [`HistoryError::Stopped`] for an observer that ends the history between two states, and those of the solver
+    /// and of `each`. The history ends there.
     fn run(&mut self, observer: &mut dyn Observer, each: &mut EachState<'_>) -> Result<(), HistoryError> {
         while let Some(state) = self.next(observer) {
             each(state?)?;
+            // a state without contact is found without a step of a solver
+            if !goes_on(observer) {
+                return Err(HistoryError::Stopped);
+            }
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use crate::contact::{
     BoxInequality, Ceiling, Certificate, Contact, LoadOrDatum, Multilevel, Observer, Problem, SetIteration, Solver,
-    Status, Stop,
+    Status, Stop, goes_on,
 };
 use crate::elastic::{Compliance, Coupling, Response};
 use crate::error::{MotionError, ProblemError};
@@ -149,7 +149,7 @@ impl Rolling {
             transforms += contact.work.transforms;
             let pressure = contact.pressure.as_slice().expect("results are made in standard layout").to_vec();
             let before = last.take().map(|(_, traction)| traction);
-            let solved = shifts.traction(&pressure, before, stop)?;
+            let solved = shifts.traction(&pressure, before, stop, observer)?;
             updates += solved.updates;
             inner_steps += solved.inner_steps;
             transforms += solved.transforms;
@@ -304,6 +304,7 @@ impl Shifts {
         pressure: &[f64],
         before: Option<Vec<f64>>,
         stop: &Stop,
+        observer: &mut dyn Observer,
     ) -> Result<SolvedTraction, MotionError> {
         let limit: Vec<f64> = pressure.iter().map(|p| self.conditions.friction * p).collect();
         let largest = self.height(pressure, &limit).iter().fold(0.0, |most: f64, h| most.max(h.abs()));
@@ -322,7 +323,7 @@ impl Shifts {
         loop {
             let narrow: Vec<f64> = limit.iter().map(|limit| limit.min(reach)).collect();
             let task = TractionTask { pressure, limit: &limit, narrow: &narrow, unit, drive };
-            let mut found = self.traction_within(&task, before.as_deref(), stop)?;
+            let mut found = self.traction_within(&task, before.as_deref(), stop, observer)?;
             updates += found.updates;
             inner_steps += found.inner_steps;
             transforms += found.transforms;
@@ -353,6 +354,7 @@ impl Shifts {
         task: &TractionTask<'_>,
         before: Option<&[f64]>,
         stop: &Stop,
+        observer: &mut dyn Observer,
     ) -> Result<SolvedTraction, MotionError> {
         let &TractionTask { pressure, limit, narrow, unit, drive: least } = task;
         let RollingConditions { step, drive, .. } = self.conditions;
@@ -377,12 +379,14 @@ impl Shifts {
             let carries = (state.p.iter().sum::<f64>() - load).abs() / carried;
             let certificate = gap / (unit * carries.max(least).powi(2));
             let is_converged = certificate <= stop.tolerance();
-            if !is_converged && updates < most {
-                state.advance(certificate, &mut |_| true);
+            let is_stopped = !is_converged && !goes_on(observer);
+            if !is_converged && !is_stopped && updates < most {
+                state.advance(certificate, &mut |_| goes_on(observer));
                 continue;
             }
             let status = match is_converged {
                 true => Status::Converged,
+                false if is_stopped => Status::StoppedByObserver,
                 false if most < UPDATES => Status::IterationCap,
                 false => Status::Stalled,
             };

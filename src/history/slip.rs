@@ -270,7 +270,7 @@ impl<'s> SlipHistory<'s> {
         let task = SlipTask { contact: &contact, pressed: &pressed, target, before: &before, start: &start };
         let found = match self.coefficient {
             0.0 => Traction::none(self.traction.each_ref().map(Vec::len)),
-            _ if self.shear.is_some() => self.pull_towards(&task),
+            _ if self.shear.is_some() => self.pull_towards(&task, observer),
             _ => self.pull(&task, observer)?,
         };
         let work = pressing + found.work;
@@ -370,7 +370,7 @@ impl<'s> SlipHistory<'s> {
     }
 
     /// The traction along both axes with the mean `target` under the pressure of a contact.
-    fn pull_towards(&mut self, task: &SlipTask<'_>) -> Traction {
+    fn pull_towards(&mut self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Traction {
         let &SlipTask { contact, pressed, target, before, start } = task;
         let start_of_work = Instant::now();
         let (mu, p) = (self.coefficient, values(&contact.pressure));
@@ -382,8 +382,8 @@ impl<'s> SlipHistory<'s> {
         let stop = self.round_stop();
         let response = self.shear.as_mut().expect("the history takes both axes");
         let transforms = response.transforms();
-        let found =
-            VectorStep::new(response, places.clone(), discs, before, sliding_length(mu, pressed)).solve(&start, &stop);
+        let mut step = VectorStep::new(response, places.clone(), discs, before, sliding_length(mu, pressed));
+        let found = step.solve(&start, &stop, observer);
         let zeros = || [vec![0.0; p.len()], vec![0.0; p.len()]];
         let (mut traction, mut displacement) = (zeros(), zeros());
         for (axis, field) in traction.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! The traction of one step with friction on a surface, along both axes.
 
 use super::discs::{Discs, Pair, add, dot, length, scaled, solve};
-use crate::contact::{Status, Stop};
+use crate::contact::{Observer, Status, Stop, goes_on};
 use crate::elastic::ShearResponse;
 
 /// Most inner iterations for one exchange of sets.
@@ -123,22 +123,24 @@ impl<'a> VectorStep<'a> {
     /// is bounded below and `a` has bounds, `d` vanishes if gradient steps never end. By duality the least `G` of all shifts is
     /// `max w (tau - s) <= |w d| + |d| max|s - tau - d|/a`, and vanishes with `d`. If they end, `G` falls by a tenth in each further step. So `G`
     /// reaches any tolerance above rounding. A solve has stalled if the best `G` does not fall by a tenth in many steps.
-    pub fn solve(&mut self, start: &[Pair], stop: &Stop) -> VectorFound {
+    pub fn solve(&mut self, start: &[Pair], stop: &Stop, observer: &mut dyn Observer) -> VectorFound {
         let mut tau: Vec<Pair> = start.iter().zip(&self.discs.radii).map(|(t, r)| scaled(*t, r.recip())).collect();
         self.discs.carry(&mut tau);
-        let w = self.gradient(&tau);
-        let mut at = SlipIterate { tau, w };
+        let mut at = SlipIterate { w: self.gradient(&tau), tau };
         let scale = self.discs.radii.iter().sum::<f64>() * self.length;
         let (mut shift, mut missed) = self.discs.best_shift(&at.tau, &at.w, [0.0; 2]);
         let mut best = (at.tau.clone(), shift, missed);
-        let (mut iterations, mut patience, mut pace) = (0, 0, self.length.recip());
-        let mut is_guarded = self.gradient_only;
+        let (mut iterations, mut patience) = (0, 0);
+        let (mut pace, mut is_guarded) = (self.length.recip(), self.gradient_only);
         let status = loop {
             if missed <= stop.tolerance() * scale {
                 break Status::Converged;
             }
             if iterations >= stop.max_iterations() {
                 break Status::IterationCap;
+            }
+            if !goes_on(observer) {
+                break Status::StoppedByObserver;
             }
             if patience > if self.gradient_only { 100 * PATIENCE } else { PATIENCE } {
                 break Status::Stalled;
@@ -399,12 +401,12 @@ mod tests {
     fn gradient_steps_alone_lower_the_energy_and_reach_the_solution() {
         let stop = Stop::new(1e-13, 100_000).unwrap();
         let start = |step: &VectorStep<'_>| vec![[0.0; 2]; step.discs.len()];
-        let exact = with_step(|step| step.solve(&start(step), &stop));
+        let exact = with_step(|step| step.solve(&start(step), &stop, &mut ()));
         assert_eq!(exact.status, Status::Converged);
         assert!(exact.iterations < 150, "{}", exact.iterations);
         with_step(|step| {
             step.gradient_only = true;
-            let found = step.solve(&start(step), &Stop::new(1e-7, 100_000).unwrap());
+            let found = step.solve(&start(step), &Stop::new(1e-7, 100_000).unwrap(), &mut ());
             assert_eq!(found.status, Status::Converged);
             let most = exact.tau.iter().fold(0.0, |most: f64, tau| most.max(length(*tau)));
             let apart = exact.tau.iter().zip(&found.tau).map(|(a, b)| length(add(*a, -1.0, *b))).fold(0.0, f64::max);

@@ -5,11 +5,12 @@ use super::posed::Posed;
 use super::run::JobRun;
 use super::sink::StateSink;
 use super::watch::{Pass, ShowSteps, Watcher};
-use crate::contact::{Observer, Problem, State, Status};
+use crate::contact::{Observer, Problem, State, Status, goes_on};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
 use crate::setup::{Flow, ProcessKind, Setup};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is kept of the states of a run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -56,8 +57,16 @@ impl JobRun<'_> {
         let posed = self.posed(number, problem)?;
         let mut process = self.process(problem)?;
         let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
+        let is_ended = watch.ended().unwrap_or_default();
         let ended = loop {
-            let solved = match process.next(&mut *watch.observer(Pass::State(self, number, count))) {
+            let mut observer = watch.observer(Pass::State(self, number, count));
+            // a state without contact is found without a step of a solver, which would ask
+            if count > 0 && !goes_on(&mut *observer) {
+                break Some(HistoryError::Stopped);
+            }
+            let next = process.next(&mut *observer);
+            drop(observer);
+            let solved = match next {
                 None => break None,
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved
@@ -66,7 +75,11 @@ impl JobRun<'_> {
                 }
                 Some(solved) => solved,
             };
-            let state = match solved.and_then(|state| with_flow(state, &self.setup.flow, keeping.has_fields)) {
+            let solved = solved.and_then(|state| with_flow(state, &self.setup.flow, keeping.has_fields, &is_ended));
+            let state = match solved {
+                Ok(_) if is_ended.load(Ordering::Relaxed) && !self.setup.flow.is_none() => {
+                    break Some(HistoryError::Stopped);
+                }
                 Ok(state) => state,
                 Err(error) if count == 0 => return Err(error.into()),
                 Err(error) => break Some(error),
@@ -117,11 +130,11 @@ pub(super) fn give(
 }
 
 /// The state with what flows through it.
-fn with_flow(state: State, asked: &Flow, has_fields: bool) -> Result<State, HistoryError> {
+fn with_flow(state: State, asked: &Flow, has_fields: bool, is_ended: &AtomicBool) -> Result<State, HistoryError> {
     if asked.is_none() {
         return Ok(state);
     }
-    let found = asked.measure(&state.contact)?;
+    let found = asked.measure_until(&state.contact, is_ended)?;
     let mut state = state.with_numbers(&found.numbers);
     if has_fields {
         state.fields.extend(found.leakages.into_iter().flat_map(|it| it.into_fields()));

@@ -144,7 +144,14 @@ impl<'a> StateCheck<'a> {
             Some(point) => self.path.get(point).map(|it| it.load).into_iter().collect(),
             None => {
                 let around = [self.reached.saturating_sub(1), self.reached];
-                around.into_iter().filter_map(|point| self.path.get(point)).map(|it| it.load).collect()
+                let mut loads: Vec<Load> =
+                    around.into_iter().filter_map(|point| self.path.get(point)).map(|it| it.load).collect();
+                // steps to the first load begin where nothing is pressed: without a pressure, or at first touch
+                if self.reached == 0 && self.kind == ProcessKind::Plastic {
+                    let first = if self.setup.load.is_pressure() { 0.0 } else { self.problem.highest() };
+                    loads.push(self.setup.load.with_value(first));
+                }
+                loads
             }
         }
     }
@@ -262,7 +269,9 @@ impl<'a> StateCheck<'a> {
         }
         let further = self.further(problem, state)?;
         let load = Load::MeanPressure(state.contact.mean_pressure());
-        let load = if self.setup.load.is_pressure() { load } else { state.contact.problem.load() };
+        // a solid that yields is pressed to a mean gap by the pressure that leaves it
+        let is_pressed = self.setup.load.is_pressure() || self.kind == ProcessKind::Plastic;
+        let load = if is_pressed { load } else { state.contact.problem.load() };
         let posed = problem.with_heights(problem.surface().height() - &further).map_err(SetupError::from)?;
         let Ok(posed) = posed.with_load(load) else {
             return Ok(Some(SavedDoubt::Certificate { eta: f64::INFINITY })); // nothing touches under such a load

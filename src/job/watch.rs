@@ -2,6 +2,8 @@
 
 use super::run::JobRun;
 use crate::contact::{Observer, State};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// A solve of a job that is about to begin.
 #[derive(Clone, Copy)]
@@ -24,6 +26,11 @@ pub enum Pass<'a> {
 pub trait Watcher {
     /// The observer of a solve.
     fn observer(&mut self, pass: Pass<'_>) -> Box<dyn Observer + '_>;
+
+    /// What becomes true when the run should end, for work that shows no steps on other threads, such as that of flows; none if nothing ends it.
+    fn ended(&self) -> Option<Arc<AtomicBool>> {
+        None
+    }
 
     /// Gets each state of a run with several, by the number of the run.
     fn state(&mut self, _run: usize, _state: &State) {}

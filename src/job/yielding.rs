@@ -1,12 +1,19 @@
 //! Reasons to doubt the states of a solid that yields below its surface.
 
-use crate::contact::{Quantity, State, StateKind};
+use crate::contact::{Contact, Quantity, State, StateKind};
 use crate::setup::Setup;
 use crate::warning::Warning;
+use ndarray::Axis;
 use std::sync::Arc;
 
 /// Mean pressures in contact above this part of the yield stress are those of a contact that is fully plastic.
 const FULLY_PLASTIC: f64 = 2.4;
+
+/// The largest thickness of given layers, over the mean width of the contacts.
+const THICK: f64 = 0.15;
+
+/// Rounding of thicknesses, relative.
+const ROUNDING: f64 = 1e-9;
 
 /// Accumulated plastic strains above this one are not small.
 const LARGEST_STRAIN: f64 = 0.1;
@@ -36,8 +43,10 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<
             "Use less load or gentler slopes, or take the strains where they are large as an estimate",
         )
     });
+    let thick = warning_of_thick_layers(states, setup);
     let ratio = most(Quantity::ContactPressureOverYield);
-    let rippled = (ratio > FULLY_PLASTIC).then(|| {
+    // in thick layers the mean stress is so low that nothing flows, whatever the pressure is
+    let rippled = (ratio > FULLY_PLASTIC && thick.is_none()).then(|| {
         Warning::new(
             format!(
                 "The mean pressure in contact reaches {ratio:.2} yield stresses: where a contact is fully plastic, the pressure differs by \
@@ -46,31 +55,63 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<
             "Report sums, such as area, mean gap, imprint and work",
         )
     });
-    bottom.into_iter().chain(large).chain(rippled).chain(warnings_of_errors(states, setup)).collect()
+    bottom.into_iter().chain(large).chain(thick).chain(rippled).chain(warning_of_errors(setup)).collect()
 }
 
-/// The warnings of estimated errors of some states that say little.
-fn warnings_of_errors(states: &[Arc<State>], setup: &Setup) -> Vec<Warning> {
-    if !setup.estimates_errors() {
-        return Vec::new();
+/// The warning of given layers that are too thick for the contact under the largest load.
+fn warning_of_thick_layers(states: &[Arc<State>], setup: &Setup) -> Option<Warning> {
+    if !setup.has_fixed_layers() {
+        return None;
     }
-    let single = (setup.yield_steps() == 1).then(|| {
+    let pressure = |state: &Arc<State>| state.contact.mean_pressure();
+    let heaviest = states.iter().max_by(|a, b| pressure(a).total_cmp(&pressure(b)))?;
+    let first = heaviest.cut.as_ref()?.interfaces.get(1).copied()?;
+    let width = mean_width(&heaviest.contact)?;
+    // the first layer is never asked to be thinner than it is by default
+    let limit = (THICK * width).max(0.5 * heaviest.contact.problem.surface().grid().shortest_spacing());
+    (first > limit * (1.0 + ROUNDING)).then(|| {
+        Warning::new(
+            format!(
+                "The layers are {:.2} times as thick as the contacts are wide: the stress is uniform in a layer, so that a contact that is \
+                 narrow flows too late or not at all, and area, imprint and their estimated errors may be far off",
+                first / width
+            ),
+            "Give more layers, or leave their number out",
+        )
+        .with_remedy("solid.yield-layers", None)
+    })
+}
+
+/// The mean length of unbroken rows of nodes in contact, along the axis on which it is shorter; none where nothing touches.
+fn mean_width(contact: &Contact) -> Option<f64> {
+    let grid = contact.problem.surface().grid();
+    let axes = if grid.is_line() { &[1][..] } else { &[0, 1] };
+    let along = |&axis: &usize| {
+        let (mut touching, mut begins) = (0_usize, 0_usize);
+        for lane in contact.pressure.lanes(Axis(axis)) {
+            // the cell is periodic
+            let mut before = lane[lane.len() - 1] > 0.0;
+            for touches in lane.iter().map(|p| *p > 0.0) {
+                touching += usize::from(touches);
+                begins += usize::from(touches && !before);
+                before = touches;
+            }
+        }
+        let length = grid.spacing()[axis] * touching as f64;
+        // a lane that touches all along has no begin
+        if begins == 0 { length.min(grid.size()[axis]) } else { length / begins as f64 }
+    };
+    let width = axes.iter().map(along).fold(f64::INFINITY, f64::min);
+    (width > 0.0).then_some(width)
+}
+
+/// The warning of estimated errors that say little.
+fn warning_of_errors(setup: &Setup) -> Option<Warning> {
+    (setup.estimates_errors() && setup.yield_steps() == 1).then(|| {
         Warning::new(
             "The errors by the load steps are estimated from a single step between two loads, and may be far too small",
             "Take two steps or more",
         )
         .with_remedy("path.steps", Some("2"))
-    });
-    let is_thick = |state: &Arc<State>| {
-        let first = state.cut.as_ref().and_then(|cut| cut.interfaces.get(1).copied());
-        first.is_some_and(|first| first > state.contact.problem.surface().grid().spacing()[1])
-    };
-    let thick = (setup.has_fixed_layers() && states.iter().any(is_thick)).then(|| {
-        Warning::new(
-            "The layers are thicker than the spacing of the grid, so that the errors by the layers may be far larger than they are estimated",
-            "Give more layers, or leave their number out",
-        )
-        .with_remedy("solid.yield-layers", None)
-    });
-    single.into_iter().chain(thick).collect()
+    })
 }

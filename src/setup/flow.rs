@@ -6,6 +6,7 @@ use crate::error::FlowError;
 use crate::flow::{Conductance, FlowAxis, Leakage, Percolation};
 use crate::warning::Warning;
 use serde::{Deserialize, Serialize};
+use std::sync::atomic::AtomicBool;
 
 /// What is found about the flow through a contact, after it is solved: section `flow` of a scene.
 ///
@@ -90,12 +91,17 @@ impl Flow {
     /// # Errors
     /// The errors of [`Flow::resistivities`], [`Leakage::along`] and [`Conductance::new`].
     pub fn measure(&self, contact: &Contact) -> Result<FlowFound, FlowError> {
+        self.measure_until(contact, &AtomicBool::new(false))
+    }
+
+    /// The same, until `ended` becomes true: what is found then is of no use.
+    pub(crate) fn measure_until(&self, contact: &Contact, ended: &AtomicBool) -> Result<FlowFound, FlowError> {
         let mut found = FlowFound::default();
         if self.leakage {
             let is_line = contact.problem.surface().grid().is_line();
             let percolation = Percolation::from_contact(contact);
             let axes = &FlowAxis::ALL[..if is_line { 1 } else { 2 }];
-            found.leakages = Leakage::along(contact, axes, Leakage::TOLERANCE)?;
+            found.leakages = Leakage::along_until(contact, axes, Leakage::TOLERANCE, ended)?;
             for leakage in &found.leakages {
                 found.numbers.extend(AxisFlow::new(&percolation, leakage).numbers());
             }

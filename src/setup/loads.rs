@@ -6,6 +6,10 @@ use crate::contact::Load;
 use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
 
+/// What is said where a list ends without a load.
+const UNLOADING: &str = "a list of loads cannot hold 0: to unload a body that yields, add --unload, or give the loads as a path (`path.load`, --path-load), \
+                         which may go down to 0";
+
 impl SetupTable {
     /// Removes a list of loads from the section `load` and keeps the first load. Returns none if there is a single load
     /// or no load. A list such as `[1e5, "1 MPa"]` may contain ranges such as `"1e-3..1e-1:13"`, which means 13 loads
@@ -34,6 +38,9 @@ impl SetupTable {
             _ => return Ok(None),
         };
         let kind = kind.clone();
+        if self.find("solid.yield-stress").is_some() && words.iter().skip(1).any(is_zero) {
+            return Err(wrong_load(UNLOADING.into()));
+        }
         let loads = words.iter().map(|word| expanded(&kind, word)).collect::<Result<Vec<_>, _>>()?.concat();
         let Some(first) = loads.first() else {
             return Err(wrong_load("the list is empty: give at least one load".into()));
@@ -87,6 +94,13 @@ pub(super) fn read_number(path: &str, kind: &str, value: &toml::Value) -> Result
         SetupError::text(path, reason)
     };
     read(kind, value.clone()).map(|load| load.value()).map_err(wrong)
+}
+
+/// Whether a load of a list is 0, with a unit or without.
+fn is_zero(word: &toml::Value) -> bool {
+    let number = |text: &str| text.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.').parse::<f64>().ok();
+    let value = word.as_float().or(word.as_integer().map(|value| value as f64)).or(word.as_str().and_then(number));
+    value == Some(0.0)
 }
 
 /// The loads of one word of a list.

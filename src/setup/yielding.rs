@@ -20,7 +20,7 @@ pub struct YieldLaw {
     /// The depth at which the layers end, a length; half the longest side of the cell if it is left out. If it and the number of layers are left
     /// out, layers are added where the last one yields.
     pub depth: Option<f64>,
-    /// A number of layers of equal thickness. If it is left out, the first layer is half as thick as the spacing of the grid, and each further one is thicker by
+    /// A number of layers of equal thickness. If it is left out, the first layer is half as thick as the shorter spacing of the grid, and each further one is thicker by
     /// a tenth.
     pub layers: Option<usize>,
     /// Whether the errors by steps, layers and grid are estimated.
@@ -60,7 +60,7 @@ impl YieldLaw {
         }
         match self.layers {
             Some(count) => DepthLayers::uniform(count, depth),
-            None => DepthLayers::below(grid.spacing()[1], depth),
+            None => DepthLayers::below(grid.shortest_spacing(), depth),
         }
     }
 }

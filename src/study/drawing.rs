@@ -20,10 +20,11 @@ impl Plan {
     /// each combination of values. The mean is over the seeds, and bars show the standard deviation of single
     /// realisations plus the error of the grid. Points that did not converge or are not resolved are left out. At most twelve curves are drawn.
     ///
-    /// With adhesion it is the pull-off pressure and the energy lost in jumps, against the last list of numbers.
+    /// With adhesion it is the pull-off pressure and the energy lost in jumps, against the last list of numbers. Of solids that yield below their surface it
+    /// is the depth of the imprint and the plastic work, which a body keeps that is unloaded in the end.
     pub fn figure(&self, title: &str, points: &[Point]) -> Figure {
-        if self.has_adhesion() {
-            return self.adhesion_figure(title, points);
+        if self.has_adhesion() || self.yields() {
+            return self.history_figure(title, points);
         }
         let all = self.means(points);
         let curves: Vec<&[LoadMeans]> = all.chunks(self.loads().len()).take(MOST).collect();

@@ -18,8 +18,8 @@ const TRANSFORMS_OF_STATE: f64 = 400.0;
 const TRANSFORMS_OF_LEAKAGE: f64 = 1000.0;
 
 /// The cost of a realisation: seconds of one core and bytes of memory. The seconds are from a model that is the same on
-/// all machines, so that all machines divide a study in the same way. They may be wrong by a factor of four for GFMD,
-/// and of two otherwise.
+/// all machines, so that all machines divide a study in the same way. They may be wrong by a factor of four for GFMD
+/// and for solids that yield, and of two otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expense {
     /// Seconds of one core.
@@ -48,6 +48,9 @@ impl Expense {
         };
         let states = match (setup.is_history()?, &setup.adhesion) {
             (true, Some(_)) => TRANSFORMS_OF_STATE * setup.expected_states()? as f64,
+            (true, None) if setup.yields() => {
+                setup.transforms_of_yielding(&cost.grid)? * setup.expected_states()? as f64
+            }
             (true, None) => TRANSFORMS_OF_WARM_STATE * setup.expected_states()? as f64,
             (false, _) => 0.0,
         };

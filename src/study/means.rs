@@ -85,7 +85,41 @@ pub struct AdhesionMeans {
     pub separated: usize,
 }
 
+/// The means of histories of a solid that yields below its surface, for one combination of values. Only those that converged count.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct YieldMeans {
+    /// The combination in words, without the seed.
+    pub values: String,
+    /// The depth of the imprint, a length.
+    pub imprint_depth: SeedMean,
+    /// The energy that flow has taken up, per area.
+    pub plastic_work: SeedMean,
+    /// The largest accumulated plastic strain.
+    pub max_plastic_strain: SeedMean,
+    /// The largest relative area of the history.
+    pub largest_area: SeedMean,
+}
+
 impl Plan {
+    /// The means over the seeds of all `points` of a study of solids that yield below their surface, for one combination of values after the other.
+    pub fn yield_means(&self, points: &[Point]) -> Vec<YieldMeans> {
+        let seeds = self.seeds();
+        let group = |(group, points): (usize, &[Point])| {
+            let mean = |of: Quantity| {
+                let converged = points.iter().filter(|point| point.is_converged());
+                SeedMean::without_grid(converged.filter_map(|point| point.get(of)))
+            };
+            YieldMeans {
+                values: self.words_but_seed(group * seeds),
+                imprint_depth: mean(Quantity::ImprintDepth),
+                plastic_work: mean(Quantity::PlasticWork),
+                max_plastic_strain: mean(Quantity::MaxPlasticStrain),
+                largest_area: mean(Quantity::LargestArea),
+            }
+        };
+        points.chunks(seeds).enumerate().map(group).collect()
+    }
+
     /// The means over the seeds of all `points` of a study without adhesion: load by load, for one combination of values after the other.
     pub fn means(&self, points: &[Point]) -> Vec<LoadMeans> {
         let (loads, seeds) = (self.loads().len(), self.seeds());

@@ -12,8 +12,6 @@
 //! A setup with a history is followed along its path instead: its row has the numbers of the last state, and what all states
 //! add up to. One that asks for leakage or conductance has what flows in each row.
 
-#[cfg(feature = "figures")]
-mod adhesion_figure;
 mod campaign;
 mod check;
 mod column;
@@ -22,6 +20,8 @@ mod drawing;
 mod estimate;
 mod expense;
 mod followed_history;
+#[cfg(feature = "figures")]
+mod history_figure;
 mod identity;
 mod known;
 mod ledger;
@@ -51,7 +51,7 @@ pub use identity::NUMERICS;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;
-pub use means::{AdhesionMeans, LoadMeans, SeedMean};
+pub use means::{AdhesionMeans, LoadMeans, SeedMean, YieldMeans};
 pub use plan::{Plan, StudyRow};
 pub use point::Point;
 pub use realisation::Realisation;

@@ -139,6 +139,20 @@ impl Plan {
         self.first.adhesion.is_some()
     }
 
+    /// Whether each row is the history of a solid that yields below its surface.
+    #[cfg(feature = "figures")]
+    pub(super) fn yields(&self) -> bool {
+        self.first.yields()
+    }
+
+    /// The number of states of the history of each row; none where each row is a contact.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::is_history`] and [`Setup::expected_states`].
+    pub fn states(&self) -> Result<Option<usize>, SetupError> {
+        if self.first.is_history()? { self.first.expected_states().map(Some) } else { Ok(None) }
+    }
+
     /// The law under which all contacts are elastic or yield; none for a solid that creeps, whose modulus depends on the time, and for one that yields
     /// below its surface, which has a law of its own.
     pub(super) fn law(&self) -> Option<Law> {

@@ -214,6 +214,11 @@ impl Point {
         self.get(Quantity::Jumps).is_some()
     }
 
+    /// Whether the point has the history of a solid that yields below its surface.
+    pub fn yields(&self) -> bool {
+        self.get(Quantity::ImprintDepth).is_some()
+    }
+
     /// Whether the solver converged and the grid resolves the contact. Other points are kept in tables, but left out of
     /// means. With adhesion, grids that do not resolve the attraction are refused from the first.
     pub fn is_resolved(&self) -> bool {

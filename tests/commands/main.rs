@@ -12,6 +12,8 @@ mod golden;
 mod guide;
 mod histories;
 mod inspect;
+#[cfg(unix)]
+mod interrupts;
 #[allow(dead_code, reason = "the numerics compare more of a peer than certify does")]
 #[path = "../common/peer.rs"]
 mod peer;

@@ -1,6 +1,7 @@
 //! What a certificate bounds: held against solutions, and against states that it must tell from them.
 
 use asperity::contact::{Certificate, Contact, ContactModulus, Each, Load, Multilevel, PolonskyKeer, Solver, Step};
+use asperity::elastic::{Base, Layer};
 use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
 use std::ops::ControlFlow;
@@ -75,6 +76,38 @@ fn mean_gap(problem: &Problem, pressure: &[f64]) -> f64 {
     problem.response().displacement(pressure, &mut u);
     let load: f64 = pressure.iter().sum();
     (0..u.len()).map(|i| pressure[i] * (problem.height()[i] - u[i])).sum::<f64>() / load
+}
+
+/// At a given approach the mean gap is part of the solution, and its bound holds on the way to it.
+#[test]
+fn the_mean_gap_at_an_approach_is_bounded_all_the_way() {
+    let line = Grid::line(128, 1.0).unwrap();
+    let layer = |base| Layer { contact_modulus: 1.0, poisson: 0.3, thickness: 0.3, base };
+    let square = Grid::surface([24, 24], [1.0; 2]).unwrap().with_periodic([false; 2]);
+    let ball = Indenter::Sphere { radius: 1.0 }.surface(square).unwrap();
+    let on = |surface: Surface, base| Problem::new(surface, layer(base), Load::Approach(0.02)).unwrap();
+    let mut far = 0;
+    for problem in [
+        on(rough(line), Base::Bonded),
+        on(rough(line), Base::Sliding),
+        on(rough(Grid::surface([36, 40], [1.0; 2]).unwrap()), Base::Bonded),
+        Problem::new(ball, ContactModulus(1.0), Load::Approach(0.03)).unwrap(),
+    ] {
+        let solution = Multilevel.solve(&problem, &Stop::new(1e-12, 10_000).unwrap(), &mut ()).unwrap();
+        let exact = solution.converged().unwrap();
+        for (pressure, certificate) in states(&problem) {
+            let mut u = vec![0.0; pressure.len()];
+            problem.response().displacement(&pressure, &mut u);
+            let Some(datum) = problem.datum() else { continue };
+            let height = problem.height();
+            let gap = (0..u.len()).map(|i| u[i] - height[i] + datum).sum::<f64>() / u.len() as f64;
+            let missed = (gap - exact.mean_gap()).abs() / problem.rms_height();
+            assert!(missed <= certificate.mean_gap_error_bound + 1e-9, "{missed} {certificate:?}");
+            far += usize::from(missed > 1e-3);
+        }
+        assert!(exact.certificate.mean_gap_error_bound < 1e-4);
+    }
+    assert!(far > 5, "{far} states were off");
 }
 
 /// At the solution the bounds close in on it: no slack that grows as the errors fall.

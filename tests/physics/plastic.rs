@@ -1,7 +1,8 @@
 //! Solids that yield below the surface: numbers of another implementation, onset of yield, the law of flow, the certificate, energy and symmetry.
 
 use asperity::contact::{
-    Contact, ContactModulus, Each, Law, Load, Multilevel, Observer, PolonskyKeer, Quantity, ResultClaim, Solver, Step,
+    Contact, ContactModulus, Each, Law, Load, Multilevel, Observer, PolonskyKeer, Quantity, ResultClaim, Solver,
+    Status, Step, Wish,
 };
 use asperity::elastic::{DepthLayers, DepthResponse};
 use asperity::error::{HistoryError, PlasticError, SolveError};
@@ -10,6 +11,7 @@ use asperity::surface::Field;
 use asperity::{Grid, Problem, Stop, Surface};
 use ndarray::{Array2, Array3};
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 fn problem(grid: Grid, solid: &PlasticSolid, height: impl Fn([f64; 2]) -> f64) -> Problem {
     let [dy, dx] = grid.spacing();
@@ -564,7 +566,10 @@ fn errors_by_steps_layers_and_grid_are_estimated() {
         assert!((0.4..2.5).contains(&ratio), "{what}: {ratio}");
     };
     near(errors.steps.total_accumulated, against(128, &layers, 48).total_accumulated, "steps");
-    near(errors.layers.imprint_depth, against(128, &thin, 3).imprint_depth, "layers");
+    // the worst of three differences is told, which is on the safe side
+    let found = against(128, &thin, 3).imprint_depth;
+    let told = errors.layers.imprint_depth;
+    assert!(told > found && told < 0.05 * state.imprint_depth(), "layers: {told} {found}");
     let grid = errors.grid.unwrap();
     let found = against(512, &layers, 3);
     assert!(found.imprint_depth < 2.5 * grid.imprint_depth, "{} {}", found.imprint_depth, grid.imprint_depth);
@@ -589,6 +594,55 @@ fn errors_by_steps_layers_and_grid_are_estimated() {
     assert!(PlasticLoading::new(begun, vec![Load::MeanPressure(2e-3)], 1).unwrap().with_errors().is_err());
 }
 
+/// The told errors by the layers against layers of an eighth of the thickness: areas and imprints under several loads, in uniform and in graded layers. A third of one
+/// difference, as of an error of second order, is several times too small for some of them.
+#[test]
+fn errors_by_the_layers_are_not_too_small() {
+    let sine = |solid: &PlasticSolid| {
+        problem(Grid::line(96, 1.0).unwrap(), solid, |[_, x]| 0.01 * (TAU * x).cos() + 0.002 * (3.0 * TAU * x).cos())
+    };
+    let below = |points: usize| DepthLayers::below(1.0 / points as f64, 0.4).unwrap();
+    let uniform = |count: usize| DepthLayers::uniform(count, 0.5).unwrap();
+    let steep = PlasticSolid::new(1.0, 0.25, 0.012, 0.005).unwrap();
+    let (mut worst, mut checked): (f64, usize) = (0.0, 0);
+    for (problem, solid, layers, loads) in [
+        (cylinder(96, &soft()), soft(), uniform(24), [7.5e-4, 1.5e-3]),
+        (cylinder(96, &soft()), soft(), uniform(48), [7.5e-4, 1.5e-3]),
+        (cylinder(64, &soft()), soft(), below(64), [1e-3, 3e-3]),
+        (sine(&steep), steep, below(96), [2e-3, 8e-3]),
+        (sine(&steep), steep, uniform(40), [2e-3, 8e-3]),
+    ] {
+        let new = |layers: DepthLayers| {
+            let plastic = Plastic::new(problem.clone(), solid, layers, &PolonskyKeer).unwrap();
+            PlasticLoading::new(plastic, loads.map(Load::MeanPressure).into(), 1).unwrap()
+        };
+        let thin = layers.halved().unwrap().halved().unwrap().halved().unwrap();
+        let (mut told, mut exact) = (new(layers).with_errors().unwrap(), new(thin));
+        for _ in loads {
+            told.next(&mut ()).unwrap().unwrap();
+            exact.next(&mut ()).unwrap().unwrap();
+            let missed = PlasticErrors::between(told.plastic().state(), exact.plastic().state());
+            let errors = told.errors().unwrap().layers;
+            for (missed, told) in [
+                (missed.relative_area, errors.relative_area),
+                (missed.imprint_depth, errors.imprint_depth),
+                (missed.total_accumulated, errors.total_accumulated),
+            ] {
+                worst = worst.max(missed / told);
+                checked += 1;
+            }
+        }
+    }
+    assert!(worst < 1.5 && checked == 30, "{worst}");
+    // two layers estimate nothing
+    let plastic = Plastic::new(cylinder(64, &soft()), soft(), uniform(2), &PolonskyKeer).unwrap();
+    let mut two = PlasticLoading::new(plastic, vec![Load::MeanPressure(1.5e-3)], 1).unwrap().with_errors().unwrap();
+    let state = two.next(&mut ()).unwrap().unwrap();
+    assert!(
+        two.errors().unwrap().layers.relative_area.is_nan() && state.get(Quantity::RelativeAreaLayerError).is_none()
+    );
+}
+
 /// A step to a mean gap is that to the mean pressure which leaves it, up and down, and above the surface nothing is pressed.
 #[test]
 fn a_mean_gap_is_reached_by_the_pressure_that_leaves_it() {
@@ -600,13 +654,14 @@ fn a_mean_gap_is_reached_by_the_pressure_that_leaves_it() {
             .unwrap()
     };
     let (mut by_pressure, mut by_gap) = (new(), new());
-    for pressure in [2e-4, 2e-3, 5e-4] {
+    // the lightest loads are close to first touch, where the load changes much with the gap
+    for pressure in [1e-8, 1e-6, 2e-4, 2e-3, 5e-4, 1e-8] {
         let state = by_pressure.press(Load::MeanPressure(pressure), &mut ()).unwrap().clone();
         let gap = Load::MeanGap(state.contact.mean_gap());
         let reached = by_gap.press(gap, &mut ()).unwrap();
         assert!(reached.is_converged && reached.load == Some(gap));
         let found = reached.contact.mean_pressure();
-        assert!((found / pressure - 1.0).abs() < 1e-3, "{found} for {pressure}");
+        assert!((found / pressure - 1.0).abs() < 2e-4, "{found} for {pressure}");
         assert!((reached.imprint_depth() - state.imprint_depth()).abs() <= 1e-3 * state.imprint_depth());
     }
     let highest = by_gap.state().contact.problem.highest();
@@ -662,6 +717,121 @@ fn an_observer_stops_a_step_and_changes_nothing() {
     let error = plastic.press(Load::MeanPressure(2e-3), &mut stop).unwrap_err();
     assert!(matches!(HistoryError::from(error), HistoryError::Stopped));
     assert_eq!(plastic.state().strain, before);
+}
+
+/// An observer that is asked so many times before it ends the work, and sees no step that would.
+struct Asked(usize);
+
+impl Observer for Asked {
+    fn step(&mut self, _: &Step<'_>) -> Wish {
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn ask(&mut self) -> Wish {
+        self.0 = self.0.saturating_sub(1);
+        Ok(if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
+    }
+}
+
+/// A warm contact may take no step at all, so the flow itself asks, in each of its iterations, and those that estimate errors do.
+#[test]
+fn an_observer_is_asked_in_each_iteration_of_flow() {
+    let layers = DepthLayers::uniform(8, 0.2).unwrap();
+    let new = || Plastic::new(cylinder(64, &soft()), soft(), layers.clone(), &PolonskyKeer).unwrap();
+    let iterations = new().press(Load::MeanPressure(2e-3), &mut ()).unwrap().iterations;
+    assert!(iterations > 5);
+    for (asked, is_stopped) in [(1, true), (iterations, true), (10 * iterations, false)] {
+        let mut plastic = new();
+        let ended = plastic.press(Load::MeanPressure(2e-3), &mut Asked(asked)).map(drop);
+        assert_eq!(matches!(ended, Err(PlasticError::Stopped)), is_stopped, "{asked} of {iterations}");
+        assert_eq!(plastic.state().load.is_none(), is_stopped);
+    }
+    let mut loading = PlasticLoading::new(new(), vec![Load::MeanPressure(2e-3)], 1).unwrap().with_errors().unwrap();
+    let ended = loading.run(&mut Asked(2 * iterations), &mut |_| Ok(()));
+    assert!(matches!(ended, Err(HistoryError::Stopped)), "the companions have more iterations");
+}
+
+/// A contact that is all but flat stores so little energy that no pressure in doubles meets the goal of an elastic step. Such a step is done where its contact is
+/// at its rounding: the pressure is that of the closed form, `p_m + E* q a cos(q x)/2`.
+#[test]
+fn a_step_without_flow_ends_at_the_rounding_of_its_contact() {
+    let flat = problem(Grid::line(64, 1.0).unwrap(), &soft(), |[_, x]| 1e-9 * (TAU * x).cos());
+    let wave = 0.5 * soft().contact_modulus() * TAU * 1e-9;
+    for (problem, tolerance) in [(flat, 1e-8), (cylinder(64, &soft()), 1e-12), (cylinder(64, &soft()), 1e-15)] {
+        let layers = DepthLayers::uniform(8, 0.4).unwrap();
+        let plastic = Plastic::new(problem.clone(), soft(), layers, &PolonskyKeer).unwrap();
+        let mut plastic = plastic.with_tolerance(tolerance).unwrap();
+        for load in [2e-4, 1e-4, 0.0, 2e-4] {
+            let state = plastic.press(Load::MeanPressure(load), &mut ()).unwrap();
+            assert!(state.is_converged && state.max_accumulated() == 0.0, "{tolerance:e} {load:e}");
+            assert!(state.iterations <= 3, "{} iterations", state.iterations);
+            if problem.rms_height() < 1e-8 && load > 0.0 {
+                let off = |(i, p): (usize, &f64)| (p - load - wave * (TAU * i as f64 / 64.0).cos()).abs();
+                let most = state.contact.pressure.iter().enumerate().map(off).fold(0.0, f64::max);
+                assert!(most < 1e-3 * wave, "{most:e} of {wave:e}");
+            }
+        }
+    }
+}
+
+/// A goal below rounding ends a step that flows as well: it says that it makes no further progress.
+#[test]
+fn a_step_that_makes_no_progress_has_stalled() {
+    let layers = DepthLayers::uniform(8, 0.2).unwrap();
+    let plastic = Plastic::new(cylinder(64, &soft()), soft(), layers, &PolonskyKeer).unwrap();
+    let mut plastic = plastic.with_tolerance(1e-40).unwrap().with_max_iterations(100_000);
+    let state = plastic.press(Load::MeanPressure(2e-3), &mut ()).unwrap();
+    let ended = (state.is_converged, state.contact.status);
+    assert!(ended == (false, Status::Stalled) || ended == (true, Status::Converged), "{ended:?}");
+    assert!(state.iterations < 2000 && state.certificate.relative_gap < 1e-9, "{}", state.iterations);
+}
+
+/// The work of the load is told where it is known. Its reference is `int P dD` by the trapezoidal rule over many small steps, which knows no energy.
+#[test]
+fn the_work_of_the_load_is_what_is_taken_up_and_stored() {
+    let solid = PlasticSolid::new(1.0, 0.3, 0.005, 0.02).unwrap();
+    let loads = [1.5e-3, 3e-3, 5e-4, 0.0];
+    let follow = |problem: &Problem, steps: usize| {
+        let layers = DepthLayers::uniform(16, 0.4).unwrap();
+        let mut plastic = Plastic::new(problem.clone(), solid, layers, &PolonskyKeer).unwrap();
+        let (mut states, mut trapezoids, mut work) = (Vec::new(), Vec::new(), 0.0);
+        let mut last = [0.0; 2];
+        for load in loads {
+            let from = last[0];
+            for step in 1..=steps {
+                let pressure = from + (load - from) * step as f64 / steps as f64;
+                let state = plastic.press(Load::MeanPressure(pressure), &mut ()).unwrap();
+                let now = [pressure, state.approach()];
+                work += 0.5 * (now[0] + last[0]) * (now[1] - last[1]);
+                last = now;
+            }
+            states.push(plastic.state().energy);
+            trapezoids.push(work);
+        }
+        (states, trapezoids)
+    };
+    for problem in [cylinder(64, &solid), wavy(16, &solid)] {
+        let (_, exact) = follow(&problem, 64);
+        let mut told = Vec::new();
+        for steps in [1, 4, 8] {
+            let (states, trapezoids) = follow(&problem, steps);
+            told.push(states.iter().filter(|energy| energy.balanced_work().is_some()).count());
+            for (energy, exact) in states.iter().zip(&exact) {
+                let all = energy.elastic + energy.plastic;
+                let Some(work) = energy.balanced_work() else { continue };
+                assert!((work / all - 1.0).abs() <= 0.01, "{work:e} {all:e}");
+                assert!((work / exact - 1.0).abs() <= 0.05, "{steps} steps: {work:e} {exact:e}");
+            }
+            // unloading without flow gives back the elastic energy, in however few steps; the trapezoidal rule over them does not
+            let [done, rule] = [states[3].work - states[1].work, trapezoids[3] - trapezoids[1]];
+            let stored = states[3].elastic - states[1].elastic;
+            assert!((done / stored - 1.0).abs() < 0.01, "{steps} steps: {done:e} {stored:e}");
+            assert!(steps > 1 || (rule / stored - 1.0).abs() > 0.05, "{rule:e} {stored:e}");
+            // many steps, whose loaded states differ a little, agree by the trapezoidal rule
+            assert!((done / (exact[3] - exact[1]) - 1.0).abs() < 0.06, "{steps} steps: {done:e}");
+        }
+        assert!(told[2] == 4 && told[0] < 4, "{told:?}");
+    }
 }
 
 #[test]

@@ -54,7 +54,10 @@ impl DepthLayers {
     /// # Errors
     /// The errors of [`DepthLayers::new`].
     pub fn uniform(count: usize, depth: f64) -> Result<Self, PlasticError> {
-        let interfaces = (0..=count.min(MOST + 1)).map(|j| depth * j as f64 / count as f64);
+        if count > MOST {
+            return Err(PlasticError::LayerCount { count });
+        }
+        let interfaces = (0..=count).map(|j| depth * j as f64 / count as f64);
         let layers = Self::new(interfaces.collect())?;
         Ok(Self { thicknesses: vec![depth / count as f64; count], ..layers })
     }
@@ -69,8 +72,14 @@ impl DepthLayers {
         if !(is_length(first) && is_length(depth) && ratio.is_finite() && ratio >= 1.0) {
             return Err(PlasticError::Grading { first, ratio, depth });
         }
+        // the sum of `count` thicknesses is `first (ratio^count - 1)/(ratio - 1)`
+        let many = depth / first;
+        let count = if ratio > 1.0 { (many * (ratio - 1.0)).ln_1p() / ratio.ln() } else { many }.ceil();
+        if count > MOST as f64 {
+            return Err(PlasticError::LayerCount { count: count as usize });
+        }
         let (mut interfaces, mut thickness) = (vec![0.0], first);
-        while interfaces[interfaces.len() - 1] < depth && interfaces.len() <= MOST + 1 {
+        while interfaces[interfaces.len() - 1] < depth {
             interfaces.push(interfaces[interfaces.len() - 1] + thickness);
             thickness *= ratio;
         }

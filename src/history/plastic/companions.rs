@@ -1,20 +1,32 @@
 //! Histories beside that of a solid that yields, from which its errors are estimated.
 
 use super::{Plastic, PlasticErrorSources, PlasticErrors};
-use crate::contact::{ContactModulus, Load, Problem};
+use crate::contact::{ContactModulus, Load, Observer, Problem, Step, Wish};
 use crate::error::PlasticError;
 use crate::grid::Grid;
 use crate::surface::{Field, Surface};
 use ndarray::{Axis, Slice};
 
+/// The largest error by the layers over the difference from layers of twice the thickness, and over that of these from layers of four times the thickness.
+/// The order of the error is between 1 and 2, and the first difference is small by chance now and then. On 128 random lines and surfaces in uniform layers that are
+/// thin enough for the contact, the error was mostly 0.2 times as large as told, in 99 % of 307 areas and imprints at most 1.2 times, and in none but
+/// one more than 1.5 times: that was an imprint close to the onset of flow. A third of the first difference, as of an error of second order, is too small by up to 77.
+const LAYERS: [f64; 2] = [2.0, 0.5];
+
+/// The least number of layers whose error is estimated.
+const FEWEST_LAYERS: usize = 4;
+
+/// The von Mises stress over the yield stress from which on thinner layers may flow where these do not.
+const ONSET: f64 = 0.9;
+
 /// The fewest points along a side of a grid of half as many.
 const FEWEST: usize = 8;
 
-/// Three further histories under the same loads: one in steps of half the length, one in layers of twice the thickness, and one on a grid of half as many
-/// points along each axis.
+/// Further histories under the same loads: one in steps of half the length, two in layers of twice and of four times the thickness, and one on a grid of half
+/// as many points along each axis.
 pub(super) struct Companions<'s> {
     steps: Plastic<'s>,
-    layers: Plastic<'s>,
+    layers: [Plastic<'s>; 2],
     /// None where a number of points is odd, or too small.
     grid: Option<Plastic<'s>>,
 }
@@ -29,16 +41,20 @@ impl<'s> Companions<'s> {
         let coarse = on_half_the_points(problem)?;
         Ok(Self {
             steps: plastic.like(problem.clone(), layers.clone())?,
-            layers: plastic.like(problem.clone(), layers.doubled()?)?,
+            layers: [
+                plastic.like(problem.clone(), layers.doubled()?)?,
+                plastic.like(problem.clone(), layers.doubled()?.doubled()?)?,
+            ],
             grid: coarse.map(|problem| plastic.like(problem, layers.clone())).transpose()?,
         })
     }
 
-    /// Goes to a load: in two steps, and in one.
-    pub fn press(&mut self, load: Load) -> Result<(), PlasticError> {
-        self.steps.press_in(2, load, &mut ())?;
-        for plastic in [Some(&mut self.layers), self.grid.as_mut()].into_iter().flatten() {
-            plastic.press(load, &mut ())?;
+    /// Goes to a load: in two steps, and in one. The observer is asked, but sees no step.
+    pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<(), PlasticError> {
+        let mut asked = Unseen(observer);
+        self.steps.press_in(2, load, &mut asked)?;
+        for plastic in self.layers.iter_mut().chain(&mut self.grid) {
+            plastic.press(load, &mut asked)?;
         }
         Ok(())
     }
@@ -49,10 +65,36 @@ impl<'s> Companions<'s> {
         PlasticErrorSources {
             // an error of first order halves with the steps
             steps: between(&self.steps).times(2.0),
-            // one of second order becomes four times as large with layers of twice the thickness
-            layers: between(&self.layers).times(1.0 / 3.0),
+            layers: self.layer_errors(plastic),
             grid: self.grid.as_ref().map(between),
         }
+    }
+
+    /// The errors by the layers of the process under the last load.
+    fn layer_errors(&self, plastic: &Plastic<'_>) -> PlasticErrors {
+        let (state, [doubled, fourfold]) = (plastic.state(), self.layers.each_ref().map(Plastic::state));
+        // where nothing flows yet but soon will, thinner layers, whose mean stress is higher, may flow: the histories differ by nothing then
+        let is_at_onset =
+            state.max_accumulated() == 0.0 && state.max_von_mises() > ONSET * plastic.solid().yield_stress();
+        // two layers made one of one layer are the same layer
+        if is_at_onset || state.layers().count() < FEWEST_LAYERS {
+            return PlasticErrors::UNKNOWN;
+        }
+        let [near, far] = [PlasticErrors::between(state, doubled), PlasticErrors::between(doubled, fourfold)];
+        near.times(LAYERS[0]).larger(far.times(LAYERS[1]))
+    }
+}
+
+/// The observer that only asks another one whether the work goes on.
+struct Unseen<'o>(&'o mut dyn Observer);
+
+impl Observer for Unseen<'_> {
+    fn step(&mut self, _: &Step<'_>) -> Wish {
+        self.0.ask()
+    }
+
+    fn ask(&mut self) -> Wish {
+        self.0.ask()
     }
 }
 

@@ -1,15 +1,20 @@
 //! The load step that ends at a mean gap.
 
+use super::plastic_process::CONTACT;
 use super::{Plastic, PlasticState};
 use crate::contact::{Contact, Load, Observer, Status, Stop};
 use crate::error::PlasticError;
 use crate::history::apart::apart;
 use crate::surface::Field;
 
-/// A mean gap is reached if it is off by less than this part of the rms height.
+/// A mean gap is reached if it is off by less than this part of the rms height, and of its distance from closure and from first touch: near these the load
+/// is off by about the last part.
 const TOLERANCE: f64 = 1e-6;
-/// The tolerance of the contact at whose pressure it begins.
-const CONTACT: f64 = 1e-11;
+const ROOM_TOLERANCE: f64 = 1e-5;
+/// The least part of the rms height by which a mean gap may be off, because of rounding.
+const ROUNDING: f64 = 1e-13;
+/// The least pressure with which a search begins, over that which moves the softest wave by the distance from first touch: contacts of a few nodes are softer.
+const LEAST_START: f64 = 0.01;
 /// The most load steps of a search.
 const MOST_STEPS: usize = 40;
 
@@ -56,9 +61,12 @@ impl Plastic<'_> {
         if gap >= touching {
             return Ok(free.lifted_to(gap));
         }
-        let within = TOLERANCE * self.problem().rms_height();
+        let (rms_height, room) = (self.problem().rms_height(), gap.min(touching - gap));
+        let within = (TOLERANCE * rms_height).min(ROOM_TOLERANCE * room).max(ROUNDING * rms_height);
         let limit = self.solid().deep_limit();
-        let stiff = self.elastic_pressure(gap, observer)?;
+        // so close to first touch the elastic contact may carry nothing that its tolerance sees; from a pressure of 0 the search would not go on
+        let [softest, _] = self.problem().compliance().stiffness_range();
+        let stiff = self.elastic_pressure(gap, observer)?.max(LEAST_START * softest * room);
         let mut bracket = GapBracket { low: [0.0, touching - gap], high: None, was_low: true };
         let (mut pressure, mut work, mut trials) = (stiff.min(limit), free.contact.work, 0);
         loop {
@@ -73,7 +81,7 @@ impl Plastic<'_> {
             if is_reached || trials == MOST_STEPS {
                 (state.load, state.is_converged) = (Some(Load::MeanGap(gap)), state.is_converged && is_reached);
                 state.contact = state.contact.with_work(work);
-                if !state.is_converged {
+                if !is_reached {
                     state.contact.status = Status::IterationCap;
                 }
                 return Ok(state);

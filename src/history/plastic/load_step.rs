@@ -2,6 +2,7 @@
 
 use super::accelerated::Accelerated;
 use super::flow::{FlowLaw, FlowPlace, PlaceFlow};
+use super::pressing::Pressing;
 use super::{PlasticCertificate, PlasticState};
 use crate::chunks::{self, spread};
 use crate::clock::Instant;
@@ -10,13 +11,22 @@ use crate::elastic::DepthResponse;
 use crate::error::{PlasticError, SolveError};
 use crate::surface::Field;
 use ndarray::{Array3, ArrayView1, ArrayView2, ArrayViewMut2, Axis};
+use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// The part of the elastic energy that is added to the dissipated energy by which the gap is divided. Else a step that hardly flows would need a gap below
 /// rounding.
 const ELASTIC_SHARE: f64 = 1e-3;
-/// The tolerance `eta` of the first contact of a step, and the least one.
+/// The tolerance `eta` of the first contact of a step.
 const FIRST_CONTACT: f64 = 1e-11;
-const LEAST_CONTACT: f64 = 1e-14;
+/// The least tolerance of a contact, over the rounding that its certificate states: solvers do not come much closer.
+const LEAST_CONTACT: f64 = 2.0;
+/// A step is done, whatever its goal, where its gap is below this many times the stated rounding of the contact, plus that of its waves: a step that is elastic
+/// and close to flat has a goal of 1e-8 of so little energy that no pressure in doubles reaches it.
+const FLOOR: f64 = 4.0;
+/// A step has stalled after this many iterations in which its gap has not fallen to [`PROGRESS`] times the least one so far.
+const PATIENCE: usize = 300;
+const PROGRESS: f64 = 0.9;
 /// The largest tolerance of a contact.
 const LOOSEST_CONTACT: f64 = 1e-3;
 /// The parts of the goal, and of the last gap, that the gap of a contact may have.
@@ -58,7 +68,10 @@ pub(super) struct FlowIterate {
     /// The work against the stress that kinematic hardening has left.
     pub back_work: f64,
     pub iterations: usize,
-    pub is_converged: bool,
+    /// How the step ended; the iteration cap before it did.
+    pub status: Status,
+    /// The contact before anything flows in the step.
+    pub unflowed: Option<Pressing>,
     /// Work of all contacts of the step, with the seconds of the flow.
     pub work: Work,
     /// A lower bound of `Phi`, and the size of its terms.
@@ -89,10 +102,19 @@ impl LoadStep<'_, '_> {
         let mut next = now.increment.clone();
         let mut flows = vec![false; self.before.accumulated.len()];
         let mut accelerated = Accelerated::new(&self.before.layers);
-        let mut best = f64::INFINITY;
+        let (mut best, mut progress) = (f64::INFINITY, GapProgress::new());
         loop {
+            // the contact of an iteration may be solved without a step, and then nobody else asks
+            self.ask()?;
             let begun = self.evaluate(&mut now, &mut next, &mut flows)?;
-            if now.is_converged || now.iterations >= self.most_iterations {
+            if now.iterations == 0 {
+                now.unflowed = now.contact.as_ref().map(|contact| Pressing::new(contact, &now.residual));
+            }
+            if now.status == Status::Converged || now.iterations >= self.most_iterations {
+                return Ok(now);
+            }
+            if progress.has_stalled(&now) {
+                now.status = Status::Stalled;
                 return Ok(now);
             }
             (self.each)(&now);
@@ -105,6 +127,15 @@ impl LoadStep<'_, '_> {
                 accelerated.advance(&mut now.increment, &next);
             }
             now.iterations += 1;
+        }
+    }
+
+    /// Ends the step if the observer wishes that.
+    fn ask(&mut self) -> Result<(), PlasticError> {
+        match self.observer.ask() {
+            Ok(ControlFlow::Continue(())) => Ok(()),
+            Ok(ControlFlow::Break(())) => Err(PlasticError::Stopped),
+            Err(failure) => Err(SolveError::Observer(Arc::new(failure)).into()),
         }
     }
 
@@ -157,11 +188,14 @@ impl LoadStep<'_, '_> {
     /// The tolerance of the next contact: as loose as the last gap allows, and as the goal allows in the end. The error of a stress makes a gap that is larger
     /// than its energy by the contrast of elastic modulus and hardening.
     fn contact_tolerance(&self, problem: &Problem, now: &FlowIterate) -> f64 {
-        let Some(contact) = &now.contact else { return FIRST_CONTACT };
+        let Some(contact) = &now.contact else {
+            return FIRST_CONTACT.max(rounding_of_waves(problem, problem.expected_mean_pressure()));
+        };
         let certificate = &now.certificate;
         let goal = self.tolerance * (certificate.dissipated + ELASTIC_SHARE * now.elastic);
         let gap = (OF_GOAL * goal).max(OF_LAST_GAP * certificate.flow_gap) * self.law.contrast();
-        let least = LEAST_CONTACT.max(2.0 * contact.certificate.rounding);
+        let waves = rounding_of_waves(problem, rms(&contact.pressure));
+        let least = (LEAST_CONTACT * contact.certificate.rounding + waves).min(LOOSEST_CONTACT);
         (gap / (contact.mean_pressure() * problem.rms_height())).clamp(least, LOOSEST_CONTACT)
     }
 
@@ -193,10 +227,13 @@ impl LoadStep<'_, '_> {
     fn certify(&self, now: &mut FlowIterate, flow: &PlaceFlow) {
         let residual = now.residual.as_slice().expect("standard layout");
         let mean = |a: &[f64], b: &[f64]| chunks::sum(a.len(), |i| a[i] * b[i]) / a.len() as f64;
-        let (mut contact_gap, mut of_contact) = (0.0, [0.0; 3]);
+        let (mut contact_gap, mut floor, mut of_contact) = (0.0, 0.0, [0.0; 3]);
         if let (Some(contact), Some(problem)) = (&now.contact, &self.problem) {
             let [p, u] = [&contact.pressure, &contact.displacement].map(|it| it.as_slice().expect("standard layout"));
-            contact_gap = contact.certificate.eta * contact.mean_pressure() * problem.rms_height();
+            let energy = contact.mean_pressure() * problem.rms_height();
+            contact_gap = contact.certificate.eta * energy;
+            let waves = rounding_of_waves(problem, rms(&contact.pressure));
+            floor = (FLOOR * contact.certificate.rounding + waves) * energy;
             of_contact = [mean(p, problem.height()), mean(p, residual), mean(p, u)];
         }
         let [heights, sunk, pressed] = of_contact;
@@ -212,7 +249,33 @@ impl LoadStep<'_, '_> {
             relative_gap: if gap > 0.0 { gap / scale } else { 0.0 },
             dissipated: flow.psi,
         };
-        now.is_converged = now.certificate.relative_gap <= self.tolerance;
+        let is_done = now.certificate.relative_gap <= self.tolerance || gap <= floor;
+        now.status = if is_done { Status::Converged } else { Status::IterationCap };
+    }
+}
+
+/// How the gap of a step falls.
+struct GapProgress {
+    least: f64,
+    /// Iterations since it fell.
+    waited: usize,
+}
+
+impl GapProgress {
+    fn new() -> Self {
+        Self { least: f64::INFINITY, waited: 0 }
+    }
+
+    /// Whether a step stalls at an iterate: its gap does not fall any more, or it is that of a contact alone, whose solver makes no progress either.
+    fn has_stalled(&mut self, now: &FlowIterate) -> bool {
+        let gap = now.certificate.gap();
+        if gap <= PROGRESS * self.least {
+            (self.least, self.waited) = (gap, 0);
+        } else {
+            self.waited += 1;
+        }
+        let is_contact_stuck = now.contact.as_ref().is_some_and(|contact| contact.status == Status::Stalled);
+        self.waited >= PATIENCE || (is_contact_stuck && now.certificate.flow_gap == 0.0)
     }
 }
 
@@ -255,11 +318,23 @@ impl FlowIterate {
             elastic: 0.0,
             back_work: 0.0,
             iterations: 0,
-            is_converged: false,
+            status: Status::IterationCap,
+            unflowed: None,
             work: Work::default(),
             energy: [0.0; 2],
         }
     }
+}
+
+/// The rounding of the displacement by a pressure of a root mean square, over the rms height: that of its largest wave, a uniform pressure included, in the
+/// softest one. It counts where the rms height is far below what the pressure would displace.
+fn rounding_of_waves(problem: &Problem, pressure: f64) -> f64 {
+    let [softest, _] = problem.compliance().stiffness_range();
+    f64::EPSILON * pressure / (softest * problem.rms_height())
+}
+
+fn rms(field: &Field) -> f64 {
+    (field.iter().map(|value| value * value).sum::<f64>() / field.len() as f64).sqrt()
 }
 
 /// The number of layers from the surface on in which there is any plastic strain.

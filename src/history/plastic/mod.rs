@@ -14,6 +14,7 @@ mod plastic_loading;
 mod plastic_process;
 mod plastic_solid;
 mod plastic_state;
+mod pressing;
 
 pub use plastic_errors::{PlasticErrorSources, PlasticErrors};
 pub use plastic_loading::PlasticLoading;

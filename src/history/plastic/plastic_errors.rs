@@ -25,7 +25,7 @@ pub struct PlasticErrors {
 pub struct PlasticErrorSources {
     /// The errors by the load steps, which are of first order: twice the difference from steps of half the length.
     pub steps: PlasticErrors,
-    /// The errors by the layers, which are of second order: a third of the difference from layers of twice the thickness.
+    /// The errors by the layers, from the differences of three histories: in these layers, and in layers of twice and of four times the thickness.
     pub layers: PlasticErrors,
     /// The errors by the grid: the difference from a grid of half as many points along each axis. None where
     /// a number of points is odd, or too small.
@@ -33,7 +33,7 @@ pub struct PlasticErrorSources {
 }
 
 impl PlasticErrorSources {
-    /// The numbers of a state for imprint and area.
+    /// The numbers of a state for imprint and area, as far as they are known.
     pub(super) fn numbers(&self) -> Vec<(Quantity, f64)> {
         let imprint = |it: &PlasticErrors| it.imprint_depth;
         let area = |it: &PlasticErrors| it.relative_area;
@@ -46,19 +46,37 @@ impl PlasticErrorSources {
             (Quantity::ImprintLayerError, imprint(&self.layers)),
             (Quantity::RelativeAreaLayerError, area(&self.layers)),
         ];
-        others.into_iter().chain(grid).collect()
+        others.into_iter().chain(grid).filter(|(_, error)| error.is_finite()).collect()
     }
 }
 
 impl PlasticErrors {
+    /// Errors that are not known.
+    pub(super) const UNKNOWN: Self = Self {
+        approach: f64::NAN,
+        imprint_depth: f64::NAN,
+        total_accumulated: f64::NAN,
+        mean_contact_pressure: f64::NAN,
+        relative_area: f64::NAN,
+    };
+
     /// Each of them times a factor.
     pub(super) fn times(self, factor: f64) -> Self {
+        self.with(self, |error, _| factor * error)
+    }
+
+    /// The larger ones of both; NaN where one of them is not known.
+    pub(super) fn larger(self, other: Self) -> Self {
+        self.with(other, |a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+    }
+
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
-            approach: factor * self.approach,
-            imprint_depth: factor * self.imprint_depth,
-            total_accumulated: factor * self.total_accumulated,
-            mean_contact_pressure: factor * self.mean_contact_pressure,
-            relative_area: factor * self.relative_area,
+            approach: of(self.approach, other.approach),
+            imprint_depth: of(self.imprint_depth, other.imprint_depth),
+            total_accumulated: of(self.total_accumulated, other.total_accumulated),
+            mean_contact_pressure: of(self.mean_contact_pressure, other.mean_contact_pressure),
+            relative_area: of(self.relative_area, other.relative_area),
         }
     }
 

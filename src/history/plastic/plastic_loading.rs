@@ -111,7 +111,7 @@ impl PlasticLoading<'_> {
     /// Presses one step. Its states stand in the queue then: the iterations that are kept, and the end.
     fn press(&mut self, load: Load, point: Option<usize>, observer: &mut dyn Observer) -> Result<(), PlasticError> {
         let state = self.plastic.press(load, observer)?.to_state().at(point);
-        self.companions.iter_mut().try_for_each(|companions| companions.press(load))?;
+        self.companions.iter_mut().try_for_each(|companions| companions.press(load, observer))?;
         let state = state.with_numbers(&self.errors().map_or_else(Vec::new, |errors| errors.numbers()));
         let all = self.plastic.take_iterations().iter().map(PlasticState::to_frame).chain([state]).collect::<Vec<_>>();
         let framed = all.into_iter().map(|state| self.framed(state));
@@ -154,7 +154,7 @@ impl PlasticState {
             .with(Quantity::ReducedPressure, self.reduced_pressure())
             .with(Quantity::PlasticWork, self.energy.plastic)
             .with(Quantity::Stored, self.energy.elastic)
-            .with(Quantity::WorkDone, self.energy.work)
+            .with(Quantity::WorkDone, self.energy.balanced_work())
             .with(Quantity::PressureInContact, self.mean_contact_pressure())
             .with(Quantity::ContactPressureOverYield, self.mean_contact_pressure() / self.solid.yield_stress())
             .with(Quantity::MaxPlasticStrain, self.max_accumulated())

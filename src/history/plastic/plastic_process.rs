@@ -2,8 +2,9 @@
 
 use super::flow::FlowLaw;
 use super::load_step::{FlowIterate, LoadStep};
+use super::pressing::Pressing;
 use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
-use crate::contact::{Load, Observer, Problem, Solver, Status, Work};
+use crate::contact::{Load, Observer, Problem, Solver, Status, Stop, Work};
 use crate::elastic::{DepthLayers, DepthResponse};
 use crate::error::PlasticError;
 use crate::grid::Grid;
@@ -15,6 +16,8 @@ use ndarray::{Array2, Array3, Axis};
 /// The tolerance of the relative gap, and the most iterations of a step, if none are given.
 const TOLERANCE: f64 = 1e-6;
 const MOST_ITERATIONS: usize = 1000;
+/// The tolerance `eta` of a contact from which a work or a first pressure is found.
+pub(super) const CONTACT: f64 = 1e-11;
 /// Tensors below each node: strain and stress before the step, increment, its successor and stress in the step.
 const TENSORS: f64 = 5.0;
 /// Tensors of Anderson's method for each place that flows: twelve of earlier points, and those of the new one.
@@ -31,7 +34,7 @@ const SAME_MODULUS: f64 = 1e-9;
 /// layers*. Three other errors have other names, and are estimated by solving again:
 ///
 /// - the error of the steps, of first order in their length;
-/// - the error of the layers, of second order in their thickness;
+/// - the error of the layers, of an order between one and two in their thickness;
 /// - the error of the grid.
 ///
 /// [`PlasticLoading::with_errors`](super::PlasticLoading::with_errors) estimates all three.
@@ -205,11 +208,34 @@ impl<'s> Plastic<'s> {
     /// those of the solver.
     pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<&PlasticState, PlasticError> {
         self.check(load)?;
-        self.state = match load {
+        let mut state = match load {
             Load::MeanGap(gap) => self.step_to_gap(gap, observer)?,
             pressure => self.step(pressure, observer)?,
         };
+        let (before, work) = (self.state.energy, self.work_of_step(&state, observer)?);
+        let taken_up = state.energy.elastic + state.energy.plastic - before.elastic - before.plastic;
+        state.energy.work = before.work + work;
+        state.energy.imbalance = before.imbalance + (work - taken_up).abs();
+        self.state = state;
         Ok(&self.state)
+    }
+
+    /// The work of the load in the step from the last state to another one, per area.
+    fn work_of_step(&self, state: &PlasticState, observer: &mut dyn Observer) -> Result<f64, PlasticError> {
+        let pressing = |state: &PlasticState| Pressing::from_whole(&state.contact, &state.residual);
+        let (before, after) = (pressing(&self.state), pressing(state));
+        if state.strain == self.state.strain {
+            return Ok(before.elastic_work(&after));
+        }
+        let pressure = self.state.contact.mean_pressure();
+        let mut flowed = Pressing::default();
+        if pressure > 0.0 {
+            let heights = self.problem.surface().height() - &state.residual;
+            let posed = self.problem.with_heights(heights)?.with_load(Load::MeanPressure(pressure))?;
+            let (start, stop) = (Some(&self.state.contact.pressure), Stop::default().at(CONTACT));
+            flowed = Pressing::new(&self.solver.solve_from(start, &posed, &stop, observer)?, &state.residual);
+        }
+        Ok(before.work(&state.unflowed, &flowed, &after))
     }
 
     /// The state after a load step to a pressure or a force, which is not kept; layers that were added are.
@@ -318,6 +344,7 @@ impl<'s> Plastic<'s> {
             energy: PlasticEnergy::default(),
             iterations: 0,
             is_converged: true,
+            unflowed: Pressing::default(),
             layers: response.layers().clone(),
             solid: *solid,
         }
@@ -328,9 +355,10 @@ impl PlasticState {
     /// The state that an iterate of a step reaches.
     fn after(&self, problem: &Problem, load: Load, reached: FlowIterate) -> Self {
         let before = self;
-        let FlowIterate { increment, stress, residual, contact, certificate, iterations, is_converged, work, .. } =
-            reached;
-        let is_converged = is_converged && before.is_converged;
+        let FlowIterate {
+            increment, stress, residual, contact, certificate, iterations, status, unflowed, work, ..
+        } = reached;
+        let is_converged = status == Status::Converged && before.is_converged;
         let mut contact = match contact {
             None => apart(before.contact.problem.clone(), residual.clone(), work, None),
             Some(contact) => {
@@ -340,12 +368,14 @@ impl PlasticState {
                 contact.with_work(work).displaced_by(problem, &added, certificate)
             }
         };
-        contact.status = if is_converged { Status::Converged } else { Status::IterationCap };
+        // a step that converged goes on from the strain of one that did not
+        contact.status = if status == Status::Converged { before.contact.status } else { status };
         let mut accumulated = before.accumulated.clone();
         accumulate(&mut accumulated, &increment);
         let plastic = before.energy.plastic + certificate.dissipated + reached.back_work;
-        let energy = PlasticEnergy { elastic: reached.elastic, plastic, work: 0.0 };
-        let mut state = PlasticState {
+        // the work is found for the end of a step only
+        let energy = PlasticEnergy { elastic: reached.elastic, plastic, work: f64::NAN, imbalance: f64::INFINITY };
+        PlasticState {
             load: Some(load),
             contact,
             strain: &before.strain + &increment,
@@ -356,12 +386,10 @@ impl PlasticState {
             energy,
             iterations,
             is_converged,
+            unflowed: unflowed.unwrap_or_default(),
             layers: before.layers.clone(),
             solid: before.solid,
-        };
-        let mean = 0.5 * (before.contact.mean_pressure() + state.contact.mean_pressure());
-        state.energy.work = before.energy.work + mean * (state.approach() - before.approach());
-        state
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A state of a solid that has yielded below its surface.
 
 use super::PlasticSolid;
+use super::pressing::Pressing;
 use crate::contact::{Contact, DepthCut, Load};
 use crate::elastic::DepthLayers;
 use crate::surface::Field;
@@ -8,6 +9,9 @@ use ndarray::{Array2, Array3, Axis};
 
 /// The part of the elastic strain at yield up to which an accumulated strain is negligible.
 const NEGLIGIBLE: f64 = 1e-3;
+
+/// The largest part of the energy that is taken up and stored by which the work of the load may differ from it, to be told.
+const BALANCE: f64 = 1e-2;
 
 /// How far a load step is from the minimum of its energy, all per area of the cell (pressure times length), and relative.
 ///
@@ -50,8 +54,18 @@ pub struct PlasticEnergy {
     pub elastic: f64,
     /// The energy that flow has taken up so far, also that of kinematic hardening, which is stored.
     pub plastic: f64,
-    /// The work of the load so far, by the trapezoidal rule over the steps: it equals `elastic + plastic`, except for the error of the steps.
+    /// The work of the load so far, from loads and approaches: of a step without flow the change of the elastic energy, of one with flow the mean of two
+    /// orders in which load and flow may come. It equals `elastic + plastic`, except for the error of long steps.
     pub work: f64,
+    /// By how much the work of each step differs from the change of `elastic + plastic` in it, the sum of the magnitudes.
+    pub imbalance: f64,
+}
+
+impl PlasticEnergy {
+    /// The work of the load, if what flow has taken up and what is stored account for it within 1 %: else the steps are too long to tell it.
+    pub fn balanced_work(&self) -> Option<f64> {
+        (self.imbalance <= BALANCE * (self.elastic + self.plastic)).then_some(self.work)
+    }
 }
 
 /// A contact with a solid that has yielded below its surface.
@@ -88,6 +102,8 @@ pub struct PlasticState {
     pub iterations: usize,
     /// Whether the certificates of this step and of all steps before it met the tolerance: a step goes on from the strain of the one before.
     pub is_converged: bool,
+    /// The contact under the load of this step before anything flowed in it.
+    pub(super) unflowed: Pressing,
     pub(super) layers: DepthLayers,
     pub(super) solid: PlasticSolid,
 }
@@ -186,6 +202,13 @@ impl PlasticState {
         let shears: f64 = stress.iter().skip(3).map(|shear| shear * shear).sum();
         let differences = (x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2);
         (0.5 * differences + 3.0 * shears).sqrt()
+    }
+
+    /// The largest von Mises stress, a pressure.
+    pub fn max_von_mises(&self) -> f64 {
+        let (layers, _, nodes) = self.stress.dim();
+        let places = (0..layers).flat_map(|layer| (0..nodes).map(move |node| (layer, node)));
+        places.map(|(layer, node)| self.von_mises(layer, node)).fold(0.0, f64::max)
     }
 
     /// How far the rigid surface has moved into the solid since its highest peak touched the solid that had not yielded, a length, without what the

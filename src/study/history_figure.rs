@@ -1,31 +1,41 @@
-//! The figure of a study with adhesion: what holds the surfaces together, against what is varied.
+//! The figure of a study of histories: what they end with, against what is varied.
 
 use super::drawing::{MOST, look};
 use super::plan::Plan;
 use super::point::Point;
 use super::spread::Spread;
+use crate::contact::Quantity;
 use crate::plot::{Axis, Dot, Figure, Panel};
 use crate::setup::Scalar;
 use std::collections::BTreeMap;
 
 /// What a panel shows: its title, the symbol of its axis, and the number that is drawn.
-type AdhesionPlot = (&'static str, &'static str, fn(&Point) -> Option<f64>);
+type HistoryPlot = (&'static str, &'static str, fn(&Point) -> Option<f64>);
 
-const PLOTS: [AdhesionPlot; 2] = [
+/// Panels of histories with adhesion: what holds the surfaces together.
+const OF_ADHESION: [HistoryPlot; 2] = [
     ("pull-off pressure", "-min <p>", |it| it.pull_off().filter(|_| it.is_converged())),
     ("energy lost in jumps, per area", "Δ", |it| it.lost().filter(|_| it.is_converged())),
 ];
 
+/// Panels of solids that yield below their surface: what they keep when they are unloaded.
+const OF_YIELDING: [HistoryPlot; 2] = [
+    ("depth of the imprint", "max u - min u", |it| it.get(Quantity::ImprintDepth).filter(|_| it.is_converged())),
+    ("plastic work, per area", "W", |it| it.get(Quantity::PlasticWork).filter(|_| it.is_converged())),
+];
+
 /// The curves of a panel, by the other values: places along `x`, and what was found there.
-type AdhesionCurves<'a> = BTreeMap<usize, (String, Vec<(f64, &'a [Point])>)>;
+type HistoryCurves<'a> = BTreeMap<usize, (String, Vec<(f64, &'a [Point])>)>;
 
 impl Plan {
-    /// The figure of all `points` of a study with adhesion: pull-off pressure, and energy lost in jumps where surfaces do not part, against the
-    /// last list of numbers, with one curve for each combination of the other values. The mean is over the seeds, and bars show the standard deviation of single realisations.
-    pub(super) fn adhesion_figure(&self, title: &str, points: &[Point]) -> Figure {
-        let (name, curves) = self.adhesion_curves(points);
+    /// The figure of all `points` of a study of histories with adhesion, or on a solid that yields below its surface: two numbers of their ends against the
+    /// last list of numbers, with one curve for each combination of the other values. The mean is over the seeds, and bars show the standard deviation of
+    /// single realisations.
+    pub(super) fn history_figure(&self, title: &str, points: &[Point]) -> Figure {
+        let plots = if self.has_adhesion() { &OF_ADHESION } else { &OF_YIELDING };
+        let (name, curves) = self.history_curves(points);
         let places = ends(curves.values().flat_map(|(_, dots)| dots.iter().map(|dot| dot.0)));
-        let panel = |&(title, symbol, of): &AdhesionPlot| {
+        let panel = |&(title, symbol, of): &HistoryPlot| {
             let series: Vec<(String, Vec<Dot>)> = curves
                 .values()
                 .map(|(label, dots)| {
@@ -47,13 +57,13 @@ impl Plan {
             }
             panel
         };
-        let is_known = |(_, _, of): &&AdhesionPlot| points.iter().any(|point| of(point).is_some());
+        let is_known = |(_, _, of): &&HistoryPlot| points.iter().any(|point| of(point).is_some());
         let title = format!("{title}: means, with bars of standard deviation");
-        Figure { title, panels: PLOTS.iter().filter(is_known).map(panel).collect() }
+        Figure { title, panels: plots.iter().filter(is_known).map(panel).collect() }
     }
 
     /// The name of what is varied along `x`, and the curves over it. A study without a list of numbers has its realisations along `x`.
-    fn adhesion_curves<'a>(&self, points: &'a [Point]) -> (String, AdhesionCurves<'a>) {
+    fn history_curves<'a>(&self, points: &'a [Point]) -> (String, HistoryCurves<'a>) {
         let number = |i: usize, path: &str| match self.realisation(i).ok()?.setup.to_table().scalar(path)? {
             Scalar::Whole(whole) => Some(whole as f64),
             Scalar::Number(number) => Some(number),
@@ -63,7 +73,7 @@ impl Plan {
             axis.path() != crate::setup::ParameterAxis::SEED && axis.len() > 1 && number(0, axis.path()).is_some()
         });
         let name = varied.map_or("realisation".into(), |axis| axis.path().to_owned());
-        let mut curves = AdhesionCurves::new();
+        let mut curves = HistoryCurves::new();
         let mut known: BTreeMap<String, usize> = BTreeMap::new();
         for (group, points) in points.chunks(self.seeds()).enumerate() {
             let first = group * self.seeds();
