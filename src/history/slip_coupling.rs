@@ -18,8 +18,6 @@ const LEAST_PACE: f64 = 0.02;
 pub(super) struct SlipCoupling {
     beta: f64,
     coupling: Coupling,
-    /// What the traction of the last step displaces into the solid.
-    raised: Vec<f64>,
     /// Transforms of the steps before.
     counted: u64,
 }
@@ -37,8 +35,8 @@ pub(super) struct SlipRounds {
 }
 
 impl SlipCoupling {
-    pub fn new(beta: f64, coupling: Coupling, nodes: usize) -> Self {
-        Self { beta, coupling, raised: vec![0.0; nodes], counted: 0 }
+    pub fn new(beta: f64, coupling: Coupling) -> Self {
+        Self { beta, coupling, counted: 0 }
     }
 
     /// Number of transforms since this was asked last.
@@ -63,17 +61,12 @@ impl SlipCoupling {
         raised.iter_mut().for_each(|u| *u *= self.beta);
         raised
     }
-
-    /// Keeps what the traction of a step displaces.
-    pub fn keep(&mut self, raised: Vec<f64>) {
-        self.raised = raised;
-    }
 }
 
 impl SlipRounds {
-    /// The rounds of a step with the coefficient of friction `mu`, which begin with what the last step left.
-    pub fn new(mu: f64, coupling: Option<&SlipCoupling>) -> Self {
-        let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, it.raised.clone()));
+    /// The rounds of a step with the coefficient of friction `mu`, which begin with what the traction of the last step `raised`.
+    pub fn new(mu: f64, coupling: Option<&SlipCoupling>, raised: &[f64]) -> Self {
+        let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, raised.to_vec()));
         // where everything slips, a round multiplies each wave of the pressure by i mu beta, and this is the best pace
         let pace = 1.0 / (1.0 + (mu * beta).powi(2));
         Self { number: 1, pace, least: f64::INFINITY, patience: PATIENCE, raised, anderson: Anderson::default() }
