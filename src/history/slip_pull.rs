@@ -118,7 +118,8 @@ impl SlipPull<'_> {
     fn middle(&self, p: &[f64], moved: &[f64]) -> MiddleTraction<'_> {
         let cut = |(tau, p): (&f64, &f64)| tau.clamp(-self.coefficient * p, self.coefficient * p);
         let cut: Vec<f64> = self.traction.iter().zip(p).map(cut).collect();
-        if cut == self.traction {
+        // with coupling the displacement before the step is also that by the pressure
+        if cut == self.traction && !self.is_coupled {
             return MiddleTraction { values: cut, displaced: Cow::Borrowed(self.displaced), lag: moved.to_vec() };
         }
         let mut displaced = vec![0.0; cut.len()];
