@@ -1,14 +1,13 @@
 //! Partial slip with a history.
 
-use super::discs::{Discs, Pair, add, length, scaled};
-use super::slip_coupling::{SlipCoupling, SlipRounds};
-use super::slip_pull::{AT_BOUND, PULL, SlipPull, WIDER, drive_of, finer, reach_of};
+use super::discs::Pair;
+use super::slip_coupling::{SlipCoupling, SlipRounds, posed};
+use super::slip_memory::SlipMemory;
+use super::slip_pull::{SlipPull, finer};
 use super::slip_round::{SlipRound, SlipTask, values};
+use super::slip_shear::pull_towards;
 use super::slip_state::SlipState;
-use super::slip_traction::{Traction, sliding_length};
-use super::slip_vector::VectorStep;
-use crate::chunks;
-use crate::clock::Instant;
+use super::slip_traction::Traction;
 use crate::contact::{Certificate, Contact, Load, Observer, Problem, ResultClaim, Solver, Status, Stop, Work};
 use crate::elastic::{Compliance, Coupling, Response, ShearCompliance, ShearResponse};
 use crate::error::SlipError;
@@ -94,22 +93,6 @@ pub struct SlipHistory<'s> {
     known: VecDeque<(Contact, Vec<f64>)>,
 }
 
-/// What a history carries from one step to the next.
-#[derive(Clone)]
-pub(super) struct SlipMemory {
-    /// The contact of the last step, with the displacement `A_t p` along `x` by tractions `p` along `x`.
-    pressed: Option<(Contact, Vec<f64>)>,
-    /// The traction along `x` and `y`; the second one is empty in steps along `x` alone.
-    traction: [Vec<f64>; 2],
-    /// Its mean along `x` and `y`, a pressure, and the tangential loads that were given for it.
-    tangential: Pair,
-    loads: Pair,
-    /// The displacement along `x` and `y` by the traction and, with coupling, by the pressure.
-    displaced: [Vec<f64>; 2],
-    /// With coupling, what the traction displaces into the solid.
-    raised: Vec<f64>,
-}
-
 /// Contacts under normal loads that are kept: a step and its halves need three, and those of the step before it may come again.
 const KNOWN: usize = 4;
 
@@ -167,9 +150,8 @@ impl<'s> SlipHistory<'s> {
         Ok(history)
     }
 
-    /// The history before its first step whose steps count the slip of a node that comes into contact from where it touches: until then it has moved
-    /// by `-c g` relative to the rigid surface, with the gap `g` before the step and `c = dQ/dP`, at most `mu`. Steps under normal loads that vary are
-    /// far better so, without coupling; with it nothing changes.
+    /// The history before its first step whose steps count the slip of a node from where it touches, see [`SlipMemory::rate`]. With coupling nothing
+    /// changes.
     pub(super) fn counting_from_touch(self) -> Self {
         Self { counts_from_touch: self.coupling.is_none(), ..self }
     }
@@ -309,13 +291,16 @@ impl<'s> SlipHistory<'s> {
         let (contact, pressed, pressing) = self.press(load, rounds, last, observer)?;
         let full = self.coefficient * contact.mean_pressure();
         let target = share.map(|share| share * full);
-        let rate = self.rate(&contact, target);
-        let mut moved = self.moved_before_touch(&contact, rate.unwrap_or_default());
+        // the ratio of the tangential to the normal compliance: the mean over all directions of a wave, where it has several
+        let ratio = if self.problem.surface().grid().is_line() { 1.0 } else { 1.0 + 0.5 * self.m };
+        let rate = self.memory.rate(&contact, target, (self.coefficient, ratio)).filter(|_| self.counts_from_touch);
+        let mut moved = self.memory.moved_before_touch(&contact, rate.unwrap_or_default());
         if let Some(coupling) = &mut self.coupling {
             coupling.add_by_pressure(values(&contact.pressure), &mut moved, 1.0);
         }
+        let is_coupled = self.coupling.is_some();
         let start = last.map_or(&self.memory.traction, |round| &round.found.values).clone();
-        let task = SlipTask { contact: &contact, pressed: &pressed, target, moved: &moved, start: &start };
+        let task = SlipTask { contact: &contact, pressed: &pressed, target, moved: &moved, start: &start, is_coupled };
         let found = match self.coefficient {
             0.0 => Traction::none(self.memory.traction.each_ref().map(Vec::len)),
             _ if self.shear.is_some() => self.pull_towards(&task),
@@ -336,43 +321,6 @@ impl<'s> SlipHistory<'s> {
             round.contact.status = round.found.status;
         }
         Ok(round)
-    }
-
-    /// `c = dQ/dP` of a step, at most `mu`, times the ratio of the tangential to the normal compliance; zero where the normal load stays.
-    ///
-    /// A normal load that changes by `dP` with a tangential one that changes by `c dP` lets all nodes stick where the traction changes by
-    /// `c` times the pressure (Mindlin and Deresiewicz 1953; Jäger 1993). A node that does not touch then moves by `c` times the change of its gap
-    /// relative to the rigid surface, less the shift. Without coupling and with `m = 0` this is exact. Otherwise it is not, and steps find
-    /// the rest.
-    fn rate(&self, contact: &Contact, target: Pair) -> Option<Pair> {
-        if !self.counts_from_touch {
-            return None;
-        }
-        let (earlier, _) = self.memory.pressed.as_ref()?;
-        let risen = contact.mean_pressure() - earlier.mean_pressure();
-        let change = add(target, -1.0, self.memory.tangential);
-        if risen == 0.0 || length(change) == 0.0 {
-            return Some([0.0; 2]);
-        }
-        let carried = (self.coefficient * risen.abs() / length(change)).min(1.0);
-        // the mean over all directions of a wave, where it has several
-        let ratio = if self.problem.surface().grid().is_line() { 1.0 } else { 1.0 + 0.5 * self.m };
-        Some(scaled(change, ratio * carried / risen))
-    }
-
-    /// How far nodes that come into contact in this step have moved along `x` and `y` relative to the rigid surface before they
-    /// touched, less the shift, by the rate `c`: a step counts the slip of a node from where it touches.
-    fn moved_before_touch(&self, contact: &Contact, rate: Pair) -> [Vec<f64>; 2] {
-        let mut moved = self.memory.displaced.each_ref().map(|it| vec![0.0; it.len()]);
-        let Some((earlier, _)) = &self.memory.pressed else { return moved };
-        let (now, before) = (values(&contact.pressure), values(&earlier.pressure));
-        for (moved, rate) in moved.iter_mut().zip(rate) {
-            let gaps = values(&earlier.gap).iter().enumerate().zip(moved);
-            for ((_, gap), moved) in gaps.filter(|((i, _), _)| now[*i] > 0.0 && before[*i] == 0.0) {
-                *moved = -rate * gap.max(0.0);
-            }
-        }
-        moved
     }
 
     /// Ends a step with its last round, after which this history goes on from it.
@@ -400,7 +348,6 @@ impl<'s> SlipHistory<'s> {
     pub(super) fn memory(&self) -> &SlipMemory {
         &self.memory
     }
-
     /// Lets the next step begin with what another one began with, and gives what it would have begun with.
     pub(super) fn recall(&mut self, memory: SlipMemory) -> SlipMemory {
         std::mem::replace(&mut self.memory, memory)
@@ -423,11 +370,6 @@ impl<'s> SlipHistory<'s> {
         }
     }
 
-    /// Whether tractions are along both axes.
-    pub(super) fn has_both_axes(&self) -> bool {
-        self.shear.is_some()
-    }
-
     /// Whether there was a step.
     pub(super) fn has_begun(&self) -> bool {
         self.memory.pressed.is_some()
@@ -438,9 +380,9 @@ impl<'s> SlipHistory<'s> {
         self.share(load, [tangential, 0.0]).map(drop)
     }
 
-    /// Whether pressure and traction displace the surface in each other's direction.
-    pub(super) fn is_coupled(&self) -> bool {
-        self.coupling.is_some()
+    /// Whether tractions are along both axes, and whether pressure and traction displace the surface in each other's direction.
+    pub(super) fn kind(&self) -> [bool; 2] {
+        [self.shear.is_some(), self.coupling.is_some()]
     }
 
     /// The shares `Q / (mu P)` of the load at which everything slides, with their signs.
@@ -491,84 +433,18 @@ impl<'s> SlipHistory<'s> {
             stop: self.round_stop(),
             traction: &self.memory.traction[0],
             displaced: &self.memory.displaced[0],
-            is_coupled: self.coupling.is_some(),
         };
         pull.solve(task, observer)
     }
 
     /// The traction along both axes with the mean `target` under the pressure of a contact.
-    ///
-    /// The discs are no larger than a weak pull needs, so that rounding and tolerance are relative to the tractions that it causes: a
-    /// traction that reaches none of the narrow discs but those of `mu p` is the solution in these as well.
     fn pull_towards(&mut self, task: &SlipTask<'_>) -> Traction {
-        let &SlipTask { contact, pressed, target, moved, start } = task;
-        let start_of_work = Instant::now();
-        let (mu, p) = (self.coefficient, values(&contact.pressure));
-        let places: Vec<usize> = chunks::positive(p, 0..p.len()).collect();
-        let at = |fields: &[Vec<f64>; 2]| places.iter().map(|&i| [fields[0][i], fields[1][i]]).collect::<Vec<Pair>>();
-        let (start, lag, displaced, traction) =
-            (at(start), at(moved), at(&self.memory.displaced), at(&self.memory.traction));
-        let before: Vec<Pair> = lag.iter().zip(&displaced).map(|(lag, before)| add(*lag, 1.0, *before)).collect();
-        let limits: Vec<f64> = places.iter().map(|&i| mu * p[i]).collect();
-        let total = target.map(|target| target * p.len() as f64);
-        let drive = match drive_of(&limits, &traction, total) {
-            // displacements by the pressure ask for tractions that the load does not tell of
-            _ if self.coupling.is_some() => 1.0,
-            0.0 if lag.iter().any(|lag| length(*lag) > 0.0) => 1.0,
-            drive => drive,
-        };
-        let zeros = || [vec![0.0; p.len()], vec![0.0; p.len()]];
-        if drive == 0.0 || places.is_empty() {
-            // nothing touches, or the traction before the step carries the load and nothing moves
-            let touches = !places.is_empty();
-            let [values, displacement] =
-                [&self.memory.traction, &self.memory.displaced].map(|it| if touches { it.clone() } else { zeros() });
-            return Traction { values, displacement, ..Traction::none([0, 0]) };
-        }
-        let near = 1.0 - length(total) / limits.iter().sum::<f64>();
-        let highest = limits.iter().copied().fold(0.0, f64::max);
-        let earlier = traction.iter().fold(0.0, |most: f64, tau| most.max(length(*tau)));
-        let mut reach = (reach_of(drive, places.len()) * highest).max(WIDER * earlier);
-        let step_stop = self.round_stop();
+        let stop = self.round_stop();
         let response = self.shear.as_mut().expect("the history takes both axes");
-        let transforms = response.transforms();
-        let mut iterations = 0;
-        let found = loop {
-            let radii: Vec<f64> = limits.iter().map(|limit| limit.min(reach)).collect();
-            let narrowed = (reach / highest).min(1.0);
-            let part = PULL * (near * drive / narrowed).min(1.0).powi(2);
-            let stop = finer(step_stop, part);
-            let discs = Discs { radii: radii.clone(), total };
-            let size = narrowed * sliding_length(mu, pressed);
-            let found = VectorStep::new(response, places.clone(), discs, before.clone(), size).solve(&start, &stop);
-            iterations += found.iterations;
-            let is_at_rim = |i: usize| radii[i] < limits[i] && length(found.tau[i]) >= radii[i] * (1.0 - AT_BOUND);
-            if found.status != Status::Converged || !(0..radii.len()).any(is_at_rim) {
-                break found;
-            }
-            reach *= WIDER;
-        };
-        let (mut traction, mut displacement) = (zeros(), zeros());
-        for (axis, field) in traction.iter_mut().enumerate() {
-            places.iter().zip(&found.tau).for_each(|(&i, tau)| field[i] = tau[axis]);
-        }
-        response.displacement(traction.each_ref().map(Vec::as_slice), displacement.each_mut().map(Vec::as_mut_slice));
-        let transforms = response.transforms() - transforms;
-        let work = Work { iterations, transforms, seconds: start_of_work.elapsed().as_secs_f64() };
-        Traction { values: traction, displacement, shift: found.shift, status: found.status, work }
+        pull_towards(response, &self.memory, task, (self.coefficient, stop))
     }
 }
 
 /// With coupling, pressure and traction of a round are solved to this part of the tolerance. Large friction needs it: at `mu beta = 2` and near
 /// sliding, what a solve leaves open becomes so large in the next ones that rounds of a tenth do not always converge.
 const ROUND: f64 = 0.005;
-
-/// The problem with heights that are less by what a traction displaces.
-fn posed(problem: &Problem, raised: &[f64]) -> Result<Problem, SlipError> {
-    if raised.iter().all(|u| *u == 0.0) {
-        return Ok(problem.clone());
-    }
-    let mut height = problem.surface().height().clone();
-    height.iter_mut().zip(raised).for_each(|(h, u)| *h -= u);
-    Ok(problem.with_heights(height)?)
-}

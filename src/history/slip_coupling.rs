@@ -1,7 +1,9 @@
 //! Rounds between pressure and traction, where they displace the surface in each other's direction.
 
 use crate::anderson::Anderson;
+use crate::contact::Problem;
 use crate::elastic::Coupling;
+use crate::error::SlipError;
 
 /// Largest number of rounds between pressure and traction in one step.
 const ROUNDS: usize = 400;
@@ -98,4 +100,14 @@ impl SlipRounds {
         self.number += 1;
         self.number <= ROUNDS
     }
+}
+
+/// The problem with heights that are less by what a traction displaces.
+pub(super) fn posed(problem: &Problem, raised: &[f64]) -> Result<Problem, SlipError> {
+    if raised.iter().all(|u| *u == 0.0) {
+        return Ok(problem.clone());
+    }
+    let mut height = problem.surface().height().clone();
+    height.iter_mut().zip(raised).for_each(|(h, u)| *h -= u);
+    Ok(problem.with_heights(height)?)
 }

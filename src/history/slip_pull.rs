@@ -40,8 +40,6 @@ pub(super) struct SlipPull<'a> {
     /// The traction before the step, and the displacement that belongs to it.
     pub traction: &'a [f64],
     pub displaced: &'a [f64],
-    /// Whether the pressure displaces the surface along `x` as well.
-    pub is_coupled: bool,
 }
 
 /// The traction before a step, cut to what friction carries under the new pressure.
@@ -77,13 +75,13 @@ impl SlipPull<'_> {
     pub fn solve(&self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Result<Traction, SlipError> {
         let (mu, p) = (self.coefficient, values(&task.contact.pressure));
         let target = task.target[0];
-        let middle = self.middle(p, &task.moved[0]);
+        let middle = self.middle(p, task);
         let limits: Vec<f64> = p.iter().map(|p| mu * p).collect();
         let total = [target * p.len() as f64, 0.0];
         let before: Vec<Pair> = self.traction.iter().map(|tau| [*tau, 0.0]).collect();
         let drive = match drive_of(&limits, &before, total) {
             // displacements by the pressure ask for tractions that the load does not tell of
-            _ if self.is_coupled => 1.0,
+            _ if task.is_coupled => 1.0,
             0.0 if middle.lag.iter().any(|lag| *lag != 0.0) => 1.0,
             drive => drive,
         };
@@ -115,12 +113,13 @@ impl SlipPull<'_> {
     }
 
     /// The traction before the step, cut to the limits under a pressure, with what is left of `w_0`.
-    fn middle(&self, p: &[f64], moved: &[f64]) -> MiddleTraction<'_> {
+    fn middle(&self, p: &[f64], task: &SlipTask<'_>) -> MiddleTraction<'_> {
+        let moved = &task.moved[0];
         let cut = |(tau, p): (&f64, &f64)| tau.clamp(-self.coefficient * p, self.coefficient * p);
         let cut: Vec<f64> = self.traction.iter().zip(p).map(cut).collect();
         // with coupling the displacement before the step is also that by the pressure
-        if cut == self.traction && !self.is_coupled {
-            return MiddleTraction { values: cut, displaced: Cow::Borrowed(self.displaced), lag: moved.to_vec() };
+        if cut == self.traction && !task.is_coupled {
+            return MiddleTraction { values: cut, displaced: Cow::Borrowed(self.displaced), lag: moved.clone() };
         }
         let mut displaced = vec![0.0; cut.len()];
         Response::from_compliance(self.compliance.clone()).displacement(&cut, &mut displaced);

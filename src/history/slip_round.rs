@@ -36,6 +36,8 @@ pub(super) struct SlipTask<'a> {
     pub moved: &'a [Vec<f64>; 2],
     /// The traction that the search starts from.
     pub start: &'a [Vec<f64>; 2],
+    /// Whether the pressure displaces the surface along `x` as well.
+    pub is_coupled: bool,
 }
 
 impl SlipRound {

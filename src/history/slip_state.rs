@@ -1,6 +1,6 @@
 //! The state of a contact after a step with friction.
 
-use super::slip_steps::SlipTotals;
+use super::slip_totals::SlipTotals;
 use crate::contact::{Contact, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Work};
 use crate::surface::Field;
 use ndarray::Array2;

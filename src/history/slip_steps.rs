@@ -1,7 +1,9 @@
 //! Steps of partial slip on the way from one pair of loads to the next.
 
-use super::slip::{SlipHistory, SlipMemory};
+use super::slip::SlipHistory;
+use super::slip_memory::SlipMemory;
 use super::slip_state::SlipState;
+use super::slip_totals::{SlipPathErrors, SlipTotals};
 use crate::contact::{Load, Observer, ResultClaim};
 use crate::error::SlipError;
 
@@ -46,32 +48,6 @@ pub enum SlipPace {
     Tolerance(f64),
 }
 
-/// Estimated errors of a state by finite steps of the path of the loads.
-///
-/// The path is solved in steps and, beside it, in steps of twice the length, each from its own states. An error of first order is the difference of both,
-/// one of second order a third of it. So twice the difference is stated; those of the lost energy add up. Steps that are exact have no error,
-/// see [`SlipHistory`].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SlipPathErrors {
-    /// Of the shift since the beginning, a length.
-    pub shift: f64,
-    /// Of the energy lost since the beginning, per area.
-    pub dissipated: f64,
-    /// Of the share of the nodes in contact that stick.
-    pub stick_share: f64,
-}
-
-/// What the steps of a path add up to.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SlipTotals {
-    /// The shift of the rigid surface along `x` since the beginning, a length.
-    pub shift: f64,
-    /// The energy that friction has dissipated since the beginning, per area.
-    pub dissipated: f64,
-    /// The errors of these; none where steps were given that are not exact.
-    pub errors: Option<SlipPathErrors>,
-}
-
 /// The steps of a history between pairs of a normal and a tangential load, between which both change linearly.
 pub(super) struct SlipSteps<'s> {
     history: SlipHistory<'s>,
@@ -87,14 +63,14 @@ pub(super) struct SlipSteps<'s> {
 
 /// A way between two pairs of a normal and a tangential load.
 #[derive(Clone, Copy)]
-struct Way {
+struct LoadWay {
     /// The kind of both loads.
     kind: Load,
     from: [f64; 2],
     to: [f64; 2],
 }
 
-impl Way {
+impl LoadWay {
     /// The loads at a part of the way.
     fn at(&self, part: f64) -> (Load, f64) {
         let [load, tangential] = [0, 1].map(|i| match part >= 1.0 {
@@ -106,7 +82,7 @@ impl Way {
 }
 
 /// A step beside its two halves.
-struct Trial {
+struct HalvedStep {
     whole: SlipState,
     /// The state after both halves, with what they add up to.
     fine: SlipState,
@@ -150,7 +126,7 @@ impl<'s> SlipSteps<'s> {
         observer: &mut dyn Observer,
     ) -> Result<SlipState, SlipError> {
         let begin = (self.history.memory().clone(), self.doubled.clone(), self.shift_apart, self.totals);
-        let way = Way { kind, from, to };
+        let way = LoadWay { kind, from, to };
         let state = match self.pace {
             SlipPace::Count(_) => self.step(way, observer),
             SlipPace::Tolerance(tolerance) => self.press_and_go(way, tolerance, observer),
@@ -163,19 +139,25 @@ impl<'s> SlipSteps<'s> {
     }
 
     /// The way, and with coupling the first normal load before it: as it grows, the pressure makes nodes slip.
-    fn press_and_go(&mut self, way: Way, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+    fn press_and_go(
+        &mut self,
+        way: LoadWay,
+        tolerance: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<SlipState, SlipError> {
         // a way that cannot be gone to its end is not begun
         self.history.check(way.at(1.0))?;
-        let begins = self.history.has_begun() || !self.history.is_coupled() || way.from[0] <= 0.0;
+        let [_, is_coupled] = self.history.kind();
+        let begins = self.history.has_begun() || !is_coupled || way.from[0] <= 0.0;
         if begins {
             return self.pass(way, tolerance, observer);
         }
-        let pressing = Way { from: [0.0; 2], to: [way.from[0], 0.0], ..way };
+        let pressing = LoadWay { from: [0.0; 2], to: [way.from[0], 0.0], ..way };
         let pressed = self.pass(pressing, tolerance, observer)?;
         Ok(if way.from == way.to { pressed } else { self.pass(way, tolerance, observer)?.after(pressed) })
     }
 
-    fn pass(&mut self, way: Way, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+    fn pass(&mut self, way: LoadWay, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
         let (load, tangential) = way.at(1.0);
         match self.history.is_exact_to(load, tangential) {
             true => self.step(way, observer),
@@ -184,7 +166,7 @@ impl<'s> SlipSteps<'s> {
     }
 
     /// One step to the end of a way, also of the history in doubled steps.
-    fn step(&mut self, way: Way, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+    fn step(&mut self, way: LoadWay, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
         let (load, tangential) = way.at(1.0);
         let is_exact = self.history.is_exact_to(load, tangential);
         let state = self.history.step(load, tangential, observer)?;
@@ -202,7 +184,7 @@ impl<'s> SlipSteps<'s> {
     }
 
     /// Steps beside doubled ones to the end of a way, each with an error within the tolerance.
-    fn adapt(&mut self, way: Way, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+    fn adapt(&mut self, way: LoadWay, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
         let mut wanted = if way.from[0] == way.to[0] { FIRST_UNDER_ONE_LOAD } else { FIRST };
         let (mut done, mut loss_before) = (0.0, 0.0);
         let mut passed: Option<SlipState> = None;
@@ -228,7 +210,8 @@ impl<'s> SlipSteps<'s> {
             // where a difference crosses zero, it says nothing
             let loss = loss.abs().max(FADING * loss_before);
             loss_before = loss;
-            let least = if self.history.has_both_axes() { TURNED.map(|it| it * step) } else { [0.0; 2] };
+            let [has_both_axes, _] = self.history.kind();
+            let least = if has_both_axes { TURNED.map(|it| it * step) } else { [0.0; 2] };
             let loss = loss.max(least[1] * trial.fine.dissipated);
             let least_shift = least[0] * trial.fine.shift.abs();
             self.doubled = Some(trial.doubled);
@@ -248,7 +231,7 @@ impl<'s> SlipSteps<'s> {
     }
 
     /// A step of the doubled history, beside both of its halves.
-    fn trial(&mut self, [middle, end]: [(Load, f64); 2], observer: &mut dyn Observer) -> Result<Trial, SlipError> {
+    fn trial(&mut self, [middle, end]: [(Load, f64); 2], observer: &mut dyn Observer) -> Result<HalvedStep, SlipError> {
         let begin = self.history.memory().clone();
         if let Some(doubled) = &self.doubled {
             self.history.recall(doubled.clone());
@@ -257,11 +240,11 @@ impl<'s> SlipSteps<'s> {
         let doubled = self.history.recall(begin);
         let half = self.history.step(middle.0, middle.1, observer)?;
         let fine = self.history.step(end.0, end.1, observer)?.after(half);
-        Ok(Trial { whole, fine, doubled })
+        Ok(HalvedStep { whole, fine, doubled })
     }
 
     /// The largest relative error of a step, over what the step may cause: of the shift and of the lost energy.
-    fn excess(&self, trial: &Trial, [done, step]: [f64; 2], tolerance: f64) -> f64 {
+    fn excess(&self, trial: &HalvedStep, [done, step]: [f64; 2], tolerance: f64) -> f64 {
         let [shift_error, loss_error, _] = difference(&trial.whole, &trial.fine).map(f64::abs);
         // what the way comes to at this rate
         let left = (1.0 - done) / step;
