@@ -68,15 +68,15 @@ impl History {
         self.outcome.kind.into()
     }
 
-    /// What the first state claims to be, in words: the solution, a pressure whose error is bounded, rounds that have converged, or a state with
-    /// adhesion, or load steps of a solid that yields. With adhesion, states differ in their claims.
+    /// What the states claim to be, in words: the solution, steps of a path with friction, a pressure whose error is bounded, rounds that have
+    /// converged, a state with adhesion, or load steps of a solid that yields. With adhesion, states differ in their claims, and this is the first one.
     #[getter]
     fn claim(&self) -> &'static str {
-        self.outcome.states.first().map_or("", |state| state.claim.words())
+        self.outcome.claim().map_or("", |claim| claim.words())
     }
 
     /// What each state claims to be, in a word: with adhesion "solution", "stable", "marginal", "saddle", "stationary", "not-converged", "moving" (a frame of
-    /// a jump) or "separated"; otherwise "solution", "load-step" (of a solid that yields), "bounded" or
+    /// a jump) or "separated"; otherwise "solution", "path-steps" and "given-steps" (of friction), "load-step" (of a solid that yields), "bounded" or
     /// "rounds-converged".
     #[getter]
     fn claims(&self) -> Vec<&'static str> {

@@ -22,7 +22,6 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 use std::path::Path;
-use std::sync::Arc;
 
 /// Columns of what flows, where it was asked for.
 const OF_FLOW: [Quantity; 3] = [Quantity::HydraulicGapX, Quantity::HydraulicGapY, Quantity::ConductancePerArea];
@@ -107,7 +106,7 @@ fn write_files(
         process: outcome.kind.into(),
         claim: match has_claims {
             true => "each state has a claim of its own",
-            false => claim_of(&outcome.states),
+            false => outcome.claim().map_or("", ResultClaim::words),
         },
         adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
@@ -128,13 +127,6 @@ fn write_files(
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     Ok(())
-}
-
-/// What is claimed of all states, in words: nothing, where one of them is not converged.
-fn claim_of(states: &[Arc<State>]) -> &'static str {
-    let missed = states.iter().find(|state| state.claim == ResultClaim::NotConverged);
-    // those on the way claim nothing that holds for the others
-    missed.or(states.iter().find(|state| state.claim != ResultClaim::Moving)).map_or("", |state| state.claim.words())
 }
 
 /// The numbers of a state, by their names.
@@ -173,7 +165,13 @@ impl HistorySummary {
         let claim = self.adhesion.is_none().then(|| ("claim".to_owned(), self.claim.to_owned()));
         let of_adhesion = self.adhesion.iter().flat_map(|it| adhesion::rows(it, units));
         write_rows(self.subject.rows(units, is_verbose).into_iter().chain(claim).chain(of_adhesion), out)?;
-        let has = |it: &Quantity| outcome.states.iter().any(|state| state.get(*it).is_some());
+        // errors of the path are shown where there are any: exact steps have none
+        let has = |it: &Quantity| match it {
+            Quantity::ShiftPathError | Quantity::DissipatedPathError => {
+                outcome.states.iter().any(|state| state.get(*it).is_some_and(|error| error > 0.0))
+            }
+            _ => outcome.states.iter().any(|state| state.get(*it).is_some()),
+        };
         let columns: Vec<Quantity> = outcome.kind.row().columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
         writeln!(out)?;
         columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(*it)))?;
@@ -229,6 +227,8 @@ fn heading(quantity: Quantity) -> &'static str {
         Quantity::FrictionPersson => "Persson",
         Quantity::EffectivePressure => "eff. pressure",
         Quantity::StickShare => "sticks",
+        Quantity::ShiftPathError => "error of shift",
+        Quantity::DissipatedPathError => "error of loss",
         Quantity::Dissipated => "energy lost",
         Quantity::MeanAttraction => "attraction",
         Quantity::Jump => "lost in jump",

@@ -28,6 +28,16 @@ pub enum ResultClaim {
         message = "the solution of each load step: its distance from the least energy is bounded, on this grid and these layers"
     )]
     LoadStep,
+    /// Slip along a path whose steps are not exact: each of them is the solution of a convex problem, and the error by their length is estimated.
+    #[strum(
+        message = "the solution of each step of the path: pressure and mean gap are bounded; shift and lost energy have estimated errors by the steps"
+    )]
+    PathSteps,
+    /// Slip along a path in given steps that are not exact, whose error is not known.
+    #[strum(
+        message = "the solution of each given step of the path: pressure and mean gap are bounded; the error of shift and lost energy by these steps is not known"
+    )]
+    GivenSteps,
     /// The solution of a monotone problem without an energy, of a contact that moves: only the pressure is bounded.
     #[strum(message = "bounded: the error of the pressure is bounded, and no energy belongs to the contact")]
     Bounded,
@@ -68,7 +78,15 @@ pub enum ResultClaim {
 impl ResultClaim {
     /// The claim of a contact that may have missed its tolerance: nothing, where it has, of what is solved for.
     pub(super) fn if_converged(self, contact: &Contact) -> Self {
-        let is_solved_for = matches!(self, Self::Solution | Self::LoadStep | Self::Bounded | Self::RoundsConverged);
+        let is_solved_for = matches!(
+            self,
+            Self::Solution
+                | Self::LoadStep
+                | Self::PathSteps
+                | Self::GivenSteps
+                | Self::Bounded
+                | Self::RoundsConverged
+        );
         if is_solved_for && !contact.is_converged() { Self::NotConverged } else { self }
     }
 

@@ -127,6 +127,10 @@ quantities! {
             "Shift of the rigid surface along x since the beginning.";
         StickShare stick_share, "n_s / n_c", "share that sticks", One, Number, States,
             "Share of the nodes in contact that stick.";
+        ShiftPathError shift_path_error, "|ds|, path", "error of the shift by the steps", Length, Number, States,
+            "Estimated error of the shift that the length of the steps of the path causes; 0 where steps are exact.";
+        StickSharePathError stick_share_path_error, "|dn_s| / n_c, path", "error of the share that sticks by the steps", One, Number, None,
+            "Estimated error of the share of the nodes in contact that stick, that the length of the steps of the path causes.";
         Dissipated dissipated, "W_lost", "dissipated energy", EnergyPerArea, Number, States,
             "Energy dissipated since the beginning, per area of the cell.";
         DissipatedError dissipated_error, "|dW_lost|", "error of the loss", EnergyPerArea, Number, States,
@@ -145,6 +149,8 @@ quantities! {
             "Estimated error of the relative area that the length of the steps in time causes.";
         DissipatedTimeError dissipated_time_error, "|dW_lost|, t", "error in time of the loss", EnergyPerArea, Number, States,
             "Estimated error of the dissipated energy that the length of the steps in time causes, per area of the cell.";
+        DissipatedPathError dissipated_path_error, "|dW_lost|, path", "error of the loss by the steps", EnergyPerArea, Number, States,
+            "Estimated error of the energy dissipated by friction that the length of the steps of the path causes, per area of the cell; 0 where steps are exact.";
         WorkTimeError work_time_error, "|dW|, t", "error in time of the work", EnergyPerArea, Number, States,
             "Estimated error of the work of the load, and of its balance with the stored and dissipated energy, that the length of the steps in time causes, per area of the cell.";
         HistoryBound history_bound, "|dp_eff| / |p_eff|", "bound through time", One, Number, States,

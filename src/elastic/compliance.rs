@@ -218,7 +218,7 @@ impl Compliance {
         match &self.motion {
             None => Ok(Self::new(grid, solid, with_uniform)?),
             Some(SteadyMotion::Sliding { speed, terms }) => Self::sliding(grid, solid, with_uniform, *speed, terms),
-            Some(SteadyMotion::Rolling { step }) => Self::rolling(grid, solid, *step),
+            Some(SteadyMotion::Rolling { step }) => Self::rolling(grid, solid, off_shortest_wave(*step, grid)),
         }
     }
 
@@ -408,6 +408,17 @@ fn table(grid: &Grid, solid: &dyn ElasticSolid, uniform: f64) -> Vec<f64> {
     };
     Filter::places(grid).into_iter().map(at).collect()
 }
+
+/// A step of rolling that is no even multiple of the spacing. Solids over other grids only precondition, and a periodic grid does not displace
+/// its shortest wave in a step of two spacings, so that its stiffness would be infinite.
+fn off_shortest_wave(step: f64, grid: &Grid) -> f64 {
+    let pairs = step / (2.0 * grid.spacing()[1]);
+    let nearest = pairs.round();
+    if nearest > 0.0 && (pairs - nearest).abs() < LEAST_OFF { step * (nearest - LEAST_OFF) / pairs } else { step }
+}
+
+/// How far the step of a preconditioner stays off a multiple of two spacings, over these. Steps of 1.999 and 2.001 spacings converge as well.
+const LEAST_OFF: f64 = 0.01;
 
 /// Stiffness of the softest and of the stiffest wave of a periodic grid.
 fn periodic_range(grid: &Grid, solid: &dyn ElasticSolid) -> [f64; 2] {

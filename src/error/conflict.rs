@@ -150,6 +150,8 @@ pub enum ConflictRule {
     #[strum(props(keys = "path.steps"), message = "the path has 0 steps between two points: give 1 or more")]
     PathWithoutSteps,
     #[strum(props(keys = "path.time-tolerance"), message = "the tolerance in time is {tolerance}: give a value between 0 and 1")]
+    TimeTolerance,
+    #[strum(props(keys = "path.tolerance"), message = "the tolerance of the path is {tolerance}: give a value between 0 and 1")]
     PathTolerance,
     #[strum(props(keys = "path.file path.time path.load path.tangential"), message =
         "{quantity} is given by {file} and beside it: leave one of them out")]

@@ -18,6 +18,13 @@ const ROUNDS: usize = 60;
 const REACH: f64 = 2.0;
 const WIDER: f64 = 4.0;
 
+/// The least part of the limit of friction that is left until sliding by which the goal of the traction is lowered: its square times the
+/// tolerance of 1e-8 is still above rounding.
+const LEAST_LEFT: f64 = 1e-3;
+
+/// The part of the goal of the traction that is aimed at. Its square root is the error of the traction, which decides whether nodes stick.
+const SURPLUS: f64 = 1e-3;
+
 /// What drives a contact that rolls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RollingDrive {
@@ -116,6 +123,8 @@ pub struct Rolling {
     /// Transforms of pressure and traction.
     pub transforms: u64,
     creepage: f64,
+    /// The largest displacement in a step of a contact that slips everywhere, a length.
+    reach: f64,
 }
 
 impl Rolling {
@@ -188,6 +197,7 @@ impl Rolling {
                 inner_steps,
                 transforms,
                 creepage: solved.datum / conditions.step,
+                reach: solved.reach,
             });
         }
         unreachable!("the last round returns")
@@ -203,10 +213,12 @@ impl Rolling {
         self.traction.sum() / (self.conditions.friction * self.contact.pressure.sum())
     }
 
-    /// Nodes that touch and stick: their traction is below the limit of friction.
+    /// Nodes that touch and stick: their traction is below the limit of friction. What is left to the limit is weighed against the slip, over the
+    /// displacement in a step of a contact that slips everywhere, since both are small where a node begins to slip.
     pub fn sticks(&self) -> Vec<bool> {
-        let pairs = self.traction.iter().zip(&self.contact.pressure);
-        pairs.map(|(tau, &p)| p > 0.0 && tau.abs() < self.conditions.friction * p * (1.0 - 1e-12)).collect()
+        let nodes = self.traction.iter().zip(&self.slip).zip(&self.contact.pressure);
+        let is_below = |tau: f64, slip: f64, limit: f64| (tau / limit - slip / self.reach).abs() < 1.0 - 1e-12;
+        nodes.map(|((&tau, &slip), &p)| p > 0.0 && is_below(tau, slip, self.conditions.friction * p)).collect()
     }
 
     /// Direction in which each node slips: 1 if the solid slips towards `+x`, -1 towards `-x`, and 0 for nodes that stick or do not
@@ -278,6 +290,8 @@ struct SolvedTraction {
     /// `xi dq`.
     datum: f64,
     certificate: f64,
+    /// The largest displacement in a step by tractions at their limits.
+    reach: f64,
     updates: usize,
     inner_steps: usize,
     transforms: u64,
@@ -330,6 +344,7 @@ impl Shifts {
             let reaches = |i: usize| narrow[i] < limit[i] && found.traction[i].abs() >= narrow[i] * (1.0 - 1e-9);
             if found.status != Status::Converged || !(0..limit.len()).any(reaches) {
                 (found.updates, found.inner_steps, found.transforms) = (updates, inner_steps, transforms);
+                found.reach = largest;
                 return Ok(found);
             }
             reach *= WIDER;
@@ -379,8 +394,12 @@ impl Shifts {
             let carries = (state.p.iter().sum::<f64>() - load).abs() / carried;
             let certificate = gap / (unit * carries.max(least).powi(2));
             let is_converged = certificate <= stop.tolerance();
-            let is_stopped = !is_converged && !goes_on(observer);
-            if !is_converged && !is_stopped && updates < most {
+            // close to sliding few nodes stick, and their tractions lack little: the goal is relative to that
+            let left = (1.0 - carries).max(LEAST_LEFT).powi(2);
+            let is_done = certificate <= SURPLUS * left * stop.tolerance();
+            let is_stale = is_converged && state.is_stale();
+            let is_stopped = !is_done && !goes_on(observer);
+            if !is_done && !is_stale && !is_stopped && updates < most {
                 state.advance(certificate, &mut |_| goes_on(observer));
                 continue;
             }
@@ -393,7 +412,18 @@ impl Shifts {
             let traction = state.p.iter().zip(narrow).map(|(t, limit)| t - limit).collect();
             let slip = state.u.iter().zip(&height).map(|(u, h)| u - h - level).collect();
             let (inner_steps, transforms, datum) = (state.inner, state.transforms(), -level);
-            return Ok(SolvedTraction { status, traction, slip, datum, certificate, updates, inner_steps, transforms });
+            let reach = 0.0;
+            return Ok(SolvedTraction {
+                status,
+                traction,
+                slip,
+                datum,
+                certificate,
+                reach,
+                updates,
+                inner_steps,
+                transforms,
+            });
         }
         unreachable!("the last update returns")
     }

@@ -1,17 +1,17 @@
 //! Partial slip with a history.
 
-use super::discs::{Discs, Pair};
-use super::slip_coupling::{SlipCoupling, SlipRounds};
+use super::discs::Pair;
+use super::slip_coupling::{SlipCoupling, SlipRounds, posed};
+use super::slip_memory::SlipMemory;
+use super::slip_pull::{SlipPull, finer};
 use super::slip_round::{SlipRound, SlipTask, values};
+use super::slip_shear::pull_towards;
 use super::slip_state::SlipState;
-use super::slip_traction::{Traction, better_shift, sliding_length};
-use super::slip_vector::VectorStep;
-use crate::chunks;
-use crate::clock::Instant;
+use super::slip_traction::Traction;
 use crate::contact::{Certificate, Contact, Load, Observer, Problem, ResultClaim, Solver, Status, Stop, Work};
 use crate::elastic::{Compliance, Coupling, Response, ShearCompliance, ShearResponse};
 use crate::error::SlipError;
-use crate::surface::{Field, Surface};
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// A contact with Coulomb friction under normal and tangential loads, one pair after the other: the traction after a step depends on
@@ -44,12 +44,13 @@ use std::sync::Arc;
 /// conjugate gradients, with the shift as the multiplier of the mean. Where the energy does not fall, or the certificate falls too slowly, a
 /// step goes along the projected gradient to the least energy on its chord. These steps alone converge, since the energy is convex.
 ///
-/// Both kinds of steps have a [`SlipCertificate`](crate::history::SlipCertificate). A step must end where the tangential load turns. Where
+/// Both kinds of steps have a [`SlipCertificate`](crate::history::SlipCertificate). A step must end where the loads turn. Where
 /// the pressure of a node falls to zero, its traction is lost.
 ///
 /// # Coupling
-/// With Dundurs' `beta = 0`, as for two bodies of the same material, the normal contact is solved once in a step. A path along which every node
-/// slips in one direction only is then solved exactly in one step. Otherwise the pressure displaces the surface along `x` and `y` by `-beta S p`,
+/// With Dundurs' `beta = 0`, as for two bodies of the same material, the normal contact is solved once in a step. With tractions along `x` alone
+/// one step is then exact under a normal load that stays. [`SlipProcess`](crate::history::SlipProcess) chooses the steps of other paths by an
+/// estimated error. With `beta` the pressure displaces the surface along `x` and `y` by `-beta S p`,
 /// and the traction displaces it into the solid by `beta S tau`, see [`Coupling`] and [`SlipHistory::with_coupling`]. Pressure and traction
 /// are solved in turn (Panagiotopoulos 1975), until the pressure fits the heights with the last traction to the tolerance. No bound of the
 /// joint error is known. Normal loads cause slip as well, so a path needs steps: a node that comes into contact sticks where it is then.
@@ -84,14 +85,16 @@ pub struct SlipHistory<'s> {
     m: f64,
     /// What makes steps along both axes.
     shear: Option<ShearResponse>,
-    /// The contact of the last step, with the displacement `A_t p` along `x` by tractions `p` along `x`.
-    pressed: Option<(Contact, Vec<f64>)>,
-    /// The traction along `x` and `y`; the second one is empty in steps along `x` alone.
-    traction: [Vec<f64>; 2],
-    /// The displacement along `x` and `y` by the traction and, with coupling, by the pressure.
-    displaced: [Vec<f64>; 2],
     coupling: Option<SlipCoupling>,
+    /// Whether the slip of a node that comes into contact in a step counts from where it touches, and not from the beginning of the step.
+    counts_from_touch: bool,
+    memory: SlipMemory,
+    /// The last contacts under normal loads, which do not depend on tractions without coupling.
+    known: VecDeque<(Contact, Vec<f64>)>,
 }
+
+/// Contacts under normal loads that are kept: a step and its halves need three, and those of the step before it may come again.
+const KNOWN: usize = 4;
 
 impl<'s> SlipHistory<'s> {
     /// A history that begins without any load. The load of `problem` is not used. The coefficient of friction `mu` may be zero.
@@ -125,13 +128,32 @@ impl<'s> SlipHistory<'s> {
         let zeros = || vec![0.0; problem.nodes()];
         let compliance = Arc::new(compliance);
         let [traction, displaced] = [[zeros(), Vec::new()], [zeros(), Vec::new()]];
-        let (shear, pressed, coupling) = (None, None, None);
-        let mut history =
-            Self { problem, coefficient, compliance, solver, stop, m, shear, pressed, traction, displaced, coupling };
+        let memory =
+            SlipMemory { pressed: None, traction, tangential: [0.0; 2], loads: [0.0; 2], displaced, raised: zeros() };
+        let (shear, coupling, known, counts_from_touch) = (None, None, VecDeque::new(), false);
+        let mut history = Self {
+            problem,
+            coefficient,
+            compliance,
+            solver,
+            stop,
+            m,
+            shear,
+            coupling,
+            counts_from_touch,
+            memory,
+            known,
+        };
         if m != 0.0 && !history.problem.surface().grid().is_line() {
             history.take_both_axes()?;
         }
         Ok(history)
+    }
+
+    /// The history before its first step whose steps count the slip of a node from where it touches, see [`SlipMemory::rate`]. With coupling nothing
+    /// changes.
+    pub(super) fn counting_from_touch(self) -> Self {
+        Self { counts_from_touch: self.coupling.is_none(), ..self }
     }
 
     /// The history before its first step on bodies of Dundurs' constant `beta`, between -0.5 and 0.5, which is
@@ -166,7 +188,7 @@ impl<'s> SlipHistory<'s> {
             self.take_both_axes()?;
         }
         let coupling = Coupling::new(&grid, self.problem.solid().as_ref())?;
-        self.coupling = Some(SlipCoupling::new(beta, coupling, grid.len()));
+        self.coupling = Some(SlipCoupling::new(beta, coupling));
         Ok(self)
     }
 
@@ -175,8 +197,8 @@ impl<'s> SlipHistory<'s> {
         let (grid, solid) = (self.problem.surface().grid(), self.problem.solid().clone());
         self.shear = Some(ShearResponse::new(Arc::new(ShearCompliance::new(grid, solid, self.m)?)));
         let nodes = self.problem.nodes();
-        self.traction[1].resize(nodes, 0.0);
-        self.displaced[1].resize(nodes, 0.0);
+        self.memory.traction[1].resize(nodes, 0.0);
+        self.memory.displaced[1].resize(nodes, 0.0);
         Ok(())
     }
 
@@ -222,7 +244,14 @@ impl<'s> SlipHistory<'s> {
         if tangential[1] != 0.0 && self.shear.is_none() {
             self.take_both_axes()?;
         }
-        let mut rounds = SlipRounds::new(self.coefficient, self.coupling.as_ref());
+        let state = self.step_by_rounds(load, share, observer)?;
+        self.memory.loads = tangential;
+        Ok(state)
+    }
+
+    /// The next state, by rounds between pressure and traction where there is coupling.
+    fn step_by_rounds(&mut self, load: Load, share: Pair, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
+        let mut rounds = SlipRounds::new(self.coefficient, self.coupling.as_ref(), &self.memory.raised);
         let mut last: Option<SlipRound> = None;
         let mut work = Work::default();
         loop {
@@ -239,7 +268,7 @@ impl<'s> SlipHistory<'s> {
                 if !fits {
                     round.contact.status = Status::Stalled;
                 }
-                coupling.keep(raised);
+                self.memory.raised = raised;
                 return Ok(self.take(round, (number, work)));
             }
             last = Some(round);
@@ -259,40 +288,101 @@ impl<'s> SlipHistory<'s> {
         (rounds, last): (&SlipRounds, Option<&SlipRound>),
         observer: &mut dyn Observer,
     ) -> Result<SlipRound, SlipError> {
-        let (mut contact, pressed, pressing) = self.press(load, rounds, last, observer)?;
-        let mut before = self.displaced.clone();
-        if let Some(coupling) = &mut self.coupling {
-            coupling.add_by_pressure(values(&contact.pressure), &mut before, 1.0);
-        }
+        let (contact, pressed, pressing) = self.press(load, rounds, last, observer)?;
         let full = self.coefficient * contact.mean_pressure();
         let target = share.map(|share| share * full);
-        let start = last.map_or(&self.traction, |round| &round.found.values).clone();
-        let task = SlipTask { contact: &contact, pressed: &pressed, target, before: &before, start: &start };
+        // the ratio of the tangential to the normal compliance: the mean over all directions of a wave, where it has several
+        let ratio = if self.problem.surface().grid().is_line() { 1.0 } else { 1.0 + 0.5 * self.m };
+        let rate = self.memory.rate(&contact, target, (self.coefficient, ratio)).filter(|_| self.counts_from_touch);
+        let mut moved = self.memory.moved_before_touch(&contact, rate.unwrap_or_default());
+        if let Some(coupling) = &mut self.coupling {
+            coupling.add_by_pressure(values(&contact.pressure), &mut moved, 1.0);
+        }
+        let is_coupled = self.coupling.is_some();
+        let start = last.map_or(&self.memory.traction, |round| &round.found.values).clone();
+        let task = SlipTask { contact: &contact, pressed: &pressed, target, moved: &moved, start: &start, is_coupled };
         let found = match self.coefficient {
-            0.0 => Traction::none(self.traction.each_ref().map(Vec::len)),
+            0.0 => Traction::none(self.memory.traction.each_ref().map(Vec::len)),
             _ if self.shear.is_some() => self.pull_towards(&task, observer),
             _ => self.pull(&task, observer)?,
         };
         let work = pressing + found.work;
-        if found.status != Status::Converged && contact.is_converged() {
-            contact.status = found.status;
+        let mut before = moved;
+        for (before, displaced) in before.iter_mut().zip(&self.memory.displaced) {
+            before.iter_mut().zip(displaced).for_each(|(before, displaced)| *before += displaced);
         }
-        Ok(SlipRound { contact, pressed, before, found, target, work })
+        let mut round = SlipRound { contact, pressed, before, rate, found, target, work };
+        // the goal of a weak pull may lie below what rounding allows: the tolerance of the step is what must be met
+        let is_met = || round.certificate(self.coefficient).eta <= self.stop.tolerance();
+        if round.found.status == Status::Stalled && is_met() {
+            round.found.status = Status::Converged;
+        }
+        if round.found.status != Status::Converged && round.contact.is_converged() {
+            round.contact.status = round.found.status;
+        }
+        Ok(round)
     }
 
     /// Ends a step with its last round, after which this history goes on from it.
     fn take(&mut self, round: SlipRound, (rounds, mut work): (usize, Work)) -> SlipState {
         work.transforms += self.coupling.as_mut().map_or(0, SlipCoupling::transforms);
-        let earlier = self.pressed.as_ref().map(|(contact, _)| contact);
+        let earlier = self.memory.pressed.as_ref().map(|(contact, _)| contact);
         let claim = if self.coupling.is_some() { ResultClaim::RoundsConverged } else { ResultClaim::Solution };
         let state = round.state(self.coefficient, earlier, claim, (rounds, work));
-        self.displaced = round.found.displacement;
+        let memory = &mut self.memory;
+        memory.displaced = round.found.displacement;
         if let Some(coupling) = &mut self.coupling {
-            coupling.add_by_pressure(values(&round.contact.pressure), &mut self.displaced, -1.0);
+            coupling.add_by_pressure(values(&round.contact.pressure), &mut memory.displaced, -1.0);
         }
-        self.traction = round.found.values;
-        self.pressed = Some((round.contact, round.pressed));
+        (memory.traction, memory.tangential) = (round.found.values, round.target);
+        let pressed = (round.contact, round.pressed);
+        if self.coupling.is_none() {
+            self.known.truncate(KNOWN - 1);
+            self.known.push_front(pressed.clone());
+        }
+        memory.pressed = Some(pressed);
         state
+    }
+
+    /// What the next step begins with.
+    pub(super) fn memory(&self) -> &SlipMemory {
+        &self.memory
+    }
+    /// Lets the next step begin with what another one began with, and gives what it would have begun with.
+    pub(super) fn recall(&mut self, memory: SlipMemory) -> SlipMemory {
+        std::mem::replace(&mut self.memory, memory)
+    }
+
+    /// Whether one step to a pair of loads is exact. Without coupling it is where tractions are along `x` alone and each node slips in one direction
+    /// under its final pressure, as under a normal load that stays; and where all nodes stick, since the normal load grows so fast that friction
+    /// carries what comes, if slip counts from touch.
+    pub(super) fn is_exact_to(&self, load: Load, tangential: f64) -> bool {
+        if self.coupling.is_some() {
+            return false;
+        }
+        let Some((contact, _)) = &self.memory.pressed else { return self.shear.is_none() };
+        let before = contact.problem.load();
+        let [risen, pulled] = [load.value() - before.value(), tangential - self.memory.loads[0]];
+        match self.shear {
+            None if self.counts_from_touch && risen > 0.0 => pulled.abs() <= self.coefficient * risen,
+            None => risen == 0.0 || risen > 0.0 && pulled == 0.0,
+            Some(_) => risen >= 0.0 && pulled == 0.0,
+        }
+    }
+
+    /// Whether there was a step.
+    pub(super) fn has_begun(&self) -> bool {
+        self.memory.pressed.is_some()
+    }
+
+    /// Refuses loads under which everything slides.
+    pub(super) fn check(&self, (load, tangential): (Load, f64)) -> Result<(), SlipError> {
+        self.share(load, [tangential, 0.0]).map(drop)
+    }
+
+    /// Whether tractions are along both axes, and whether pressure and traction displace the surface in each other's direction.
+    pub(super) fn kind(&self) -> [bool; 2] {
+        [self.shear.is_some(), self.coupling.is_some()]
     }
 
     /// The shares `Q / (mu P)` of the load at which everything slides, with their signs.
@@ -317,13 +407,13 @@ impl<'s> SlipHistory<'s> {
         last: Option<&SlipRound>,
         observer: &mut dyn Observer,
     ) -> Result<(Contact, Vec<f64>, Work), SlipError> {
-        let before = self.pressed.as_ref();
-        let is_coupled = self.coupling.is_some();
-        if let Some((contact, pressed)) = before.filter(|(it, _)| !is_coupled && it.problem.load() == load) {
+        // without coupling the contact depends on the normal load alone
+        if let Some((contact, pressed)) = self.known.iter().find(|(contact, _)| contact.problem.load() == load) {
             let mut contact = contact.clone();
             contact.work = Work::default();
             return Ok((contact, pressed.clone(), Work::default()));
         }
+        let before = self.memory.pressed.as_ref();
         let problem = posed(&self.problem.clone().with_load(load)?, rounds.raised())?;
         let start = last.map(|round| &round.contact).or(before.map(|(contact, _)| contact));
         let start = start.map(|contact| &contact.pressure);
@@ -334,96 +424,27 @@ impl<'s> SlipHistory<'s> {
         Ok((contact, pressed, work))
     }
 
-    /// The traction with the mean `target` under the pressure of a contact.
-    ///
-    /// With the sign of the target, `t = mu p + tau` or `mu p - tau`, whose mean is not below `mu <p>`.
+    /// The traction along `x` with the mean `target` under the pressure of a contact.
     fn pull(&self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Result<Traction, SlipError> {
-        let &SlipTask { contact, pressed, target: [target, _], before, start } = task;
-        let (mu, sign) = (self.coefficient, if target < 0.0 { -1.0 } else { 1.0 });
-        let (grid, p) = (*contact.problem.surface().grid(), values(&contact.pressure));
-        let field =
-            |of: &dyn Fn(usize) -> f64| Field::from_shape_fn(grid.shape(), |(y, x)| of(y * grid.shape()[1] + x));
-        let load = Load::MeanPressure(mu * contact.mean_pressure() + target.abs());
-        let yardstick = Surface::new(grid, field(&|i| mu * pressed[i])).map_err(SlipError::Surface)?;
-        let heights = field(&|i| sign * before[0][i] + mu * pressed[i]);
-        let ceilings: Vec<f64> = p.iter().map(|p| 2.0 * mu * p).collect();
-        let problem = Problem::of_compliance(yardstick.into(), self.compliance.clone(), load)?;
-        let problem = problem.with_heights(heights)?.with_ceilings(ceilings)?;
-        let start = field(&|i| (sign * start[0][i] + mu * p[i]).clamp(0.0, 2.0 * mu * p[i]));
-        let stop = finer(self.round_stop(), PULL);
-        let found = self.solver.solve_from(Some(&start), &problem, &stop, observer)?;
-        let t = values(&found.pressure);
-        // nodes that stick lie at minus the datum of the heights as they were given
-        let level = -(datum(&found) + problem.shift());
-        let traction: Vec<f64> = t.iter().zip(p).map(|(t, p)| sign * (t - mu * p)).collect();
-        let displacement = values(&found.displacement).iter().zip(pressed);
-        let displacement: Vec<f64> = displacement.map(|(u, p)| sign * (u - mu * p)).collect();
-        let moved: Vec<f64> = displacement.iter().zip(&before[0]).map(|(now, before)| now - before).collect();
-        let shift = better_shift(mu, p, [&traction, &moved], sign * level);
-        Ok(Traction {
-            values: [traction, Vec::new()],
-            displacement: [displacement, Vec::new()],
-            shift: [shift, 0.0],
-            status: found.status,
-            work: found.work,
-        })
+        let pull = SlipPull {
+            coefficient: self.coefficient,
+            compliance: &self.compliance,
+            solver: self.solver,
+            stop: self.round_stop(),
+            traction: &self.memory.traction[0],
+            displaced: &self.memory.displaced[0],
+        };
+        pull.solve(task, observer)
     }
 
     /// The traction along both axes with the mean `target` under the pressure of a contact.
     fn pull_towards(&mut self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Traction {
-        let &SlipTask { contact, pressed, target, before, start } = task;
-        let start_of_work = Instant::now();
-        let (mu, p) = (self.coefficient, values(&contact.pressure));
-        let places: Vec<usize> = chunks::positive(p, 0..p.len()).collect();
-        let at = |fields: &[Vec<f64>; 2]| places.iter().map(|&i| [fields[0][i], fields[1][i]]).collect::<Vec<Pair>>();
-        let (start, before) = (at(start), at(before));
-        let radii: Vec<f64> = places.iter().map(|&i| mu * p[i]).collect();
-        let discs = Discs { radii, total: target.map(|target| target * p.len() as f64) };
         let stop = self.round_stop();
         let response = self.shear.as_mut().expect("the history takes both axes");
-        let transforms = response.transforms();
-        let mut step = VectorStep::new(response, places.clone(), discs, before, sliding_length(mu, pressed));
-        let found = step.solve(&start, &stop, observer);
-        let zeros = || [vec![0.0; p.len()], vec![0.0; p.len()]];
-        let (mut traction, mut displacement) = (zeros(), zeros());
-        for (axis, field) in traction.iter_mut().enumerate() {
-            places.iter().zip(&found.tau).for_each(|(&i, tau)| field[i] = tau[axis]);
-        }
-        response.displacement(traction.each_ref().map(Vec::as_slice), displacement.each_mut().map(Vec::as_mut_slice));
-        let transforms = response.transforms() - transforms;
-        let work = Work { iterations: found.iterations, transforms, seconds: start_of_work.elapsed().as_secs_f64() };
-        Traction { values: traction, displacement, shift: found.shift, status: found.status, work }
+        pull_towards(response, &self.memory, task, (self.coefficient, stop), observer)
     }
 }
-
-/// A traction along `x` is solved to this part of the tolerance: its certificate is over `mu <p>`, and not over the mean of `t`, which may be
-/// twice as large, and is taken with the shift of the nodes that stick, and not with the best one.
-const PULL: f64 = 0.1;
 
 /// With coupling, pressure and traction of a round are solved to this part of the tolerance. Large friction needs it: at `mu beta = 2` and near
 /// sliding, what a solve leaves open becomes so large in the next ones that rounds of a tenth do not always converge.
 const ROUND: f64 = 0.005;
-
-/// No part of a tolerance is below this one, which rounding allows.
-const FINEST: f64 = 2e-15;
-
-/// A part of a tolerance.
-fn finer(stop: Stop, part: f64) -> Stop {
-    let tolerance = stop.tolerance();
-    Stop::new((part * tolerance).max(FINEST).min(tolerance), stop.max_iterations()).unwrap_or(stop)
-}
-
-/// The problem with heights that are less by what a traction displaces.
-fn posed(problem: &Problem, raised: &[f64]) -> Result<Problem, SlipError> {
-    if raised.iter().all(|u| *u == 0.0) {
-        return Ok(problem.clone());
-    }
-    let mut height = problem.surface().height().clone();
-    height.iter_mut().zip(raised).for_each(|(h, u)| *h -= u);
-    Ok(problem.with_heights(height)?)
-}
-
-/// The datum of the gap of a contact, by one node: `g - (u - h)`.
-fn datum(contact: &Contact) -> f64 {
-    contact.gap[[0, 0]] - (contact.displacement[[0, 0]] - contact.problem.height()[0])
-}

@@ -1,7 +1,9 @@
 //! Rounds between pressure and traction, where they displace the surface in each other's direction.
 
 use crate::anderson::Anderson;
+use crate::contact::Problem;
 use crate::elastic::Coupling;
+use crate::error::SlipError;
 
 /// Largest number of rounds between pressure and traction in one step.
 const ROUNDS: usize = 400;
@@ -18,8 +20,6 @@ const LEAST_PACE: f64 = 0.02;
 pub(super) struct SlipCoupling {
     beta: f64,
     coupling: Coupling,
-    /// What the traction of the last step displaces into the solid.
-    raised: Vec<f64>,
     /// Transforms of the steps before.
     counted: u64,
 }
@@ -37,8 +37,8 @@ pub(super) struct SlipRounds {
 }
 
 impl SlipCoupling {
-    pub fn new(beta: f64, coupling: Coupling, nodes: usize) -> Self {
-        Self { beta, coupling, raised: vec![0.0; nodes], counted: 0 }
+    pub fn new(beta: f64, coupling: Coupling) -> Self {
+        Self { beta, coupling, counted: 0 }
     }
 
     /// Number of transforms since this was asked last.
@@ -63,17 +63,12 @@ impl SlipCoupling {
         raised.iter_mut().for_each(|u| *u *= self.beta);
         raised
     }
-
-    /// Keeps what the traction of a step displaces.
-    pub fn keep(&mut self, raised: Vec<f64>) {
-        self.raised = raised;
-    }
 }
 
 impl SlipRounds {
-    /// The rounds of a step with the coefficient of friction `mu`, which begin with what the last step left.
-    pub fn new(mu: f64, coupling: Option<&SlipCoupling>) -> Self {
-        let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, it.raised.clone()));
+    /// The rounds of a step with the coefficient of friction `mu`, which begin with what the traction of the last step `raised`.
+    pub fn new(mu: f64, coupling: Option<&SlipCoupling>, raised: &[f64]) -> Self {
+        let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, raised.to_vec()));
         // where everything slips, a round multiplies each wave of the pressure by i mu beta, and this is the best pace
         let pace = 1.0 / (1.0 + (mu * beta).powi(2));
         Self { number: 1, pace, least: f64::INFINITY, patience: PATIENCE, raised, anderson: Anderson::default() }
@@ -105,4 +100,14 @@ impl SlipRounds {
         self.number += 1;
         self.number <= ROUNDS
     }
+}
+
+/// The problem with heights that are less by what a traction displaces.
+pub(super) fn posed(problem: &Problem, raised: &[f64]) -> Result<Problem, SlipError> {
+    if raised.iter().all(|u| *u == 0.0) {
+        return Ok(problem.clone());
+    }
+    let mut height = problem.surface().height().clone();
+    height.iter_mut().zip(raised).for_each(|(h, u)| *h -= u);
+    Ok(problem.with_heights(height)?)
 }

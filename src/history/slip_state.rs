@@ -1,5 +1,6 @@
 //! The state of a contact after a step with friction.
 
+use super::slip_totals::SlipTotals;
 use crate::contact::{Contact, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Work};
 use crate::surface::Field;
 use ndarray::Array2;
@@ -106,14 +107,44 @@ impl SlipState {
         count(|zone| *zone == Zone::Stick) / count(|zone| *zone != Zone::Open)
     }
 
-    /// The state as one of any history, with the shift and the dissipated energy since the beginning.
-    pub fn into_state(self, point: Option<usize>, [shift, dissipated]: [f64; 2]) -> State {
+    /// The mean displacement by the traction, weighted with it, a length; 0 without traction.
+    pub(super) fn displacement_by_traction(&self) -> f64 {
+        let along = self.traction.iter().map(|tau| tau.abs()).sum::<f64>();
+        let across = self.traction_across.iter().flatten().map(|tau| tau.abs()).sum::<f64>();
+        let mean = (along + across) / self.traction.len() as f64;
+        if mean > 0.0 { 2.0 * self.stored / mean } else { 0.0 }
+    }
+
+    /// This state, after another one that lies between it and the beginning of the way: slip, shift, lost energy and work are those of the whole way.
+    pub(super) fn after(mut self, earlier: Self) -> Self {
+        self.slip += &earlier.slip;
+        if let (Some(slip), Some(before)) = (&mut self.slip_across, &earlier.slip_across) {
+            *slip += before;
+        }
+        self.shift += earlier.shift;
+        self.shift_across += earlier.shift_across;
+        self.dissipated += earlier.dissipated;
+        self.work += earlier.work;
+        self.rounds = self.rounds.max(earlier.rounds);
+        // what was missed on the way is missed at its end
+        if self.contact.is_converged() {
+            self.contact.status = earlier.contact.status;
+        }
+        self
+    }
+
+    /// The state as one of any history, with what all steps since the beginning add up to.
+    pub fn into_state(self, point: Option<usize>, totals: SlipTotals) -> State {
+        let SlipTotals { shift, dissipated, errors } = totals;
         let values = StateValues::new(StateKind::Elastic)
             .with(Quantity::MeanTraction, self.tangential)
             .with(Quantity::Friction, self.tangential / self.contact.mean_pressure())
             .with(Quantity::Shift, shift)
             .with(Quantity::StickShare, self.stick_share())
             .with(Quantity::Dissipated, dissipated)
+            .with(Quantity::ShiftPathError, errors.map(|it| it.shift))
+            .with(Quantity::StickSharePathError, errors.map(|it| it.stick_share))
+            .with(Quantity::DissipatedPathError, errors.map(|it| it.dissipated))
             .with(Quantity::Stored, self.stored)
             .with(Quantity::TractionCertificate, self.certificate.eta);
         let along = [StateField::traction(self.traction), StateField::slip(self.slip)];

@@ -30,12 +30,12 @@ impl Traction {
         }
     }
 
-    /// Whether a node in contact slips. Along both axes it does where `tau/(mu p) - s/reach` lies outside of the unit circle: where it
-    /// sticks the slip is zero except for the tolerance.
+    /// Whether a node in contact slips: where `tau/(mu p) - s/reach` lies outside of the unit circle. At the solution this is whether
+    /// the traction is at its limit, and elsewhere it weighs what is left to the limit against the slip.
     pub fn slips(&self, i: usize, limit: f64, [a, b]: Pair, reach: f64) -> bool {
         let [x, y] = at(&self.values, i);
-        if self.values[1].is_empty() || limit == 0.0 {
-            return x.abs() >= limit * (1.0 - ROUNDING);
+        if limit == 0.0 || reach == 0.0 {
+            return x.hypot(y) >= limit * (1.0 - ROUNDING);
         }
         (x / limit - a / reach).hypot(y / limit - b / reach) >= 1.0 - ROUNDING
     }

@@ -8,7 +8,7 @@ use crate::contact::{
     warnings_of_strains,
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
-use crate::history::{AdhesionTotals, cycle_losses, open_cycles};
+use crate::history::{AdhesionTotals, LEAST_LOSS, LEAST_SHIFT, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup, warning_of_leakage};
 use crate::warning::Warning;
 use serde::Serialize;
@@ -80,7 +80,8 @@ impl HistoryOutcome {
         let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
         let doubts = setup.warnings_of_creep();
         let outcome = Self { kind, adhesion, states, ended: None, failure: None, doubts };
-        Ok(outcome.with_time_errors(setup).with_open_cycles(setup).with_doubts_of_yielding(setup))
+        let outcome = outcome.with_time_errors(setup).with_path_errors(setup);
+        Ok(outcome.with_open_cycles(setup).with_doubts_of_yielding(setup))
     }
 
     /// The history, with a reason to doubt it where errors in time are above the tolerance.
@@ -103,6 +104,38 @@ impl HistoryOutcome {
                     "Read the stated errors in time, or use a smaller tolerance of the error in time",
                 )
                 .with_remedy("path.time-tolerance", None),
+            );
+        }
+        self
+    }
+
+    /// The history, with a reason to doubt it where errors of shift or lost energy by the steps of the path are above the tolerance.
+    fn with_path_errors(mut self, setup: &Setup) -> Self {
+        let tolerance = setup.path_tolerance();
+        let largest = |of: &dyn Fn(&State) -> f64| self.states.iter().map(|state| of(state)).fold(0.0, f64::max);
+        let shift = largest(&|state| state.value(Quantity::Shift).abs());
+        let shift = shift.max(LEAST_SHIFT * largest(&|state| displacement_by_traction(state)));
+        let stored = LEAST_LOSS * largest(&|state| state.value(Quantity::Stored));
+        let relative = |state: &State| -> f64 {
+            let over =
+                |error: Quantity, size: f64| state.get(error).filter(|error| *error > 0.0).map_or(0.0, |it| it / size);
+            let lost = state.value(Quantity::Dissipated).max(stored);
+            over(Quantity::ShiftPathError, shift).max(over(Quantity::DissipatedPathError, lost))
+        };
+        let above: Vec<f64> = self.states.iter().map(|state| relative(state)).filter(|it| *it > tolerance).collect();
+        if self.kind == ProcessKind::Slip && !above.is_empty() {
+            let most = above.iter().copied().fold(0.0, f64::max);
+            self.doubts.push(
+                Warning::new(
+                    format!(
+                        "The estimated error of shift or lost energy by the steps of the path is above the tolerance of {tolerance:e} in {} of {} \
+                         states, by up to {most:.1e}",
+                        above.len(),
+                        self.states.len()
+                    ),
+                    "Read the stated errors, or put more points on the path where the loads turn",
+                )
+                .with_remedy("path.tolerance", None),
             );
         }
         self
@@ -142,6 +175,16 @@ impl HistoryOutcome {
     /// The values of a quantity in all states; NaN where a state has none.
     pub fn values(&self, quantity: Quantity) -> Vec<f64> {
         self.states.iter().map(|state| state.value(quantity)).collect()
+    }
+
+    /// What is claimed of all states, none if there are none: nothing where one of them is not converged, and the error by steps where a part of the
+    /// path has one.
+    pub fn claim(&self) -> Option<ResultClaim> {
+        let weakest = [ResultClaim::NotConverged, ResultClaim::GivenSteps, ResultClaim::PathSteps];
+        let is_claimed = |claim: &ResultClaim| self.states.iter().any(|state| state.claim == *claim);
+        // those on the way claim nothing that holds for the others
+        let first = self.states.iter().map(|state| state.claim).find(|claim| *claim != ResultClaim::Moving);
+        weakest.into_iter().find(is_claimed).or(first)
     }
 
     /// The energy that each closed cycle of the path lost, per area of the cell.
@@ -257,6 +300,13 @@ impl HistoryOutcome {
         let all = self.states.iter().enumerate().filter(|(_, state)| state.claim == claim);
         all.map(|(i, _)| i + 1).collect()
     }
+}
+
+/// The mean displacement by the traction along `x` of a state with friction, weighted with it, a length; 0 without traction.
+fn displacement_by_traction(state: &State) -> f64 {
+    let traction =
+        state.field("traction").map_or(0.0, |it| it.iter().map(|tau| tau.abs()).sum::<f64>() / it.len() as f64);
+    if traction > 0.0 { 2.0 * state.value(Quantity::Stored) / traction } else { 0.0 }
 }
 
 /// Some numbers in words: one, or the first and the last one.

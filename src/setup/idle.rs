@@ -27,6 +27,16 @@ const IDLE: &[IdleKey] = &[
         reason: "it has an effect only on a solid that creeps: leave it out",
     },
     IdleKey {
+        path: "path.tolerance",
+        is_idle: |it| it.find("path.steps").is_some(),
+        reason: "it has no effect on a given number of steps: leave the steps out, or the tolerance",
+    },
+    IdleKey {
+        path: "path.tolerance",
+        is_idle: |it| it.find("friction").is_none() || it.find("path.tangential").is_none(),
+        reason: "it has an effect only on a path with friction and tangential loads: leave it out",
+    },
+    IdleKey {
         path: "stop.pressure-tolerance",
         is_idle: |it| it.find("solid.yield-stress").is_some(),
         reason: "it has no effect on the load steps of a body that yields below its surface: leave it out",

@@ -37,21 +37,23 @@ pub struct LoadPath {
     /// Tangential loads, of the same kind as the normal ones and of any sign; needed with friction.
     #[serde(skip_serializing_if = "Vec::is_empty", with = "one_or_more")]
     pub tangential: Vec<f64>,
-    /// Number of equal steps between two points. Without it, a path with friction has one, and a path in time has as many as its
-    /// tolerance needs.
+    /// Number of equal steps between two points. Without it, a path with friction and a path in time have as many as their tolerance needs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steps: Option<usize>,
     /// The tolerance of relative errors in time, of pressure, mean gap and lost energy; 1e-2 if it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_tolerance: Option<f64>,
+    /// The tolerance of relative errors of shift and lost energy by the steps of a path with friction; 1e-2 if it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
 }
 
 /// Two paths are equal if their points and steps are, wherever these were read from.
 impl PartialEq for LoadPath {
     fn eq(&self, other: &Self) -> bool {
-        let Self { file: _, time, load, tangential, steps, time_tolerance } = self;
+        let Self { file: _, time, load, tangential, steps, time_tolerance, tolerance } = self;
         (time, load, tangential) == (&other.time, &other.load, &other.tangential)
-            && (steps, time_tolerance) == (&other.steps, &other.time_tolerance)
+            && (steps, time_tolerance, tolerance) == (&other.steps, &other.time_tolerance, &other.tolerance)
     }
 }
 
@@ -100,13 +102,17 @@ impl LoadPath {
             let given = [("before", format!("{:?}", pair[0])), ("time", format!("{:?}", pair[1]))];
             return Err(ConflictRule::PathBack.with(given).into());
         }
-        match (self.steps, self.time_tolerance) {
-            (Some(0), _) => Err(ConflictRule::PathWithoutSteps.into()),
-            (_, Some(it)) if !(it > 0.0 && it < 1.0) => {
-                Err(ConflictRule::PathTolerance.with([("tolerance", format!("{it:?}"))]).into())
-            }
-            _ => Ok(()),
+        if self.steps == Some(0) {
+            return Err(ConflictRule::PathWithoutSteps.into());
         }
+        let tolerances =
+            [(self.time_tolerance, ConflictRule::TimeTolerance), (self.tolerance, ConflictRule::PathTolerance)];
+        for (tolerance, rule) in tolerances {
+            if let Some(it) = tolerance.filter(|it| !(*it > 0.0 && *it < 1.0)) {
+                return Err(rule.with([("tolerance", format!("{it:?}"))]).into());
+            }
+        }
+        Ok(())
     }
 
     /// The points of the path, under loads of the kind of `load`.

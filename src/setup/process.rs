@@ -9,12 +9,15 @@ use crate::error::{AdhesionError, ConflictRule, HistoryError, PlasticError, Setu
 use crate::grid::Grid;
 use crate::history::{
     AdhesiveProcess, CreepProcess, PathPoint, Plastic, PlasticLoading, PlasticSolid, Process, RollingConditions,
-    RollingDrive, RollingProcess, SlidingProcess, SlipHistory, SlipProcess,
+    RollingDrive, RollingProcess, SlidingProcess, SlipHistory, SlipPace, SlipProcess,
 };
 use strum::IntoEnumIterator;
 
 /// The estimated relative error in time, if none is given.
 const TIME_TOLERANCE: f64 = 1e-2;
+
+/// The estimated relative error by the steps of a path with friction, if none is given.
+const PATH_TOLERANCE: f64 = 1e-2;
 
 /// The iterations of a load step that are expected.
 const ITERATIONS: usize = 30;
@@ -225,13 +228,25 @@ impl Setup {
         let points = self.path_points();
         let Some(first) = points.first() else { return Ok(()) };
         let limit = self.friction.map_or(0.0, |friction| friction.coefficient) * first.load.value();
-        let tangential = first.tangential.unwrap_or(0.0) / self.slip_steps() as f64;
+        let steps = match self.slip_pace() {
+            SlipPace::Count(count) => count as f64,
+            SlipPace::Tolerance(_) => 1.0,
+        };
+        let tangential = first.tangential.unwrap_or(0.0) / steps;
         if tangential.abs() >= limit { Err(SlipError::Sliding { tangential, limit }.into()) } else { Ok(()) }
     }
 
-    /// The number of steps from one point of a path of slip to the next.
-    fn slip_steps(&self) -> usize {
-        self.path.as_ref().and_then(|path| path.steps).unwrap_or(1)
+    /// The steps from one point of a path of slip to the next.
+    fn slip_pace(&self) -> SlipPace {
+        match self.path.as_ref().and_then(|path| path.steps) {
+            Some(count) => SlipPace::Count(count),
+            None => SlipPace::Tolerance(self.path_tolerance()),
+        }
+    }
+
+    /// The tolerance of relative errors by the steps of a path with friction.
+    pub fn path_tolerance(&self) -> f64 {
+        self.path.as_ref().and_then(|path| path.tolerance).unwrap_or(PATH_TOLERANCE)
     }
 
     /// What makes the history of a problem, which is that of this setup; none for a contact without a history.
@@ -247,7 +262,7 @@ impl Setup {
         let mu = self.friction.map_or(0.0, |friction| friction.coefficient);
         let history = SlipHistory::sheared(problem, mu, self.shear_ratio(), self.solver.solver(), self.stop)?;
         let history = history.with_coupling(self.dundurs_beta())?;
-        Ok(SlipProcess::new(history, self.path_points(), self.slip_steps()))
+        Ok(SlipProcess::new(history, self.path_points(), self.slip_pace()))
     }
 
     /// What makes the states of sliding, one for each speed.

@@ -242,6 +242,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--creep 9,1 --path-time 0,1 --path-load 1,2,3"), "2 times, 3 loads"),
         (rough("--creep 9,1 --path-time 1 --path-steps 0"), "1 or more"),
         (rough("--creep 9,1 --path-time 1 --time-tolerance 2"), "between 0 and 1"),
+        (cylinder("--path-tangential 1e-3 --path-tolerance 2"), "between 0 and 1"),
         (rough("--creep 9,1 --path missing.csv"), "missing.csv"),
         (rough("--creep 9,1 --path wrong.csv"), "`force` is not known"),
         (rough("--creep 9,1 --path empty.csv"), "is empty"),

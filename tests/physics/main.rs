@@ -29,6 +29,7 @@ mod slip;
 mod slip_coupling;
 mod slip_history;
 mod slip_paths;
+mod slip_steps;
 mod slip_vector;
 mod solids;
 mod stress;

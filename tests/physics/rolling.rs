@@ -225,3 +225,45 @@ fn what_cannot_roll_is_refused() {
     let step = solve(&problem, RollingConditions { step: -1.0, ..base });
     assert!(matches!(step, MotionError::Problem(ProblemError::NotPositive { .. })), "{step}");
 }
+
+/// A rough free line that rolls, to a tolerance.
+fn rough(case: usize, creepage: f64, step: f64, tolerance: f64) -> Rolling {
+    let points = 96;
+    let grid = Grid::line(points, 1.0).unwrap().with_periodic([false; 2]);
+    let wave = |k: usize, x: f64| (2.0 * PI * k as f64 * x + (k * (case + 2)) as f64).cos() / (k * k) as f64;
+    let height = Field::from_shape_fn((1, points), |(_, i)| {
+        let x = i as f64 / points as f64 - 0.5;
+        -0.5 * x * x + 0.01 * (2..9).map(|k| wave(k, x)).sum::<f64>()
+    });
+    let problem = Problem::new(Surface::new(grid, height).unwrap(), ContactModulus(1.0), Load::MeanPressure(0.02));
+    let conditions = RollingConditions { friction: 0.2, step, beta: 0.0, drive: RollingDrive::Creepage(creepage) };
+    Rolling::solve(&problem.unwrap(), conditions, &Stop::new(tolerance, 100_000).unwrap(), &mut ()).unwrap()
+}
+
+/// Close to full sliding, and beyond it, the nodes that stick do not depend on the tolerance.
+#[test]
+fn nodes_that_stick_do_not_depend_on_the_tolerance_close_to_sliding() {
+    for case in 0..4 {
+        for creepage in [-0.01, -0.04, -0.08, -0.12, -0.2, -0.5] {
+            let [usual, fine] = [1e-8, 1e-12].map(|tolerance| rough(case, creepage, 1.0 / 96.0, tolerance));
+            let differ = usual.sticks().iter().zip(fine.sticks()).filter(|(a, b)| **a != *b).count();
+            assert!(differ <= 1, "{case} {creepage}: {differ} nodes");
+        }
+        let slides = rough(case, -5.0, 1.0 / 96.0, 1e-8);
+        assert!(slides.sticks().iter().all(|sticks| !sticks) && (slides.ratio() - 1.0).abs() < 1e-12);
+    }
+}
+
+/// In a step of two spacings a traction that alternates from node to node displaces nothing. Such steps give what their neighbours give.
+#[test]
+fn steps_of_pairs_of_spacings_converge_like_their_neighbours() {
+    for pairs in 1..=5 {
+        let ratios = [0.999, 1.0, 1.001].map(|part| {
+            let rolling = rough(1, -0.01, part * 2.0 * f64::from(pairs) / 96.0, 1e-8);
+            assert!(rolling.contact.is_converged(), "{pairs} {part}: {:?}", rolling.contact.status);
+            rolling.ratio()
+        });
+        let middle = 0.5 * (ratios[0] + ratios[2]);
+        assert!((ratios[1] / middle - 1.0).abs() < 2e-3, "{pairs}: {ratios:?}");
+    }
+}

@@ -6,7 +6,7 @@ use crate::adhesion::{AdhesiveMethod, AdhesiveProblem, Attraction, AttractionFor
 use crate::contact::{ContactModulus, Load, Multilevel, Problem, State, Stop};
 use crate::elastic::{Prony, PronyTerm};
 use crate::error::{HistoryError, SetupError};
-use crate::history::{AdhesiveProcess, CreepProcess, PathPoint, Process, SlipHistory, SlipProcess};
+use crate::history::{AdhesiveProcess, CreepProcess, PathPoint, Process, SlipHistory, SlipPace, SlipProcess};
 use crate::surface::{Field, Roughness, Spectrum, Surface};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
@@ -208,7 +208,7 @@ impl HistoryContest {
                     tangential: Some(pull),
                     ..PathPoint::under(Load::MeanPressure(press))
                 };
-                let state = last(&mut SlipProcess::new(history, path.iter().map(point).collect(), 1))?;
+                let state = last(&mut SlipProcess::new(history, path.iter().map(point).collect(), SlipPace::Count(1)))?;
                 Ok(state.field("traction").cloned().unwrap_or_else(|| Field::zeros(state.contact.pressure.raw_dim())))
             }
         }

@@ -27,6 +27,11 @@ fn flags_without_an_effect_are_refused() {
             "leave the steps out, or the tolerance",
         ),
         (cylinder("--path-tangential 1e-3 --time-tolerance 1e-2"), "only on a solid that creeps"),
+        (
+            cylinder("--path-tangential 1e-3 --path-steps 2 --path-tolerance 1e-2"),
+            "leave the steps out, or the tolerance",
+        ),
+        (cylinder("--rolling 0 --path-tolerance 1e-2"), "only on a path with friction"),
         (rough("--creep 9,1 --speed 1 --path-steps 3"), "leave the path out, or the motion"),
         (cylinder("--rolling 0 --solver polonsky-keer"), "rolling has a solver of its own"),
         (cylinder("--rolling 0 --time-tolerance 1e-2"), "only on a solid that creeps"),
