@@ -26,6 +26,16 @@ const SHARED: f64 = 0.5;
 const LEAST_SHARE: f64 = 1.0 / 16.0;
 /// Errors are divided by pressure and gap, or by this part of the largest pressure so far and of the rms height.
 const SMALL: f64 = 1e-2;
+/// The first step after a change of the rate of the load, as a part of the shortest time whose transient counts: a jump of the rate excites
+/// an element by less than a jump of the load does, and the doubled history sees the transient from there.
+const AFTER_TURN: f64 = 0.5;
+/// A transient counts where the energy that it may change is more than this part of the tolerance, over the energy lost on the way to the next
+/// point. Transients of shorter elements are not followed, and are part of the error of the lost energy.
+const COUNTS: f64 = 0.1;
+/// The energy that a transient may change, over that lost on the way of a duration `T` to the next point, is at most this many times
+/// `tau/T` times the change of the rate. With the rates `a` and `b` before and after, the element loses in proportion to
+/// `int (b + (a - b) exp(-t/tau))^2 dt = b^2 T + 2 b (a - b) tau + (a - b)^2 tau/2`.
+const OF_TRANSIENT: f64 = 2.0;
 /// A shorter step that does not lower the error to this part is kept: the error is that of the solver.
 const LOWERED: f64 = 0.8;
 
@@ -38,6 +48,10 @@ const LOWERED: f64 = 0.8;
 /// with shorter ones where such an error is above it and grows by more than the share of the step. The state between the two steps is
 /// not shown, since nothing is compared with it. The first step after a jump is a twentieth of
 /// the shortest time of the solid, and steps at most double.
+///
+/// **Points of the path.** Where the rate of the load changes, the elements answer with transients. Steps that are much longer than
+/// these miss them in both histories, and the difference does not tell. So the first step after such a point is half of the shortest time
+/// whose transient counts. What the others may change of the lost energy, at most, is part of its error.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
@@ -76,6 +90,14 @@ pub struct CreepSteps<'a> {
     pending: VecDeque<CreepState>,
     rejected: usize,
     transforms: u64,
+}
+
+/// The transients after a point of the path.
+struct Transients {
+    /// The shortest time of those that count; infinite where none does.
+    shortest: f64,
+    /// The largest part of the lost energy that one of the others may change.
+    left_out: f64,
 }
 
 /// How long steps are.
@@ -237,7 +259,7 @@ impl<'a> CreepSteps<'a> {
             let doubled = self.doubled.clone();
             self.doubled = self.solve(Some(&goal), &doubled, doubled.time, load, observer)?;
             self.difference = Difference::new(&self.doubled, &next);
-            let time_errors = Some(errors_in_time(&self.doubled, [&next, &next, &from]));
+            let time_errors = Some(errors_in_time(&self.doubled, [&next, &next, &from], 0.0));
             self.keep(CreepState { time_errors, ..next });
         } else {
             self.keep(next);
@@ -262,7 +284,14 @@ impl<'a> CreepSteps<'a> {
         let (from, coarse, left) = (self.state.clone(), self.doubled.clone(), end - self.state.time);
         let shortest = self.creep.prony().shortest_time();
         let first = shortest.map_or(left / ELASTIC_STEPS, |time| FIRST * time);
-        let wanted = self.step.unwrap_or(first);
+        let [begins, ends] = [self.point - 1, self.point].map(|point| self.transients(point, tolerance));
+        let is_at_point = from.time == self.path.points()[self.point - 1].0;
+        let wanted = match self.step {
+            // a step as long as the last one would miss the transients in both histories
+            Some(step) if is_at_point => step.min(AFTER_TURN * begins.shortest),
+            step => step.unwrap_or(first),
+        };
+        let left_out = begins.left_out.max(ends.left_out);
         // the last two steps before a point are of equal length
         let mut step = if left <= wanted { left } else { wanted.min(0.5 * left) };
         let mut repeated = f64::INFINITY;
@@ -286,7 +315,7 @@ impl<'a> CreepSteps<'a> {
                 // the step after a repeated one does not grow
                 let further = step * if repeated.is_finite() { factor.min(1.0) } else { factor };
                 self.step = Some(if factor < GROW { further } else { further.max(wanted) });
-                let time_errors = Some(errors_in_time(&whole, [&next, &half, &from]));
+                let time_errors = Some(errors_in_time(&whole, [&next, &half, &from], left_out));
                 (self.difference, self.doubled) = (after, whole);
                 self.keep(CreepState { time_errors, ..next });
                 return Ok(());
@@ -312,6 +341,21 @@ impl<'a> CreepSteps<'a> {
             if least > 0.0 { least / size.max(before[i] / tolerance) } else { 0.0 }
         };
         [pressure, gap, to_lose].into_iter().enumerate().map(|(i, size)| excess(i, size)).fold(0.0, f64::max)
+    }
+
+    /// The transients of the elements after a point of the path.
+    fn transients(&self, point: usize, tolerance: f64) -> Transients {
+        let mut transients = Transients { shortest: f64::INFINITY, left_out: 0.0 };
+        let Some(turn) = self.path.turn(point) else { return transients };
+        for term in self.creep.prony().terms() {
+            let part = OF_TRANSIENT * turn.change * term.time / turn.time;
+            if part > COUNTS * tolerance {
+                transients.shortest = transients.shortest.min(term.time);
+            } else {
+                transients.left_out = transients.left_out.max(part);
+            }
+        }
+        transients
     }
 
     /// The part of the tolerance that a step may use: that of the time for which the solid remembers, or for which the path lasts.

@@ -2,7 +2,7 @@
 
 use super::CreepState;
 use super::time_errors::{TimeErrors, rms};
-use crate::contact::Load;
+use crate::contact::{Load, largest};
 use crate::surface::Field;
 
 /// The least part of the root mean square of a difference that its mean is taken to be: means that cross zero say nothing.
@@ -43,8 +43,13 @@ impl Difference {
     }
 }
 
-/// The errors of a state that came from `earlier`, from the same one in doubled steps, with what is left of the errors of the state `before`.
-pub(super) fn errors_in_time(coarse: &CreepState, [fine, earlier, before]: [&CreepState; 3]) -> TimeErrors {
+/// The errors of a state that came from `earlier`, from the same one in doubled steps, with what is left of the errors of the state `before`. Both
+/// histories may have left out a part of the energy lost since then.
+pub(super) fn errors_in_time(
+    coarse: &CreepState,
+    [fine, earlier, before]: [&CreepState; 3],
+    left_out: f64,
+) -> TimeErrors {
     let told = before.time_errors.unwrap_or_default();
     let pressure = &coarse.contact.pressure - &fine.contact.pressure;
     let gap = &coarse.contact.gap - &fine.contact.gap;
@@ -57,6 +62,7 @@ pub(super) fn errors_in_time(coarse: &CreepState, [fine, earlier, before]: [&Cre
     let turnover = energy.work.abs().max(energy.stored).max(energy.lost);
     let balance = (energy.work - energy.stored - energy.lost).abs();
     let work = (other.work - energy.work).abs().max((other.stored - energy.stored).abs()).max(balance);
+    let since = energy.lost - before.energy.lost;
     let lost = (other.lost - energy.lost).abs().max(ROUNDING * energy.lost);
     let with = |now: f64, before: f64| now.max(FADING * before);
     let is_pressure = fine.load.as_ref().is_some_and(Load::is_pressure);
@@ -72,8 +78,8 @@ pub(super) fn errors_in_time(coarse: &CreepState, [fine, earlier, before]: [&Cre
         },
         relative_area: with(area.max(undecided(fine, [&pressure, &gap].map(largest))), told.relative_area),
         // energies add up
-        lost: lost.max(told.lost + relative * (energy.lost - before.energy.lost)),
-        work: work.max(ROUNDING * turnover).max(told.work),
+        lost: lost.max(told.lost + relative.max(left_out) * since),
+        work: work.max(ROUNDING * turnover).max(told.work + left_out * since),
     }
 }
 
@@ -114,8 +120,4 @@ fn new_pressure(state: &CreepState, earlier: &CreepState) -> f64 {
     let new = pairs.filter(|((now, before), _)| **before == 0.0 && **now > 0.0);
     let sum: f64 = new.map(|(_, effective)| effective * effective).sum();
     state.carried.flowed * (sum / state.contact.pressure.len() as f64).sqrt()
-}
-
-fn largest(field: &Field) -> f64 {
-    field.iter().fold(0.0, |most, value| value.abs().max(most))
 }

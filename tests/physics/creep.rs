@@ -7,6 +7,7 @@ mod errors_in_time;
 mod lee_radok;
 mod relaxation;
 mod stability;
+mod turns;
 
 use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
 use asperity::elastic::{Prony, PronyTerm};
