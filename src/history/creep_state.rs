@@ -164,6 +164,11 @@ impl CreepState {
         }
     }
 
+    /// Whether nothing touches.
+    pub(super) fn is_apart(&self) -> bool {
+        self.contact.pressure.iter().all(|&p| p <= 0.0)
+    }
+
     /// The effective pressure of the nodes in contact, row by row; 0 for the others.
     pub(super) fn touching(&self) -> Vec<f64> {
         let pairs = self.effective_pressure().iter().zip(&self.contact.pressure);

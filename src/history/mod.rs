@@ -48,6 +48,7 @@ mod slip_vector;
 mod time_difference;
 mod time_errors;
 mod time_step;
+mod transients;
 mod warm_start;
 
 pub use adhesive::AdhesiveProcess;

@@ -4,6 +4,7 @@ mod bounds;
 mod cost;
 mod energy;
 mod errors_in_time;
+mod grids;
 mod lee_radok;
 mod relaxation;
 mod stability;
