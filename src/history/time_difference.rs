@@ -10,7 +10,7 @@ const LEAST_MEAN: f64 = 0.25;
 /// The area of a node that comes into contact, in areas of its cell: of a patch that begins with it.
 const NODE: f64 = 0.5;
 /// The error of the area that is stated at least where the pressures have one, in areas of the cell of a node: edges are interpolated between nodes.
-const EDGE: f64 = 1e-3;
+const EDGE: f64 = 5e-3;
 /// The relative error of the pressures from which they have one.
 const SMALL: f64 = 1e-9;
 /// The part of what has flowed in nodes that came into contact in the last step which is stated as an error: it depends on when they came.
