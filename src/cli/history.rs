@@ -230,6 +230,7 @@ fn heading(quantity: Quantity) -> &'static str {
         Quantity::ShiftPathError => "error of shift",
         Quantity::DissipatedPathError => "error of loss",
         Quantity::Dissipated => "energy lost",
+        Quantity::DissipatedTimeError => "error of loss",
         Quantity::MeanAttraction => "attraction",
         Quantity::Jump => "lost in jump",
         Quantity::MaxPressure => "max. pressure",

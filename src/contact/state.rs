@@ -47,6 +47,9 @@ const SAVED: [Quantity; 5] = [
     Quantity::KappaR,
 ];
 
+/// Further numbers of a saved state that creeps: its errors by the grid follow from what the solid remembers.
+const SAVED_OF_CREEP: [Quantity; 2] = [Quantity::RelativeAreaError, Quantity::KappaRError];
+
 impl State {
     /// The state of a contact that was solved for itself.
     pub fn from_contact(contact: Contact, point: Option<usize>) -> Self {
@@ -93,7 +96,8 @@ impl State {
         let kind = contact.values().kind;
         let is_own = |it: &Quantity| {
             let is_net = *it == Quantity::MeanPressure && kind == StateKind::Adhesion;
-            it.row().is_known_by_process() || SAVED.contains(it) || is_net
+            let is_by_grid = SAVED_OF_CREEP.contains(it) && kind == StateKind::Creep;
+            it.row().is_known_by_process() || SAVED.contains(it) || is_net || is_by_grid
         };
         let own = Quantity::iter().filter(is_own);
         let values = own.fold(StateValues::new(kind), |values, it| values.with(it, number(it)));

@@ -74,6 +74,7 @@ impl CreepState {
         let effective = self.effective_pressure().clone();
         let is_pressed = self.contact.mean_pressure() > 0.0;
         let resolved = self.resolved();
+        let by_grid = if is_pressed { self.grid_errors() } else { None };
         let error = |of: fn(&TimeErrors) -> f64| self.time_errors.as_ref().map(of);
         let values = StateValues::new(StateKind::Creep)
             .with(Quantity::Time, self.time)
@@ -81,6 +82,8 @@ impl CreepState {
             .with(Quantity::EffectivePressure, effective.mean())
             .with(Quantity::RelativeArea, if is_pressed { resolved.relative_area } else { 0.0 })
             .with(Quantity::KappaR, is_pressed.then_some(resolved.kappa_r))
+            .with(Quantity::RelativeAreaError, by_grid.map(|it| it.relative_area))
+            .with(Quantity::KappaRError, by_grid.map(|it| it.kappa_r))
             .with(Quantity::Dissipated, self.energy.lost)
             .with(Quantity::Stored, self.energy.stored)
             .with(Quantity::WorkDone, self.energy.work)

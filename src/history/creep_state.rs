@@ -2,12 +2,12 @@
 
 use super::maxwell::MaxwellStep;
 use super::time_errors::{TimeErrors, rms};
-use crate::contact::{Contact, Edges, Law, Load, Resolved};
+use crate::contact::{Contact, Edges, Law, Load, Resolved, largest};
 use crate::surface::Field;
 
 /// Nodes that carry less than this part of the largest pressure do not count for the area: it is rounding where a contact recedes, but their
 /// effective pressure is not small.
-const NEGLIGIBLE: f64 = 1e-10;
+pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
 /// Energies of a viscoelastic contact per area of the cell, pressure times length.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -150,11 +150,8 @@ impl CreepState {
     /// Where a contact recedes the pressure does not fall to its edges as the effective one does, and the place of an edge
     /// is that of an elastic contact with these pressures and gaps only approximately. A hardness is not considered.
     pub fn resolved(&self) -> Resolved {
-        let effective = self.effective_pressure();
-        let mean = effective.mean().unwrap_or(0.0);
-        let pairs = effective.iter().zip(&self.contact.pressure);
-        let least = NEGLIGIBLE * largest(&self.contact.pressure);
-        let touching: Vec<f64> = pairs.map(|(&all, &now)| if now > least { all } else { 0.0 }).collect();
+        let mean = self.effective_pressure().mean().unwrap_or(0.0);
+        let touching = self.touching();
         let gap = self.contact.gap.as_slice().expect("results are made in standard layout");
         let problem = self.contact.problem.clone().with_law(Law::HardWall).expect("any load suits a hard wall");
         let resolved = Edges::new(&problem, &touching, |node| gap[node]).resolved();
@@ -165,6 +162,18 @@ impl CreepState {
             kappa_r: resolved.relative_area * gradient / strain,
             ..resolved
         }
+    }
+
+    /// Whether nothing touches.
+    pub(super) fn is_apart(&self) -> bool {
+        self.contact.pressure.iter().all(|&p| p <= 0.0)
+    }
+
+    /// The effective pressure of the nodes in contact, row by row; 0 for the others.
+    pub(super) fn touching(&self) -> Vec<f64> {
+        let pairs = self.effective_pressure().iter().zip(&self.contact.pressure);
+        let least = NEGLIGIBLE * largest(&self.contact.pressure);
+        pairs.map(|(&effective, &now)| if now > least { effective } else { 0.0 }).collect()
     }
 
     /// The rigorous bound of the relative error of the effective pressure `p_e` by all solves so far, in the norm
@@ -200,8 +209,4 @@ impl CreepState {
             _ => f64::INFINITY,
         }
     }
-}
-
-fn largest(field: &Field) -> f64 {
-    field.iter().fold(0.0, |most, value| value.abs().max(most))
 }

@@ -2,6 +2,7 @@
 
 use super::time_difference::{Difference, errors_in_time};
 use super::time_errors::rms;
+use super::transients::Transients;
 use super::{Creep, CreepPath, CreepState};
 use crate::contact::{Load, Observer, Solver, Stop, Work};
 use crate::error::CreepError;
@@ -24,6 +25,11 @@ const ELASTIC_STEPS: f64 = 2.0;
 const SHARED: f64 = 0.5;
 /// The least part of that which a step may add, however short it is.
 const LEAST_SHARE: f64 = 1.0 / 16.0;
+/// The same for energies: the least part of the energy to be lost until the next point by which a step counts.
+const LEAST_LOSS: f64 = 1.0 / 64.0;
+/// Under a held load the rate of the loss fades, by half or more from one step to the next of twice the length. What is still to be lost is taken to be that
+/// of so many further steps; the rate of the step until the next point would be far too much, and allow errors above the tolerance.
+const HELD_STEPS: f64 = 2.0;
 /// Errors are divided by pressure and gap, or by this part of the largest pressure so far and of the rms height.
 const SMALL: f64 = 1e-2;
 /// A shorter step that does not lower the error to this part is kept: the error is that of the solver.
@@ -38,6 +44,11 @@ const LOWERED: f64 = 0.8;
 /// with shorter ones where such an error is above it and grows by more than the share of the step. The state between the two steps is
 /// not shown, since nothing is compared with it. The first step after a jump is a twentieth of
 /// the shortest time of the solid, and steps at most double.
+///
+/// **Points of the path.** Where the rate of the load changes, the elements answer with transients. Steps that are much longer than
+/// these miss them in both histories, and the difference does not tell. So the first step after such a point is half of the shortest time
+/// whose transient counts. What the others may change of the lost energy, at most, is part of its error, as are transients that begin within a
+/// step, where surfaces touch or part.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
@@ -76,6 +87,15 @@ pub struct CreepSteps<'a> {
     pending: VecDeque<CreepState>,
     rejected: usize,
     transforms: u64,
+}
+
+/// The error after a step of the quantity in which it is largest beside what the step may cause.
+#[derive(Debug, Clone, Copy)]
+struct Excess {
+    /// The relative error that is compared with the tolerance.
+    of_allowed: f64,
+    /// By how much the step has made the relative error larger.
+    growth: f64,
 }
 
 /// How long steps are.
@@ -237,7 +257,7 @@ impl<'a> CreepSteps<'a> {
             let doubled = self.doubled.clone();
             self.doubled = self.solve(Some(&goal), &doubled, doubled.time, load, observer)?;
             self.difference = Difference::new(&self.doubled, &next);
-            let time_errors = Some(errors_in_time(&self.doubled, [&next, &next, &from]));
+            let time_errors = Some(errors_in_time(&self.doubled, [&next, &next, &from], 0.0));
             self.keep(CreepState { time_errors, ..next });
         } else {
             self.keep(next);
@@ -262,7 +282,14 @@ impl<'a> CreepSteps<'a> {
         let (from, coarse, left) = (self.state.clone(), self.doubled.clone(), end - self.state.time);
         let shortest = self.creep.prony().shortest_time();
         let first = shortest.map_or(left / ELASTIC_STEPS, |time| FIRST * time);
-        let wanted = self.step.unwrap_or(first);
+        let [begins, ends] = [self.point - 1, self.point].map(|point| self.transients(point, tolerance));
+        let is_at_point = from.time == self.path.points()[self.point - 1].0;
+        let wanted = match self.step {
+            // a step as long as the last one would miss the transients in both histories
+            Some(step) if is_at_point => step.min(begins.first_step),
+            step => step.unwrap_or(first),
+        };
+        let left_out = begins.left_out.max(ends.left_out);
         // the last two steps before a point are of equal length
         let mut step = if left <= wanted { left } else { wanted.min(0.5 * left) };
         let mut repeated = f64::INFINITY;
@@ -277,41 +304,67 @@ impl<'a> CreepSteps<'a> {
             let next = self.solve(Some(&goal), &half, times[1], loads[1], observer)?;
             let after = Difference::new(&whole, &next);
             let excess = self.excess(tolerance, &after, [&from, &next], end);
-            let factor = (SAFETY * (tolerance / excess).sqrt()).clamp(SHRINK, GROW);
+            let factor = (SAFETY * (tolerance / excess.of_allowed).sqrt()).clamp(SHRINK, GROW);
             // the error of what is not solved says nothing about the step
             let is_solved = [&whole, &half, &next].iter().all(|state| state.contact.is_converged());
             let factor = if is_solved { factor } else { GROW };
-            if excess <= tolerance || step <= LEAST * first || !is_solved || after.pressure > LOWERED * repeated {
+            // where nothing touches the solid recovers exactly in steps of any length
+            let is_exact = from.is_apart() && half.is_apart() && next.is_apart();
+            let is_allowed = excess.of_allowed <= tolerance || step <= LEAST * first || is_exact;
+            if is_allowed || !is_solved || excess.growth > LOWERED * repeated {
                 // a step that was cut off by a point does not shorten the next one, unless its error asks for that
                 // the step after a repeated one does not grow
                 let further = step * if repeated.is_finite() { factor.min(1.0) } else { factor };
                 self.step = Some(if factor < GROW { further } else { further.max(wanted) });
-                let time_errors = Some(errors_in_time(&whole, [&next, &half, &from]));
+                let has_event = from.is_apart() != next.is_apart();
+                let left_out = if has_event {
+                    left_out.max(Transients::left_out_within(step, self.creep.prony().terms()))
+                } else {
+                    left_out
+                };
+                let time_errors = Some(errors_in_time(&whole, [&next, &half, &from], left_out));
                 (self.difference, self.doubled) = (after, whole);
                 self.keep(CreepState { time_errors, ..next });
                 return Ok(());
             }
             self.rejected += 1;
-            repeated = after.pressure;
+            repeated = excess.growth;
             step *= factor.min(SHORTER);
         }
     }
 
     /// The relative error after a step, over what the step may cause: the largest of those of the contact pressure, the mean gap and the lost
-    /// energy. A step may cause an error that leaves room for others, and else its share. The energy is compared with that until the next point.
-    fn excess(&self, tolerance: f64, after: &Difference, [from, next]: [&CreepState; 2], end: f64) -> f64 {
+    /// energy. A step may cause an error that leaves room for others, and else its share: of the time for which the solid remembers, and for the
+    /// energy, whose errors do not fade, of the energy. That is compared with the energy lost until the next point.
+    fn excess(&self, tolerance: f64, after: &Difference, [from, next]: [&CreepState; 2], end: f64) -> Excess {
         let pressure = rms(&next.contact.pressure).max(SMALL * self.largest);
         let gap = next.contact.mean_gap().max(SMALL * next.contact.problem.rms_height());
-        let lost = next.energy.lost - from.energy.lost;
-        let to_lose = next.energy.lost + lost * (end - next.time) / (next.time - from.time);
-        let share = self.share(next.time - from.time);
-        let [before, after] = [&self.difference, after].map(|it| [it.pressure, it.mean_gap, it.lost]);
-        let excess = |i: usize, size: f64| {
-            let least = after[i].min((after[i] - before[i]) / share);
+        let (step, lost) = (next.time - from.time, next.energy.lost - from.energy.lost);
+        let is_held = from.load == next.load;
+        let further = if is_held { (end - next.time).min(HELD_STEPS * step) } else { end - next.time };
+        let to_lose = next.energy.lost + lost * further / step;
+        let by_time = self.share(step);
+        let by_energy = SHARED * (lost / to_lose).max(LEAST_LOSS);
+        let before = &self.difference;
+        let mut largest = Excess { of_allowed: 0.0, growth: 0.0 };
+        for ([before, after], size, share) in [
+            ([before.pressure, after.pressure], pressure, by_time),
+            ([before.mean_gap, after.mean_gap], gap, by_time),
+            ([before.lost, after.lost], to_lose, by_energy),
+        ] {
+            let least = after.min((after - before) / share);
             // an error that is there already cannot be lowered by short steps
-            if least > 0.0 { least / size.max(before[i] / tolerance) } else { 0.0 }
-        };
-        [pressure, gap, to_lose].into_iter().enumerate().map(|(i, size)| excess(i, size)).fold(0.0, f64::max)
+            let size = size.max(before / tolerance);
+            if least > size * largest.of_allowed {
+                largest = Excess { of_allowed: least / size, growth: (after - before) / size };
+            }
+        }
+        largest
+    }
+
+    /// The transients after a point of the path.
+    fn transients(&self, point: usize, tolerance: f64) -> Transients {
+        Transients::new(self.path.turn(point), self.creep.prony().terms(), tolerance)
     }
 
     /// The part of the tolerance that a step may use: that of the time for which the solid remembers, or for which the path lasts.

@@ -15,7 +15,8 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// Errors in time of states with less than this part of the largest mean pressure are not compared with the tolerance.
+/// Errors in time of the pressure of states with less than this part of the largest mean pressure are not compared with the tolerance, and those of the
+/// gap are divided by at least this part of the rms height.
 const SMALL: f64 = 1e-2;
 
 /// A process zone of fewer spacings gets a warning.
@@ -84,22 +85,27 @@ impl HistoryOutcome {
         Ok(outcome.with_open_cycles(setup).with_doubts_of_yielding(setup))
     }
 
-    /// The history, with a reason to doubt it where errors in time are above the tolerance.
+    /// The history, with a reason to doubt it where errors in time are above the tolerance: those of all quantities that it limits.
     fn with_time_errors(mut self, setup: &Setup) -> Self {
-        let tolerance = setup.time_tolerance();
-        let largest = self.states.iter().map(|it| it.contact.mean_pressure()).fold(0.0, f64::max);
-        let errors = self.states.iter().filter(|it| it.contact.mean_pressure() >= SMALL * largest);
-        let above: Vec<f64> =
-            errors.filter_map(|it| it.get(Quantity::TimeError)).filter(|it| *it > tolerance).collect();
+        let (tolerance, count) = (setup.time_tolerance(), self.states.len());
+        let mut above = Vec::new();
+        for (name, errors) in [
+            ("contact pressure", self.pressure_time_errors()),
+            ("mean gap", self.gap_time_errors()),
+            ("lost energy", self.loss_time_errors()),
+        ] {
+            let missed = errors.iter().filter(|error| **error > tolerance).count();
+            let largest = errors.iter().copied().fold(0.0, f64::max);
+            if missed > 0 {
+                above.push(format!("of the {name} in {missed} of {count} states (largest {largest:.1e})"));
+            }
+        }
         if !above.is_empty() {
-            let most = above.iter().copied().fold(0.0, f64::max);
             self.doubts.push(
                 Warning::new(
                     format!(
-                        "The estimated error in time of the contact pressure is above the tolerance of {tolerance:e} in {} of {} states, by up \
-                         to {most:.1e}",
-                        above.len(),
-                        self.states.len()
+                        "The estimated error in time is above the tolerance of {tolerance:e}: {}",
+                        above.join(", ")
                     ),
                     "Read the stated errors in time, or use a smaller tolerance of the error in time",
                 )
@@ -139,6 +145,38 @@ impl HistoryOutcome {
             );
         }
         self
+    }
+
+    /// The relative errors in time of the contact pressure, of states whose mean pressure is not small.
+    fn pressure_time_errors(&self) -> Vec<f64> {
+        let largest = self.states.iter().map(|it| it.contact.mean_pressure()).fold(0.0, f64::max);
+        let pressed = self.states.iter().filter(|it| it.contact.mean_pressure() >= SMALL * largest);
+        pressed.filter_map(|it| it.get(Quantity::TimeError)).collect()
+    }
+
+    /// The errors in time of the mean gap over that, or over a small part of the rms height.
+    fn gap_time_errors(&self) -> Vec<f64> {
+        let size = |it: &State| it.contact.mean_gap().max(SMALL * it.contact.problem.rms_height());
+        let relative = |it: &Arc<State>| Some(it.get(Quantity::MeanGapTimeError)? / size(it));
+        self.states.iter().filter_map(relative).collect()
+    }
+
+    /// The errors in time of the lost energy over that at the next point of the path: on the way there it may be as small as one likes.
+    fn loss_time_errors(&self) -> Vec<f64> {
+        let (mut errors, mut at_point) = (Vec::new(), None);
+        for state in self.states.iter().rev() {
+            let (Some(error), Some(lost)) = (state.get(Quantity::DissipatedTimeError), state.get(Quantity::Dissipated))
+            else {
+                continue;
+            };
+            if state.point.is_some() || at_point.is_none() {
+                at_point = Some(lost);
+            }
+            if let Some(size) = at_point.filter(|size| *size > 0.0) {
+                errors.push(error / size);
+            }
+        }
+        errors
     }
 
     /// The outcome with the doubts about a solid that yields below its surface.

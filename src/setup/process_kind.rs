@@ -141,6 +141,7 @@ const CREEP: ProcessRow = ProcessRow {
         Quantity::MeanGap,
         Quantity::EffectivePressure,
         Quantity::Dissipated,
+        Quantity::DissipatedTimeError,
         Quantity::TimeError,
         Quantity::Certificate,
     ],

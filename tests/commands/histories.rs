@@ -32,6 +32,76 @@ fn a_held_load_creeps_towards_the_relaxed_contact() {
     assert!((area.last().unwrap() / relaxed - 1.0).abs() < 1e-3, "{area:?} against {relaxed}");
 }
 
+/// Triangles of a pressure that is uniform but for waves of 1e-6, on a layer: the losses are those of the closed form
+/// `u = c (P + eps)`, `tau eps' + eps = f P`. Each stands beside its error.
+#[test]
+fn a_cycle_states_its_loss_with_the_error_of_it() {
+    let folder = Folder::new();
+    let layer =
+        "solve --indenter sine --amplitude 1e-6 --points 64 --size 1 --young 1 --poisson 0.3 --layer 0.2 --base bonded";
+    let path = "--path-time 0,1.5,3,4.5,6 --path-load 0.002,0.01,0.002,0.01,0.002";
+    let line = format!("{layer} --pressure 0.01 --creep 4,1 {path}");
+    let found = json(&folder, &format!("{line} --json --out states.csv"));
+    let [time, lost, error] = ["time", "dissipated", "dissipated_time_error"].map(|name| column(&found, name));
+    for (at, exact) in [(3.0, 1.63689e-5), (6.0, 2.41561e-5)] {
+        let i = time.iter().position(|time| *time == at).expect("a state at each point");
+        let off = (lost[i] - exact).abs();
+        assert!(off < 1e-2 * exact && off < 1.5 * error[i] + 1e-10, "{at}: {} for {exact}, {}", lost[i], error[i]);
+    }
+    let text_of = folder.run(&line);
+    assert!(text(&text_of.stdout).contains("energy lost   error of loss   error in time"), "{}", text(&text_of.stdout));
+    assert!(std::fs::read_to_string(folder.join("states.csv")).unwrap().contains("dissipated_time_error"));
+}
+
+/// What the tolerance limits is warned of wherever it is missed, and nothing else is.
+#[test]
+fn the_warning_names_each_error_in_time_above_the_tolerance() {
+    let folder = Folder::new();
+    let (rough, mut named) = (ROUGH.replace("--points 512", "--points 128"), [0; 3]);
+    for (path, tolerance) in [
+        ("--path-time 0,1,2 --path-load 0,0.05,0.01", 1e-2),
+        ("--path-time 0,0.1,20,20.1,40 --path-load 0,0.05,0.05,0.001,0.001", 1e-3),
+        ("--path-time 0,1,2,3 --path-load 0,0.02,0,0.05", 1e-4),
+    ] {
+        let line = format!("{rough} --creep 3,1,1,0.1 {path} --time-tolerance {tolerance} --json");
+        let found = json(&folder, &line);
+        let warnings = found["warnings"].to_string();
+        let of = |name: &str| -> Vec<f64> {
+            let states = found["states"].as_array().unwrap();
+            states.iter().map(|state| state[name].as_f64().unwrap_or(0.0)).collect()
+        };
+        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        let (pressure, gap, lost, time) = (of("mean_pressure"), of("mean_gap"), of("dissipated"), of("time"));
+        let rms_height = gap[0] / of("mean_gap_over_rms_height")[0];
+        let ends: Vec<f64> = path.split(' ').nth(1).unwrap().split(',').map(|it| it.parse().unwrap()).collect();
+        let at_point = |i: usize| {
+            let end = ends.iter().find(|end| **end >= time[i]).unwrap();
+            lost[time.iter().rposition(|time| time == end).unwrap()]
+        };
+        for (i, (name, is_missed)) in [
+            (
+                "contact pressure",
+                (0..time.len()).any(|i| of("time_error")[i] > tolerance && pressure[i] > 0.01 * largest(&pressure)),
+            ),
+            (
+                "mean gap",
+                (0..time.len()).any(|i| of("mean_gap_time_error")[i] > tolerance * gap[i].max(0.01 * rms_height)),
+            ),
+            (
+                "lost energy",
+                (0..time.len()).any(|i| of("dissipated_time_error")[i] > tolerance * at_point(i) && at_point(i) > 0.0),
+            ),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            assert_eq!(warnings.contains(&format!("of the {name} in ")), is_missed, "{path}: {name} {warnings}");
+            named[i] += usize::from(is_missed);
+        }
+    }
+    assert!(named[0] > 0 && named.iter().sum::<usize>() < 9, "{named:?}");
+}
+
 #[test]
 fn a_relaxation_series_is_the_creep_series_of_the_same_solid() {
     let folder = Folder::new();

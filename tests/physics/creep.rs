@@ -4,9 +4,11 @@ mod bounds;
 mod cost;
 mod energy;
 mod errors_in_time;
+mod grids;
 mod lee_radok;
 mod relaxation;
 mod stability;
+mod turns;
 
 use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
 use asperity::elastic::{Prony, PronyTerm};

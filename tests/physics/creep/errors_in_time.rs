@@ -8,8 +8,9 @@ use asperity::history::{Creep, CreepPath, CreepState, CreepSteps};
 use asperity::surface::Field;
 use rand::{RngExt, SeedableRng, rngs::ChaCha8Rng};
 
-/// Every step of a history is divided into this many steps of the exact one.
-const FINER: u32 = 16;
+/// Every step of a history is divided into this many steps of the exact one, and the first one of these into as many that double: transients after
+/// a turn of the load may be much shorter than the step.
+const FINER: i32 = 16;
 /// Errors of solves, and differences that are rounding, relative to the size of a quantity in the history.
 const SOLVED: f64 = 1e-7;
 /// The same for energies: the errors of many solves in short steps add up in them.
@@ -43,8 +44,10 @@ impl RandomHistory {
             1 => Load::MeanGap(problem.highest() * (1.05 - 0.9 * part)),
             _ => Load::Approach(problem.highest() * (1.4 * part - 0.1)),
         };
-        let shape = rng.random_range(0..5);
+        let shape = rng.random_range(0..6);
         let mut part = if shape == 1 { 1.0 } else { rng.random_range(0.0..0.3f64) * f64::from(rng.random_range(0..2)) };
+        // slow cycles turn with transients that are short beside their steps
+        let slow = if shape == 5 { 10f64.powf(rng.random_range(0.0..3.0)) } else { 1.0 };
         let (mut time, mut points) = (0.0, vec![(0.0, load(part))]);
         for i in 0..rng.random_range(1..6) {
             let share = rng.random_range(0.05..1.0f64);
@@ -53,11 +56,12 @@ impl RandomHistory {
                 1 => part * share,
                 2 => [share, 0.0][i % 2],
                 3 => part,
+                5 => [0.8, 0.2][i % 2],
                 _ => share,
             };
-            let is_jump = (shape == 3 && i == 0) || rng.random_range(0..4) == 0;
+            let is_jump = (shape == 3 && i == 0) || (shape != 5 && rng.random_range(0..4) == 0);
             part = if shape == 3 && i % 2 == 0 { share } else { part };
-            time += if is_jump { 0.0 } else { 10f64.powf(rng.random_range(-1.0..1.0)) };
+            time += if is_jump { 0.0 } else { slow * 10f64.powf(rng.random_range(-1.0..1.0)) };
             points.push((time, load(part)));
         }
         let name = format!("{seed}: {:?} free {is_free} {terms:?} {points:?}", grid.shape());
@@ -104,7 +108,9 @@ fn adaptive(history: &RandomHistory, stop: Stop) -> Vec<CreepState> {
 fn finer<'a>(history: &RandomHistory, states: &[CreepState], stop: Stop) -> CreepSteps<'a> {
     let between = |pair: &[CreepState]| {
         let [from, to] = [pair[0].time, pair[1].time];
-        (1..=FINER).map(move |i| from + (to - from) * f64::from(i) / f64::from(FINER)).collect::<Vec<_>>()
+        let step = (to - from) / f64::from(FINER);
+        let begin = (1 - FINER..0).map(|i| from + step * 2f64.powi(i));
+        begin.chain((1..FINER).map(|i| from + step * f64::from(i))).chain([to]).collect::<Vec<_>>()
     };
     let times = states.windows(2).flat_map(between).collect();
     CreepSteps::at_times(history.creep(), history.path.clone(), times, &Multilevel, stop).unwrap()
