@@ -216,8 +216,9 @@ impl Contact {
 
     /// The edges of the contact, between the nodes.
     pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
-        let gap = self.gap.as_slice().expect("results are made in standard layout");
-        Edges::new(&self.problem, self.pressures(), |node| gap[node])
+        let (gap, overlap) = (self.gap.as_slice().expect("results are made in standard layout"), self.overlaps());
+        let overlap = move |node: usize| overlap.as_ref().map_or(0.0, |overlap| overlap(node));
+        Edges::new(&self.problem, self.pressures(), move |node| gap[node] - overlap(node))
     }
 
     /// Area, gradient and `kappa_r` with edges interpolated between the nodes.

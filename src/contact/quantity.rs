@@ -158,9 +158,11 @@ quantities! {
         CurvatureError curvature_error, "|dlambda|", "error of the curvature", One, Number, States,
             "Error of the least curvature: there is an eigenvalue that is at most so far away.";
         PressureInContact pressure_in_contact, "p_m", "mean pressure in contact", Pressure, Number, States,
-            "Mean pressure over the nodes in contact of a solid that yields below its surface; under a ball it rises to about 2.8 times the yield stress.";
+            "Mean pressure over the area in contact of a solid that yields below its surface; under a ball it rises to about 2.8 times the yield stress.";
+        PressureInContactError pressure_in_contact_error, "|dp_m| / p_m", "error of the mean pressure in contact", One, Number, States,
+            "Estimated relative error of the mean pressure in contact on this grid: that of the area, by which the load is divided.";
         ContactPressureOverYield contact_pressure_over_yield, "p_m / Y", "contact pressure over yield stress", One, Number, States,
-            "Mean pressure over the nodes in contact divided by the yield stress: 1.1 where a ball begins to dent, about 2.8 where it is fully plastic.";
+            "Mean pressure over the area in contact divided by the yield stress: 1.1 where a ball begins to dent, about 2.8 where it is fully plastic.";
         MaxPlasticStrain max_plastic_strain, "alpha_max", "largest plastic strain", One, Number, States,
             "Largest accumulated plastic strain.";
         DeepestYield deepest_yield, "z_pl", "deepest yield", Length, Number, States,

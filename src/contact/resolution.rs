@@ -74,11 +74,12 @@ impl Resolution {
             let error = coarser.map_or(of_measures, |coarser| SHARE * (of_measures + (value - coarser).abs()));
             error / value + SHARE * level_share
         };
-        let relative_area_error = error(
-            resolved.relative_area,
-            counted.relative_area_corrected,
-            coarser.map(|coarser| coarser.relative_area),
-        );
+        let relative_area_error = resolved.saturated_error
+            + error(
+                resolved.relative_area,
+                counted.relative_area_corrected,
+                coarser.map(|coarser| coarser.relative_area),
+            );
         let rms_gradient_error = error(
             resolved.rms_gradient_contact,
             counted.rms_gradient_contact_corrected,
