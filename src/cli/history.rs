@@ -217,7 +217,11 @@ fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) ->
         let known: Vec<String> = sources.filter_map(|(it, by)| Some(format!("{} by the {by}", largest(it)?))).collect();
         (!known.is_empty()).then(|| format!("largest estimated error of the {name}: {}", known.join(", ")))
     };
-    let lines: Vec<String> = WITH_SOURCES.into_iter().filter_map(told).collect();
+    let mut lines = Vec::new();
+    if let Some(error) = largest(&Quantity::PressureInContactError) {
+        lines.push(format!("largest estimated error of p_m / Y by the grid: {error} of it"));
+    }
+    lines.extend(WITH_SOURCES.into_iter().filter_map(told));
     if lines.is_empty() { Ok(()) } else { writeln!(out, "\n{}", lines.join("\n")) }
 }
 

@@ -68,10 +68,7 @@ pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl
     for LoadMeans { values, reduced_pressure, relative_area, kappa_r, .. } in means.iter().take(LINES) {
         let [area, area_errors] = words(relative_area, 6);
         let [kappa_r, kappa_r_errors] = words(kappa_r, 4);
-        writeln!(
-            out,
-            "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors}  {values}"
-        )?;
+        writeln!(out, "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors}  {values}")?;
     }
     write_rest(means.len(), "lines", out)
 }

@@ -74,7 +74,7 @@ impl Resolution {
             let error = coarser.map_or(of_measures, |coarser| SHARE * (of_measures + (value - coarser).abs()));
             error / value + SHARE * level_share
         };
-        let relative_area_error = resolved.saturated_error
+        let relative_area_error = resolved.edge_error
             + error(
                 resolved.relative_area,
                 counted.relative_area_corrected,

@@ -136,8 +136,7 @@ fn is_level(lines: &Rough, points: &Points, weights: Weights) -> Verdict {
         Weights::Relative => "relative",
         Weights::Equal => "equal",
     };
-    let distance =
-        points.counted(|points, area| 5.0 - change(&fits_of(lines, points, area, weights), LEVEL));
+    let distance = points.counted(|points, area| 5.0 - change(&fits_of(lines, points, area, weights), LEVEL));
     let words = format!("to {far:.0} %; to {near:.0} % at 0.01; {name} weights");
     Verdict::statement("fig3.level", words, Answer::is_positive(distance)).because(BENT)
 }

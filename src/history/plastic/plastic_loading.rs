@@ -158,10 +158,7 @@ impl PlasticState {
             .with(Quantity::Stored, self.energy.elastic)
             .with(Quantity::WorkDone, self.energy.work)
             .with(Quantity::PressureInContact, pressure_in_contact)
-            .with(
-                Quantity::PressureInContactError,
-                touches.then(|| self.contact.resolution().relative_area_error),
-            )
+            .with(Quantity::PressureInContactError, touches.then(|| self.contact.resolution().relative_area_error))
             .with(Quantity::ContactPressureOverYield, pressure_in_contact / self.solid.yield_stress())
             .with(Quantity::MaxPlasticStrain, self.max_accumulated())
             .with(Quantity::DeepestYield, self.deepest_yield().unwrap_or(0.0))

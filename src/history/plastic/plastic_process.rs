@@ -3,7 +3,7 @@
 use super::flow::FlowLaw;
 use super::load_step::{FlowIterate, LoadStep};
 use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
-use crate::contact::{Load, Observer, Problem, Solver, Status, Work};
+use crate::contact::{Load, Observer, Problem, Quantity, Solver, StateKind, StateValues, Status, Work};
 use crate::elastic::{DepthLayers, DepthResponse};
 use crate::error::PlasticError;
 use crate::grid::Grid;
@@ -359,6 +359,9 @@ impl PlasticState {
             layers: before.layers.clone(),
             solid: before.solid,
         };
+        // the edges of a contact differ where its solid has yielded
+        let values = StateValues::new(StateKind::Plastic).with(Quantity::MaxPlasticStrain, state.max_accumulated());
+        state.contact = state.contact.with_values(values);
         let mean = 0.5 * (before.contact.mean_pressure() + state.contact.mean_pressure());
         state.energy.work = before.energy.work + mean * (state.approach() - before.approach());
         state

@@ -210,7 +210,8 @@ impl PatchTreePicture {
             }
         }
         // The tree has the patches of all loads, of which most are not there under this one: the first number is that of the contact that is shown beside it.
-        let mut counts = vec![format!("now: {}", state.patches.len()), format!("in all: {}", tree.lives.len() + tree.left_out)];
+        let mut counts =
+            vec![format!("now: {}", state.patches.len()), format!("in all: {}", tree.lives.len() + tree.left_out)];
         if tree.left_out > 0 {
             counts.push(format!("drawn: {}", tree.lives.len()));
         }
