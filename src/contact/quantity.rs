@@ -218,7 +218,7 @@ quantities! {
         Separated separated, "apart?", "separated", One, Flag, None,
             "Whether the surfaces parted under the load.";
         LargestArea largest_area, "a_max", "largest relative area", One, Number, None,
-            "The largest share of nodes that touched in any state.";
+            "The largest share of nodes that touched in any state: by counting nodes.";
         Jumps jumps, "n_j", "jumps", One, Whole, None,
             "The number of jumps.";
         LostInJumps lost_in_jumps, "W_j", "energy lost in jumps", EnergyPerArea, Number, None,
@@ -243,7 +243,7 @@ quantities! {
         ReducedPressureContactCounted reduced_pressure_contact_counted: f64, Elastic, "p_r*, counted", "reduced pressure in contact, nodes counted", One, None, |it| known(it.counted().reduced_pressure_contact),
             "Reduced pressure with the rms gradient of the nodes in contact.";
         RelativeArea relative_area: f64, Always, "a_rel", "relative area", One, Both, |it| it.resolved().relative_area,
-            "Relative contact area, with contact edges interpolated between grid nodes.";
+            "Relative contact area, with contact edges interpolated between grid nodes; with adhesion the fraction of nodes in contact.";
         RelativeAreaCounted relative_area_counted: f64, Always, "a_rel, counted", "relative area, nodes counted", One, Steps, |it| it.counted().relative_area,
             "Relative contact area as the fraction of nodes in contact.";
         RelativeAreaCorrected relative_area_corrected: f64, Elastic, "a_rel, corrected", "relative area, corrected", One, None, |it| it.counted().relative_area_corrected,

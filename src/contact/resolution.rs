@@ -26,6 +26,8 @@ const MOST_LEVEL: f64 = 0.5;
 /// those of area and gradient, which may cancel in it. They do not contain the effect of wavelengths that are too short
 /// for the grid.
 ///
+/// Where the pressure at an edge is limited, by a hardness or by the flow of the solid, the error of the place of such edges is added, see [`Resolved::edge_error`].
+///
 /// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not determine the surface between them, as where
 /// heights are rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and
 /// if they are most of the contact, the error of `kappa_r` is unknown. Of 582 contacts of rough, clipped, worn, rounded

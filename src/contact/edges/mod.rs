@@ -275,9 +275,11 @@ impl<'a, G: Fn(usize) -> f64 + Sync> Edges<'a, G> {
         let is_open = law.is_elastic() || law.stiffness * g > OPEN * p;
         let is_of_shape = saturated.is_none() && is_open && self.rises(node, towards);
         let limit = self.limit(node, towards) * cosine;
-        let is_limited = saturated.is_none() && limit < law.strength(p, g);
+        // where nothing touches behind the edge, the limit is not known
+        let is_limited = self.flows && saturated.is_none() && (limit < law.strength(p, g) || limit.is_infinite());
         let place = match saturated.and_then(SaturatedSide::place) {
             Some(place) => place,
+            // the pressure of a solid that flows differs from node to node, and may rise towards the edge by chance
             None if is_of_shape && !is_limited => 0.5,
             None => law.place(p, law.strength(p, g).min(limit)),
         };
