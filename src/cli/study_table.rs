@@ -60,7 +60,8 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl Write) -> Result<()> {
     writeln!(
         out,
-        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid), of the n whose area, and whose kappa_r, are resolved",
+        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid), of the \
+         n whose area, and whose kappa_r, are resolved",
         plan.seeds()
     )?;
     let errors = format!("{:>8} {:>8} {:>8} {:>4}", "std", "sem", "grid", "n");

@@ -27,7 +27,7 @@ pub struct Counted {
     pub relative_area: f64,
     /// `a_rel` minus the excess of counted nodes at edges where the pressure falls to zero, see
     /// [`NODE_EXCESS_PER_SWITCH_LINE`] and [`NODE_EXCESS_PER_SWITCH_SURFACE`]. At the edge of nodes that yield nothing
-    /// is subtracted, and a last node beside one that yields counts by its pressure over the hardness.
+    /// is subtracted.
     pub relative_area_corrected: f64,
     /// `gbar`, root-mean-square gradient of the whole surface (Eq. 8).
     pub rms_gradient: f64,
@@ -55,10 +55,10 @@ impl Counted {
     pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let CountedSums { nodes, level, squares, switches, falling, falling_squares, empty } =
+        let CountedSums { nodes, level, squares, switches, falling, falling_squares } =
             CountedSums::new(pressure, problem);
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
-        let corrected = (nodes as f64 - excess * falling as f64 - empty).max(0.0);
+        let corrected = (nodes as f64 - excess * falling as f64).max(0.0);
         let relative_area = nodes as f64 / grid.len() as f64;
         let relative_area_corrected = corrected / grid.len() as f64;
         let rms_gradient_contact = rms(squares, nodes as f64);
@@ -101,8 +101,6 @@ struct CountedSums {
     falling: usize,
     /// Square gradients of the nodes in contact, once for each of these switches.
     falling_squares: f64,
-    /// Of the last nodes beside nodes that yield, the parts of their cells that carry nothing.
-    empty: f64,
 }
 
 impl CountedSums {
@@ -118,13 +116,8 @@ impl CountedSums {
                 sums.squares += square;
                 sums.switches += ends;
                 if ends > 0 && !law.yields(pressure[node]) {
-                    // beside nodes that yield, the pressure does not fall to zero as in an elastic solid, but from the hardness within a spacing
-                    if grid.neighbours(node).iter().any(|&next| law.yields(pressure[next])) {
-                        sums.empty += 1.0 - pressure[node] / law.ceiling();
-                    } else {
-                        sums.falling += ends;
-                        sums.falling_squares += ends as f64 * square;
-                    }
+                    sums.falling += ends;
+                    sums.falling_squares += ends as f64 * square;
                 }
             });
             sums
@@ -140,7 +133,6 @@ impl CountedSums {
             switches: self.switches + other.switches,
             falling: self.falling + other.falling,
             falling_squares: self.falling_squares + other.falling_squares,
-            empty: self.empty + other.empty,
         }
     }
 }
