@@ -136,3 +136,18 @@ fn in_words(seconds: f64) -> String {
         Err(_) => format!("{seconds:.1e} seconds"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_mean_tells_the_number_of_its_own_seeds() {
+        let counts = |count: usize| {
+            let mean = SeedMean::from_values((0..count).map(|seed| (seed as f64, 0.5)));
+            words(&mean, 3)[1].split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert_eq!((counts(4).last(), counts(3).last()), (Some(&"4".to_owned()), Some(&"3".to_owned())));
+        assert_eq!(counts(3)[..3], ["1.000", "0.577", "0.500"]);
+    }
+}
