@@ -31,7 +31,7 @@ fn capped(loads: &[f64]) -> Result<Vec<Row>, StudyError> {
         |_, contact: &Contact| {
             let height = contact.problem.rms_height();
             let deepest = contact.overlap().iter().copied().fold(0.0, f64::max);
-            let area = contact.counted().relative_area;
+            let area = contact.resolved().relative_area;
             rows.push([contact.mean_pressure() / YIELD_STRESS, area, contact.mean_gap() / height, deepest / height]);
             Ok::<(), StudyError>(())
         },
@@ -45,7 +45,7 @@ fn flowing(loads: &[f64]) -> Result<Vec<Row>, StudyError> {
     let setup = Setup { path: Some(path), ..Setup::from_toml(&scene)? };
     let outcome = HistoryOutcome::solve(&setup, &setup.problem()?, &mut ())?;
     let of = |quantity: Quantity| outcome.values(quantity);
-    let [pressure, area] = [Quantity::MeanPressure, Quantity::RelativeAreaCounted].map(of);
+    let [pressure, area] = [Quantity::MeanPressure, Quantity::RelativeArea].map(of);
     let [gap, imprint, height] = [Quantity::MeanGap, Quantity::ImprintDepth, Quantity::RmsHeight].map(of);
     println!("largest plastic strain: {:.3}", of(Quantity::MaxPlasticStrain).into_iter().fold(0.0, f64::max));
     let row = |i: usize| [pressure[i] / YIELD_STRESS, area[i], gap[i] / height[i], imprint[i] / height[i]];

@@ -106,6 +106,7 @@ impl Contact {
                 reduced_pressure_contact: last,
                 edges,
                 edges_of_shape,
+                edge_error: 0.0,
             });
         let Problem { problem, surface, setup, rank, preparation } = problem;
         let preparation = preparation.clone();

@@ -64,7 +64,12 @@ impl PatchReport<'_> {
     fn write_patches(&self, state: &PatchState, out: &mut impl Write) -> io::Result<()> {
         let [size, place] = if self.is_line { ["length", "x"] } else { ["area", "x, y"] };
         let count = state.patches.len();
-        writeln!(out, "\nThe {} in state {}, the largest first:", counted(count, "patch", "patches"), state.state)?;
+        writeln!(
+            out,
+            "\nThe {} in state {}, the largest first, areas and kappa_r by counting nodes:",
+            counted(count, "patch", "patches"),
+            state.state
+        )?;
         writeln!(out, "{:>8} {:>9} {size:>16} {:>10} {:>9}  centre {place}", "patch", "nodes", "load", "kappa_r")?;
         let load = state.load();
         for NumberedPatch { number, its } in state.patches.iter().take(MOST) {

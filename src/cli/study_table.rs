@@ -64,19 +64,16 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl Write) -> Result<()> {
     writeln!(
         out,
-        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid), of the n that are resolved",
+        "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid), of the \
+         n whose area, and whose kappa_r, are resolved",
         plan.seeds()
     )?;
-    let errors = format!("{:>8} {:>8} {:>8}", "std", "sem", "grid");
-    writeln!(out, "\n{:>11} {:>9} {errors} {:>8} {errors} {:>4}", "p*", "area", "kappa_r", "n")?;
+    let errors = format!("{:>8} {:>8} {:>8} {:>4}", "std", "sem", "grid", "n");
+    writeln!(out, "\n{:>11} {:>9} {errors} {:>8} {errors}", "p*", "area", "kappa_r")?;
     for LoadMeans { values, reduced_pressure, relative_area, kappa_r, .. } in means.iter().take(LINES) {
-        let count = relative_area.count.min(kappa_r.count);
         let [area, area_errors] = words(relative_area, 6);
         let [kappa_r, kappa_r_errors] = words(kappa_r, 4);
-        writeln!(
-            out,
-            "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors} {count:>4}  {values}"
-        )?;
+        writeln!(out, "{reduced_pressure:>11.4e} {area:>9} {area_errors} {kappa_r:>8} {kappa_r_errors}  {values}")?;
     }
     write_rest(means.len(), "lines", out)
 }
@@ -91,16 +88,18 @@ pub fn write_adhesion_means(plan: &Plan, rows: usize, means: &[AdhesionMeans], o
     )?;
     writeln!(
         out,
-        "\n{:>10} {:>9} {:>10} {:>9} {:>9} {:>6} {:>6}",
-        "pull-off", "std", "lost", "std", "area", "jumps", "parted"
+        "\n{:>10} {:>9} {:>4} {:>10} {:>9} {:>4} {:>9} {:>6} {:>6}",
+        "pull-off", "std", "n", "lost", "std", "n", "area", "jumps", "parted"
     )?;
     for AdhesionMeans { values, pull_off, lost_in_jumps, largest_area, jumps, separated } in means.iter().take(LINES) {
+        // energies of histories that parted under the load do not count, so that their number is another one
+        let [pull_offs, losses] = [pull_off.count, lost_in_jumps.count];
         let [pull_off, pull_off_std] = short_words(pull_off);
         let [lost, lost_std] = short_words(lost_in_jumps);
         let ([area, _], [jumps, _]) = (words(largest_area, 5), words(jumps, 1));
         writeln!(
             out,
-            "{pull_off:>10} {pull_off_std:>9} {lost:>10} {lost_std:>9} {area:>9} {jumps:>6} {separated:>6}  {values}"
+            "{pull_off:>10} {pull_off_std:>9} {pull_offs:>4} {lost:>10} {lost_std:>9} {losses:>4} {area:>9} {jumps:>6} {separated:>6}  {values}"
         )?;
     }
     write_rest(means.len(), "lines", out)
@@ -140,11 +139,12 @@ fn short_words(mean: &SeedMean) -> [String; 2] {
 /// Placeholder for an unknown number.
 const NONE: &str = "-";
 
-/// A mean with some digits, and the columns of its errors.
+/// A mean with some digits, and the columns of its errors and of the number of its seeds: a grid may resolve the areas of more seeds than `kappa_r`.
 fn words(mean: &SeedMean, digits: usize) -> [String; 2] {
     let word = |value: f64| if value.is_finite() { format!("{value:.digits$}") } else { NONE.into() };
     let errors = [mean.standard_deviation, mean.standard_error, mean.grid_error].map(word);
-    [word(mean.mean), errors.map(|error| format!("{error:>8}")).join(" ")]
+    let [deviation, error, grid] = errors;
+    [word(mean.mean), format!("{deviation:>8} {error:>8} {grid:>8} {:>4}", mean.count)]
 }
 
 fn write_rest(count: usize, what: &str, out: &mut impl Write) -> Result<()> {
@@ -160,5 +160,20 @@ fn in_words(seconds: f64) -> String {
         Ok(duration) if seconds >= 1.0 => HumanDuration(duration).to_string(),
         Ok(_) => format!("{seconds:.1e} seconds"),
         Err(_) => format!("{seconds:.1e} seconds"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_mean_tells_the_number_of_its_own_seeds() {
+        let counts = |count: usize| {
+            let mean = SeedMean::from_values((0..count).map(|seed| (seed as f64, 0.5)));
+            words(&mean, 3)[1].split_whitespace().map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert_eq!((counts(4).last(), counts(3).last()), (Some(&"4".to_owned()), Some(&"3".to_owned())));
+        assert_eq!(counts(3)[..3], ["1.000", "0.577", "0.500"]);
     }
 }

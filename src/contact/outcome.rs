@@ -1,8 +1,8 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Counted, Edges, Failure, Patches, Problem, Resolution, Resolved, StateValues, Status, certificate,
-    chunks, hysteretic_friction, multilevel,
+    Certificate, Counted, Edges, Failure, Patches, Problem, Quantity, Resolution, Resolved, StateKind, StateValues,
+    Status, certificate, chunks, hysteretic_friction, multilevel,
 };
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
@@ -216,8 +216,11 @@ impl Contact {
 
     /// The edges of the contact, between the nodes.
     pub fn edges(&self) -> Edges<'_, impl Fn(usize) -> f64 + Sync> {
-        let gap = self.gap.as_slice().expect("results are made in standard layout");
-        Edges::new(&self.problem, self.pressures(), |node| gap[node])
+        let (gap, overlap) = (self.gap.as_slice().expect("results are made in standard layout"), self.overlaps());
+        let overlap = move |node: usize| overlap.as_ref().map_or(0.0, |overlap| overlap(node));
+        let has_yielded = self.values.get(Quantity::MaxPlasticStrain).is_some_and(|strain| strain > 0.0);
+        let edges = Edges::new(&self.problem, self.pressures(), move |node| gap[node] - overlap(node));
+        edges.with_flow(self.values.kind == StateKind::Plastic && has_yielded)
     }
 
     /// Area, gradient and `kappa_r` with edges interpolated between the nodes.

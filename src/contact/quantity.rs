@@ -164,9 +164,11 @@ quantities! {
         CurvatureError curvature_error, "|dlambda|", "error of the curvature", One, Number, States,
             "Error of the least curvature: there is an eigenvalue that is at most so far away.";
         PressureInContact pressure_in_contact, "p_m", "mean pressure in contact", Pressure, Number, States,
-            "Mean pressure over the nodes in contact of a solid that yields below its surface; under a ball it rises to about 2.8 times the yield stress.";
+            "Mean pressure over the area in contact of a solid that yields below its surface; under a ball it rises to about 2.8 times the yield stress.";
+        PressureInContactError pressure_in_contact_error, "|dp_m| / p_m", "error of the mean pressure in contact", One, Number, States,
+            "Estimated relative error of the mean pressure in contact on this grid: that of the area, by which the load is divided.";
         ContactPressureOverYield contact_pressure_over_yield, "p_m / Y", "contact pressure over yield stress", One, Number, States,
-            "Mean pressure over the nodes in contact divided by the yield stress: 1.1 where a ball begins to dent, about 2.8 where it is fully plastic.";
+            "Mean pressure over the area in contact divided by the yield stress: 1.1 where a ball begins to dent, about 2.8 where it is fully plastic.";
         MaxPlasticStrain max_plastic_strain, "alpha_max", "largest plastic strain", One, Number, States,
             "Largest accumulated plastic strain.";
         DeepestYield deepest_yield, "z_pl", "deepest yield", Length, Number, States,
@@ -222,7 +224,7 @@ quantities! {
         Separated separated, "apart?", "separated", One, Flag, None,
             "Whether the surfaces parted under the load.";
         LargestArea largest_area, "a_max", "largest relative area", One, Number, None,
-            "The largest share of nodes that touched in any state.";
+            "The largest share of nodes that touched in any state: by counting nodes.";
         Jumps jumps, "n_j", "jumps", One, Whole, None,
             "The number of jumps.";
         LostInJumps lost_in_jumps, "W_j", "energy lost in jumps", EnergyPerArea, Number, None,
@@ -247,7 +249,7 @@ quantities! {
         ReducedPressureContactCounted reduced_pressure_contact_counted: f64, Elastic, "p_r*, counted", "reduced pressure in contact, nodes counted", One, None, |it| known(it.counted().reduced_pressure_contact),
             "Reduced pressure with the rms gradient of the nodes in contact.";
         RelativeArea relative_area: f64, Always, "a_rel", "relative area", One, Both, |it| it.resolved().relative_area,
-            "Relative contact area, with contact edges interpolated between grid nodes.";
+            "Relative contact area, with contact edges interpolated between grid nodes; with adhesion the fraction of nodes in contact.";
         RelativeAreaCounted relative_area_counted: f64, Always, "a_rel, counted", "relative area, nodes counted", One, Steps, |it| it.counted().relative_area,
             "Relative contact area as the fraction of nodes in contact.";
         RelativeAreaCorrected relative_area_corrected: f64, Elastic, "a_rel, corrected", "relative area, corrected", One, None, |it| it.counted().relative_area_corrected,

@@ -26,6 +26,8 @@ const MOST_LEVEL: f64 = 0.5;
 /// those of area and gradient, which may cancel in it. They do not contain the effect of wavelengths that are too short
 /// for the grid.
 ///
+/// Where the pressure at an edge is limited, by a hardness or by the flow of the solid, the error of the place of such edges is added, see [`Resolved::edge_error`].
+///
 /// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not determine the surface between them, as where
 /// heights are rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and
 /// if they are most of the contact, the error of `kappa_r` is unknown. Of 582 contacts of rough, clipped, worn, rounded
@@ -74,11 +76,12 @@ impl Resolution {
             let error = coarser.map_or(of_measures, |coarser| SHARE * (of_measures + (value - coarser).abs()));
             error / value + SHARE * level_share
         };
-        let relative_area_error = error(
-            resolved.relative_area,
-            counted.relative_area_corrected,
-            coarser.map(|coarser| coarser.relative_area),
-        );
+        let relative_area_error = resolved.edge_error
+            + error(
+                resolved.relative_area,
+                counted.relative_area_corrected,
+                coarser.map(|coarser| coarser.relative_area),
+            );
         let rms_gradient_error = error(
             resolved.rms_gradient_contact,
             counted.rms_gradient_contact_corrected,

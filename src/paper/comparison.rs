@@ -57,11 +57,12 @@ impl Comparison {
     fn write_sum(&self, out: &mut dyn Write) -> io::Result<()> {
         let own = || self.verdicts.iter().filter(|verdict| verdict.evidence == Evidence::Own);
         let good = own().filter(|verdict| verdict.is_good()).count();
+        let undecided = own().filter(|verdict| verdict.is_undecided()).count();
         let rest = self.verdicts.len() - own().count();
         writeln!(
             out,
-            "\n{good} of {} agree or hold; {rest} are not counted, since they follow from others or are measured \
-             differently",
+            "\n{good} of {} agree or hold, {undecided} are undecided within their errors; {rest} are not counted, since they \
+             follow from others or are measured differently",
             own().count()
         )
     }

@@ -5,7 +5,7 @@ use super::means::Points;
 use super::measure::Measure;
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, ShadedCurve, WARM};
-use super::verdict::Verdict;
+use super::verdict::{Answer, Verdict};
 use crate::plot::{Axis, Colour, Mark, Panel};
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
@@ -59,19 +59,23 @@ impl FitRow {
 
 /// All fits, each to every Hurst exponent and in the end to all: first those to the counted area with equal weights.
 pub fn fits(lines: &Rough, points: &Points) -> Vec<Vec<FitRow>> {
-    let exponents = || lines.hurst.iter().copied().map(Some).chain([None]);
     let kinds = Measure::ALL.into_iter().flat_map(|area| Weights::ALL.map(|weights| (area, weights)));
-    let fits = |(area, weights)| exponents().filter_map(|hurst| FitRow::new(points, hurst, area, weights)).collect();
-    kinds.map(fits).collect()
+    kinds.map(|(area, weights)| fits_of(lines, points, area, weights)).collect()
+}
+
+/// The fits of one kind.
+fn fits_of(lines: &Rough, points: &Points, area: Measure, weights: Weights) -> Vec<FitRow> {
+    let exponents = lines.hurst.iter().copied().map(Some).chain([None]);
+    exponents.filter_map(|hurst| FitRow::new(points, hurst, area, weights)).collect()
 }
 
 /// The figure of the fits to the counted area with equal weights, and what the paper says of it.
 pub fn reproduce(lines: &Rough, points: &Points, all: &[Vec<FitRow>]) -> Reproduction {
     let (fits, mut verdicts) = (all[0].as_slice(), Vec::new());
     if !fits.is_empty() {
-        verdicts.push(is_level(fits));
-        verdicts.push(is_level(&all[1]).beside());
-        verdicts.extend((lines.hurst.len() > 1).then(|| strongly_depends(fits)));
+        let [equal, relative] = Weights::ALL.map(|weights| is_level(lines, points, weights));
+        verdicts.extend([equal, relative.beside()]);
+        verdicts.extend((lines.hurst.len() > 1).then(|| strongly_depends(lines, points)));
     }
     let (title, panel) = ("Fig. 3: κ_fit of rough lines by Eq. 11", panel(lines, points, fits));
     Reproduction::new(title, vec![panel], ramp(lines, points, fits), verdicts)
@@ -105,22 +109,34 @@ fn ramp(lines: &Rough, points: &Points, fits: &[FitRow]) -> Ramp {
     ramp
 }
 
-/// Whether the fits of single exponents lie on either side of the one of all.
-fn strongly_depends(fits: &[FitRow]) -> Verdict {
-    let words: Vec<String> = fits.iter().map(|fit| format!("{:.2}", fit.kappa)).collect();
-    let all = fits.iter().find(|fit| fit.hurst.is_none()).map_or(f64::NAN, |fit| fit.kappa);
-    let single = || fits.iter().filter(|fit| fit.hurst.is_some());
-    let holds = single().any(|fit| fit.kappa > 1.02 * all) && single().any(|fit| fit.kappa < 0.98 * all);
-    Verdict::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), holds)
+/// Whether the fits of single exponents lie on either side of the one of all, by 2 % and more.
+fn strongly_depends(lines: &Rough, points: &Points) -> Verdict {
+    let fits = |points: &Points, area| fits_of(lines, points, area, Weights::Equal);
+    let words: Vec<String> = fits(points, Measure::Counted).iter().map(|fit| format!("{:.2}", fit.kappa)).collect();
+    let distance = points.counted(|points, area| {
+        let fits = fits(points, area);
+        let all = fits.iter().find(|fit| fit.hurst.is_none()).map_or(f64::NAN, |fit| fit.kappa);
+        let off = |fit: &FitRow| fit.kappa / all - 1.0;
+        let [above, below] = [1.0, -1.0].map(|side| fits.iter().map(|fit| side * off(fit)).fold(0.0, f64::max));
+        100.0 * above.min(below) - 2.0
+    });
+    Verdict::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), Answer::is_positive(distance))
+}
+
+/// By how much the fits change up to a load, in per cent: the largest change of all.
+fn change(fits: &[FitRow], load: f64) -> f64 {
+    fits.iter().map(|fit| 100.0 * (fit.kappa_at(load) / fit.kappa - 1.0).abs()).fold(0.0, f64::max)
 }
 
 /// Whether each fit is level to 5 % up to `p* = 0.1`.
-fn is_level(fits: &[FitRow]) -> Verdict {
-    let change = |p: f64| fits.iter().map(|fit| 100.0 * (fit.kappa_at(p) / fit.kappa - 1.0).abs()).fold(0.0, f64::max);
-    let weights = match fits.first().map(|fit| fit.weights) {
-        Some(Weights::Relative) => "relative",
-        _ => "equal",
+fn is_level(lines: &Rough, points: &Points, weights: Weights) -> Verdict {
+    let fits = fits_of(lines, points, Measure::Counted, weights);
+    let [far, near] = [LEVEL, 0.1 * LEVEL].map(|load| change(&fits, load));
+    let name = match weights {
+        Weights::Relative => "relative",
+        Weights::Equal => "equal",
     };
-    let words = format!("to {:.0} %; to {:.0} % at 0.01; {weights} weights", change(LEVEL), change(0.1 * LEVEL));
-    Verdict::statement("fig3.level", words, change(LEVEL) < 5.0).because(BENT)
+    let distance = points.counted(|points, area| 5.0 - change(&fits_of(lines, points, area, weights), LEVEL));
+    let words = format!("to {far:.0} %; to {near:.0} % at 0.01; {name} weights");
+    Verdict::statement("fig3.level", words, Answer::is_positive(distance)).because(BENT)
 }

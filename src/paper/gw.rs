@@ -1,8 +1,9 @@
 //! Section 6: the model of Greenwood and Williamson, with the gradient taken over the contact.
 
 use super::reproduction::{Ramp, RampCurve, Reproduction};
-use super::verdict::Verdict;
+use super::verdict::{Answer, Verdict};
 use crate::plot::{Axis, AxisScale, Colour, Mark, Panel};
+use crate::study::Estimate;
 use crate::theory::SummitHeights::{self, Exponential, Gaussian};
 use serde::Serialize;
 
@@ -59,7 +60,8 @@ pub fn reproduce() -> Reproduction {
 /// Whether Gaussian heights differ from their limit by more than half of the last digit that the paper prints.
 fn depends_on_separation() -> Verdict {
     let [near, far] = [NEAR, FAR].map(|separation| Gaussian.kappa_r(separation));
-    Verdict::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), (near - far).abs() > 0.005)
+    let answer = Answer::is_positive(Estimate::exact((near - far).abs() - 0.005));
+    Verdict::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), answer)
 }
 
 /// Both kinds of heights against whole separations; no contacts.

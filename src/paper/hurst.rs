@@ -4,7 +4,7 @@ use super::means::Points;
 use super::measure::Measure;
 use super::reproduction::Reproduction;
 use super::rough::{Rough, shade};
-use super::verdict::Verdict;
+use super::verdict::{Answer, Verdict};
 use crate::plot::{Axis, Colour, Dot, Mark, Panel};
 use crate::study::Estimate;
 
@@ -110,15 +110,13 @@ fn load_axis(lines: &Rough) -> Axis {
     Axis::log("p*", [low / 1.5, high * 1.5])
 }
 
-/// Whether `kappa_r` is the same in the continuum at the lowest and the highest Hurst exponent, within twice the error of their
-/// difference.
+/// Whether `kappa_r` is the same in the continuum at the lowest and the highest Hurst exponent.
 fn depends_on_hurst(points: &Points, pair: [f64; 2]) -> Verdict {
     let (resolved, kappa_r) = (Measure::Resolved, Measure::Resolved.kappa_r());
     let average = points.limit(Some(pair[0]), None, None, resolved, kappa_r);
     let apart = points.mean_contrast(pair, resolved, kappa_r);
-    let (percent, sigma) = (100.0 / average.mean, apart.mean / apart.uncertainty());
-    let [off, error] = [apart.mean, apart.uncertainty()].map(|value| percent * value);
-    let [low, high] = pair;
+    let (change, sigma) = (apart.times(100.0 / average.mean), apart.mean / apart.uncertainty());
+    let ([low, high], off, error) = (pair, change.mean, change.uncertainty());
     let words = format!("H = {high} above {low} by {off:.2} ± {error:.2} %, {sigma:+.1} σ");
-    Verdict::statement("hurst.kappa_r", words, sigma.abs() <= 2.0)
+    Verdict::statement("hurst.kappa_r", words, Answer::is_constant(change))
 }

@@ -189,6 +189,24 @@ impl Points {
         loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
     }
 
+    /// A number that is computed of all points by counting nodes, such as the range of a quantity, with its errors.
+    ///
+    /// The standard error is found by leaving out one seed after the other (the jackknife): such a number is no mean, so that its scatter from seed
+    /// to seed is not known. The error of the grid is the distance from the same number with resolved edges, whose own error is of second order.
+    pub fn counted(&self, number: impl Fn(&Self, Measure) -> f64) -> Estimate {
+        let mut seeds: Vec<Option<u64>> = self.0.iter().map(|row| row.seed).collect();
+        seeds.sort_unstable();
+        seeds.dedup();
+        let without = |seed: &Option<u64>| {
+            let rest = Self(self.0.iter().filter(|row| row.seed != *seed).cloned().collect());
+            number(&rest, Measure::Counted)
+        };
+        let (count, mean) = (seeds.len() as f64, number(self, Measure::Counted));
+        let Spread { deviation: scatter, .. } = Spread::from_values(seeds.iter().map(without));
+        let error = if seeds.len() > 1 { scatter * (count - 1.0) / count.sqrt() } else { f64::NAN };
+        Estimate { mean, error, grid: (mean - number(self, Measure::Resolved)).abs(), scatter: error * count.sqrt() }
+    }
+
     /// Means over the realisations of each grid, Hurst exponent and load.
     pub fn means(&self) -> Vec<Mean> {
         let mut means: Vec<Mean> = Vec::new();

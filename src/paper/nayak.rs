@@ -11,7 +11,7 @@ use super::measure::{Measure, ObservableFn};
 use super::nayak_trend::{BreadthTrend, SolvedBreadth, SolvedBreadths};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::rough::shade;
-use super::verdict::Verdict;
+use super::verdict::{Answer, Verdict};
 use crate::error::SetupError;
 use crate::plot::{Axis, AxisScale, Colour, Dot, Mark, Panel, Symbol};
 use crate::study::Estimate;
@@ -164,7 +164,7 @@ fn shown(group: &SolvedBreadths<'_>) -> f64 {
     group.breadths.loads.iter().min_by(nearest).copied().unwrap_or(f64::NAN)
 }
 
-/// Whether a factor is the same at all breadths, within twice the errors of its slopes.
+/// Whether a factor is the same at all breadths.
 fn breadth_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
     let load = shown(group);
     let slopes =
@@ -175,30 +175,19 @@ fn breadth_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn)
         format!("H = {hurst}: {}, α {low:.1} to {high:.0}", change(it))
     });
     let words = format!("per decade of α at p* = {load}: {}", words.collect::<Vec<_>>().join("; "));
-    let sigma = slopes.iter().map(|(_, it)| it.sigma().abs()).reduce(larger)?;
     let key = format!("nayak.{}.{quantity}.alpha", group.name());
-    Some(verdict(&key, words, sigma))
+    let answer = Answer::all(slopes.iter().map(|(_, it)| Answer::is_constant(it.percent)));
+    (!slopes.is_empty()).then(|| Verdict::statement(&key, words, answer))
 }
 
-/// Whether a factor is the same at two Hurst exponents of equal breadth, within twice the error of the difference.
+/// Whether a factor is the same at two Hurst exponents of equal breadth.
 fn hurst_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn) -> Option<Verdict> {
     let load = shown(group);
     let (ends, it) = (group.ends()?, group.at_equal_nayak(load, of)?);
     let ([lowest, highest], [low, high]) = (ends, it.between);
     let words = format!("at p* = {load} H = {highest} less {lowest}: {}, α {low:.1} to {high:.0}", change(&it));
     let key = format!("nayak.{}.{quantity}.hurst", group.name());
-    Some(verdict(&key, words, it.sigma().abs()))
-}
-
-/// Whether a change of that many standard errors is none; nobody knows without errors.
-fn verdict(key: &str, words: String, sigma: f64) -> Verdict {
-    let verdict = Verdict::statement(key, words, sigma <= 2.0);
-    if sigma.is_nan() { Verdict { verdict: "no error".into(), ..verdict } } else { verdict }
-}
-
-/// The larger of two numbers, not a number if one of them is none.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
+    Some(Verdict::statement(&key, words, Answer::is_constant(it.percent)))
 }
 
 /// A change in per cent and standard errors.

@@ -105,13 +105,7 @@ impl BreadthTrend {
             weighted(terms, load, quantity),
             weighted(&terms.iter().map(|(_, it)| (1.0 / terms.len() as f64, *it)).collect::<Vec<_>>(), load, quantity),
         ];
-        let scale = 100.0 / mean.mean;
-        let percent = Estimate {
-            mean: scale * sum.mean,
-            error: scale * sum.error,
-            grid: scale * sum.grid,
-            scatter: scale * sum.scatter,
-        };
+        let percent = sum.times(100.0 / mean.mean);
         let nayak = || terms.iter().map(|(_, it)| it.nayak.mean);
         let between = [nayak().fold(f64::INFINITY, f64::min), nayak().fold(0.0, f64::max)];
         Self { percent, between }

@@ -7,8 +7,12 @@ use serde::{Deserialize, Serialize};
 /// The numbers and statements of the paper, one by one.
 const PRINTED: &str = include_str!("../../assets/paper.csv");
 
-/// Standard errors within which two numbers agree.
+/// Standard errors within which two numbers agree, and beyond which a difference is one.
 const CLOSE: f64 = 2.0;
+
+/// The largest change, in per cent, of a number that is *constant*, or *independent* of something. The paper's means over ten profiles have a standard
+/// error of 0.35 % in `kappa_r`, so that the difference of two of them has 0.5 %, and it could not have seen less than 1 %.
+pub(super) const CONSTANT: f64 = 1.0;
 
 /// A number or a statement of the paper.
 #[derive(Deserialize)]
@@ -28,6 +32,61 @@ struct Printed {
     /// What the number or statement follows from, if it is not independent.
     follows: String,
     place: String,
+}
+
+/// The answer to a statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+pub(super) enum Answer {
+    /// It is true, whatever its errors hide.
+    #[strum(serialize = "holds")]
+    Holds,
+    /// It is wrong, whatever its errors hide.
+    #[strum(serialize = "does not hold")]
+    DoesNotHold,
+    /// Its errors hide whether it is true.
+    #[strum(serialize = "undecided")]
+    Undecided,
+    /// A single realisation, whose error is not known.
+    #[strum(serialize = "no error")]
+    NoError,
+}
+
+impl Answer {
+    /// The answer to the statement that a number is positive: the distance of what was found from the limit that the statement sets.
+    ///
+    /// A statement is true or wrong only if the whole interval of what the number may be lies on one side of the limit. That a change is less than
+    /// two standard errors does *not* show that there is none: -10 ± 5 % may be nothing, or 20 %. So a statement that something is constant is held
+    /// against a limit as well, see [`CONSTANT`], and both answers have to be earned.
+    ///
+    /// The error of the grid is added to the two standard errors, not squared with them: it has the same sign in all realisations, and no number of them makes
+    /// it smaller.
+    pub fn is_positive(distance: Estimate) -> Self {
+        let Estimate { mean, error, grid, .. } = distance;
+        let half_width = CLOSE * error + grid;
+        match mean.abs() > half_width {
+            _ if half_width.is_nan() || mean.is_nan() => Self::NoError,
+            true if mean > 0.0 => Self::Holds,
+            true => Self::DoesNotHold,
+            false => Self::Undecided,
+        }
+    }
+
+    /// Whether a change in per cent is none.
+    pub fn is_constant(percent: Estimate) -> Self {
+        Self::is_positive(Estimate { mean: CONSTANT - percent.mean.abs(), ..percent })
+    }
+
+    /// Whether a change in per cent is one.
+    pub fn changes(percent: Estimate) -> Self {
+        Self::is_positive(Estimate { mean: percent.mean.abs() - CONSTANT, ..percent })
+    }
+
+    /// The answer to several statements at once: one that is wrong is enough to make all wrong.
+    pub fn all(answers: impl IntoIterator<Item = Self>) -> Self {
+        let answers: Vec<Self> = answers.into_iter().collect();
+        let worst = [Self::NoError, Self::DoesNotHold, Self::Undecided];
+        worst.into_iter().find(|answer| answers.contains(answer)).unwrap_or(Self::Holds)
+    }
 }
 
 /// The weight of a verdict as evidence.
@@ -64,7 +123,7 @@ pub struct Verdict {
     pub off_percent: Option<f64>,
     /// Deviation from the paper, in standard errors of both together.
     pub sigma: Option<f64>,
-    /// `agrees`, `differs`, `holds`, `does not hold`, `beside`, or `no error` for a single realisation.
+    /// `agrees` or `differs` for numbers; `holds`, `does not hold` or `undecided` for statements; `beside`, or `no error` for a single realisation.
     pub verdict: String,
     /// Its weight.
     pub evidence: Evidence,
@@ -101,9 +160,9 @@ impl Verdict {
         Self::number(key, how, Estimate::exact(here))
     }
 
-    /// A statement: what is found instead of it, and whether it holds.
-    pub(super) fn statement(key: &str, here: String, holds: bool) -> Self {
-        Self::on(Printed::from_key(key), "", here, if holds { "holds" } else { "does not hold" })
+    /// A statement: what is found instead of it, and the answer to it.
+    pub(super) fn statement(key: &str, here: String, answer: Answer) -> Self {
+        Self::on(Printed::from_key(key), "", here, answer.into())
     }
 
     fn on(printed: Printed, how: &str, here: String, verdict: &str) -> Self {
@@ -132,12 +191,17 @@ impl Verdict {
 
     /// The verdict with the reason why it differs from the paper, if it does.
     pub(super) fn because(self, why: &str) -> Self {
-        if self.is_good() { self } else { Self { why: why.into(), ..self } }
+        if self.is_good() || self.is_undecided() { self } else { Self { why: why.into(), ..self } }
     }
 
     /// The number beside the paper's, which is measured otherwise: neither agrees with it nor differs.
     pub(super) fn beside(self) -> Self {
         Self { verdict: "beside".into(), evidence: Evidence::Beside, why: String::new(), ..self }
+    }
+
+    /// Whether the errors are too large to decide on a statement.
+    pub fn is_undecided(&self) -> bool {
+        self.verdict == <&str>::from(Answer::Undecided)
     }
 
     /// Whether the number agrees, or the statement holds.
@@ -198,6 +262,26 @@ mod tests {
         assert_eq!(words(1.75, [f64::NAN, 0.0, 0.0]), ["no error", "of this"]);
         // a number that is no mean over realisations gains nothing from their scatter
         assert_eq!(verdict("fig1.line", 1.4802, [0.0, 0.0, 0.1]).verdict, "differs");
+    }
+
+    #[test]
+    fn a_statement_is_decided_only_where_no_error_covers_the_limit() {
+        let percent = |mean, error, grid| Estimate { mean, error, grid, scatter: 0.0 };
+        for (mean, error, grid, constant, changes) in [
+            (0.2, 0.3, 0.0, Answer::Holds, Answer::DoesNotHold),
+            (0.2, 0.3, 0.3, Answer::Undecided, Answer::Undecided),
+            (-10.15, 5.24, 0.0, Answer::Undecided, Answer::Undecided),
+            (-10.15, 1.0, 0.0, Answer::DoesNotHold, Answer::Holds),
+            (10.15, 1.0, 8.0, Answer::Undecided, Answer::Undecided),
+            (0.0, f64::NAN, 0.0, Answer::NoError, Answer::NoError),
+        ] {
+            let change = percent(mean, error, grid);
+            assert_eq!((Answer::is_constant(change), Answer::changes(change)), (constant, changes), "{change:?}");
+        }
+        assert_eq!(Answer::all([Answer::Holds, Answer::Undecided, Answer::DoesNotHold]), Answer::DoesNotHold);
+        assert_eq!(Answer::all([Answer::Holds, Answer::Undecided]), Answer::Undecided);
+        let undecided = Verdict::statement("fig2.constant", String::new(), Answer::Undecided).because("of this");
+        assert!(undecided.is_undecided() && !undecided.is_good() && undecided.why.is_empty());
     }
 
     #[test]

@@ -69,7 +69,7 @@ pub fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
         ("solid", problem.solid().description()),
         ("contact modulus E*", pressure(problem.contact_modulus())),
     ]);
-    if let Some(mean) = problem.mean_pressure() {
+    if let Some(mean) = scene.mean_pressure() {
         let reduced = mean / (problem.contact_modulus() * problem.rms_gradient());
         let unit = if units.pressure.is_empty() { ", in the unit of E*" } else { "" };
         rows.push(("mean pressure", format!("{}{unit}", pressure(mean))));

@@ -5,7 +5,7 @@
 
 use super::draw::TRANSFORMS;
 use super::scene::Scene;
-use crate::contact::{Contact, Load, Problem, Quantity, Reading, Solver, Stop};
+use crate::contact::{Contact, Quantity, Reading, Solver, Stop};
 use rerun::components::{Scalar, Text};
 use rerun::{AnyValues, RecordingStream, RecordingStreamResult};
 use strum::IntoEnumIterator;
@@ -21,7 +21,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
         ("contact_modulus", Some(problem.contact_modulus())),
         ("rms_height", Some(problem.rms_height())),
         ("rms_gradient", Some(problem.rms_gradient())),
-        ("reduced_pressure", reduced_pressure(problem)),
+        ("reduced_pressure", scene.reduced_pressure()),
     ];
     let known = with_texts([("title", title.as_str()), ("version", env!("CARGO_PKG_VERSION"))])
         .with_component::<Scalar>("points", along(grid.shape().map(|n| n as f64)))
@@ -31,14 +31,6 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
         None => known,
     };
     with_numbers(known, numbers.into_iter().filter_map(|(name, value)| Some((name, value?))))
-}
-
-/// The reduced pressure, if the load determines it.
-pub fn reduced_pressure(problem: &Problem) -> Option<f64> {
-    match problem.load() {
-        Load::ReducedPressure(reduced_pressure) => Some(reduced_pressure),
-        _ => Some(problem.mean_pressure()? / problem.contact_modulus() / problem.rms_gradient()),
-    }
 }
 
 /// The solver of a run and when it stops.
@@ -51,7 +43,7 @@ pub fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
 pub fn of_contact(contact: &Contact, reading: &Reading<'_>) -> AnyValues {
     let is_known = |it: Quantity| match it {
         Quantity::RmsHeight | Quantity::RmsGradient => true,
-        Quantity::ReducedPressure => reduced_pressure(&contact.problem).is_some(),
+        Quantity::ReducedPressure => contact.problem.mean_pressure().is_some(),
         _ => false,
     };
     let told = Quantity::iter().filter(|it| it.tells_of(contact) && !is_known(*it));

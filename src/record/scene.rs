@@ -114,6 +114,31 @@ impl<'a> Scene<'a> {
         }
     }
 
+    /// The load that was given. With adhesion it is that of the setup: the problem has one that stands in for any, since the attraction takes a part of it.
+    fn load(&self) -> Load {
+        match &self.setup {
+            Some(setup) if setup.adhesion.is_some() => setup.load,
+            _ => self.problem.load(),
+        }
+    }
+
+    /// The mean pressure, if the load prescribes it.
+    pub(super) fn mean_pressure(&self) -> Option<f64> {
+        let problem = self.problem;
+        match self.load() {
+            Load::MeanPressure(mean_pressure) => Some(mean_pressure),
+            Load::Force(force) => Some(force / problem.surface().grid().area()),
+            Load::ReducedPressure(reduced) => Some(reduced * problem.rms_gradient() * problem.contact_modulus()),
+            Load::MeanGap(_) | Load::Approach(_) => None,
+        }
+    }
+
+    /// The reduced pressure, if the load prescribes it; a given one to the last bit.
+    pub(super) fn reduced_pressure(&self) -> Option<f64> {
+        let found = || Some(self.mean_pressure()? / self.problem.contact_modulus() / self.problem.rms_gradient());
+        self.load().reduced_pressure().or_else(found)
+    }
+
     /// The exact area and pressure, or an estimate of them if there is no exact solution.
     pub(super) fn forecast(&self) -> Forecast {
         let guess = Forecast::new(self.problem);

@@ -37,6 +37,12 @@ impl Estimate {
         Self { mean, error: 0.0, grid: 0.0, scatter: 0.0 }
     }
 
+    /// The mean in another unit, such as per cent.
+    pub fn times(self, factor: f64) -> Self {
+        let [error, grid, scatter] = [self.error, self.grid, self.scatter].map(|it| factor.abs() * it);
+        Self { mean: factor * self.mean, error, grid, scatter }
+    }
+
     /// The quotient of two independent means.
     pub fn over(self, other: Self) -> Self {
         let mean = self.mean / other.mean;

@@ -2,7 +2,7 @@
 
 use crate::common::solve;
 use asperity::contact::{
-    Contact, ContactModulus, Load, Multilevel, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE,
+    Contact, ContactModulus, Law, Load, Multilevel, NODE_EXCESS_PER_SWITCH_LINE, NODE_EXCESS_PER_SWITCH_SURFACE,
 };
 use asperity::surface::{Field, Spectrum};
 use asperity::theory::{Periodic, Westergaard, counting_excess, crossed_full_pressure};
@@ -342,4 +342,52 @@ fn the_face_of_a_punch_is_known_and_that_of_a_measured_one_is_not() {
     let [known, unknown] = [punch, measured].map(|surface| pressed(surface, 1e-3, 1e-9).resolution());
     assert!(known.level_share == 0.0 && known.relative_area_error < 0.05, "{known:?}");
     assert!(unknown.level_share == 1.0 && unknown.kappa_r_error.is_nan(), "{unknown:?}");
+}
+
+/// The area at a hardness of rough lines, held against grids that are 16 times as fine. The edges are jumps of the pressure there, or nearly so.
+#[test]
+fn areas_at_a_hardness_are_those_of_finer_grids() {
+    const FINER: usize = 16;
+    let mut squares = 0.0;
+    let mut cases = 0.0;
+    for seed in 1..=24 {
+        let points = [64, 96, 128][seed as usize % 3];
+        let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.1, rms_gradient: 0.1 };
+        let line = Surface::rough(Grid::line(points, 1.0).unwrap(), &spectrum, seed).unwrap();
+        let hardness = [0.003, 0.01, 0.03][seed as usize / 3 % 3];
+        let under = |surface: Surface| {
+            let load = Load::MeanPressure(hardness * [0.1, 0.3][seed as usize % 2]);
+            let problem = Problem::new(surface, ContactModulus(1.0), load).unwrap();
+            solve(&Multilevel, &problem.with_law(Law::Hardness(hardness)).unwrap(), 1e-12)
+        };
+        let (fine, contact) = (under(line.refined(FINER).unwrap()), under(line));
+        let (resolved, exact) = (contact.resolved(), fine.counted().relative_area_corrected);
+        let off = resolved.relative_area - exact;
+        // the fine grid counts nodes, which leaves half a node an edge
+        let of_fine = 0.5 * fine.counted().switches as f64 / (FINER * points) as f64;
+        let told = contact.resolution().relative_area_error * resolved.relative_area;
+        assert!(off.abs() < 1.5 * told + of_fine, "seed {seed}: {off:e} {told:e} {of_fine:e}");
+        squares += (off * points as f64 / resolved.edges as f64).powi(2);
+        cases += 1.0;
+    }
+    let rms = f64::sqrt(squares / cases);
+    println!("off by {rms:.3} spacings an edge");
+    assert!(rms < 0.03, "{rms}");
+}
+
+/// Where all of a contact is at the hardness, its area is the load over the hardness, on any grid.
+#[test]
+fn a_small_saturated_contact_covers_the_load_over_the_hardness() {
+    for (points, share) in [(24, 0.02), (32, 0.03), (48, 0.01), (48, 0.1)] {
+        let grid = Grid::surface([points; 2], [1.0; 2]).unwrap();
+        let sphere = Indenter::Sphere { radius: 1.0 }.surface(grid).unwrap();
+        let hardness = 1e-3;
+        let problem = Problem::new(sphere, ContactModulus(1.0), Load::MeanPressure(share * hardness)).unwrap();
+        let contact = solve(&Multilevel, &problem.with_law(Law::Hardness(hardness)).unwrap(), 1e-12);
+        let (area, counted) = (contact.resolved().relative_area, contact.counted().relative_area);
+        println!("{points} points, {} nodes: {area:.6}, counted {counted:.6}", contact.counted().contact_nodes);
+        assert!((area / share - 1.0).abs() < 0.01, "{area} {counted}");
+        let told = contact.resolution().relative_area_error;
+        assert!(told > 1e-3 && told < 0.5, "{told}");
+    }
 }

@@ -35,9 +35,14 @@ impl EdgeLaw {
         (self.excess - Self::ELASTIC.excess).abs() < ELASTIC_EXCESS
     }
 
-    /// The place of the edge on the link from a node under the pressure `p`, as a length in the law, to one with the gap `gap`.
-    pub fn place(self, p: f64, gap: f64) -> f64 {
-        p / (p + self.stiffness * gap) - self.excess
+    /// The strength of the edge on the link from a node under the pressure `p`, as a length in the law, to one with the gap `gap`.
+    pub fn strength(self, p: f64, gap: f64) -> f64 {
+        p + self.stiffness * gap
+    }
+
+    /// The place of an edge of some strength.
+    pub fn place(self, p: f64, strength: f64) -> f64 {
+        p / strength - self.excess
     }
 
     /// The law between this one and another one, at a share of the way.

@@ -150,13 +150,16 @@ impl Process for PlasticLoading<'_> {
 impl PlasticState {
     /// The state as one of any history, with the imprint as a further field and the cut below the highest peak.
     pub fn to_state(&self) -> State {
+        let pressure_in_contact = self.mean_contact_pressure();
+        let touches = pressure_in_contact > 0.0;
         let values = StateValues::new(StateKind::Plastic)
             .with(Quantity::ReducedPressure, self.reduced_pressure())
             .with(Quantity::PlasticWork, self.energy.plastic)
             .with(Quantity::Stored, self.energy.elastic)
             .with(Quantity::WorkDone, self.energy.balanced_work())
-            .with(Quantity::PressureInContact, self.mean_contact_pressure())
-            .with(Quantity::ContactPressureOverYield, self.mean_contact_pressure() / self.solid.yield_stress())
+            .with(Quantity::PressureInContact, pressure_in_contact)
+            .with(Quantity::PressureInContactError, touches.then(|| self.contact.resolution().relative_area_error))
+            .with(Quantity::ContactPressureOverYield, pressure_in_contact / self.solid.yield_stress())
             .with(Quantity::MaxPlasticStrain, self.max_accumulated())
             .with(Quantity::DeepestYield, self.deepest_yield().unwrap_or(0.0))
             .with(Quantity::PlasticVolume, self.plastic_volume())

@@ -4,7 +4,7 @@ use super::flow::FlowLaw;
 use super::load_step::{FlowIterate, LoadStep};
 use super::pressing::Pressing;
 use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
-use crate::contact::{Load, Observer, Problem, Solver, Status, Stop, Work};
+use crate::contact::{Load, Observer, Problem, Quantity, Solver, StateKind, StateValues, Status, Stop, Work};
 use crate::elastic::{DepthLayers, DepthResponse};
 use crate::error::PlasticError;
 use crate::grid::Grid;
@@ -375,7 +375,7 @@ impl PlasticState {
         let plastic = before.energy.plastic + certificate.dissipated + reached.back_work;
         // the work is found for the end of a step only
         let energy = PlasticEnergy { elastic: reached.elastic, plastic, work: f64::NAN, imbalance: f64::INFINITY };
-        PlasticState {
+        let mut state = PlasticState {
             load: Some(load),
             contact,
             strain: &before.strain + &increment,
@@ -389,7 +389,11 @@ impl PlasticState {
             unflowed: unflowed.unwrap_or_default(),
             layers: before.layers.clone(),
             solid: before.solid,
-        }
+        };
+        // the edges of a contact differ where its solid has yielded
+        let values = StateValues::new(StateKind::Plastic).with(Quantity::MaxPlasticStrain, state.max_accumulated());
+        state.contact = state.contact.with_values(values);
+        state
     }
 }
 

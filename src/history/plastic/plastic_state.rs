@@ -159,9 +159,9 @@ impl PlasticState {
         ends[1] - ends[0]
     }
 
-    /// The part of the nodes that are in contact.
+    /// The share of the area that is in contact, with edges resolved between the nodes.
     pub fn relative_area(&self) -> f64 {
-        self.contact.pressure.iter().filter(|p| **p > 0.0).count() as f64 / self.contact.pressure.len() as f64
+        self.contact.resolved().relative_area
     }
 
     /// The prescribed reduced pressure, or that of the mean pressure.
@@ -171,7 +171,8 @@ impl PlasticState {
         self.load.and_then(|load| load.reduced_pressure()).unwrap_or_else(found)
     }
 
-    /// Mean pressure over the nodes in contact; zero where nothing touches.
+    /// Mean pressure over the [area](PlasticState::relative_area) in contact; zero where nothing touches. Its relative error is that of the area, since the mean
+    /// pressure over the cell has none.
     pub fn mean_contact_pressure(&self) -> f64 {
         let area = self.relative_area();
         if area > 0.0 { self.contact.mean_pressure() / area } else { 0.0 }

@@ -87,7 +87,7 @@ impl Stage {
             exact: [kappa_r, exact.map(|exact| exact.relative_area)],
             has_ghost: options.ghost.is_some(),
             highest_pressure: forecast.max_pressure,
-            ends: Mutex::new(CurveEnds::before(kappa_r, forecast, properties::reduced_pressure(scene.problem))),
+            ends: Mutex::new(CurveEnds::before(kappa_r, forecast, scene.reduced_pressure())),
             drawings: rows.filter_map(|row| (row.draw)(&subject)).chain(further).chain(zone).collect(),
             plane,
             contact_modulus: scene.problem.contact_modulus(),

@@ -261,4 +261,12 @@ fn patches_are_followed_from_load_to_load() {
     let kinds: Vec<Vec<String>> =
         kinds.into_values().map(|kinds| kinds.iter().map(|kind| kind.as_str().to_owned()).collect()).collect();
     assert_eq!(kinds, [vec![], vec!["born".to_owned()], vec!["merged".to_owned()]]);
+    // the number of patches is that of the contact under the load beside it
+    let words = latest::<Text>(&path, "/contact/it/patch_tree/strongest", &ComponentDescriptor::partial("words"));
+    let counts: Vec<Vec<String>> =
+        words.into_values().map(|all| all.iter().map(|it| it.to_string()).collect()).collect();
+    for (all, now) in counts.iter().zip(["now: 1", "now: 2", "now: 1"]) {
+        assert!(all.contains(&now.into()) && all.contains(&"in all: 2".into()), "{counts:?}");
+    }
+    assert_eq!(counts.len(), 3);
 }

@@ -2,6 +2,7 @@
 
 use super::{cylinder, rough_line, stores};
 use asperity::contact::{Load, Multilevel, PolonskyKeer, Quantity, Reading, Solver};
+use asperity::job::HistoryOutcome;
 use asperity::record::{Options, Recording, Scene};
 use asperity::setup::{Cell, Recipe, Setup};
 use asperity::surface::Spectrum;
@@ -83,6 +84,32 @@ fn a_solve_tells_what_it_was_and_what_came_out() {
     for name in numbers.keys().chain(texts.keys()) {
         let is_observable = Quantity::iter().any(|observable| observable.name() == name);
         assert!(is_observable || section.contains(&format!("`{name}`")), "{name} is not documented");
+    }
+}
+
+/// With adhesion the problem of a contact has a load that stands in for any: the reduced pressure is the given one, and there is none at a mean gap.
+#[test]
+fn a_reduced_pressure_that_nobody_gave_is_no_property() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "
+        surface = { indenter = { shape = 'sine', amplitude = 0.01 } }
+        grid = { points = 32, size = 1.0 }
+        solid = { young = 1.0, poisson = 0.3 }
+        adhesion = { work = 1e-4, range = 0.01 }";
+    for (load, given) in
+        [("mean-gap = 0.02", None), ("mean-pressure = 1e-3", Some(1e-3)), ("reduced-pressure = 0.03", Some(0.03))]
+    {
+        let path = folder.path().join("a.rrd");
+        let setup = Setup::from_toml(&format!("{scene}\nload = {{ {load} }}")).unwrap();
+        let problem = setup.problem().unwrap();
+        HistoryOutcome::solve(&setup, &problem, &mut ()).unwrap().record(&path, &setup, &problem).unwrap();
+        let numbers = numbers(&path, "contact/contact");
+        assert_eq!(numbers["points"], [32.0]);
+        let reduced = problem.rms_gradient() * problem.contact_modulus();
+        let expected = given.map(|given| if load.starts_with("mean") { given / reduced } else { given });
+        let found = numbers.get("reduced_pressure").map(|it| it[0]);
+        let is_expected = found.zip(expected).is_some_and(|(found, expected)| (found / expected - 1.0).abs() < 1e-14);
+        assert!(is_expected || found.is_none() && expected.is_none(), "{load}: {found:?} for {expected:?}");
     }
 }
 

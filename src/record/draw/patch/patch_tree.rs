@@ -209,13 +209,15 @@ impl PatchTreePicture {
                 taken.push(y);
             }
         }
-        let y = self.height(0);
-        let drawn = tree.lives.len();
-        let all = match tree.left_out {
-            0 => format!("{drawn} patches"),
-            left_out => format!("{drawn} of {} drawn", drawn + left_out),
-        };
-        names.words(&all, [self.frame.size[0] + 0.5 * text, y], NUMBER * text, Align::Left);
+        // The tree has the patches of all loads, of which most are not there under this one: the first number is that of the contact that is shown beside it.
+        let mut counts =
+            vec![format!("now: {}", state.patches.len()), format!("in all: {}", tree.lives.len() + tree.left_out)];
+        if tree.left_out > 0 {
+            counts.push(format!("drawn: {}", tree.lives.len()));
+        }
+        for (row, words) in counts.iter().enumerate() {
+            names.words(words, [self.frame.size[0] + 0.5 * text, self.height(row)], NUMBER * text, Align::Left);
+        }
         names
     }
 }
