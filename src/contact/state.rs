@@ -97,6 +97,7 @@ impl State {
         };
         let own = Quantity::iter().filter(is_own);
         let values = own.fold(StateValues::new(kind), |values, it| values.with(it, number(it)));
+        let values = if claim == ResultClaim::Separated { values.parted() } else { values };
         let transforms = number(Quantity::Transforms).map_or(contact.work.transforms, |it| it as u64);
         let work = Work { transforms, ..contact.work };
         let contact = contact.with_work(work).with_values(values);

@@ -107,17 +107,19 @@ impl AdhesiveProcess {
             .with(Quantity::Dissipated, ledger.lost())
             .with(Quantity::DissipatedError, ledger.error().filter(|_| self.is_periodic()))
             .with(Quantity::WorkDone, ledger.work())
+            .with(Quantity::LowestPressure, ledger.lowest())
             .with(Quantity::Jump, jump);
         match place {
             AdhesivePlace::State(state) => {
                 let state = Arc::unwrap_or_clone(state);
+                let stored = state.stored();
                 let contact = state.contact;
                 let values = values
                     .with(Quantity::MeanPressure, state.mean_pressure)
                     .with(Quantity::ContactPressure, contact.mean_pressure())
                     .with(Quantity::MeanAttraction, state.traction.mean())
                     .with(Quantity::RelativeArea, contact.values().get(Quantity::RelativeArea))
-                    .with(Quantity::Stored, state.energy)
+                    .with(Quantity::Stored, stored)
                     .with(Quantity::Residual, state.residual)
                     .with(Quantity::LeastCurvature, state.least_curvature)
                     .with(Quantity::CurvatureError, state.curvature_error);
@@ -136,7 +138,7 @@ impl AdhesiveProcess {
                     Quantity::Residual,
                 ];
                 let values = nothing.into_iter().fold(values, |values, it| values.with(it, 0.0));
-                let contact = self.apart().with_work(work).with_values(values);
+                let contact = self.apart().with_work(work).with_values(values.parted());
                 State::new(contact, ResultClaim::Separated)
                     .at(point)
                     .with_fields(vec![StateField::attraction(Field::zeros(shape))])

@@ -80,7 +80,8 @@ impl CreepState {
             .with(Quantity::ReducedPressure, self.load.and_then(|load| load.reduced_pressure()))
             .with(Quantity::EffectivePressure, effective.mean())
             .with(Quantity::RelativeArea, if is_pressed { resolved.relative_area } else { 0.0 })
-            .with(Quantity::KappaR, is_pressed.then_some(resolved.kappa_r))
+            // a contact of single nodes may have neither an area nor a gradient
+            .with(Quantity::KappaR, Some(resolved.kappa_r).filter(|kappa_r| is_pressed && *kappa_r > 0.0))
             .with(Quantity::Dissipated, self.energy.lost)
             .with(Quantity::Stored, self.energy.stored)
             .with(Quantity::WorkDone, self.energy.work)

@@ -333,8 +333,9 @@ impl Setup {
     pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
         let surface = surface.into();
         self.check_on(surface.grid())?;
-        // adhesion has loads that no other contact has, such as pulls
-        let load = if self.adhesion.is_some() { Load::ReducedPressure(ANY) } else { self.load };
+        // a history may begin with a load that no other contact has: a pull with adhesion, an approach that lifts the surface off a solid that creeps
+        let is_apart = matches!(self.load, Load::Approach(approach) if approach <= 0.0) && self.creeps();
+        let load = if self.adhesion.is_some() || is_apart { Load::ReducedPressure(ANY) } else { self.load };
         let problem = Problem::new(surface, self.elastic()?, load)?.with_law(self.law)?;
         match self.speed() {
             Some(speed) => Ok(problem.sliding(speed, &self.memory()?)?),
