@@ -122,7 +122,7 @@ quantities! {
         FrictionPersson friction_persson, "mu, Persson", "friction by Persson", One, Number, States,
             "Friction coefficient of Persson's theory, an estimate for partial contact.";
         FrictionError friction_error, "|dmu| / mu", "error of the friction", One, Number, None,
-            "Estimated relative error of the hysteretic friction coefficient on this grid, from half as many points along each axis.";
+            "Estimated relative error of the hysteretic friction coefficient on this grid: the difference from half as many points along each axis, and the error of the area.";
         EffectivePressure effective_pressure, "<p_eff>", "effective pressure", Pressure, Number, States,
             "Mean effective pressure: the pressure that would displace the glassy solid as far as the solid is displaced.";
         Shift shift, "s", "shift", Length, Number, States,

@@ -47,6 +47,9 @@ const SAVED: [Quantity; 5] = [
     Quantity::KappaR,
 ];
 
+/// Further ones of a state with adhesion: the mean pressure less the attraction, and the error of an area that is counted.
+const OF_ADHESION: [Quantity; 2] = [Quantity::MeanPressure, Quantity::RelativeAreaError];
+
 impl State {
     /// The state of a contact that was solved for itself.
     pub fn from_contact(contact: Contact, point: Option<usize>) -> Self {
@@ -92,8 +95,8 @@ impl State {
     ) -> Self {
         let kind = contact.values().kind;
         let is_own = |it: &Quantity| {
-            let is_net = *it == Quantity::MeanPressure && kind == StateKind::Adhesion;
-            it.row().is_known_by_process() || SAVED.contains(it) || is_net
+            let is_of_adhesion = kind == StateKind::Adhesion && OF_ADHESION.contains(it);
+            it.row().is_known_by_process() || SAVED.contains(it) || is_of_adhesion
         };
         let own = Quantity::iter().filter(is_own);
         let values = own.fold(StateValues::new(kind), |values, it| values.with(it, number(it)));

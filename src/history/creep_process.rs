@@ -51,9 +51,12 @@ impl Process for CreepProcess<'_> {
         };
         let reached =
             self.points.get(self.next).filter(|(time, load)| *time == state.time && Some(*load) == state.load);
-        let is_point = reached.is_some();
-        let point = if is_point { self.next.checked_sub(self.before) } else { None };
-        self.next += usize::from(is_point);
+        let point = reached.and_then(|_| self.next.checked_sub(self.before));
+        if let Some(point) = reached.copied() {
+            // a load that is given twice at one time has one state
+            let again = self.points[self.next..].iter().take_while(|other| **other == point).count();
+            self.next += again;
+        }
         Some(Ok(state.into_state(point)))
     }
 

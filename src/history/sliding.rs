@@ -16,8 +16,8 @@ const SAME_WAVENUMBER: f64 = 1e-9;
 const COARSE_TOLERANCE: f64 = 1e-6;
 const COARSE_UPDATES: usize = 300;
 
-/// The part of the difference of friction between a grid and one of half as many points that is stated as its error.
-const GRID_SHARE: f64 = 1.0;
+/// The least relative error of friction that is stated: rounding of its sums over the waves.
+const ROUNDING: f64 = 1e-12;
 
 /// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. The loss of
 /// energy in the solid resists the motion.
@@ -71,8 +71,8 @@ pub struct Sliding {
     pub full_contact: f64,
     /// The coefficient of friction of Persson's theory, dimensionless.
     pub persson: f64,
-    /// The estimated relative error of `friction` by the grid: the difference from the contact on half as many points along each axis, or a part of it.
-    /// None where the grid cannot be halved, or the contact on the half of it was not found.
+    /// The estimated relative error of `friction` by the grid: the difference from the contact on half as many points along each axis, and the error
+    /// of the area. None where the grid cannot be halved, or the contact on the half of it was not found.
     pub grid_error: Option<f64>,
 }
 
@@ -137,8 +137,9 @@ fn losses(problem: &Problem, mean_pressure: f64) -> [f64; 2] {
     sums
 }
 
-/// The estimated relative error of the friction coefficient of a contact by its grid, from the contact on half as many points along
-/// each axis.
+/// The estimated relative error of the friction coefficient of a contact by its grid, from the contact on half as many points along each axis. The
+/// difference alone crosses zero by chance: of 124 contacts (rough lines and surfaces, cylinders) it was below the error to be found in 13 % by more than
+/// 1.5 times, and by up to 44 times. With the error of the area added it was so in one, by 2.0 times; half of the errors are a tenth of what is stated.
 fn grid_error(contact: &Contact, friction: f64) -> Option<f64> {
     let coarse = coarser(&contact.problem)?;
     let shape = coarse.surface().grid().shape();
@@ -146,6 +147,7 @@ fn grid_error(contact: &Contact, friction: f64) -> Option<f64> {
     let start = Field::from_shape_fn(shape, |(y, x)| contact.pressure[[y * step[0], x * step[1]]]);
     let stop = Stop::new(COARSE_TOLERANCE, COARSE_UPDATES).ok()?;
     let found = MonotoneSets.solve_from(Some(&start), &coarse, &stop, &mut ()).ok()?;
-    let error = (found.friction() / friction - 1.0).abs() * GRID_SHARE;
+    let difference = (found.friction() / friction - 1.0).abs();
+    let error = difference.max(ROUNDING) + contact.resolution().relative_area_error;
     Some(error).filter(|error| found.is_converged() && error.is_finite())
 }

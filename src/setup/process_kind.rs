@@ -193,6 +193,7 @@ const SLIDING: ProcessRow = ProcessRow {
     columns: &[
         Quantity::Speed,
         Quantity::Friction,
+        Quantity::FrictionError,
         Quantity::FrictionFullContact,
         Quantity::FrictionPersson,
         Quantity::RelativeArea,

@@ -305,7 +305,9 @@ fn half_a_cycle_is_no_cycle() {
 fn a_state_without_a_load_has_none_of_an_earlier_one() {
     let folder = Folder::new();
     let line = "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --modulus 1 --creep 4,1 --path-time 0,1,2,3 --path-steps 1";
-    for (kind, path) in [("pressure", "0.002,0,0,0.002"), ("force", "0.002,0,0,0.002"), ("reduced-pressure", "0.02,0,0,0.02")] {
+    for (kind, path) in
+        [("pressure", "0.002,0,0,0.002"), ("force", "0.002,0,0,0.002"), ("reduced-pressure", "0.02,0,0,0.02")]
+    {
         let found = json(&folder, &format!("{line} --{kind} 0.02 --path-load {path} --json --out {kind}.npz"));
         let states = found["states"].as_array().unwrap();
         assert!(states.iter().all(|state| state["reduced_pressure"].is_number() && state["mean_pressure"].is_number()));
@@ -318,7 +320,8 @@ fn a_state_without_a_load_has_none_of_an_earlier_one() {
             }
         }
         let patches = folder.run(&format!("patches --setup-of {kind}.npz --json"));
-        let patches: Value = serde_json::from_slice(&patches.stdout).unwrap_or_else(|_| panic!("{}", text(&patches.stderr)));
+        let patches: Value =
+            serde_json::from_slice(&patches.stdout).unwrap_or_else(|_| panic!("{}", text(&patches.stderr)));
         assert_eq!(patches["states"][1]["reduced_pressure"], 0.0, "{patches}");
     }
 }
@@ -352,8 +355,12 @@ fn a_grid_that_is_too_coarse_warns_in_every_drive() {
         ("slip", COARSE, "--modulus 1 --force 0.02 --friction 0.3 --path-tangential 0.001,0.002"),
         ("sliding", COARSE, "--modulus 1 --force 0.02 --creep 1,0.01 --speed 0.1,1"),
         ("rolling", LINE, "--modulus 1 --force 0.002 --friction 0.3 --rolling 0.0002"),
-        ("adhesion", COARSE, "--modulus 0.01 --adhesion 1e-3 --adhesion-range 0.05 --pressure 1e-5 --path-load 1e-5,2e-5 --path-steps 1"),
-        ("yield", COARSE, "--young 1 --poisson 0.3 --yield-stress 0.05 --hardening-modulus 0 --force 0.02"),
+        (
+            "adhesion",
+            COARSE,
+            "--modulus 0.01 --adhesion 1e-3 --adhesion-range 0.05 --pressure 1e-5 --path-load 1e-5,2e-5 --path-steps 1",
+        ),
+        ("yield", COARSE, "--young 1 --poisson 0.3 --yield-stress 0.05 --hardening-modulus 0.01 --force 0.02"),
     ] {
         let line = format!("solve {surface} {motion}");
         let output = folder.run(&format!("{line} --json"));
@@ -363,5 +370,21 @@ fn a_grid_that_is_too_coarse_warns_in_every_drive() {
         assert!(found["warnings"].to_string().contains("on this grid"), "{drive}");
         let strict = folder.run(&format!("{line} --strict"));
         assert_eq!(strict.status.code(), Some(2), "{drive}: {}", text(&strict.stderr));
+    }
+}
+
+/// What an archive keeps of a contact on a layer holds when it is read again, whatever drives it.
+#[test]
+fn saved_contacts_on_layers_hold() {
+    let folder = Folder::new();
+    let line = "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --young 1 --poisson 0.3 --layer 0.2 --base bonded";
+    for motion in ["--adhesion 7e-5 --adhesion-range 0.004", "--creep 4,1 --path-time 2", "--creep 4,1 --speed 0.1"] {
+        for load in ["--pressure 0.002", "--approach 0.004", "--mean-gap 0.008"] {
+            let solved = folder.run(&format!("{line} {motion} {load} --out states.npz"));
+            assert!(solved.status.success(), "{motion} {load}: {}", text(&solved.stderr));
+            let read = folder.run("patches --setup-of states.npz");
+            assert!(read.status.success(), "{motion} {load}: {}", text(&read.stderr));
+            std::fs::remove_file(folder.join("states.npz")).unwrap();
+        }
     }
 }

@@ -101,10 +101,12 @@ fn a_branch_with_adhesion_stores_and_takes_the_same_however_it_is_driven() {
         let points = ends.map(PathPoint::under).to_vec();
         let mut states: Vec<State> = Vec::new();
         let mut process = AdhesiveProcess::new(problem, points, 4, AdhesiveMethod::Fast, tight());
-        process.run(&mut (), &mut |state| {
-            states.push(state);
-            Ok(())
-        }).unwrap();
+        process
+            .run(&mut (), &mut |state| {
+                states.push(state);
+                Ok(())
+            })
+            .unwrap();
         states
     };
     let pressed = path([5e-3, 15e-3].map(Load::MeanPressure));
@@ -162,8 +164,8 @@ fn only_cycles_that_close_are_told() {
         points.iter().map(|(time, load)| PathPoint { time: Some(*time), ..PathPoint::under(*load) }).collect();
     let losses = cycle_losses(&path, &states);
     let rate = (high - low) / period;
-    let exact = 2.0 * layer().1 * ratio * rate * rate * tau * period
-        * (1.0 - 2.0 * tau / period * (0.5 * period / tau).tanh());
+    let exact =
+        2.0 * layer().1 * ratio * rate * rate * tau * period * (1.0 - 2.0 * tau / period * (0.5 * period / tau).tanh());
     assert_eq!(losses.len(), 2, "{losses:?}");
     for lost in losses {
         is_near(lost, exact, 1e-3, "a cycle");
