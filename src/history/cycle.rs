@@ -56,8 +56,7 @@ impl<'a> Cycles<'a> {
                 from += 1;
                 continue;
             };
-            let ends = (from + 2..path.len()).filter(|&to| is_cycle(path, from, to));
-            let ends: Vec<(usize, usize)> = ends.filter_map(|to| Some((to, reached(to)?))).collect();
+            let ends: Vec<(usize, usize)> = ends(path, from).filter_map(|to| Some((to, reached(to)?))).collect();
             match ends.iter().find(|(_, end)| is_closed(&states[begin..=*end])) {
                 Some(&(to, end)) => {
                     cycles.closed.push([states[begin], states[end]]);
@@ -72,6 +71,13 @@ impl<'a> Cycles<'a> {
         }
         cycles
     }
+}
+
+/// The points at which a cycle of the loads from a point ends: the first one, and those up to which its loads are held. A later return would end several
+/// cycles.
+fn ends(path: &[PathPoint], from: usize) -> impl Iterator<Item = usize> {
+    let first = (from + 2..path.len()).find(|&to| is_cycle(path, from, to)).unwrap_or(path.len());
+    (first..path.len()).take_while(move |&to| loads(&path[to]) == loads(&path[from]))
 }
 
 /// Whether a path has the same loads at two points, in the same direction, and others between them.

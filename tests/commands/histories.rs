@@ -377,7 +377,8 @@ fn a_grid_that_is_too_coarse_warns_in_every_drive() {
 #[test]
 fn saved_contacts_on_layers_hold() {
     let folder = Folder::new();
-    let line = "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --young 1 --poisson 0.3 --layer 0.2 --base bonded";
+    let line =
+        "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --young 1 --poisson 0.3 --layer 0.2 --base bonded";
     for motion in ["--adhesion 7e-5 --adhesion-range 0.004", "--creep 4,1 --path-time 2", "--creep 4,1 --speed 0.1"] {
         for load in ["--pressure 0.002", "--approach 0.004", "--mean-gap 0.008"] {
             let solved = folder.run(&format!("{line} {motion} {load} --out states.npz"));
