@@ -13,6 +13,7 @@ use crate::setup::Setup;
 use crate::states::States;
 use asperity::contact::{Observables, archive_of_states};
 use asperity::files::write_beside;
+use asperity::history::Sliding;
 use asperity::job::{LoadNumbers, write_loads};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -137,10 +138,15 @@ fn write_table(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result<(
         true => vec![Vec::new(); contacts.len()],
         false => contacts.iter().map(|it| Ok(it.get().flow()?.numbers)).collect::<Result<Vec<_>, BoxedError>>()?,
     };
+    let of_motion = |it: &Py<Contact>| {
+        let values = it.get().contact.values();
+        Sliding::NUMBERS.into_iter().filter_map(|it| Some((it, values.get(it)?))).collect::<Vec<_>>()
+    };
+    let further: Vec<_> = contacts.iter().zip(flows).map(|(it, flow)| [of_motion(it), flow].concat()).collect();
     let numbers = |(i, it): (usize, &Py<Contact>)| LoadNumbers {
         status: it.get().contact.status,
         observables: &observables[i],
-        flow: &flows[i],
+        further: &further[i],
     };
     Ok(write_loads(path, &contacts.iter().enumerate().map(numbers).collect::<Vec<_>>())?)
 }

@@ -104,16 +104,16 @@ impl Contact {
         self.contact.0.value(Quantity::MeanPressure)
     }
 
-    /// Mean gap, a length.
+    /// Mean gap, a length. NaN where adhesion has let go under a load: surfaces that have parted have no distance.
     #[getter]
     fn mean_gap(&self) -> f64 {
-        self.contact.mean_gap()
+        self.contact.0.value(Quantity::MeanGap)
     }
 
     /// The approach, a length: how far the surface has moved since first touch. None on a periodic half-space, where it has no limit.
     #[getter]
     fn approach(&self) -> Option<f64> {
-        self.contact.approach()
+        self.contact.0.get(Quantity::Approach)
     }
 
     /// Elastic energy per area, pressure times length. In a history of creep or adhesion it is NaN: `stored` in History.numbers is the stored

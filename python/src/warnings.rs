@@ -3,19 +3,17 @@
 use crate::contact::Contact;
 use crate::warn::warn_sentence;
 use crate::words::given_as;
-use asperity::contact::{Observables, Status, warning_of_rim, warnings_of};
+use asperity::contact::Status;
+use asperity::job::warnings_of_contacts;
 use asperity::warning::{Remedy, Warning};
 use pyo3::prelude::*;
 
 /// Warnings about contacts under one load or several, and about their surface.
 pub fn warnings_about(contacts: &[&Contact]) -> Vec<Warning> {
     let Some(first) = contacts.first() else { return Vec::new() };
-    let found: Vec<Observables> = contacts.iter().map(|it| Observables::new(&*it.contact)).collect();
+    let all: Vec<&asperity::Contact> = contacts.iter().map(|it| &*it.contact).collect();
     let mut warnings = first.setup.surface.warnings(&first.surface);
-    warnings.extend(warnings_of(&found.iter().collect::<Vec<_>>(), first.contact.problem.law()));
-    warnings.extend(contacts.iter().find_map(|it| warning_of_rim(&it.contact)));
-    warnings.extend(first.setup.warning_of_coupling());
-    warnings.extend(first.setup.warnings_of_creep());
+    warnings.extend(warnings_of_contacts(&first.setup, &all));
     warnings
 }
 

@@ -196,7 +196,8 @@ def test_a_sticky_sine_jumps_in_and_out(tmp_path: Path) -> None:
     # the path is closed, so what the load did is what the jumps lost
     assert history.numbers["work_done"][-1] == pytest.approx(adhesion["lost_in_jumps"], rel=1e-3)
     pressure = history.numbers["mean_pressure"]
-    assert pressure.min() == adhesion["lowest_pressure"]
+    # the lowest one may lie between two states that are shown
+    assert 1.2 * pressure.min() < adhesion["lowest_pressure"] <= pressure.min()
     # the mean pressure is that of the contact less the attraction
     attraction = history.fields["attraction"]
     assert attraction.shape == (len(history), 512)

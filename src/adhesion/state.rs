@@ -28,7 +28,8 @@ pub struct AdhesiveState {
     pub mean_pressure: f64,
     /// The datum `d` of the gap `u - h + d`.
     pub datum: f64,
-    /// The elastic energy and that of the attraction, per area; without the load.
+    /// The elastic energy and that of the attraction, per area; without the load, and without what the uniform displacement stores where the
+    /// displacement does not contain it, see [`AdhesiveState::stored`].
     pub energy: f64,
     /// The largest violation of equilibrium at a node: a pressure over the strength of the attraction. With the safe method, and where the
     /// rounding of elastic stress is larger than the tolerance of that, it is the largest displacement that the violation causes, over the range.
@@ -57,6 +58,13 @@ impl AdhesiveState {
     /// The mean gap, a length.
     pub fn mean_gap(&self) -> f64 {
         self.contact.mean_gap()
+    }
+
+    /// The stored energy per area, pressure times length: that of the solid and of the attraction. On a layer that of the uniform displacement by the
+    /// mean pressure, `c P^2 / 2` with the compliance `c` of a uniform pressure, is a part of it under any control. It changes without a loss, as that
+    /// of a spring in series.
+    pub fn stored(&self) -> f64 {
+        self.energy + self.contact.uniform_energy()
     }
 
     /// The state moved on from an earlier one, by a share of the way between both: an estimate, with the gap and the datum of a smooth branch.

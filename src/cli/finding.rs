@@ -3,9 +3,10 @@
 use super::flow::FlowFinding;
 use super::units::{Units, significant};
 use asperity::contact::{Contact, Load, Observables, Plasticity, Quantity, ResultClaim, Status, Unit};
+use asperity::history::Sliding;
 use asperity::setup::Setup;
 use asperity::theory::Exact;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// Quantities that have rows of their own, without further words.
 const OTHERS: [Quantity; 4] =
@@ -28,6 +29,9 @@ pub struct Finding {
     pub claim: ResultClaim,
     #[serde(flatten)]
     pub observables: Observables,
+    /// What its motion gives besides, of a contact that slides.
+    #[serde(flatten)]
+    pub motion: MotionNumbers,
     pub seconds: f64,
     /// What yields, where there is a hardness.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -46,7 +50,35 @@ pub struct Finding {
     pub flow: Option<FlowFinding>,
 }
 
+/// The numbers of a contact that slides besides its observables, in the order of [`Sliding::NUMBERS`]; none of others.
+pub struct MotionNumbers(Vec<(Quantity, f64)>);
+
+impl MotionNumbers {
+    fn new(contact: &Contact) -> Self {
+        let known = Sliding::NUMBERS.into_iter().filter(|_| contact.problem.is_moving());
+        Self(known.filter_map(|quantity| Some((quantity, contact.values().get(quantity)?))).collect())
+    }
+
+    fn get(&self, quantity: Quantity) -> Option<f64> {
+        self.0.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
+    }
+}
+
+impl Serialize for MotionNumbers {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(quantity, value)| (quantity.name(), value)))
+    }
+}
+
 impl Finding {
+    /// The numbers that only its motion and what flows through it give, where there are any.
+    pub fn further(&self) -> Vec<(Quantity, f64)> {
+        let MotionNumbers(motion) = &self.motion;
+        let flow = self.flow.iter().flat_map(|it| it.numbers.iter());
+        let is_new = |(it, _): &&(Quantity, f64)| it.row().is_known_by_process() && !Sliding::NUMBERS.contains(it);
+        motion.iter().chain(flow.filter(is_new)).copied().collect()
+    }
+
     pub fn new(setup: &Setup, contact: &Contact) -> Self {
         let grid = contact.problem.surface().grid();
         let unit = if grid.is_line() { "N/m" } else { "N" };
@@ -56,6 +88,7 @@ impl Finding {
             status: contact.status,
             claim: contact.claim(),
             observables: Observables::new(contact),
+            motion: MotionNumbers::new(contact),
             seconds: contact.work.seconds,
             plasticity: setup.law.hardness().map(|_| contact.plasticity()),
             exact: setup.exact(grid, contact.mean_pressure()),
@@ -75,7 +108,7 @@ impl Finding {
         let slides = friction.is_some().then_some(self.observables.effective_modulus);
         let modulus =
             slides.map(|it| ("effective modulus", format!("{}, of p*, kappa and kappa_r", units.pressure(it))));
-        let friction = friction.map(|it| ("friction coefficient", format!("{it:.6e} (by the loss in the solid)")));
+        let friction = friction.into_iter().flat_map(|it| self.friction_rows(it));
         let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
         let approach = approach.map(|approach| ("approach", units.length(approach)));
         let plasticity = self.plasticity.iter().flat_map(|it| {
@@ -89,6 +122,18 @@ impl Finding {
         let results = results.chain(plasticity).chain(stiffness).chain(exact);
         let flow = self.flow.iter().flat_map(|it| it.rows(units));
         results.map(|(name, value)| (name.to_owned(), value)).chain(flow).collect()
+    }
+
+    /// The friction of a contact that slides with the error of its grid, and what theory says.
+    fn friction_rows(&self, friction: f64) -> Vec<(&'static str, String)> {
+        let error = self.motion.get(Quantity::FrictionError);
+        let error = error.map_or(String::new(), |error| plus_or_minus("", friction.abs() * error));
+        let mut rows = vec![("friction coefficient", format!("{friction:.6e}{error} (by the loss in the solid)"))];
+        let [full, persson] = [Quantity::FrictionFullContact, Quantity::FrictionPersson].map(|it| self.motion.get(it));
+        if let (Some(full), Some(persson)) = (full, persson) {
+            rows.push(("friction, full contact", format!("{full:.6e}, by Persson's theory {persson:.6e}")));
+        }
+        rows
     }
 
     /// Area, `kappa_r`, gap and pressures, and the certificate.

@@ -228,6 +228,7 @@ fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) ->
 fn heading(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Friction => "friction",
+        Quantity::FrictionError => "relative error",
         Quantity::FrictionFullContact => "in full contact",
         Quantity::FrictionPersson => "Persson",
         Quantity::EffectivePressure => "eff. pressure",
@@ -265,6 +266,7 @@ fn cell(quantity: Quantity, state: &State, units: Units) -> String {
             | Quantity::TractionCertificate
             | Quantity::StepCertificate
             | Quantity::TimeError
+            | Quantity::FrictionError
             | Quantity::Residual,
         ) => format!("{value:.1e}"),
         _ => number_in_words(value),

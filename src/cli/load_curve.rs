@@ -12,13 +12,14 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Load, Observables, Problem, Status, archive_of_states, warnings_of};
+use asperity::contact::{Load, Observables, Problem, Quantity, Status, archive_of_states, warnings_of};
 use asperity::error::{HistoryError, StudyError, is_input};
 use asperity::files::write_beside;
 use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
 use asperity::plot::write_figure;
 use asperity::setup::SetupTable;
 use asperity::study::LoadCurve;
+use asperity::warning::Warning;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
@@ -48,7 +49,7 @@ pub fn write(
     watch: StateWatch<'_>,
     (outputs, units): (&Outputs, Units),
 ) -> Result<ExitStatus> {
-    let StateWatch { findings, status, shortfalls, .. } = watch;
+    let StateWatch { findings, of_contact, status, shortfalls, .. } = watch;
     let Some(mut history) = solved.history else { return Ok(status) };
     let is_stopped = matches!(history.ended, Some(HistoryError::Stopped));
     if let Some(error) = history.ended.take_if(|error| is_input(error)) {
@@ -61,7 +62,7 @@ pub fn write(
     let curve = LoadCurve { setup: solved.setup, loads: loads[..findings.len()].into() };
     let failure = history.failure.take();
     let written = (outputs, units);
-    write_files(&curve, problem, (findings, shortfalls), &history, written)?;
+    write_files(&curve, problem, (findings, of_contact, shortfalls), &history, written)?;
     let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
     outputs.files().filter(is_whole).for_each(wrote);
     let (solved, all) = (curve.loads.len(), loads.len());
@@ -80,7 +81,7 @@ pub fn write(
 fn write_files(
     curve: &LoadCurve,
     problem: &Problem,
-    (findings, shortfalls): (Vec<Finding>, Vec<String>),
+    (findings, of_contact, shortfalls): (Vec<Finding>, Vec<Warning>, Vec<String>),
     history: &HistoryOutcome,
     (outputs, units): (&Outputs, Units),
 ) -> Result<()> {
@@ -88,9 +89,7 @@ fn write_files(
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());
     warnings.extend(warnings_of(&observables, problem.law()));
-    // a grid is found under one load only: several take a number
-    let refinements = warnings.iter_mut().flat_map(|it| &mut it.remedies).filter(|it| it.key == "grid.refine");
-    refinements.for_each(|it| it.value = None);
+    warnings.extend(of_contact);
     let mut warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
     warnings.extend(shortfalls);
@@ -99,7 +98,8 @@ fn write_files(
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
-        write_loads(path, &findings.iter().map(numbers_of).collect::<Vec<_>>())?;
+        let further: Vec<Vec<(Quantity, f64)>> = findings.iter().map(Finding::further).collect();
+        write_loads(path, &findings.iter().zip(&further).map(numbers_of).collect::<Vec<_>>())?;
     }
     if let Some(path) = outputs.picture() {
         let figure = picture::of_loads(&subject.title, &observables, curve.setup.load, units);
@@ -121,9 +121,8 @@ fn write_files(
 }
 
 /// The numbers of a finding for a table.
-fn numbers_of(finding: &Finding) -> LoadNumbers<'_> {
-    let flow = finding.flow.as_ref().map_or(&[][..], |it| &it.numbers);
-    LoadNumbers { status: finding.status, observables: &finding.observables, flow }
+fn numbers_of<'a>((finding, further): (&'a Finding, &'a Vec<(Quantity, f64)>)) -> LoadNumbers<'a> {
+    LoadNumbers { status: finding.status, observables: &finding.observables, further }
 }
 
 impl LoadCurveSummary {

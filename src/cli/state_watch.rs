@@ -7,9 +7,10 @@ use super::interrupt::interrupted;
 use super::outputs::Outputs;
 use super::progress::Bars;
 use anyhow::Result;
-use asperity::contact::{Observer, State};
+use asperity::contact::{Observer, State, warnings_of_contact};
 use asperity::job::{Pass, Watcher};
 use asperity::setup::{ProcessKind, Setup};
+use asperity::warning::Warning;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -21,6 +22,8 @@ pub struct StateWatch<'a> {
     kind: ProcessKind,
     /// The findings, of a list of loads.
     pub findings: Vec<Finding>,
+    /// Warnings about the first contact of a list of loads that has some which do not follow from its findings.
+    pub of_contact: Vec<Warning>,
     /// How the solves ended, of a list of loads.
     pub status: ExitStatus,
     /// The warnings of those that did not converge.
@@ -31,7 +34,16 @@ impl<'a> StateWatch<'a> {
     /// A watch of the states of a setup, which Ctrl-C ends.
     pub fn new(setup: &'a Setup, outputs: &'a Outputs, kind: ProcessKind) -> Result<Self> {
         let bars = Bars::until(interrupted()?);
-        Ok(Self { bars, setup, outputs, kind, findings: Vec::new(), status: ExitStatus::Done, shortfalls: Vec::new() })
+        Ok(Self {
+            bars,
+            setup,
+            outputs,
+            kind,
+            findings: Vec::new(),
+            of_contact: Vec::new(),
+            status: ExitStatus::Done,
+            shortfalls: Vec::new(),
+        })
     }
 }
 
@@ -51,6 +63,9 @@ impl Watcher for StateWatch<'_> {
         self.outputs.complete(&state.contact);
         let flow = FlowFinding::from_numbers(state.contact.values().numbers());
         self.findings.push(Finding { flow, ..Finding::new(self.setup, &state.contact) });
+        if self.of_contact.is_empty() {
+            self.of_contact = warnings_of_contact(&state.contact);
+        }
         self.shortfalls.extend(shortfall(&state.contact));
         self.status = self.status.max(status_of(&state.contact).unwrap_or(ExitStatus::NotConverged));
     }

@@ -88,6 +88,7 @@ pub use monotone::MonotoneSets;
 pub(crate) use monotone::{BoxInequality, LoadOrDatum, SetIteration};
 pub(crate) use moving::{directions, hysteretic_friction, spectrum};
 pub use multilevel::Multilevel;
+pub(crate) use multilevel::hierarchy::coarser;
 pub use observe::Each;
 pub(crate) use observe::goes_on;
 pub use outcome::{Contact, Work};
@@ -117,4 +118,7 @@ pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;
 pub use validity::{StateKind, Validity};
 pub(crate) use warnings::LARGEST_ERROR;
-pub use warnings::{Strain, warning_of_rim, warning_of_trail, warnings_of, warnings_of_strains};
+pub use warnings::{
+    Strain, warning_of_friction, warning_of_rim, warning_of_trail, warnings_of, warnings_of_contact,
+    warnings_of_states, warnings_of_strains,
+};

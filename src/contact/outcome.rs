@@ -341,19 +341,41 @@ impl Contact {
         Some(self.problem.highest() - datum + self.uniform_displacement()?)
     }
 
-    /// The uniform displacement by the mean pressure, if the displacement does not contain it; none if it is not
+    /// The mean of the pressure that would displace the elastic solid of the problem as far as this solid is displaced. It is the mean pressure,
+    /// but for
+    /// - a solid that creeps, which remembers earlier pressures: the mean effective pressure;
+    /// - adhesion: the mean pressure less the mean attraction;
+    /// - a contact that slides: its uniform pressure does not change in time, so that the solid is relaxed under it, `<p> (1 + sum f)`.
+    fn displacing_pressure(&self) -> f64 {
+        let values = self.values();
+        let given = match values.kind {
+            StateKind::Creep => values.get(Quantity::EffectivePressure),
+            StateKind::Adhesion => values.get(Quantity::MeanPressure),
+            StateKind::Elastic | StateKind::Plastic => None,
+        };
+        given.unwrap_or_else(|| self.mean_pressure() * (1.0 + self.problem.compliance().creep().unwrap_or(0.0)))
+    }
+
+    /// The uniform displacement, if the displacement does not contain it, by the mean of the pressure that displaces; none if it is not
     /// defined.
     fn uniform_displacement(&self) -> Option<f64> {
         match self.problem.compliance().has_uniform() {
             true => Some(0.0),
-            false => Some(self.problem.solid().uniform_compliance()? * self.mean_pressure()),
+            false => Some(self.problem.solid().uniform_compliance()? * self.displacing_pressure()),
         }
     }
 
-    /// Elastic energy `<p u>/2` per area of the cell, pressure times length, including the uniform displacement by the
-    /// mean pressure. This is finite on a layer; on a periodic half-space the displacement has zero mean. Under
-    /// increasing loads the energy grows with the [approach](Self::approach) `d` as `<p> = dU/dd`. On a half-space it
-    /// decreases with the mean gap as `<p> = -dU/d<g>`.
+    /// The elastic energy of the uniform displacement per area of the cell, if the displacement does not contain it: pressure times length. Zero
+    /// where it is not defined.
+    pub(crate) fn uniform_energy(&self) -> f64 {
+        0.5 * self.displacing_pressure() * self.uniform_displacement().unwrap_or(0.0)
+    }
+
+    /// Elastic energy `<p u>/2` per area of the cell, pressure times length, including the uniform displacement. This is finite on a layer; on a
+    /// periodic half-space the displacement has zero mean. Under increasing loads the energy grows with the [approach](Self::approach) `d` as
+    /// `<p> = dU/dd`. On a half-space it decreases with the mean gap as `<p> = -dU/d<g>`.
+    ///
+    /// A contact that slides has no energy that loads exchange with it: this is half the work `<p u>` there.
     pub fn elastic_energy(&self) -> f64 {
         let displacement = self.displacement.as_slice().expect("results are made in standard layout");
         let pressure = self.pressures();

@@ -121,6 +121,8 @@ quantities! {
             "Friction coefficient in full contact under the same load, exact where all nodes touch.";
         FrictionPersson friction_persson, "mu, Persson", "friction by Persson", One, Number, States,
             "Friction coefficient of Persson's theory, an estimate for partial contact.";
+        FrictionError friction_error, "|dmu| / mu", "error of the friction", One, Number, None,
+            "Estimated relative error of the hysteretic friction coefficient on this grid: the difference from half as many points along each axis, and the error of the area.";
         EffectivePressure effective_pressure, "<p_eff>", "effective pressure", Pressure, Number, States,
             "Mean effective pressure: the pressure that would displace the glassy solid as far as the solid is displaced.";
         Shift shift, "s", "shift", Length, Number, States,
@@ -220,7 +222,7 @@ quantities! {
         ConductanceTimesResistivity conductance_times_resistivity, "G rho / A", "conductance times resistivity", PerLength, Number, None,
             "The conductance per area times the sum of both resistivities: twice the contact stiffness over the contact modulus.";
         LowestPressure lowest_pressure, "<p>_min", "lowest mean pressure", Pressure, Number, None,
-            "The lowest mean pressure of all states; negative if the surfaces stick, and the pull-off pressure if they parted.";
+            "The lowest mean pressure since the beginning, also between the states that are shown; negative if the surfaces stick, and the pull-off pressure if they parted.";
         Separated separated, "apart?", "separated", One, Flag, None,
             "Whether the surfaces parted under the load.";
         LargestArea largest_area, "a_max", "largest relative area", One, Number, None,
@@ -258,23 +260,23 @@ quantities! {
             "Root mean square of the heights about their mean.";
         RmsGradient rms_gradient: f64, Always, "g_rms", "rms gradient", One, None, |it| it.rms_gradient(),
             "Root-mean-square gradient of the surface.";
-        RmsGradientContact rms_gradient_contact: f64, Elastic, "g_r", "rms gradient in contact", One, None, |it| it.resolved().rms_gradient_contact,
+        RmsGradientContact rms_gradient_contact: f64, Elastic, "g_r", "rms gradient in contact", One, None, |it| in_contact(it, it.resolved().rms_gradient_contact),
             "Root-mean-square gradient over the contact, with contact edges interpolated between grid nodes.";
-        RmsGradientContactCounted rms_gradient_contact_counted: f64, Always, "g_r, counted", "rms gradient in contact, nodes counted", One, None, |it| it.counted().rms_gradient_contact,
+        RmsGradientContactCounted rms_gradient_contact_counted: f64, Always, "g_r, counted", "rms gradient in contact, nodes counted", One, None, |it| in_contact(it, it.counted().rms_gradient_contact),
             "Root-mean-square gradient of the nodes in contact.";
-        RmsGradientContactCorrected rms_gradient_contact_corrected: f64, Elastic, "g_r, corrected", "rms gradient in contact, corrected", One, None, |it| it.counted().rms_gradient_contact_corrected,
+        RmsGradientContactCorrected rms_gradient_contact_corrected: f64, Elastic, "g_r, corrected", "rms gradient in contact, corrected", One, None, |it| in_contact(it, it.counted().rms_gradient_contact_corrected),
             "Root-mean-square gradient of the nodes in contact, minus the mean excess of counted nodes at the edges.";
-        Kappa kappa: f64, Elastic, "kappa", "kappa", One, Steps, |it| it.resolved().relative_area / it.counted().reduced_pressure,
+        Kappa kappa: f64, Elastic, "kappa", "kappa", One, Steps, |it| positive(it.resolved().relative_area / it.counted().reduced_pressure),
             "Relative contact area divided by reduced pressure, with contact edges interpolated between grid nodes.";
-        KappaCounted kappa_counted: f64, Elastic, "kappa, counted", "kappa, nodes counted", One, None, |it| it.counted().kappa,
+        KappaCounted kappa_counted: f64, Elastic, "kappa, counted", "kappa, nodes counted", One, None, |it| positive(it.counted().kappa),
             "Fraction of nodes in contact divided by reduced pressure.";
-        KappaCorrected kappa_corrected: f64, Elastic, "kappa, corrected", "kappa, corrected", One, None, |it| it.counted().relative_area_corrected / it.counted().reduced_pressure,
+        KappaCorrected kappa_corrected: f64, Elastic, "kappa, corrected", "kappa, corrected", One, None, |it| positive(it.counted().relative_area_corrected / it.counted().reduced_pressure),
             "Corrected relative contact area divided by reduced pressure.";
         KappaR kappa_r: f64, NoAdhesion, "kappa_r", "kappa_r", One, Both, |it| it.kappa_r(),
             "Relative contact area divided by the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes.";
-        KappaRCounted kappa_r_counted: f64, Elastic, "kappa_r, counted", "kappa_r, nodes counted", One, Steps, |it| it.counted().kappa_r,
+        KappaRCounted kappa_r_counted: f64, Elastic, "kappa_r, counted", "kappa_r, nodes counted", One, Steps, |it| positive(it.counted().kappa_r),
             "Fraction of nodes in contact, divided by the reduced pressure with the rms gradient of these nodes.";
-        KappaRCorrected kappa_r_corrected: f64, Elastic, "kappa_r, corrected", "kappa_r, corrected", One, None, |it| it.counted().kappa_r_corrected,
+        KappaRCorrected kappa_r_corrected: f64, Elastic, "kappa_r, corrected", "kappa_r, corrected", One, None, |it| positive(it.counted().kappa_r_corrected),
             "Corrected relative contact area divided by the reduced pressure with the corrected rms gradient of the contact.";
         MeanGap mean_gap: f64, Always, "<g>", "mean gap", Length, States, |it| it.mean_gap(),
             "Mean gap between the surfaces.";
@@ -296,11 +298,11 @@ quantities! {
             "Contact modulus that reduced pressures, kappa and kappa_r use: E*, or between the relaxed and the glassy one for a contact that slides over a viscoelastic solid.";
         Patches patches: usize, Always, "n", "contact patches", One, Steps, |it| it.patches(),
             "Number of contact patches.";
-        NodesPerPatch nodes_per_patch: f64, Always, "n_c / n", "nodes per patch", One, None, |it| it.resolution().nodes_per_patch,
+        NodesPerPatch nodes_per_patch: f64, Always, "n_c / n", "nodes per patch", One, None, |it| in_contact(it, it.resolution().nodes_per_patch),
             "Nodes in contact per contact patch.";
-        UnresolvedShare unresolved_share: f64, Always, "n_c < few / n_c", "share that is not resolved", One, None, |it| it.resolution().unresolved_share,
+        UnresolvedShare unresolved_share: f64, Always, "n_c < few / n_c", "share that is not resolved", One, None, |it| in_contact(it, it.resolution().unresolved_share),
             "Fraction of the nodes in contact that are in patches too small to trust: fewer than 4 nodes on lines, 12 on surfaces.";
-        EdgesOfShape edges_of_shape: f64, Elastic, "n_e / n", "share of edges by the shape", One, None, |it| it.resolved().edges_of_shape as f64 / (it.resolved().edges.max(1)) as f64,
+        EdgesOfShape edges_of_shape: f64, Elastic, "n_e / n", "share of edges by the shape", One, None, |it| in_contact(it, it.resolved().edges_of_shape as f64 / (it.resolved().edges.max(1)) as f64),
             "Fraction of the contact edges that are given by the shape of the surface, such as the rim of a punch.";
         RelativeAreaError relative_area_error: f64, NoAdhesion, "|da| / a_rel", "error of the relative area", One, None, |it| it.resolution().relative_area_error,
             "Estimated relative error of the relative contact area on this grid.";
@@ -366,6 +368,16 @@ impl Quantity {
 /// A reduced pressure with the gradient of a contact; NaN where there is no gradient, as in a contact of one node or below a punch.
 fn known(reduced_pressure: f64) -> f64 {
     if reduced_pressure.is_finite() { reduced_pressure } else { f64::NAN }
+}
+
+/// A number of the nodes in contact; NaN where nothing touches.
+fn in_contact(it: &dyn Readings, value: f64) -> f64 {
+    if it.counted().contact_nodes > 0 { value } else { f64::NAN }
+}
+
+/// A ratio of an area to a load; NaN where it is zero or no number: without contact, and where single nodes have neither an area nor a gradient.
+pub(super) fn positive(ratio: f64) -> f64 {
+    if ratio > 0.0 { ratio } else { f64::NAN }
 }
 
 impl Observables {

@@ -1,9 +1,10 @@
 //! Reading of a contact, of a state or of a step: its quantities, each computed when it is asked for.
 
+use super::quantity::positive;
 use super::state_values::NO_VALUES;
 use crate::contact::{
     Certificate, Contact, Counted, Load, Observables, Patches, Problem, Quantity, QuantityRow, Readings, Resolution,
-    Resolved, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
+    Resolved, State, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
 };
 use ndarray::ArrayView1;
 use std::cell::LazyCell;
@@ -76,17 +77,21 @@ impl Readings for Reading<'_> {
     /// The reduced pressure: that of the state, or the prescribed one, to the last bit, or else the computed one, as that of a contact that
     /// moves, whose modulus depends on the motion.
     fn reduced_pressure(&self) -> f64 {
-        let is_given = self.values.kind == StateKind::Elastic && !self.problem.is_moving();
-        match (self.values.get(Quantity::MeanPressure), self.problem.load()) {
-            (Some(pressure), _) => pressure / (self.problem.rms_gradient() * self.problem.contact_modulus()),
-            (None, Load::ReducedPressure(prescribed)) if is_given => prescribed,
-            (None, _) => self.counted.reduced_pressure,
+        let of_mean = |pressure: f64| pressure / (self.problem.rms_gradient() * self.problem.contact_modulus());
+        if let Some(pressure) = self.values.get(Quantity::MeanPressure) {
+            return of_mean(pressure);
+        }
+        match (self.values.kind, self.problem.load()) {
+            (StateKind::Elastic, Load::ReducedPressure(prescribed)) if !self.problem.is_moving() => prescribed,
+            (StateKind::Elastic, _) => self.counted.reduced_pressure,
+            // where nothing touches, the problem of a state has the load of an earlier one
+            _ => of_mean(*self.mean_pressure),
         }
     }
 
     /// `kappa_r` of the contact. Of a solid that creeps, the effective modulus is not known here.
     fn kappa_r(&self) -> f64 {
-        if self.values.kind == StateKind::Creep { f64::NAN } else { self.resolved.kappa_r }
+        if self.values.kind == StateKind::Creep { f64::NAN } else { positive(self.resolved.kappa_r) }
     }
 
     /// The stiffness times the error of the gap, divided by the mean pressure.
@@ -239,6 +244,14 @@ impl Quantity {
 }
 
 impl Observables {
+    /// All of them of a state, whose numbers are read once.
+    pub fn of_state(state: &State) -> Self {
+        let numbers = state.numbers();
+        let value =
+            |quantity| numbers.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value);
+        Self::by(value)
+    }
+
     /// Reads all of them of a contact, or of a step.
     pub fn new<'a>(state: impl Into<Reading<'a>>) -> Self {
         let reading = state.into();

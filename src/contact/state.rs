@@ -50,6 +50,9 @@ const SAVED: [Quantity; 5] = [
 /// Further numbers of a saved state that creeps: its errors by the grid follow from what the solid remembers.
 const SAVED_OF_CREEP: [Quantity; 2] = [Quantity::RelativeAreaError, Quantity::KappaRError];
 
+/// Further numbers of a saved state with adhesion: the mean pressure less the attraction, and the error of an area that is counted.
+const SAVED_OF_ADHESION: [Quantity; 2] = [Quantity::MeanPressure, Quantity::RelativeAreaError];
+
 impl State {
     /// The state of a contact that was solved for itself.
     pub fn from_contact(contact: Contact, point: Option<usize>) -> Self {
@@ -95,12 +98,16 @@ impl State {
     ) -> Self {
         let kind = contact.values().kind;
         let is_own = |it: &Quantity| {
-            let is_net = *it == Quantity::MeanPressure && kind == StateKind::Adhesion;
-            let is_by_grid = SAVED_OF_CREEP.contains(it) && kind == StateKind::Creep;
-            it.row().is_known_by_process() || SAVED.contains(it) || is_net || is_by_grid
+            let is_of_kind = match kind {
+                StateKind::Adhesion => SAVED_OF_ADHESION.contains(it),
+                StateKind::Creep => SAVED_OF_CREEP.contains(it),
+                _ => false,
+            };
+            it.row().is_known_by_process() || SAVED.contains(it) || is_of_kind
         };
         let own = Quantity::iter().filter(is_own);
         let values = own.fold(StateValues::new(kind), |values, it| values.with(it, number(it)));
+        let values = if claim == ResultClaim::Separated { values.parted() } else { values };
         let transforms = number(Quantity::Transforms).map_or(contact.work.transforms, |it| it as u64);
         let work = Work { transforms, ..contact.work };
         let contact = contact.with_work(work).with_values(values);

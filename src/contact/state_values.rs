@@ -28,9 +28,15 @@ impl StateValues {
         self
     }
 
-    /// A number, if the process gives it.
+    /// A number, if the process gives it; NaN where it says that there is none.
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         self.numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value)
+    }
+
+    /// The values of surfaces that have parted under their load: there is no distance between them that means anything, however they are drawn.
+    pub fn parted(self) -> Self {
+        let distances = [Quantity::MeanGap, Quantity::MeanGapOverRmsHeight, Quantity::Approach];
+        distances.into_iter().fold(self, |values, it| values.with(it, f64::NAN))
     }
 
     /// All numbers that the process gives.

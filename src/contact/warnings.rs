@@ -1,8 +1,9 @@
 //! Warnings about contacts with unreliable numbers: loads beyond full contact, grids that are too coarse, pressures
 //! above those at which solids yield, slopes that are not small.
 
-use super::{Contact, Law, Observables};
+use super::{Contact, Law, Observables, Quantity, ResultClaim, State, StateKind};
 use crate::warning::Warning;
+use std::borrow::Borrow;
 
 /// Reduced pressures above this one are far beyond full contact, which is near 1 to 2.
 const HEAVIEST: f64 = 10.0;
@@ -22,13 +23,74 @@ const STEEPEST: f64 = 0.5;
 const LARGEST_BOUND: f64 = 0.1;
 /// A share of the contact in patches that are too small to trust above this one gives a warning.
 const LARGEST_SHARE: f64 = 0.25;
+/// Number of nodes in contact, over that in the largest contact of a history, up to which a state does not count. A path that begins at first touch
+/// always has states of single nodes.
+const SMALL_CONTACT: f64 = 1e-2;
 
 /// Warnings about contacts under one load or several: loads far beyond full contact, errors that are not known,
 /// inaccurate pressures, grids that are too coarse, and those of [`warnings_of_strains`].
 pub fn warnings_of(found: &[&Observables], law: Law) -> Vec<Warning> {
     let strains: Vec<Strain> = found.iter().map(|it| Strain::from(*it)).collect();
-    let all = [too_heavy(found), unknown(found), without_gradient(found), loose(found), coarse(found)];
-    all.into_iter().flatten().chain(warnings_of_strains(&strains, law)).collect()
+    let contacts = Contacts { found, all: found.len(), are_states: false };
+    contacts.warnings().into_iter().chain(warnings_of_strains(&strains, law)).collect()
+}
+
+/// The same warnings about the states of a process, whatever it is, and that of a contact that reaches a free rim. States whose contact is a hundredth
+/// of the largest one or less, such as those at first touch, and frames on the way to a state do not count.
+pub fn warnings_of_states(states: &[impl Borrow<State>]) -> Vec<Warning> {
+    let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
+    let found: Vec<Observables> = states.iter().map(|state| Observables::of_state(state)).collect();
+    let largest = found.iter().map(|it| it.relative_area_counted).fold(0.0, f64::max);
+    let is_touching = |(state, it): &(&&State, &Observables)| {
+        state.claim != ResultClaim::Moving && it.relative_area_counted > SMALL_CONTACT * largest
+    };
+    let touching: Vec<(&State, &Observables)> =
+        states.iter().zip(&found).filter(is_touching).map(|(state, it)| (*state, it)).collect();
+    let counted: Vec<&Observables> = touching.iter().map(|(_, it)| *it).collect();
+    let contacts = Contacts { found: &counted, all: states.len(), are_states: true };
+    // the modulus of a solid that creeps depends on the time, and one that yields has a law for its strains
+    let is_strained = |(state, _): &&(&State, &Observables)| {
+        !matches!(state.contact.values().kind, StateKind::Creep | StateKind::Plastic)
+    };
+    let strains: Vec<Strain> =
+        touching.iter().filter(is_strained).map(|(state, _)| Strain::from(&state.contact)).collect();
+    let law = states.first().map_or(Law::HardWall, |first| first.contact.problem.law());
+    let rim =
+        states.iter().max_by_key(|state| nodes_at_rim(&state.contact)).and_then(|state| warning_of_rim(&state.contact));
+    contacts.warnings().into_iter().chain(rim).chain(warnings_of_strains(&strains, law)).collect()
+}
+
+/// Contacts of which warnings speak.
+#[derive(Clone, Copy)]
+struct Contacts<'a> {
+    found: &'a [&'a Observables],
+    /// How many there are, with those that do not count.
+    all: usize,
+    /// Whether they are states of a process, and not contacts under loads.
+    are_states: bool,
+}
+
+impl Contacts<'_> {
+    /// All warnings but those of strains.
+    fn warnings(self) -> Vec<Warning> {
+        let all = [too_heavy(self), unknown(self), without_gradient(self), loose(self), coarse(self)];
+        let mut warnings: Vec<Warning> = all.into_iter().flatten().collect();
+        // a grid is found for one contact only: several take a number
+        if self.are_states || self.all > 1 {
+            let remedies = warnings.iter_mut().flat_map(|it| &mut it.remedies);
+            remedies.filter(|it| it.key == "grid.refine").for_each(|it| it.value = None);
+        }
+        warnings
+    }
+
+    /// The end of a statement that holds for some of them.
+    fn count(self, count: usize) -> String {
+        match (self.all, self.are_states) {
+            (1, _) => String::new(),
+            (all, false) => format!(" under {count} of {all} loads"),
+            (all, true) => format!(" in {count} of {all} states"),
+        }
+    }
 }
 
 /// How far a contact strains its solid.
@@ -75,8 +137,7 @@ pub fn warnings_of_strains(strains: &[Strain], law: Law) -> Vec<Warning> {
 
 /// The warning that a contact reaches a free rim, beyond which the heights are not known.
 pub fn warning_of_rim(contact: &Contact) -> Option<Warning> {
-    let grid = contact.problem.surface().grid();
-    let pressed = contact.pressure.iter().enumerate().filter(|(node, p)| **p > 0.0 && grid.is_at_rim(*node)).count();
+    let pressed = nodes_at_rim(contact);
     (pressed > 0).then(|| {
         Warning::new(
             format!(
@@ -86,6 +147,12 @@ pub fn warning_of_rim(contact: &Contact) -> Option<Warning> {
             "Use a larger part of the surface, or a smaller load",
         )
     })
+}
+
+/// The nodes at a free rim that carry pressure.
+fn nodes_at_rim(contact: &Contact) -> usize {
+    let grid = contact.problem.surface().grid();
+    contact.pressure.iter().enumerate().filter(|(node, p)| **p > 0.0 && grid.is_at_rim(*node)).count()
 }
 
 /// The warning that contacts that slide over a viscoelastic solid, one for each speed, leave a trail that is longer than the cell.
@@ -113,35 +180,49 @@ pub fn warning_of_trail<'a>(contacts: impl IntoIterator<Item = &'a Contact>) -> 
     )
 }
 
+/// The warning that the friction of contacts that slide over a viscoelastic solid, one for each speed, is not known well on their grid.
+pub fn warning_of_friction<'a>(contacts: impl IntoIterator<Item = &'a Contact>) -> Option<Warning> {
+    let known = contacts.into_iter().filter_map(|contact| contact.values().get(Quantity::FrictionError));
+    let errors: Vec<f64> = known.collect();
+    let large = errors.iter().copied().filter(|error| *error > LARGEST_ERROR);
+    let count = large.clone().count();
+    let largest = amount(large.reduce(f64::max)?);
+    let at = if errors.len() == 1 { String::new() } else { format!(" at {count} of {} speeds", errors.len()) };
+    Some(
+        Warning::new(format!("The friction coefficient may be off by {largest}{at} on this grid"), "Use a finer grid")
+            .with_remedy("grid.refine", None),
+    )
+}
+
+/// Warnings about a contact under its load that do not follow from its observables: those of a rim, of a trail, and of its friction.
+pub fn warnings_of_contact(contact: &Contact) -> Vec<Warning> {
+    [warning_of_rim(contact), warning_of_trail([contact]), warning_of_friction([contact])]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
 /// The length along which the solid remembers a contact that slides, and that of the cell along `x`.
 fn trail_and_cell(contact: &Contact) -> Option<[f64; 2]> {
     let compliance = contact.problem.compliance();
     Some([compliance.trail()?, contact.problem.surface().grid().size()[1]])
 }
 
-/// The end of a statement that holds for some of several loads.
-fn under(count: usize, found: &[&Observables]) -> String {
-    match found.len() {
-        1 => String::new(),
-        all => format!(" under {count} of {all} loads"),
-    }
-}
-
-fn too_heavy(found: &[&Observables]) -> Option<Warning> {
-    let heavy = found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max)?;
+fn too_heavy(contacts: Contacts<'_>) -> Option<Warning> {
+    let heavy = contacts.found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max)?;
     Some(Warning::new(
         format!("The reduced pressure {heavy:.3e} is far above 1, so the contact is nearly full"),
         "Check the load, the modulus, the size and their units",
     ))
 }
 
-fn unknown(found: &[&Observables]) -> Option<Warning> {
-    let count = found.iter().filter(|it| is_unknown(it) && !has_no_gradient(it)).count();
+fn unknown(contacts: Contacts<'_>) -> Option<Warning> {
+    let count = contacts.found.iter().filter(|it| is_unknown(it) && !has_no_gradient(it)).count();
     (count > 0).then(|| {
         Warning::new(
             format!(
                 "This grid is too coarse for kappa_r and its error estimate, so kappa_r may be completely wrong{}",
-                under(count, found)
+                contacts.count(count)
             ),
             "Use a finer grid, or heights that are neither rounded nor clipped",
         )
@@ -150,29 +231,30 @@ fn unknown(found: &[&Observables]) -> Option<Warning> {
 }
 
 /// The warning that there is no `kappa_r` where the shape of the surface gives the edges of the contact.
-fn without_gradient(found: &[&Observables]) -> Option<Warning> {
-    let count = found.iter().filter(|it| has_no_gradient(it)).count();
+fn without_gradient(contacts: Contacts<'_>) -> Option<Warning> {
+    let count = contacts.found.iter().filter(|it| has_no_gradient(it)).count();
     (count > 0).then(|| {
         Warning::new(
             format!(
                 "The shape of the surface gives most edges of the contact, as those of a punch or of rounded and clipped heights, so there \
                  is no rms gradient in contact and no kappa_r{}",
-                under(count, found)
+                contacts.count(count)
             ),
             "Read area, pressure and gap, or give heights that are neither rounded nor clipped",
         )
     })
 }
 
-fn loose(found: &[&Observables]) -> Option<Warning> {
-    let bounds: Vec<f64> = found.iter().map(|it| it.pressure_error_bound).filter(|it| *it > LARGEST_BOUND).collect();
+fn loose(contacts: Contacts<'_>) -> Option<Warning> {
+    let bounds = contacts.found.iter().map(|it| it.pressure_error_bound).filter(|it| *it > LARGEST_BOUND);
+    let bounds: Vec<f64> = bounds.collect();
     let largest = bounds.iter().copied().reduce(f64::max)?;
-    let under = under(bounds.len(), found);
+    let count = contacts.count(bounds.len());
     Some(
         Warning::new(
             match largest < 1.0 {
-                true => format!("The relative error of the pressure may be {:.0} %{under}", 100.0 * largest),
-                false => format!("The relative error of the pressure may be 100 % or more{under}"),
+                true => format!("The relative error of the pressure may be {:.0} %{count}", 100.0 * largest),
+                false => format!("The relative error of the pressure may be 100 % or more{count}"),
             },
             "Set a tolerance for the pressure",
         )
@@ -180,21 +262,26 @@ fn loose(found: &[&Observables]) -> Option<Warning> {
     )
 }
 
-fn coarse(found: &[&Observables]) -> Option<Warning> {
-    let doubtful: Vec<&Observables> = found.iter().copied().filter(|it| is_doubtful(it)).collect();
-    let count = under(doubtful.len(), found);
+fn coarse(contacts: Contacts<'_>) -> Option<Warning> {
+    let doubtful: Vec<&Observables> = contacts.found.iter().copied().filter(|it| is_doubtful(it)).collect();
+    let count = contacts.count(doubtful.len());
     let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)))?;
-    let small = match (100.0 * worst.unresolved_share).round() {
+    let share = (100.0 * worst.unresolved_share).round();
+    let small = match share {
         0.0 => String::new(),
         share => format!(": {share} % of the contact is in patches that are too small to trust"),
     };
     let [kappa_r, area] = [worst.kappa_r_error, worst.relative_area_error].map(amount);
+    let statement = match (has_kappa_r(worst), worst.relative_area_error.is_nan()) {
+        (true, _) => format!("kappa_r may be off by {kappa_r}, the area by {area}{count} on this grid{small}"),
+        (false, false) => format!("The area may be off by {area}{count} on this grid{small}"),
+        (false, true) => {
+            format!("{share} % of the contact is in patches that are too small to trust{count} on this grid")
+        }
+    };
     Some(
-        Warning::new(
-            format!("kappa_r may be off by {kappa_r}, the area by {area}{count} on this grid{small}"),
-            "Use a finer grid, or heights that are smoother and have more digits",
-        )
-        .with_remedy("grid.refine", Some("auto")),
+        Warning::new(statement, "Use a finer grid, or heights that are smoother and have more digits")
+            .with_remedy("grid.refine", Some("auto")),
     )
 }
 
@@ -242,9 +329,15 @@ fn has_no_gradient(it: &Observables) -> bool {
     it.edges_of_shape > 0.0 && it.rms_gradient_contact.is_nan()
 }
 
+/// Whether `kappa_r` has a meaning: with adhesion, areas are counted and there is none, and no certificate.
+fn has_kappa_r(it: &Observables) -> bool {
+    !it.certificate.is_nan()
+}
+
 /// Whether there is a contact whose `kappa_r`, or its error, is no number or zero.
 fn is_unknown(it: &Observables) -> bool {
-    it.relative_area_counted > 0.0
+    has_kappa_r(it)
+        && it.relative_area_counted > 0.0
         && !(it.kappa_r_error.is_finite() && it.relative_area_error.is_finite() && it.kappa_r > 0.0)
 }
 

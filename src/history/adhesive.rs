@@ -6,8 +6,8 @@ use super::adhesive_walk::BranchWalk;
 use super::process::{PathPoint, Process};
 use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveProblem};
 use crate::contact::{
-    Certificate, Contact, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status,
-    Stop, Work,
+    Certificate, Contact, Counted, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues,
+    Status, Stop, Work,
 };
 use crate::error::HistoryError;
 use crate::surface::Field;
@@ -21,6 +21,10 @@ const FINEST: f64 = 5e-5;
 const FINEST_BY_HAND: f64 = 1e-3;
 const LONGEST: f64 = 0.25;
 const MOST_STEPS: f64 = 64.0;
+
+/// The error of the area of nodes that touch, over the mean excess of counted nodes at edges without adhesion. The true excess was 0.7 of it on average
+/// and 2.3 times it at most, over that on grids of 3 to 8 times as many points, with process zones of 2 to 3 spacings.
+const COUNTING: f64 = 1.5;
 
 /// Ranges of the attraction at which surfaces that have parted are drawn, where the attraction has no cut-off.
 const APART: f64 = 30.0;
@@ -107,17 +111,20 @@ impl AdhesiveProcess {
             .with(Quantity::Dissipated, ledger.lost())
             .with(Quantity::DissipatedError, ledger.error().filter(|_| self.is_periodic()))
             .with(Quantity::WorkDone, ledger.work())
+            .with(Quantity::LowestPressure, ledger.lowest())
             .with(Quantity::Jump, jump);
         match place {
             AdhesivePlace::State(state) => {
                 let state = Arc::unwrap_or_clone(state);
+                let stored = state.stored();
                 let contact = state.contact;
                 let values = values
                     .with(Quantity::MeanPressure, state.mean_pressure)
                     .with(Quantity::ContactPressure, contact.mean_pressure())
                     .with(Quantity::MeanAttraction, state.traction.mean())
                     .with(Quantity::RelativeArea, contact.values().get(Quantity::RelativeArea))
-                    .with(Quantity::Stored, state.energy)
+                    .with(Quantity::RelativeAreaError, counting_error(&contact))
+                    .with(Quantity::Stored, stored)
                     .with(Quantity::Residual, state.residual)
                     .with(Quantity::LeastCurvature, state.least_curvature)
                     .with(Quantity::CurvatureError, state.curvature_error);
@@ -136,7 +143,7 @@ impl AdhesiveProcess {
                     Quantity::Residual,
                 ];
                 let values = nothing.into_iter().fold(values, |values, it| values.with(it, 0.0));
-                let contact = self.apart().with_work(work).with_values(values);
+                let contact = self.apart().with_work(work).with_values(values.parted());
                 State::new(contact, ResultClaim::Separated)
                     .at(point)
                     .with_fields(vec![StateField::attraction(Field::zeros(shape))])
@@ -194,6 +201,12 @@ impl AdhesiveProcess {
         }
         Ok(())
     }
+}
+
+/// The estimated relative error of the area of a contact whose nodes are counted; none where none touches.
+fn counting_error(contact: &Contact) -> Option<f64> {
+    let Counted { relative_area, relative_area_corrected, .. } = contact.counted();
+    (relative_area > 0.0).then(|| COUNTING * (relative_area - relative_area_corrected) / relative_area)
 }
 
 impl Process for AdhesiveProcess {

@@ -17,7 +17,7 @@ pub(super) enum AdhesivePlace {
 }
 
 /// The energies of a history with adhesion from its beginning to a place, per area of the cell.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct AdhesionLedger {
     /// Energy lost in jumps.
     lost: f64,
@@ -29,6 +29,14 @@ pub(super) struct AdhesionLedger {
     spread: f64,
     /// Whether the surfaces have been apart under a load: it works without a limit there, so that no energies are known from then on.
     is_open: bool,
+    /// The lowest mean pressure of all places on the way, also of those that are not shown; infinite before the first one.
+    lowest: f64,
+}
+
+impl Default for AdhesionLedger {
+    fn default() -> Self {
+        Self { lost: 0.0, work: 0.0, missed: 0.0, spread: 0.0, is_open: false, lowest: f64::INFINITY }
+    }
 }
 
 /// Where a step leads.
@@ -71,8 +79,10 @@ pub(super) struct EnergyBalance {
     pub bend: Option<f64>,
     /// By how much the correction of the integral differs from that with the bend of the step before.
     pub swerve: f64,
-    /// By how much the energy rises.
+    /// By how much the energy rises, without that of a uniform displacement.
     pub rise: f64,
+    /// By how much the energy of the uniform displacement rises.
+    uniform_rise: f64,
     /// Whether both states are the solutions of convex problems.
     pub is_convex: bool,
     /// Half the rectangle of the changes of datum and pressure: what a jump somewhere in the step may lose more or less.
@@ -82,14 +92,14 @@ pub(super) struct EnergyBalance {
 impl EnergyBalance {
     /// The balance of a step whose work is not known.
     fn unknown(lost: f64) -> Self {
-        Self { lost, held: 0.0, bend: None, swerve: 0.0, rise: 0.0, is_convex: false, spread: 0.0 }
+        Self { lost, held: 0.0, bend: None, swerve: 0.0, rise: 0.0, uniform_rise: 0.0, is_convex: false, spread: 0.0 }
     }
 }
 
 impl AdhesionLedger {
     /// Adds a step on a branch, which loses nothing: what the integral misses is its error.
     pub fn add_smooth(&mut self, step: &EnergyBalance) {
-        self.work += step.rise;
+        self.work += step.rise + step.uniform_rise;
         self.missed += if step.is_convex { 0.0 } else { step.lost };
     }
 
@@ -97,14 +107,21 @@ impl AdhesionLedger {
     pub fn add_jump(&mut self, step: &EnergyBalance) {
         if step.lost.is_finite() {
             self.lost += step.lost;
-            self.work += step.rise + step.lost;
+            self.work += step.rise + step.uniform_rise + step.lost;
             self.spread += step.spread;
         }
     }
 
     /// The ledger at a place.
     pub fn at(self, place: &AdhesivePlace) -> Self {
-        Self { is_open: self.is_open || matches!(place, AdhesivePlace::Apart), ..self }
+        // a place without a state ends what holds, and its load is not carried
+        let lowest = place.state().map_or(self.lowest, |state| self.lowest.min(state.mean_pressure));
+        Self { is_open: self.is_open || matches!(place, AdhesivePlace::Apart), lowest, ..self }
+    }
+
+    /// The lowest mean pressure so far; none if there was no state yet.
+    pub fn lowest(&self) -> Option<f64> {
+        Some(self.lowest).filter(|lowest| lowest.is_finite())
     }
 
     /// The energy lost so far, of jumps that are shown and of smaller ones, as far as it is known.
@@ -220,6 +237,7 @@ impl Branch {
             bend,
             swerve: correction(bend.zip(self.bend).map_or(0.0, |(bend, last)| bend - last)),
             rise,
+            uniform_rise: (after.stored() - before.stored()) - rise,
             is_convex: [before, after].iter().all(|state| state.claim == ResultClaim::Solution),
             spread: 0.5 * (length * (end[1] - start[1])).abs(),
         }

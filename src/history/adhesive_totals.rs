@@ -7,8 +7,8 @@ use std::borrow::Borrow;
 /// What a history with adhesion adds up to. The frames of a motion do not count.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AdhesionTotals {
-    /// The lowest mean pressure of all states, negative if the surfaces stick: the pull-off pressure, if they parted. None if they were
-    /// apart from the first.
+    /// The lowest mean pressure on the way, also between the states that are shown; negative if the surfaces stick: the pull-off pressure, if they
+    /// parted. None if they were apart from the first.
     pub lowest_pressure: Option<f64>,
     /// Whether the surfaces parted under the load.
     pub separated: bool,
@@ -61,7 +61,8 @@ impl AdhesionTotals {
         };
         let known = |quantity: Quantity| states.iter().rev().find_map(|state| state.get(quantity));
         Some(Self {
-            lowest_pressure: held.map(|state| pressure(state)).reduce(f64::min),
+            // states that were saved by an earlier version do not know what was between them
+            lowest_pressure: known(Quantity::LowestPressure).or(held.map(|state| pressure(state)).reduce(f64::min)),
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
             lost_in_jumps: known(Quantity::Dissipated).unwrap_or(0.0) - first.get(Quantity::Dissipated).unwrap_or(0.0),

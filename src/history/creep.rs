@@ -7,7 +7,7 @@ use super::time_step::TimeStep;
 use super::warm_start::{signed_pressure, warm_start};
 use crate::chunks;
 use crate::clock::Instant;
-use crate::contact::{Contact, Law, Load, Observer, Problem, Solver, Stop, Work};
+use crate::contact::{Contact, Law, Load, Observer, Problem, Quantity, Solver, StateKind, StateValues, Stop, Work};
 use crate::elastic::{Prony, PronyTerm, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
@@ -230,7 +230,10 @@ impl Creep {
             memory.push(held);
             displaced.push(held_u);
         }
-        let moved = self.moved(&contact, mean(&effective));
+        let effective_mean = mean(&effective);
+        let moved = self.moved(&contact, effective_mean);
+        let values = StateValues::new(StateKind::Creep).with(Quantity::EffectivePressure, effective_mean);
+        let contact = contact.with_values(values);
         let added = match step.dt {
             0.0 => stored - state.energy.stored,
             _ => pressure * (moved - state.carried.moved),

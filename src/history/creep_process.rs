@@ -51,9 +51,12 @@ impl Process for CreepProcess<'_> {
         };
         let reached =
             self.points.get(self.next).filter(|(time, load)| *time == state.time && Some(*load) == state.load);
-        let is_point = reached.is_some();
-        let point = if is_point { self.next.checked_sub(self.before) } else { None };
-        self.next += usize::from(is_point);
+        let point = reached.and_then(|_| self.next.checked_sub(self.before));
+        if let Some(point) = reached.copied() {
+            // a load that is given twice at one time has one state
+            let again = self.points[self.next..].iter().take_while(|other| **other == point).count();
+            self.next += again;
+        }
         Some(Ok(state.into_state(point)))
     }
 
@@ -74,6 +77,8 @@ impl CreepState {
         let effective = self.effective_pressure().clone();
         let is_pressed = self.contact.mean_pressure() > 0.0;
         let resolved = self.resolved();
+        // a contact of single nodes may have neither an area nor a gradient
+        let kappa_r = Some(resolved.kappa_r).filter(|kappa_r| is_pressed && *kappa_r > 0.0);
         let by_grid = if is_pressed { self.grid_errors() } else { None };
         let error = |of: fn(&TimeErrors) -> f64| self.time_errors.as_ref().map(of);
         let values = StateValues::new(StateKind::Creep)
@@ -81,9 +86,9 @@ impl CreepState {
             .with(Quantity::ReducedPressure, self.load.and_then(|load| load.reduced_pressure()))
             .with(Quantity::EffectivePressure, effective.mean())
             .with(Quantity::RelativeArea, if is_pressed { resolved.relative_area } else { 0.0 })
-            .with(Quantity::KappaR, is_pressed.then_some(resolved.kappa_r))
+            .with(Quantity::KappaR, kappa_r)
             .with(Quantity::RelativeAreaError, by_grid.map(|it| it.relative_area))
-            .with(Quantity::KappaRError, by_grid.map(|it| it.kappa_r))
+            .with(Quantity::KappaRError, kappa_r.and(by_grid).map(|it| it.kappa_r))
             .with(Quantity::Dissipated, self.energy.lost)
             .with(Quantity::Stored, self.energy.stored)
             .with(Quantity::WorkDone, self.energy.work)

@@ -1,60 +1,158 @@
 //! The cycles of a path, and the energy that they lose.
 
 use super::PathPoint;
+use super::time_errors::rms;
 use crate::contact::{Quantity, State, StateKind};
+use crate::surface::Field;
 use std::borrow::Borrow;
 
-/// The part of the energy lost by which the stored energy of a contact with adhesion may change in a closed cycle.
+/// Largest difference of a field or of the shift between the ends of a closed cycle, over its largest difference within the cycle: an energy lost
+/// per cycle is off by about this part, if the next cycle begins where this one ends.
 const CLOSED: f64 = 0.01;
 
-/// The part of the largest stored energy, and of the rms height, up to which changes of the energy and of the gap are errors of the solves.
+/// The part of the size of a field or of the largest stored energy up to which changes are errors of the solves.
 const SOLVED: f64 = 1e-6;
-const SAME: f64 = 1e-3;
 
-/// The energy that each closed cycle lost, per area of the cell: from a point of the path to the next one with the same loads, with
-/// others between them. A cycle in which a contact with adhesion does not return to its stored energy and its gap is left out.
+/// The further fields that a state carries on to the next one. Slip belongs to a step, and says nothing of the state at its end.
+const CARRIED: [&str; 4] = ["traction", "traction_across", "stored_strain", "attraction"];
+
+/// The energy that each closed cycle lost, per area of the cell: from a point of the path to the next one with the same loads, gone through in the
+/// same direction, at which the contact has returned to its state, with other loads between them. The next cycle begins where one ends.
+///
+/// A state has returned where pressure, gap, traction, memory, attraction, shift and stored energy have, see [`CLOSED`]. Half a cycle does not, and
+/// neither does a solid that still creeps from its first load.
 ///
 /// States name the point of the path that they have reached.
 pub fn cycle_losses(path: &[PathPoint], states: &[impl Borrow<State>]) -> Vec<f64> {
-    let states: &[&State] = &states.iter().map(Borrow::borrow).collect::<Vec<_>>();
-    let closed = cycles(path, states).into_iter().filter(|ends| is_closed(*ends, states));
-    closed.filter_map(|[from, to]| Some(to.get(Quantity::Dissipated)? - from.get(Quantity::Dissipated)?)).collect()
+    let cycles = Cycles::new(path, states).closed;
+    let lost = |[from, to]: [&State; 2]| Some(to.get(Quantity::Dissipated)? - from.get(Quantity::Dissipated)?);
+    cycles.into_iter().filter_map(lost).collect()
 }
 
-/// The number of cycles of a path after which a contact with adhesion has not returned to its state.
+/// The number of cycles of a path after which a contact with adhesion has not returned to its state. Other contacts are not counted: they return
+/// to it after several cycles, or never.
 pub fn open_cycles(path: &[PathPoint], states: &[impl Borrow<State>]) -> usize {
-    let states: &[&State] = &states.iter().map(Borrow::borrow).collect::<Vec<_>>();
-    cycles(path, states).into_iter().filter(|ends| !is_closed(*ends, states)).count()
+    Cycles::new(path, states).open
 }
 
-/// The first and the last state of each cycle of the loads.
-fn cycles<'a>(path: &[PathPoint], states: &[&'a State]) -> Vec<[&'a State; 2]> {
-    let is_same = |i: usize, j: usize| (path[i].load, path[i].tangential) == (path[j].load, path[j].tangential);
-    let reached = |point: usize| states.iter().rev().copied().find(|state| state.point == Some(point));
-    let mut cycles = Vec::new();
-    let mut from = 0;
-    while from < path.len() {
-        let end = (from + 2..path.len()).find(|&to| is_same(from, to) && (from + 1..to).any(|i| !is_same(from, i)));
-        match end {
-            Some(to) => {
-                cycles.extend(reached(from).zip(reached(to)).map(|(from, to)| [from, to]));
-                from = to;
+/// The cycles of a path.
+#[derive(Default)]
+struct Cycles<'a> {
+    /// First and last state of each closed cycle.
+    closed: Vec<[&'a State; 2]>,
+    /// Points with adhesion from which the loads return, and the contact does not.
+    open: usize,
+}
+
+impl<'a> Cycles<'a> {
+    fn new(path: &[PathPoint], states: &'a [impl Borrow<State>]) -> Self {
+        let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
+        let reached = |point: usize| states.iter().rposition(|state| state.point == Some(point));
+        let mut cycles = Self::default();
+        let mut from = 0;
+        while from < path.len() {
+            let knows_loss = |begin: &usize| states[*begin].get(Quantity::Dissipated).is_some();
+            let Some(begin) = reached(from).filter(knows_loss) else {
+                from += 1;
+                continue;
+            };
+            let ends: Vec<(usize, usize)> = ends(path, from).filter_map(|to| Some((to, reached(to)?))).collect();
+            match ends.iter().find(|(_, end)| is_closed(&states[begin..=*end])) {
+                Some(&(to, end)) => {
+                    cycles.closed.push([states[begin], states[end]]);
+                    from = to;
+                }
+                None => {
+                    let is_open = !ends.is_empty() && states[begin].contact.values().kind == StateKind::Adhesion;
+                    cycles.open += usize::from(is_open);
+                    from += 1;
+                }
             }
-            None => from += 1,
         }
+        cycles
     }
-    cycles
 }
 
-/// Whether a contact with adhesion has the same stored energy and the same gap at both ends of a cycle. Other contacts are not compared.
-fn is_closed([from, to]: [&State; 2], states: &[&State]) -> bool {
-    if from.contact.values().kind != StateKind::Adhesion {
+/// The points at which a cycle of the loads from a point ends: the first one, and those up to which its loads are held. A later return would end several
+/// cycles.
+fn ends(path: &[PathPoint], from: usize) -> impl Iterator<Item = usize> {
+    let first = (from + 2..path.len()).find(|&to| is_cycle(path, from, to)).unwrap_or(path.len());
+    (first..path.len()).take_while(move |&to| loads(&path[to]) == loads(&path[from]))
+}
+
+/// Whether a path has the same loads at two points, in the same direction, and others between them.
+fn is_cycle(path: &[PathPoint], from: usize, to: usize) -> bool {
+    let is_same = |i: usize, j: usize| loads(&path[i]) == loads(&path[j]);
+    is_same(from, to) && (from + 1..to).any(|i| !is_same(from, i)) && is_in_same_direction(path, from, to)
+}
+
+/// Whether loads come to two points from the same side, and leave them to the same side, as far as there are loads before and after both of them.
+/// From 0 to Q and back to 0 is half a cycle of a path that goes on to -Q.
+fn is_in_same_direction(path: &[PathPoint], from: usize, to: usize) -> bool {
+    let before = |point: usize| (0..point).rev().find_map(|i| direction(&path[i], &path[point]));
+    let after = |point: usize| (point + 1..path.len()).find_map(|i| direction(&path[point], &path[i]));
+    let agree = |one: Option<[f64; 2]>, other: Option<[f64; 2]>| one.zip(other).is_none_or(|(one, other)| one == other);
+    agree(before(from), before(to)) && agree(after(from), after(to))
+}
+
+/// The signs of the changes of both loads from one point to another; none where neither changes.
+fn direction(from: &PathPoint, to: &PathPoint) -> Option<[f64; 2]> {
+    let [from, to] = [loads(from), loads(to)];
+    let sign = |change: f64| if change == 0.0 { 0.0 } else { change.signum() };
+    (from != to).then(|| [0, 1].map(|i| sign(to[i] - from[i])))
+}
+
+/// The normal and the tangential load of a point.
+fn loads(point: &PathPoint) -> [f64; 2] {
+    [point.load.value(), point.tangential.unwrap_or(0.0)]
+}
+
+/// Whether the last of some states, which follow each other, is the first one again.
+fn is_closed(states: &[&State]) -> bool {
+    let [Some(first), Some(last)] = [states.first(), states.last()] else { return false };
+    let told = |of: Quantity| [first, last].iter().filter_map(|state| state.get(of)).sum::<f64>();
+    // what the steps in time may have changed is no reason to call a cycle open
+    let [in_pressure, in_gap] = [Quantity::TimeError, Quantity::MeanGapTimeError].map(told);
+    let pressure = rms(&first.contact.pressure);
+    // numbers first: most open cycles differ in them, and fields are long
+    has_shift_returned(states)
+        && has_energy_returned(states, told(Quantity::WorkTimeError))
+        && has_returned(states, |state| Some(&state.contact.pressure), in_pressure * pressure)
+        && has_returned(states, |state| Some(&state.contact.gap), in_gap)
+        && CARRIED.iter().all(|name| {
+            let memory = first.field(name).map_or(0.0, rms);
+            has_returned(states, |state| state.field(name), in_pressure * memory)
+        })
+}
+
+/// Whether a field of the last of some states is that of the first one, but for what it changes between them and for a known error. A field that the
+/// states do not have returns.
+fn has_returned<'a>(states: &[&'a State], field: impl Fn(&'a State) -> Option<&'a Field>, error: f64) -> bool {
+    let Some(first) = field(states[0]) else { return true };
+    let Some(last) = field(states[states.len() - 1]) else { return false };
+    let others = || states.iter().filter_map(|state| field(state));
+    let change = others().map(|other| rms(&(other - first))).fold(0.0, f64::max);
+    let size = others().map(rms).fold(0.0, f64::max);
+    rms(&(last - first)) <= CLOSED * change + SOLVED * size + error
+}
+
+/// Whether the rigid surface is back where it was along x, where friction holds it.
+fn has_shift_returned(states: &[&State]) -> bool {
+    let shifts: Vec<f64> = states.iter().filter_map(|state| state.get(Quantity::Shift)).collect();
+    let [Some(first), Some(last)] = [shifts.first(), shifts.last()] else { return true };
+    let change = shifts.iter().map(|shift| (shift - first).abs()).fold(0.0, f64::max);
+    (last - first).abs() <= (CLOSED + SOLVED) * change
+}
+
+/// Whether the stored energy is the same but for a part of what was lost. It sees what the sum of several memories, or few of many contacts that stick,
+/// do not show. Of friction the traction is the whole memory.
+fn has_energy_returned(states: &[&State], error: f64) -> bool {
+    let [first, last] = [states[0], states[states.len() - 1]];
+    if !matches!(first.contact.values().kind, StateKind::Adhesion | StateKind::Creep) {
         return true;
     }
     let stored = |state: &State| state.get(Quantity::Stored).unwrap_or(0.0);
-    let lost = [from, to].map(|state| state.get(Quantity::Dissipated).unwrap_or(0.0));
+    let [before, after] = [first, last].map(|state| state.get(Quantity::Dissipated).unwrap_or(0.0));
     let largest = states.iter().map(|state| stored(state).abs()).fold(0.0, f64::max);
-    let moved = (&to.contact.gap - &from.contact.gap).iter().map(|by| by.abs()).fold(0.0, f64::max);
-    (stored(to) - stored(from)).abs() <= (CLOSED * (lost[1] - lost[0]).abs()).max(SOLVED * largest)
-        && moved <= SAME * from.contact.problem.rms_height()
+    (stored(last) - stored(first)).abs() <= CLOSED * (after - before).abs() + SOLVED * largest + error
 }

@@ -2,6 +2,7 @@
 
 use super::flattened::Flattened;
 use super::process::{PathPoint, Process};
+use super::sliding::Sliding;
 use crate::contact::{Contact, Load, Observer, Problem, Solver, State, Stop};
 use crate::error::HistoryError;
 use crate::surface::Field;
@@ -93,6 +94,6 @@ impl Process for Loading<'_> {
         let problem = self.problem(point.load)?;
         let contact = self.solver.solve_from(self.start.as_ref(), &problem, &self.stop, observer)?;
         self.take(&contact);
-        Ok(State::from_contact(contact, None))
+        Ok(State::from_contact(Sliding::measured(contact), None))
     }
 }

@@ -2,10 +2,10 @@
 
 use super::{PathPoint, Process, Rolling, RollingConditions, Sliding};
 use crate::contact::{
-    MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
-    Work,
+    Contact, MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues,
+    Stop, Work,
 };
-use crate::elastic::Prony;
+use crate::elastic::{Prony, SteadyMotion};
 use crate::error::HistoryError;
 use crate::surface::Field;
 
@@ -59,8 +59,29 @@ impl SlidingProcess {
 }
 
 impl Sliding {
-    /// The state as one of any history, at its speed.
-    pub fn into_state(self, speed: f64) -> State {
+    /// The numbers of a contact that slides which only its motion gives.
+    pub const NUMBERS: [Quantity; 6] = [
+        Quantity::Speed,
+        Quantity::LateralFriction,
+        Quantity::FrictionFullContact,
+        Quantity::FrictionPersson,
+        Quantity::FrictionError,
+        Quantity::MeanTraction,
+    ];
+
+    /// The contact with the numbers of its motion, if it slides over a solid that creeps; others as they are. All processes of single contacts end with
+    /// it, so that one speed is told what several are.
+    pub(crate) fn measured(contact: Contact) -> Contact {
+        let Some(SteadyMotion::Sliding { speed, .. }) = contact.problem.compliance().motion() else { return contact };
+        let speed = *speed;
+        match Self::new(contact.clone()) {
+            Ok(sliding) => sliding.with_numbers(speed),
+            Err(_) => contact,
+        }
+    }
+
+    /// The contact with the numbers of its motion at a speed.
+    fn with_numbers(self, speed: f64) -> Contact {
         let is_line = self.contact.problem.surface().grid().is_line();
         let values = StateValues::new(StateKind::Elastic)
             .with(Quantity::Speed, speed)
@@ -69,9 +90,14 @@ impl Sliding {
             .with(Quantity::LateralFriction, (!is_line).then_some(self.lateral))
             .with(Quantity::FrictionFullContact, self.full_contact)
             .with(Quantity::FrictionPersson, self.persson)
+            .with(Quantity::FrictionError, self.grid_error)
             .with(Quantity::MeanTraction, self.friction * self.contact.mean_pressure());
-        let contact = self.contact.with_values(values);
-        State::new(contact, ResultClaim::Bounded)
+        self.contact.with_values(values)
+    }
+
+    /// The state as one of any history, at its speed.
+    pub fn into_state(self, speed: f64) -> State {
+        State::new(self.with_numbers(speed), ResultClaim::Bounded)
     }
 }
 

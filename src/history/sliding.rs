@@ -1,11 +1,23 @@
 //! Steady sliding over viscoelastic solids.
 
 use crate::contact::{
-    Contact, MonotoneSets, Observer, Problem, Solver, Stop, directions, hysteretic_friction, spectrum,
+    Contact, MonotoneSets, Observer, Problem, Solver, Stop, coarser, directions, hysteretic_friction, spectrum,
 };
 use crate::elastic::SteadyMotion;
 use crate::error::MotionError;
+use crate::surface::Field;
 use crate::theory::persson::Pressures;
+
+/// Wavenumbers that differ by less than this part are equal but for rounding.
+const SAME_WAVENUMBER: f64 = 1e-9;
+
+/// The certificate to which the contact on half as many points is found, and the most updates for it: friction is then known to a part of the error
+/// that the grid has.
+const COARSE_TOLERANCE: f64 = 1e-6;
+const COARSE_UPDATES: usize = 300;
+
+/// The least relative error of friction that is stated: rounding of its sums over the waves.
+const ROUNDING: f64 = 1e-12;
 
 /// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. The loss of
 /// energy in the solid resists the motion.
@@ -59,6 +71,9 @@ pub struct Sliding {
     pub full_contact: f64,
     /// The coefficient of friction of Persson's theory, dimensionless.
     pub persson: f64,
+    /// The estimated relative error of `friction` by the grid: the difference from the contact on half as many points along each axis, and the error
+    /// of the area. None where the grid cannot be halved, or the contact on the half of it was not found.
+    pub grid_error: Option<f64>,
 }
 
 impl Sliding {
@@ -86,7 +101,8 @@ impl Sliding {
             .map(|field| field.as_slice().expect("results are made in standard layout"));
         let [lateral, friction] = hysteretic_friction(&contact.problem, pressure, displacement);
         let [full_contact, persson] = losses(&contact.problem, mean_pressure).map(|loss| loss / mean_pressure);
-        Ok(Self { contact, friction, lateral, full_contact, persson })
+        let grid_error = grid_error(&contact, friction);
+        Ok(Self { contact, friction, lateral, full_contact, persson, grid_error })
     }
 }
 
@@ -109,7 +125,9 @@ fn losses(problem: &Problem, mean_pressure: f64) -> [f64; 2] {
         .collect();
     waves.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let (mut variance, mut sums) = (0.0, [0.0; 2]);
-    for [_, own, loss] in waves {
+    // waves of one length are seen at once: their order is that of rounding, which changes with the unit of length
+    for shell in waves.chunk_by(|a, b| b[0] <= a[0] * (1.0 + SAME_WAVENUMBER)) {
+        let [own, loss] = [1, 2].map(|part| shell.iter().map(|wave| wave[part]).sum::<f64>());
         let deviation = f64::sqrt(variance + 0.5 * own);
         variance += own;
         let share = if deviation > 0.0 { Pressures { mean: mean_pressure, deviation }.relative_area() } else { 1.0 };
@@ -117,4 +135,21 @@ fn losses(problem: &Problem, mean_pressure: f64) -> [f64; 2] {
         sums[1] += share * loss;
     }
     sums
+}
+
+/// The estimated relative error of the friction coefficient of a contact by its grid, from the contact on half as many points along each axis. The
+/// difference alone crosses zero by chance: of 344 contacts (rough lines and surfaces, cylinders), against grids of 4 to 8 times as many points, it was too
+/// small by more than 1.5 times in 10 %, and by up to 44 times. With the error of the area added it was so in 3, by up to 2.4 times; half of the errors are
+/// below a tenth of what is stated.
+fn grid_error(contact: &Contact, friction: f64) -> Option<f64> {
+    // a contact that was stopped or not found has larger errors, and nobody waits for a second one
+    let coarse = coarser(&contact.problem).filter(|_| contact.is_converged())?;
+    let shape = coarse.surface().grid().shape();
+    let step = [0, 1].map(|axis| contact.pressure.shape()[axis] / shape[axis]);
+    let start = Field::from_shape_fn(shape, |(y, x)| contact.pressure[[y * step[0], x * step[1]]]);
+    let stop = Stop::new(COARSE_TOLERANCE, COARSE_UPDATES).ok()?;
+    let found = MonotoneSets.solve_from(Some(&start), &coarse, &stop, &mut ()).ok()?;
+    let difference = (found.friction() / friction - 1.0).abs();
+    let error = difference.max(ROUNDING) + contact.resolution().relative_area_error;
+    Some(error).filter(|error| found.is_converged() && error.is_finite())
 }

@@ -4,8 +4,8 @@ use super::posed::Posed;
 use super::yielding::warnings_of_yielding;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{
-    Observables, Problem, Quantity, ResultClaim, State, StateKind, Strain, warning_of_trail, warnings_of,
-    warnings_of_strains,
+    Observables, Problem, Quantity, ResultClaim, State, warning_of_friction, warning_of_trail, warnings_of,
+    warnings_of_contact, warnings_of_states,
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, LEAST_LOSS, LEAST_SHIFT, cycle_losses, open_cycles};
@@ -270,36 +270,26 @@ impl HistoryOutcome {
             )
             .with_remedy("grid.points", None)
         });
-        let trail = warning_of_trail(self.states.iter().map(|state| &state.contact));
+        let contacts = || self.states.iter().map(|state| &state.contact);
+        let motion = [warning_of_trail(contacts()), warning_of_friction(contacts())];
         let missed = self.doubts.iter().cloned().chain(missed);
         missed
             .chain(coarse)
             .chain(snapping)
-            .chain(trail)
+            .chain(motion.into_iter().flatten())
             .chain(self.unstable())
-            .chain(self.warnings_of_strains())
+            .chain(warnings_of_states(&self.states))
             .collect()
-    }
-
-    /// Reasons to doubt that the solid bears the states. The modulus of one that creeps depends on the time, and one that yields has a law for it.
-    fn warnings_of_strains(&self) -> Vec<Warning> {
-        let contacts = || self.states.iter().map(|state| &state.contact);
-        let strains: Vec<Strain> = contacts()
-            .filter(|it| !matches!(it.values().kind, StateKind::Creep | StateKind::Plastic))
-            .map(Strain::from)
-            .collect();
-        contacts().next().map_or_else(Vec::new, |first| warnings_of_strains(&strains, first.problem.law()))
     }
 
     /// Reasons to doubt contacts under a list of loads.
     fn warnings_of_loads(&self) -> Vec<Warning> {
         let Some(first) = self.states.first() else { return Vec::new() };
-        let observables: Vec<Observables> = self.states.iter().map(|state| Observables::new(&state.contact)).collect();
-        let mut warnings = warnings_of(&observables.iter().collect::<Vec<_>>(), first.contact.problem.law());
-        // a grid is found under one load only: several take a number
-        let remedies = warnings.iter_mut().flat_map(|it| &mut it.remedies).filter(|it| it.key == "grid.refine");
-        remedies.for_each(|it| it.value = None);
-        warnings
+        let observables: Vec<Observables> = self.states.iter().map(|state| Observables::of_state(state)).collect();
+        let warnings = warnings_of(&observables.iter().collect::<Vec<_>>(), first.contact.problem.law());
+        let of_one =
+            self.states.iter().map(|state| warnings_of_contact(&state.contact)).find(|found| !found.is_empty());
+        warnings.into_iter().chain(of_one.into_iter().flatten()).collect()
     }
 
     /// Warnings about states with adhesion that are in equilibrium, but not stable, or not known to be.

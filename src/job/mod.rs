@@ -44,7 +44,7 @@ mod yield_zone;
 mod yielding;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};
-pub use outcome::{Outcome, Solved};
+pub use outcome::{Outcome, Solved, warnings_of_contacts};
 pub use posed::Posed;
 pub use ready::Ready;
 pub use run::JobRun;

@@ -1,7 +1,9 @@
 //! The results of a job.
 
 use super::history::HistoryOutcome;
-use crate::contact::{Contact, Observables, PartialSlip, warning_of_rim, warning_of_trail, warnings_of};
+use crate::contact::{
+    Contact, Observables, PartialSlip, warning_of_friction, warning_of_rim, warning_of_trail, warnings_of,
+};
 use crate::diagnosis::Findings;
 use crate::setup::Setup;
 use crate::study::Refinement;
@@ -39,14 +41,23 @@ impl Solved {
             warnings.extend(history.warnings());
             return warnings;
         }
-        warnings.extend(warnings_of(&[&Observables::new(contact)], contact.problem.law()));
-        warnings.extend(warning_of_rim(contact));
-        warnings.extend(warning_of_trail([contact]));
-        warnings.extend(setup.warning_of_coupling());
-        warnings.extend(setup.warnings_of_creep());
+        warnings.extend(warnings_of_contacts(setup, &[contact]));
         warnings.extend((!is_settled).then(Refinement::warning));
         warnings
     }
+}
+
+/// Reasons to doubt contacts of a setup under one load or several, each for itself; not those about their surface.
+pub fn warnings_of_contacts(setup: &Setup, contacts: &[&Contact]) -> Vec<Warning> {
+    let Some(first) = contacts.first() else { return Vec::new() };
+    let found: Vec<Observables> = contacts.iter().map(|it| Observables::new(*it)).collect();
+    let mut warnings = warnings_of(&found.iter().collect::<Vec<_>>(), first.problem.law());
+    warnings.extend(contacts.iter().find_map(|it| warning_of_rim(it)));
+    warnings.extend(warning_of_trail(contacts.iter().copied()));
+    warnings.extend(warning_of_friction(contacts.iter().copied()));
+    warnings.extend(setup.warning_of_coupling());
+    warnings.extend(setup.warnings_of_creep());
+    warnings
 }
 
 impl Outcome {

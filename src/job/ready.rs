@@ -12,6 +12,7 @@ use super::watch::{Pass, Watcher};
 use crate::contact::{Contact, Observer, PartialSlip, Problem};
 use crate::diagnosis::{Diagnosis, Reference};
 use crate::error::SetupError;
+use crate::history::Sliding;
 #[cfg(feature = "record")]
 use crate::record::Recording;
 use crate::setup::{Extras, Setup};
@@ -206,7 +207,7 @@ impl Ready<'_> {
         is_settled: bool,
         watch: &mut dyn Watcher,
     ) -> Result<Solved, SetupError> {
-        let run = &self.job.runs[i];
+        let (run, contact) = (&self.job.runs[i], Sliding::measured(contact));
         let friction = run.setup.friction.filter(|_| run.is_repeatable() && contact.fault().is_none());
         let stick = |friction| {
             let (solver, stop) = (run.solver(), &run.setup.stop);

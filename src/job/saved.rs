@@ -8,7 +8,7 @@ use crate::contact::{
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
-use crate::history::Loading;
+use crate::history::{Loading, Sliding};
 use crate::setup::{Cell, Setup, SetupTable};
 use crate::study::LoadCurve;
 use crate::surface::{Field, Plateaus, Surface};
@@ -178,6 +178,7 @@ impl SavedArchive<'_> {
         let CertifiedContact { contact, doubts: found } =
             saved.certified(&problem, &setup.stop).map_err(SetupError::from)?;
         doubts.add(Some(0), found);
+        let contact = Sliding::measured(contact);
         let slip = match setup.friction {
             Some(friction) => self.slip(&contact, friction, doubts)?.map(Box::new),
             None => None,
@@ -241,7 +242,7 @@ impl SavedArchive<'_> {
             let certified = saved.certified(&problem, &setup.stop).map_err(SetupError::from)?;
             doubts.add(Some(number), certified.doubts);
             loading.take(&certified.contact);
-            contacts.push(certified.contact);
+            contacts.push(Sliding::measured(certified.contact));
         }
         Ok(SavedFound::Curve(contacts))
     }

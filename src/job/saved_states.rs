@@ -3,7 +3,7 @@
 use super::doubts::Doubts;
 use super::state_check::StateCheck;
 use crate::contact::{
-    ArchiveReader, Contact, DepthCut, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind,
+    ArchiveReader, Contact, DepthCut, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind,
     StateValues, Status, read_cuts,
 };
 use crate::error::{FileError, SetupError, StudyError};
@@ -99,7 +99,10 @@ pub(super) fn certified_states(
 fn under_load(setup: &Setup, problem: &Problem, point: Option<usize>, contact: &SavedContact) -> Problem {
     let path = setup.path_points();
     if setup.adhesion.is_some() {
-        return problem.clone();
+        // no load of another contact is one with adhesion, but at an approach the displacement contains the uniform one
+        let like = Load::Approach(0.5 * problem.highest());
+        let posed = matches!(setup.load, Load::Approach(_)).then(|| problem.clone().with_load(like).ok()).flatten();
+        return posed.unwrap_or_else(|| problem.clone());
     }
     let mean = contact.pressure.mean_axis(Axis(1)).and_then(|rows| rows.mean()).unwrap_or(0.0);
     let load = match (point.and_then(|at| path.get(at)), setup.load) {

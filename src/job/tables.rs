@@ -38,21 +38,27 @@ pub fn write_nodes(path: &Path, contact: &Contact) -> Result<(), FileError> {
     write_csv(path, surface.grid().x().enumerate().map(node))
 }
 
-/// Writes the numbers of contacts under several loads, one load a row, with what flows where that is found.
+/// Writes the numbers of contacts under several loads, one load a row, with those of a motion and of what flows where these are found.
 ///
 /// # Errors
 /// The errors of [`write_beside`].
 pub fn write_loads(path: &Path, loads: &[LoadNumbers<'_>]) -> Result<(), FileError> {
-    let flows = loads.first().map_or(&[][..], |first| first.flow);
+    // a number may be absent under one load and not under another one
+    let mut further: Vec<Quantity> = Vec::new();
+    for (quantity, _) in loads.iter().flat_map(|load| load.further) {
+        if !further.contains(quantity) {
+            further.push(*quantity);
+        }
+    }
     write_beside(path, |file| {
-        let named = Quantity::found().chain(flows.iter().map(|(quantity, _)| *quantity));
+        let named = Quantity::found().chain(further.iter().copied());
         let names = ["load_number", "status"].into_iter().chain(named.map(Quantity::name));
         writeln!(file, "{}", names.collect::<Vec<_>>().join(","))?;
         loads.iter().enumerate().try_for_each(|(i, load)| {
             let found = Quantity::found().zip(load.observables.numbers()).map(|(it, value)| word(it, value));
-            let flow = load.flow.iter().map(|(it, value)| word(*it, *value));
+            let known = further.iter().map(|it| word(*it, load.get(*it)));
             let first = [(i + 1).to_string(), load.status.name().to_owned()];
-            let cells: Vec<String> = first.into_iter().chain(found).chain(flow).collect();
+            let cells: Vec<String> = first.into_iter().chain(found).chain(known).collect();
             writeln!(file, "{}", cells.join(","))
         })
     })
@@ -65,8 +71,15 @@ pub struct LoadNumbers<'a> {
     pub status: Status,
     /// The numbers of the contact.
     pub observables: &'a Observables,
-    /// What flows through it, as far as it was asked for.
-    pub flow: &'a [(Quantity, f64)],
+    /// What its motion gives, and what flows through it, as far as it was asked for.
+    pub further: &'a [(Quantity, f64)],
+}
+
+impl LoadNumbers<'_> {
+    /// A further number; NaN where there is none.
+    fn get(&self, quantity: Quantity) -> f64 {
+        self.further.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value)
+    }
 }
 
 /// A number of a state as a word of a table; empty where the state does not have it.

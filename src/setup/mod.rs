@@ -89,7 +89,7 @@ pub use yielding::YieldLaw;
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
 use crate::elastic::{self, stress::is_known};
-use crate::error::{ConflictRule, FlowError, SetupError, SolidError, SolveError};
+use crate::error::{ConflictRule, FlowError, ProblemError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
 use crate::surface::Surface;
 use crate::theory::Exact;
@@ -333,9 +333,16 @@ impl Setup {
     pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
         let surface = surface.into();
         self.check_on(surface.grid())?;
-        // adhesion has loads that no other contact has, such as pulls
-        let load = if self.adhesion.is_some() { Load::ReducedPressure(ANY) } else { self.load };
-        let problem = Problem::new(surface, self.elastic()?, load)?.with_law(self.law)?;
+        // a history may begin with a load that no other contact has: a pull with adhesion, a gap or an approach at which nothing touches with creep
+        let is_apart = matches!(self.load, Load::Approach(approach) if approach <= 0.0) && self.creeps();
+        let load = if self.adhesion.is_some() || is_apart { Load::ReducedPressure(ANY) } else { self.load };
+        let posed = match Problem::new(surface.clone(), self.elastic()?, load) {
+            Err(ProblemError::NothingTouches { .. }) if self.creeps() => {
+                Problem::new(surface, self.elastic()?, Load::ReducedPressure(ANY))
+            }
+            posed => posed,
+        };
+        let problem = posed?.with_law(self.law)?;
         match self.speed() {
             Some(speed) => Ok(problem.sliding(speed, &self.memory()?)?),
             None => Ok(problem),

@@ -69,11 +69,11 @@ impl LoadPath {
     }
 
     /// Checks that the lists have one length, that times ascend from 0, and that all numbers are finite. Loads are 0 or more, unless the
-    /// surfaces may be pulled apart.
+    /// surfaces may be pulled apart or lifted off.
     ///
     /// # Errors
     /// [`SetupError::Conflict`].
-    pub fn check(&self, may_pull: bool) -> Result<(), SetupError> {
+    pub fn check(&self, may_part: bool) -> Result<(), SetupError> {
         let lists = [&self.time, &self.load, &self.tangential];
         let [times, loads, tangentials] = lists.map(Vec::len);
         let most = self.len();
@@ -89,7 +89,7 @@ impl LoadPath {
             return Err(ConflictRule::PathLengths.with(given.map(|(name, length)| (name, length.to_string()))).into());
         }
         for (name, list) in COLUMNS.into_iter().zip(lists) {
-            let is_signed = name == "tangential" || name == "load" && may_pull;
+            let is_signed = name == "tangential" || name == "load" && may_part;
             let (least, rule) = match is_signed {
                 true => (f64::NEG_INFINITY, ConflictRule::PathNotFinite),
                 false => (0.0, ConflictRule::PathNegative),

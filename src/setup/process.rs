@@ -87,6 +87,11 @@ impl Setup {
         Ok(self.prony()?.terms().iter().map(|term| (term.ratio, term.time)).collect())
     }
 
+    /// Whether the solid creeps under a contact that does not slide.
+    pub(super) fn creeps(&self) -> bool {
+        self.viscoelastic.is_some() && self.sliding.is_none()
+    }
+
     /// The points of the path of a history; with adhesion or a yield stress the load alone if it has none, and else none.
     pub fn path_points(&self) -> Vec<PathPoint> {
         let points = self.path.as_ref().map_or_else(Vec::new, |path| path.points(self.load));
@@ -200,7 +205,9 @@ impl Setup {
     pub(super) fn check_process(&self, process: ProcessKind, grid: &Grid) -> Result<(), SetupError> {
         self.viscoelastic.as_ref().map_or(Ok(()), |it| it.prony().map(drop))?;
         let path = self.path.as_ref().filter(|path| !(path.is_empty() && self.yields()));
-        path.map_or(Ok(()), |path| path.check(self.adhesion.is_some()))?;
+        // an approach below 0 lifts the surface off a solid that creeps, which recovers then
+        let lifts = self.creeps() && matches!(self.load, Load::Approach(_));
+        path.map_or(Ok(()), |path| path.check(self.adhesion.is_some() || lifts))?;
         self.adhesion.as_ref().map_or(Ok(()), |it| it.attraction().map(drop))?;
         self.sliding.as_ref().map_or(Ok(()), super::SlidingMotion::check)?;
         self.rolling.as_ref().map_or(Ok(()), super::RollingMotion::check)?;

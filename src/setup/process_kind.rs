@@ -122,7 +122,7 @@ const LOADS: ProcessRow = ProcessRow {
 };
 
 const CREEP: ProcessRow = ProcessRow {
-    is_given: |it| it.viscoelastic.is_some() && it.sliding.is_none(),
+    is_given: Setup::creeps,
     states: |it| it.states_of_path(STEPS_OF_TIME),
     check: |_, _| Ok(()),
     bytes: |_, _| Ok(0.0),
@@ -196,6 +196,7 @@ const SLIDING: ProcessRow = ProcessRow {
     columns: &[
         Quantity::Speed,
         Quantity::Friction,
+        Quantity::FrictionError,
         Quantity::FrictionFullContact,
         Quantity::FrictionPersson,
         Quantity::RelativeArea,

@@ -105,7 +105,9 @@ impl<'a> Identity<'a> {
         self.realisation.press(watch, |contact| {
             load += 1;
             let found = self.realisation.setup.flow.measure(contact).map_err(SetupError::from)?;
-            each(Point { further: found.numbers, ..self.point(load, contact) }, contact);
+            let own = contact.values().numbers().iter().filter(|(it, _)| it.row().is_known_by_process());
+            let further = own.copied().chain(found.numbers).collect();
+            each(Point { further, ..self.point(load, contact) }, contact);
             Ok::<(), StudyError>(())
         })
     }

@@ -342,3 +342,121 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         assert!(!folder.join("result.npz").exists(), "{line}");
     }
 }
+
+/// What a cycle of a cylinder loses by Mindlin's theory, `(2 mu^2 F^2/(pi E*)) (1 - y^2 + 2 y ln y)` per length with `y = 1 - Q/(mu F)`, here
+/// 1/2: from a pull to the same pull, and from no pull on the way up to no pull on the way up.
+#[test]
+fn half_a_cycle_is_no_cycle() {
+    let folder = Folder::new();
+    let cycles = |path: &str| {
+        let found = json(&folder, &format!("{CYLINDER} --path-tangential {path} --json --out states.npz"));
+        let losses = found["energy_per_cycle"].as_array().map_or_else(Vec::new, Vec::clone);
+        std::fs::remove_file(folder.join("states.npz")).unwrap();
+        losses.iter().map(|lost| lost.as_f64().unwrap()).collect::<Vec<_>>()
+    };
+    let (mu, force, y) = (0.3_f64, 0.01_f64, 0.5_f64);
+    let exact = 2.0 * (mu * force).powi(2) / std::f64::consts::PI * (1.0 - y * y + 2.0 * y * y.ln()) / 0.5;
+    for (path, count) in [
+        ("0.0015,-0.0015,0.0015", 1),
+        ("0,0.0015,0,-0.0015,0,0.0015,0,-0.0015,0", 1),
+        ("0,0.0015,0,-0.0015,0,0.0015,0,-0.0015,0,0.0015,0,-0.0015,0,0.0015", 3),
+        ("0,0.0015,0", 0),
+        ("0.0015,0,0.001,0", 1),
+    ] {
+        let found = cycles(path);
+        assert_eq!(found.len(), count, "{path}: {found:?}");
+        if !path.contains("0.001,") {
+            assert!(found.iter().all(|lost| (lost / exact - 1.0).abs() < 0.03), "{path}: {found:?} for {exact}");
+        }
+    }
+}
+
+/// A state that carries nothing has no reduced pressure but 0 and no `kappa_r`, however the loads before it were given.
+#[test]
+fn a_state_without_a_load_has_none_of_an_earlier_one() {
+    let folder = Folder::new();
+    let line = "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --modulus 1 --creep 4,1 --path-time 0,1,2,3 --path-steps 1";
+    for (kind, path) in
+        [("pressure", "0.002,0,0,0.002"), ("force", "0.002,0,0,0.002"), ("reduced-pressure", "0.02,0,0,0.02")]
+    {
+        let found = json(&folder, &format!("{line} --{kind} 0.02 --path-load {path} --json --out {kind}.npz"));
+        let states = found["states"].as_array().unwrap();
+        assert!(states.iter().all(|state| state["reduced_pressure"].is_number() && state["mean_pressure"].is_number()));
+        let apart: Vec<&Value> = states.iter().filter(|state| state["mean_pressure"] == 0.0).collect();
+        assert_eq!(apart.len(), 2, "{found}");
+        for state in apart {
+            assert_eq!(state["reduced_pressure"], 0.0, "{kind}: {state}");
+            for name in ["kappa_r", "nodes_per_patch", "unresolved_share", "rms_gradient_contact_counted"] {
+                assert!(state.get(name).is_none(), "{kind}: {name} {state}");
+            }
+        }
+        let patches = folder.run(&format!("patches --setup-of {kind}.npz --json"));
+        let patches: Value =
+            serde_json::from_slice(&patches.stdout).unwrap_or_else(|_| panic!("{}", text(&patches.stderr)));
+        assert_eq!(patches["states"][1]["reduced_pressure"], 0.0, "{patches}");
+    }
+}
+
+/// An approach below 0 lifts a sphere off a solid that creeps, which recovers.
+#[test]
+fn a_sphere_is_lifted_off_a_solid_that_creeps() {
+    let folder = Folder::new();
+    let line = "solve --indenter sphere --radius 1 --points 32,32 --size 1,1 --boundary free --modulus 1 --creep 4,1 --path-time 0,1,1,30";
+    let found = json(&folder, &format!("{line} --approach 0.02 --path-load 0.02,0.02,-0.01,-0.01 --json"));
+    let (pressure, approach) = (column(&found, "mean_pressure"), column(&found, "approach"));
+    assert!(pressure[0] > 0.0 && pressure[pressure.len() - 1] == 0.0 && approach[approach.len() - 1] == -0.01);
+    // all that was done is lost, since nothing is left in the solid
+    let (lost, work, stored) = (column(&found, "dissipated"), column(&found, "work_done"), column(&found, "stored"));
+    let last = lost.len() - 1;
+    assert!((lost[last] / work[last] - 1.0).abs() < 0.02 && stored[last] < 1e-3 * work[last], "{lost:?} {work:?}");
+    let held = json(&folder, &format!("{line} --approach=-0.01 --path-load 0.02,0.02,-0.01,-0.01 --json"));
+    assert_eq!(column(&held, "mean_pressure"), pressure);
+}
+
+/// What an elastic solve says of its grid is said of every state of every drive, and `--strict` refuses it.
+#[test]
+fn a_grid_that_is_too_coarse_warns_in_every_drive() {
+    let folder = Folder::new();
+    const COARSE: &str = "--indenter sphere --radius 1 --points 32,32 --size 4,4";
+    const LINE: &str = "--indenter cylinder --radius 1 --points 64 --size 4";
+    for (drive, surface, motion) in [
+        ("elastic", COARSE, "--modulus 1 --force 0.02"),
+        ("loads", COARSE, "--modulus 1 --force 0.01,0.02"),
+        ("creep", COARSE, "--modulus 1 --force 0.01 --creep 1,1 --path-time 0,1 --path-steps 2"),
+        ("slip", COARSE, "--modulus 1 --force 0.02 --friction 0.3 --path-tangential 0.001,0.002"),
+        ("sliding", COARSE, "--modulus 1 --force 0.02 --creep 1,0.01 --speed 0.1,1"),
+        ("rolling", LINE, "--modulus 1 --force 0.002 --friction 0.3 --rolling 0.0002"),
+        (
+            "adhesion",
+            COARSE,
+            "--modulus 0.01 --adhesion 1e-3 --adhesion-range 0.05 --pressure 1e-5 --path-load 1e-5,2e-5 --path-steps 1",
+        ),
+        ("yield", COARSE, "--young 1 --poisson 0.3 --yield-stress 0.05 --hardening-modulus 0.01 --force 0.02"),
+    ] {
+        let line = format!("solve {surface} {motion}");
+        let output = folder.run(&format!("{line} --json"));
+        let told = text(&output.stderr);
+        assert!(output.status.success() && told.contains("on this grid"), "{drive}: {told}");
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(found["warnings"].to_string().contains("on this grid"), "{drive}");
+        let strict = folder.run(&format!("{line} --strict"));
+        assert_eq!(strict.status.code(), Some(2), "{drive}: {}", text(&strict.stderr));
+    }
+}
+
+/// What an archive keeps of a contact on a layer holds when it is read again, whatever drives it.
+#[test]
+fn saved_contacts_on_layers_hold() {
+    let folder = Folder::new();
+    let line =
+        "solve --indenter sine --amplitude 0.01 --points 64 --size 1 --young 1 --poisson 0.3 --layer 0.2 --base bonded";
+    for motion in ["--adhesion 7e-5 --adhesion-range 0.004", "--creep 4,1 --path-time 2", "--creep 4,1 --speed 0.1"] {
+        for load in ["--pressure 0.002", "--approach 0.004", "--mean-gap 0.008"] {
+            let solved = folder.run(&format!("{line} {motion} {load} --out states.npz"));
+            assert!(solved.status.success(), "{motion} {load}: {}", text(&solved.stderr));
+            let read = folder.run("patches --setup-of states.npz");
+            assert!(read.status.success(), "{motion} {load}: {}", text(&read.stderr));
+            std::fs::remove_file(folder.join("states.npz")).unwrap();
+        }
+    }
+}

@@ -37,5 +37,6 @@ mod surfaces;
 mod survey;
 mod texture;
 mod theory;
+mod uniform_mode;
 mod units;
 mod westergaard;

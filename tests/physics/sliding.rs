@@ -181,3 +181,47 @@ fn other_solvers_refuse_contacts_that_move() {
     let free = Problem::new(free, ContactModulus(1.0), Load::MeanPressure(1e-4)).unwrap();
     assert!(matches!(free.sliding(1.0, &[(1.0, 1.0)]), Err(ProblemError::NeedsPeriodic)));
 }
+
+/// The told error of the grid against a grid of eight times as many points, on contacts that were not used to choose it; and none at rest.
+#[test]
+fn friction_has_the_error_of_its_grid() {
+    let mut ratios = Vec::new();
+    for seed in 0..12_u32 {
+        let speed = 10_f64.powf(-1.5 + 0.2 * f64::from(seed));
+        let load = Load::MeanPressure(2e-4 * 1.5_f64.powf(f64::from(seed % 6)));
+        // waves of one surface on both grids: five of them, with phases by the seed
+        let on = |points: usize| {
+            let grid = Grid::line(points, 1.0).unwrap();
+            let wave = |x: f64, k: f64| 3e-3 / k.powf(1.3) * (TAU * k * x + f64::from(seed) * k * k).cos();
+            let height = |(_, i): (usize, usize)| {
+                let x = i as f64 / points as f64;
+                [1.0, 2.0, 3.0, 5.0, 9.0].map(|k| wave(x, k)).iter().sum()
+            };
+            let heights = asperity::surface::Field::from_shape_fn(grid.shape(), height);
+            let problem = Problem::new(Surface::new(grid, heights).unwrap(), ContactModulus(1.0), load).unwrap();
+            slide(&problem.sliding(speed, &[(4.0, 1.0)]).unwrap(), 1e-9)
+        };
+        let (found, fine) = (on(128), on(1024));
+        ratios.push((found.friction / fine.friction - 1.0).abs() / found.grid_error.unwrap());
+        assert!(fine.grid_error.unwrap() < found.grid_error.unwrap(), "{seed}");
+    }
+    ratios.sort_by(f64::total_cmp);
+    assert!(ratios[11] < 1.5 && ratios[6] > 1e-3, "{ratios:?}");
+}
+
+/// Waves of one length come in the order of rounding, which the unit of length changes.
+#[test]
+fn persson_s_friction_has_no_unit_of_length() {
+    let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.5, short_cutoff: 0.1, rms_gradient: 0.05 };
+    let shape = [48, 48];
+    let heights = Surface::rough(Grid::surface(shape, [1.0; 2]).unwrap(), &spectrum, 5).unwrap().height().clone();
+    let of = |unit: f64| {
+        let surface = Surface::new(Grid::surface(shape, [unit; 2]).unwrap(), &heights * unit).unwrap();
+        let problem = Problem::new(surface, ContactModulus(1.0), Load::MeanPressure(3e-3)).unwrap();
+        slide(&problem.sliding(0.1 * unit, &[(4.0, 1.0)]).unwrap(), 1e-8).persson
+    };
+    let one = of(1.0);
+    for unit in [0.3, 1e-6, 7.7e3] {
+        assert!((of(unit) / one - 1.0).abs() < 1e-10, "{unit}: {} for {one}", of(unit));
+    }
+}

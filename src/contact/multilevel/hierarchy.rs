@@ -11,7 +11,7 @@ use std::ops::Range;
 const FEWEST: usize = 32;
 
 /// The problem on the [`halved`] grid, if there is one and what is left on it is neither flat nor too low to be touched.
-pub(in crate::contact) fn coarser(problem: &Problem) -> Option<Problem> {
+pub(crate) fn coarser(problem: &Problem) -> Option<Problem> {
     let surface = problem.surface();
     let coarse = halved(surface.grid())?;
     let height = subsampled(surface.heights(), [surface.grid(), &coarse]);

@@ -191,7 +191,7 @@ impl Stage {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
         let [kappa_r, error] = [Quantity::KappaR, Quantity::KappaRError].map(|it| reading.value(it));
-        let grid = match error.is_nan() {
+        let grid = match error.is_nan() || kappa_r.is_nan() {
             true => String::new(),
             false => format!(". kappa_r is {kappa_r:.4}, with an error of about {:.1} % on this grid", 100.0 * error),
         };

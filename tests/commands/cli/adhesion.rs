@@ -40,7 +40,9 @@ fn a_loop_jumps_in_and_out_and_is_written_to_every_file() {
     assert_eq!([number("work"), number("range")], [0.01, 80e-9]);
     assert!((number("process_zone") / 2.037e-7 - 1.0).abs() < 1e-3 && (number("spacings") / 5.215 - 1.0).abs() < 1e-3);
     assert!(["tabor", "maugis", "pastewka_robbins"].iter().all(|name| number(name) > 0.0));
-    assert_eq!(number("lowest_pressure"), pressure.iter().copied().fold(f64::INFINITY, f64::min));
+    // the lowest one may lie between two states that are shown
+    let shown = pressure.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(number("lowest_pressure") <= shown && number("lowest_pressure") > 1.2 * shown, "{shown}");
     assert_eq!(adhesion["separated"], false);
 
     // a jump into contact on the way down, and one out of it on the way up, further away
