@@ -429,7 +429,7 @@ fn a_grid_that_is_too_coarse_warns_in_every_drive() {
         (
             "adhesion",
             COARSE,
-            "--modulus 0.01 --adhesion 1e-3 --adhesion-range 0.05 --pressure 1e-5 --path-load 1e-5,2e-5 --path-steps 1",
+            "--modulus 1 --adhesion 1e-3 --adhesion-range 0.05 --pressure 1e-4 --path-load 1e-4,2e-4 --path-steps 1",
         ),
         ("yield", COARSE, "--young 1 --poisson 0.3 --yield-stress 0.05 --hardening-modulus 0.01 --force 0.02"),
     ] {

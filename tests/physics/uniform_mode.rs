@@ -3,7 +3,7 @@
 use asperity::adhesion::{AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
 use asperity::contact::{Contact, Load, MonotoneSets, Multilevel, Problem, Quantity, Solver, State, Stop};
 use asperity::elastic::{Base, Layer, Prony, PronyTerm};
-use asperity::history::{AdhesiveProcess, Creep, CreepPath, CreepSteps, PathPoint, Process, Sliding, cycle_losses};
+use asperity::history::{AdhesiveProcess, Creep, CreepPath, CreepSteps, PathPoint, Process, cycle_losses};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
 
