@@ -4,7 +4,7 @@ use super::means::Points;
 use super::measure::{Measure, ObservableFn};
 use super::reproduction::Reproduction;
 use super::rough::Rough;
-use super::verdict::{Answer, Verdict};
+use super::verdict::{StatementVerdict, Verdict};
 use crate::study::{Estimate, Point, Spread};
 use std::collections::BTreeMap;
 
@@ -51,9 +51,11 @@ fn depends_on_hurst(points: &Points) -> Verdict {
         let [counted, resolved] = Measure::ALL.map(|measure| points.contrast([pair[0], pair[1]], nx, measure.kappa()));
         // counting is off by more at low exponents, whose segments are short, and so in their difference as well
         let change = Estimate { grid: (counted.mean - resolved.mean).abs(), ..counted };
-        Answer::changes(change.times(100.0 / points.average(Some(pair[0]), nx, Measure::Counted.kappa()).mean))
+        StatementVerdict::changes(
+            change.times(100.0 / points.average(Some(pair[0]), nx, Measure::Counted.kappa()).mean),
+        )
     };
-    Verdict::statement("fig2.hurst", words.join(", "), Answer::all(exponents.windows(2).map(changes)))
+    Verdict::statement("fig2.hurst", words.join(", "), StatementVerdict::all(exponents.windows(2).map(changes)))
 }
 
 /// The range of a quantity over loads and Hurst exponents, in per cent.
@@ -74,5 +76,5 @@ fn is_constant(lines: &Rough, points: &Points) -> Verdict {
         let [kappa, kappa_r] = ranges(points, measure);
         0.2 * kappa - kappa_r
     });
-    Verdict::statement("fig2.constant", words, Answer::is_positive(distance))
+    Verdict::statement("fig2.constant", words, StatementVerdict::is_positive(distance))
 }

@@ -5,7 +5,7 @@ use super::means::Points;
 use super::measure::Measure;
 use super::reproduction::{Ramp, RampCurve, Reproduction};
 use super::rough::{COLD, Rough, ShadedCurve, WARM};
-use super::verdict::{Answer, Verdict};
+use super::verdict::{StatementVerdict, Verdict};
 use crate::plot::{Axis, Colour, Mark, Panel};
 use crate::theory::persson::{self, CorrectedArea};
 use serde::Serialize;
@@ -120,7 +120,11 @@ fn strongly_depends(lines: &Rough, points: &Points) -> Verdict {
         let [above, below] = [1.0, -1.0].map(|side| fits.iter().map(|fit| side * off(fit)).fold(0.0, f64::max));
         100.0 * above.min(below) - 2.0
     });
-    Verdict::statement("fig3.hurst", format!("{} (last: all H)", words.join(", ")), Answer::is_positive(distance))
+    Verdict::statement(
+        "fig3.hurst",
+        format!("{} (last: all H)", words.join(", ")),
+        StatementVerdict::is_positive(distance),
+    )
 }
 
 /// By how much the fits change up to a load, in per cent: the largest change of all.
@@ -138,5 +142,5 @@ fn is_level(lines: &Rough, points: &Points, weights: Weights) -> Verdict {
     };
     let distance = points.counted(|points, area| 5.0 - change(&fits_of(lines, points, area, weights), LEVEL));
     let words = format!("to {far:.0} %; to {near:.0} % at 0.01; {name} weights");
-    Verdict::statement("fig3.level", words, Answer::is_positive(distance)).because(BENT)
+    Verdict::statement("fig3.level", words, StatementVerdict::is_positive(distance)).because(BENT)
 }

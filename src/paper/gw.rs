@@ -1,7 +1,7 @@
 //! Section 6: the model of Greenwood and Williamson, with the gradient taken over the contact.
 
 use super::reproduction::{Ramp, RampCurve, Reproduction};
-use super::verdict::{Answer, Verdict};
+use super::verdict::{StatementVerdict, Verdict};
 use crate::plot::{Axis, AxisScale, Colour, Mark, Panel};
 use crate::study::Estimate;
 use crate::theory::SummitHeights::{self, Exponential, Gaussian};
@@ -60,7 +60,7 @@ pub fn reproduce() -> Reproduction {
 /// Whether Gaussian heights differ from their limit by more than half of the last digit that the paper prints.
 fn depends_on_separation() -> Verdict {
     let [near, far] = [NEAR, FAR].map(|separation| Gaussian.kappa_r(separation));
-    let answer = Answer::is_positive(Estimate::exact((near - far).abs() - 0.005));
+    let answer = StatementVerdict::is_positive(Estimate::exact((near - far).abs() - 0.005));
     Verdict::statement("gw.finite", format!("{near:.4} at d/σ = {NEAR}"), answer)
 }
 

@@ -4,7 +4,7 @@ use super::means::Points;
 use super::measure::Measure;
 use super::reproduction::Reproduction;
 use super::rough::{Rough, shade};
-use super::verdict::{Answer, Verdict};
+use super::verdict::{StatementVerdict, Verdict};
 use crate::plot::{Axis, Colour, Dot, Mark, Panel};
 use crate::study::Estimate;
 
@@ -118,5 +118,5 @@ fn depends_on_hurst(points: &Points, pair: [f64; 2]) -> Verdict {
     let (change, sigma) = (apart.times(100.0 / average.mean), apart.mean / apart.uncertainty());
     let ([low, high], off, error) = (pair, change.mean, change.uncertainty());
     let words = format!("H = {high} above {low} by {off:.2} ± {error:.2} %, {sigma:+.1} σ");
-    Verdict::statement("hurst.kappa_r", words, Answer::is_constant(change))
+    Verdict::statement("hurst.kappa_r", words, StatementVerdict::is_constant(change))
 }

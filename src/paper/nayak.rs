@@ -11,7 +11,7 @@ use super::measure::{Measure, ObservableFn};
 use super::nayak_trend::{BreadthTrend, SolvedBreadth, SolvedBreadths};
 use super::reproduction::{Ramp, RampCurve, Reproduction, captions};
 use super::rough::shade;
-use super::verdict::{Answer, Verdict};
+use super::verdict::{StatementVerdict, Verdict};
 use crate::error::SetupError;
 use crate::plot::{Axis, AxisScale, Colour, Dot, Mark, Panel, Symbol};
 use crate::study::Estimate;
@@ -176,7 +176,7 @@ fn breadth_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn)
     });
     let words = format!("per decade of α at p* = {load}: {}", words.collect::<Vec<_>>().join("; "));
     let key = format!("nayak.{}.{quantity}.alpha", group.name());
-    let answer = Answer::all(slopes.iter().map(|(_, it)| Answer::is_constant(it.percent)));
+    let answer = StatementVerdict::all(slopes.iter().map(|(_, it)| StatementVerdict::is_constant(it.percent)));
     (!slopes.is_empty()).then(|| Verdict::statement(&key, words, answer))
 }
 
@@ -187,7 +187,7 @@ fn hurst_matters(group: &SolvedBreadths<'_>, quantity: &str, of: ObservableFn) -
     let ([lowest, highest], [low, high]) = (ends, it.between);
     let words = format!("at p* = {load} H = {highest} less {lowest}: {}, α {low:.1} to {high:.0}", change(&it));
     let key = format!("nayak.{}.{quantity}.hurst", group.name());
-    Some(Verdict::statement(&key, words, Answer::is_constant(it.percent)))
+    Some(Verdict::statement(&key, words, StatementVerdict::is_constant(it.percent)))
 }
 
 /// A change in per cent and standard errors.

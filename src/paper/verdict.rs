@@ -36,7 +36,7 @@ struct Printed {
 
 /// The answer to a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
-pub(super) enum Answer {
+pub(super) enum StatementVerdict {
     /// It is true, whatever its errors hide.
     #[strum(serialize = "holds")]
     Holds,
@@ -51,7 +51,7 @@ pub(super) enum Answer {
     NoError,
 }
 
-impl Answer {
+impl StatementVerdict {
     /// The answer to the statement that a number is positive: the distance of what was found from the limit that the statement sets.
     ///
     /// A statement is true or wrong only if the whole interval of what the number may be lies on one side of the limit. That a change is less than
@@ -161,7 +161,7 @@ impl Verdict {
     }
 
     /// A statement: what is found instead of it, and the answer to it.
-    pub(super) fn statement(key: &str, here: String, answer: Answer) -> Self {
+    pub(super) fn statement(key: &str, here: String, answer: StatementVerdict) -> Self {
         Self::on(Printed::from_key(key), "", here, answer.into())
     }
 
@@ -201,7 +201,7 @@ impl Verdict {
 
     /// Whether the errors are too large to decide on a statement.
     pub fn is_undecided(&self) -> bool {
-        self.verdict == <&str>::from(Answer::Undecided)
+        self.verdict == <&str>::from(StatementVerdict::Undecided)
     }
 
     /// Whether the number agrees, or the statement holds.
@@ -268,19 +268,34 @@ mod tests {
     fn a_statement_is_decided_only_where_no_error_covers_the_limit() {
         let percent = |mean, error, grid| Estimate { mean, error, grid, scatter: 0.0 };
         for (mean, error, grid, constant, changes) in [
-            (0.2, 0.3, 0.0, Answer::Holds, Answer::DoesNotHold),
-            (0.2, 0.3, 0.3, Answer::Undecided, Answer::Undecided),
-            (-10.15, 5.24, 0.0, Answer::Undecided, Answer::Undecided),
-            (-10.15, 1.0, 0.0, Answer::DoesNotHold, Answer::Holds),
-            (10.15, 1.0, 8.0, Answer::Undecided, Answer::Undecided),
-            (0.0, f64::NAN, 0.0, Answer::NoError, Answer::NoError),
+            (0.2, 0.3, 0.0, StatementVerdict::Holds, StatementVerdict::DoesNotHold),
+            (0.2, 0.3, 0.3, StatementVerdict::Undecided, StatementVerdict::Undecided),
+            (-10.15, 5.24, 0.0, StatementVerdict::Undecided, StatementVerdict::Undecided),
+            (-10.15, 1.0, 0.0, StatementVerdict::DoesNotHold, StatementVerdict::Holds),
+            (10.15, 1.0, 8.0, StatementVerdict::Undecided, StatementVerdict::Undecided),
+            (0.0, f64::NAN, 0.0, StatementVerdict::NoError, StatementVerdict::NoError),
         ] {
             let change = percent(mean, error, grid);
-            assert_eq!((Answer::is_constant(change), Answer::changes(change)), (constant, changes), "{change:?}");
+            assert_eq!(
+                (StatementVerdict::is_constant(change), StatementVerdict::changes(change)),
+                (constant, changes),
+                "{change:?}"
+            );
         }
-        assert_eq!(Answer::all([Answer::Holds, Answer::Undecided, Answer::DoesNotHold]), Answer::DoesNotHold);
-        assert_eq!(Answer::all([Answer::Holds, Answer::Undecided]), Answer::Undecided);
-        let undecided = Verdict::statement("fig2.constant", String::new(), Answer::Undecided).because("of this");
+        assert_eq!(
+            StatementVerdict::all([
+                StatementVerdict::Holds,
+                StatementVerdict::Undecided,
+                StatementVerdict::DoesNotHold
+            ]),
+            StatementVerdict::DoesNotHold
+        );
+        assert_eq!(
+            StatementVerdict::all([StatementVerdict::Holds, StatementVerdict::Undecided]),
+            StatementVerdict::Undecided
+        );
+        let undecided =
+            Verdict::statement("fig2.constant", String::new(), StatementVerdict::Undecided).because("of this");
         assert!(undecided.is_undecided() && !undecided.is_good() && undecided.why.is_empty());
     }
 
