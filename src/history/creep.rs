@@ -294,6 +294,21 @@ impl Creep {
         pose(&last.and_then(of_load).unwrap_or(straight))
     }
 
+    /// The time after a state at which its mean effective pressure turns, on the way to a `load` that is reached after `dt`; none where it does
+    /// not, and where loads do not prescribe it.
+    pub(super) fn mean_turn(&self, state: &CreepState, dt: f64, load: Load) -> Option<f64> {
+        let mean = |load: Load| match load.value() {
+            0.0 => Some(0.0),
+            _ => self.problem.clone().with_load(load).ok()?.mean_pressure(),
+        };
+        let loads = [state.load?, load];
+        if !loads.iter().all(Load::is_pressure) {
+            return None;
+        }
+        let [first, last] = loads.map(mean);
+        StepProfile::turn_of_load(dt, [first?, last?], &self.mean_strains(state))
+    }
+
     /// The mean strains of the Kelvin elements, from what the Maxwell elements hold:
     /// `eps_j = sum_k f_j rho_k/(tau_j - rho_k) (g_k p_e - y_k)`.
     fn mean_strains(&self, state: &CreepState) -> Vec<MeanStrain> {

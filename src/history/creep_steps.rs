@@ -48,7 +48,7 @@ const LOWERED: f64 = 0.8;
 /// **Points of the path.** Where the rate of the load changes, the elements answer with transients. Steps that are much longer than
 /// these miss them in both histories, and the difference does not tell. So the first step after such a point is half of the shortest time
 /// whose transient counts. What the others may change of the lost energy, at most, is part of its error, as are transients that begin within a
-/// step, where surfaces touch or part.
+/// step, where surfaces touch or part. Steps end where the mean effective pressure turns under its load.
 ///
 /// ```
 /// use asperity::contact::{ContactModulus, Load, Multilevel, Stop};
@@ -292,6 +292,9 @@ impl<'a> CreepSteps<'a> {
         let left_out = begins.left_out.max(ends.left_out);
         // the last two steps before a point are of equal length
         let mut step = if left <= wanted { left } else { wanted.min(0.5 * left) };
+        // where the mean effective pressure turns, a step has no profile that follows it: it is exact on both sides
+        let turn = self.creep.mean_turn(&from, left, self.path.points()[self.point].1);
+        step = step.min(turn.unwrap_or(step));
         let mut repeated = f64::INFINITY;
         loop {
             let is_last = step == left;

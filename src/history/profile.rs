@@ -35,6 +35,13 @@ pub(super) struct MeanStrain {
 /// Places between which a profile is looked at, to see whether it rises all the way.
 const PLACES: i32 = 96;
 
+/// The least change before and after a turn of the mean, as a part of the largest mean: what is less does not count, and may be rounding where a solid is
+/// relaxed.
+const SMALL_TURN: f64 = 1e-6;
+
+/// Halvings of the distance of two places to find a turn between them to the last bits.
+const HALVINGS: usize = 50;
+
 impl StepProfile {
     /// A straight line.
     pub fn straight(dt: f64) -> Self {
@@ -49,24 +56,51 @@ impl StepProfile {
     /// ```
     ///
     /// None where this does not rise or fall all the way, since it is no profile then.
-    pub fn of_load(dt: f64, [begin, end]: [f64; 2], strains: &[MeanStrain]) -> Option<Self> {
-        let growth = (end - begin) / dt;
-        let linear = (end - begin) * (1.0 + strains.iter().map(|it| it.ratio).sum::<f64>());
-        let fading = strains.iter().map(|it| Fading {
-            coefficient: it.ratio * begin - it.strain - it.ratio * growth * it.time,
-            time: it.time,
-        });
-        let course = Self { dt, linear, fading: fading.collect() };
+    pub fn of_load(dt: f64, loads: [f64; 2], strains: &[MeanStrain]) -> Option<Self> {
+        let course = Self::course(dt, loads, strains);
         let change = course.at(dt);
         if !(change.is_finite() && change != 0.0) {
             return None;
         }
         let profile = Self {
             dt,
-            linear: linear / change,
+            linear: course.linear / change,
             fading: course.fading.iter().map(|it| Fading { coefficient: it.coefficient / change, ..*it }).collect(),
         };
         profile.rises().then_some(profile)
+    }
+
+    /// The first time within a step at which the mean effective pressure turns, as [`StepProfile::of_load`] has it; none where it rises or falls all
+    /// the way, but for what is short beside the shortest time or small beside the mean.
+    pub fn turn_of_load(dt: f64, loads: [f64; 2], strains: &[MeanStrain]) -> Option<f64> {
+        let course = Self::course(dt, loads, strains);
+        let places = course.places();
+        let is_rising = course.slope(places[0]) > 0.0;
+        let has_turned = |s: f64| (course.slope(s) > 0.0) != is_rising;
+        let i = places.iter().position(|&s| has_turned(s))?;
+        let [mut before, mut after] = [places[i - 1], places[i]];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (before + after);
+            if has_turned(middle) {
+                after = middle;
+            } else {
+                before = middle;
+            }
+        }
+        let size = loads[0].abs().max(loads[1].abs()) * (1.0 + strains.iter().map(|it| it.ratio).sum::<f64>());
+        let [there, end] = [after, dt].map(|s| course.at(s));
+        (there.abs().min((end - there).abs()) > SMALL_TURN * size).then_some(after)
+    }
+
+    /// The change of the mean effective pressure in the course of a step, in place of a profile.
+    fn course(dt: f64, [begin, end]: [f64; 2], strains: &[MeanStrain]) -> Self {
+        let growth = (end - begin) / dt;
+        let linear = (end - begin) * (1.0 + strains.iter().map(|it| it.ratio).sum::<f64>());
+        let fading = strains.iter().map(|it| Fading {
+            coefficient: it.ratio * begin - it.strain - it.ratio * growth * it.time,
+            time: it.time,
+        });
+        Self { dt, linear, fading: fading.collect() }
     }
 
     /// `phi(s)`.
@@ -75,14 +109,24 @@ impl StepProfile {
         self.linear * s / self.dt + self.fading.iter().map(fading).sum::<f64>()
     }
 
-    /// Whether the profile rises from place to place. The places become denser towards the beginning, where short times end.
+    /// `phi'(s)`.
+    fn slope(&self, s: f64) -> f64 {
+        let fading = |it: &Fading| it.coefficient / it.time * (-s / it.time).exp();
+        self.linear / self.dt + self.fading.iter().map(fading).sum::<f64>()
+    }
+
+    /// Whether the profile rises from place to place.
     fn rises(&self) -> bool {
-        let shortest = self.shortest_time().min(self.dt);
-        let ratio = (self.dt / (0.01 * shortest)).powf(1.0 / f64::from(PLACES));
-        let place = |i: i32| self.dt * ratio.powi(i - PLACES);
-        let values: Vec<f64> = (0..=PLACES).map(|i| self.at(place(i))).collect();
+        let values: Vec<f64> = self.places().iter().map(|&s| self.at(s)).collect();
         let allowed = 1e-9;
         values[0] >= -allowed && values.windows(2).all(|pair| pair[1] >= pair[0] - allowed)
+    }
+
+    /// Places at which a profile is looked at, up to the end of the step. They become denser towards the beginning, where short times end.
+    fn places(&self) -> Vec<f64> {
+        let shortest = self.shortest_time().min(self.dt);
+        let ratio = (self.dt / (0.01 * shortest)).powf(1.0 / f64::from(PLACES));
+        (0..=PLACES).map(|i| self.dt * ratio.powi(i - PLACES)).collect()
     }
 
     /// The length of the step.
@@ -158,6 +202,24 @@ mod tests {
         assert!(StepProfile::of_load(1.0, [1.0, 0.2], &strains).is_none());
         assert!(StepProfile::of_load(1.0, [0.0, 0.0], &strains).is_none());
         assert!(StepProfile::of_load(1.0, [1.0, 1.0], &strains).is_some());
+    }
+
+    /// One element under a load that falls from a sudden first value: `P_e' = P' (1 + f) + (f P_0 - f P' tau)/tau exp(-s/tau)` is zero at
+    /// `s = tau ln (f (P_0/tau - P') / (-P' (1 + f)))`.
+    #[test]
+    fn a_mean_that_turns_is_found_where_its_slope_is_zero() {
+        let (f, tau, dt, loads) = (3.0, 2.0, 30.0, [1.0, 0.4]);
+        let strains = [MeanStrain { ratio: f, time: tau, strain: 0.0 }];
+        let slope = (loads[1] - loads[0]) / dt;
+        let expected = tau * (f * (loads[0] / tau - slope) / (-slope * (1.0 + f))).ln();
+        let turn = StepProfile::turn_of_load(dt, loads, &strains).expect("it creeps on, and then falls");
+        assert!((turn / expected - 1.0).abs() < 1e-9, "{turn} {expected}");
+        // from there on it falls all the way
+        let at_turn = loads[0] + slope * turn;
+        let strain = f * (at_turn - slope * tau) - f * (loads[0] - slope * tau) * (-turn / tau).exp();
+        let strains = [MeanStrain { ratio: f, time: tau, strain }];
+        assert!(StepProfile::turn_of_load(dt - turn, [at_turn, loads[1]], &strains).is_none());
+        assert!(StepProfile::turn_of_load(dt, [1.0, 1.4], &strains).is_none());
     }
 
     #[test]

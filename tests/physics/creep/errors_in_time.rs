@@ -182,7 +182,7 @@ fn survey(seeds: std::ops::Range<u64>) {
 
 #[test]
 fn errors_of_random_histories_are_stated() {
-    survey(300..312);
+    survey(400..412);
 }
 
 #[test]
