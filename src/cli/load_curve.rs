@@ -19,7 +19,6 @@ use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
 use asperity::plot::write_figure;
 use asperity::setup::SetupTable;
 use asperity::study::LoadCurve;
-use asperity::warning::Warning;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
@@ -49,20 +48,20 @@ pub fn write(
     watch: StateWatch<'_>,
     (outputs, units): (&Outputs, Units),
 ) -> Result<ExitStatus> {
-    let StateWatch { findings, of_contact, status, shortfalls, .. } = watch;
+    let (status, findings) = (watch.status, watch.findings.len());
     let Some(mut history) = solved.history else { return Ok(status) };
     let is_stopped = matches!(history.ended, Some(HistoryError::Stopped));
     if let Some(error) = history.ended.take_if(|error| is_input(error)) {
         return Err(StudyError::from(error).into());
     }
-    if findings.is_empty() {
+    if findings == 0 {
         return Err(Interrupted.into());
     }
     history.states.retain(|state| state.contact.status != Status::StoppedByObserver);
-    let curve = LoadCurve { setup: solved.setup, loads: loads[..findings.len()].into() };
+    let curve = LoadCurve { setup: solved.setup, loads: loads[..findings].into() };
     let failure = history.failure.take();
     let written = (outputs, units);
-    write_files(&curve, problem, (findings, of_contact, shortfalls), &history, written)?;
+    write_files(&curve, problem, watch, &history, written)?;
     let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
     outputs.files().filter(is_whole).for_each(wrote);
     let (solved, all) = (curve.loads.len(), loads.len());
@@ -81,10 +80,11 @@ pub fn write(
 fn write_files(
     curve: &LoadCurve,
     problem: &Problem,
-    (findings, of_contact, shortfalls): (Vec<Finding>, Vec<Warning>, Vec<String>),
+    watch: StateWatch<'_>,
     history: &HistoryOutcome,
     (outputs, units): (&Outputs, Units),
 ) -> Result<()> {
+    let StateWatch { findings, of_contact, shortfalls, .. } = watch;
     let (subject, setup) = (ProblemSummary::new(&curve.setup, problem)?, curve.to_table());
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = curve.setup.surface.warnings(problem.surface());

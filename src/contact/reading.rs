@@ -4,7 +4,7 @@ use super::quantity::positive;
 use super::state_values::NO_VALUES;
 use crate::contact::{
     Certificate, Contact, Counted, Load, Observables, Patches, Problem, Quantity, QuantityRow, Readings, Resolution,
-    Resolved, State, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
+    Resolved, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
 };
 use ndarray::ArrayView1;
 use std::cell::LazyCell;
@@ -244,14 +244,6 @@ impl Quantity {
 }
 
 impl Observables {
-    /// All of them of a state, whose numbers are read once.
-    pub fn of_state(state: &State) -> Self {
-        let numbers = state.numbers();
-        let value =
-            |quantity| numbers.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value);
-        Self::by(value)
-    }
-
     /// Reads all of them of a contact, or of a step.
     pub fn new<'a>(state: impl Into<Reading<'a>>) -> Self {
         let reading = state.into();

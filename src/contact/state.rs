@@ -1,6 +1,8 @@
 //! A state: a contact that a process has made, whatever process it is.
 
-use crate::contact::{Contact, DepthCut, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work};
+use crate::contact::{
+    Contact, DepthCut, Observables, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work,
+};
 use crate::surface::Field;
 use std::sync::OnceLock;
 use strum::IntoEnumIterator;
@@ -146,6 +148,16 @@ impl State {
     /// A further field, if the state has it.
     pub fn field(&self, name: &str) -> Option<&Field> {
         self.fields.iter().find(|it| it.name == name).map(|it| &it.values)
+    }
+}
+
+impl Observables {
+    /// All of them of a state, whose numbers are read once.
+    pub fn of_state(state: &State) -> Self {
+        let numbers = state.numbers();
+        let value =
+            |quantity| numbers.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value);
+        Self::by(value)
     }
 }
 

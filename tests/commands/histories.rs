@@ -404,7 +404,8 @@ fn a_sphere_is_lifted_off_a_solid_that_creeps() {
     let line = "solve --indenter sphere --radius 1 --points 32,32 --size 1,1 --boundary free --modulus 1 --creep 4,1 --path-time 0,1,1,30";
     let found = json(&folder, &format!("{line} --approach 0.02 --path-load 0.02,0.02,-0.01,-0.01 --json"));
     let (pressure, approach) = (column(&found, "mean_pressure"), column(&found, "approach"));
-    assert!(pressure[0] > 0.0 && pressure[pressure.len() - 1] == 0.0 && approach[approach.len() - 1] == -0.01);
+    assert!(pressure[0] > 0.0 && pressure[pressure.len() - 1] == 0.0, "{pressure:?}");
+    assert!((approach[approach.len() - 1] + 0.01).abs() < 1e-12, "{approach:?}");
     // all that was done is lost, since nothing is left in the solid
     let (lost, work, stored) = (column(&found, "dissipated"), column(&found, "work_done"), column(&found, "stored"));
     let last = lost.len() - 1;

@@ -204,7 +204,9 @@ fn errors_are_told_by_their_sources() {
     let output = folder.run(&line(2));
     let told = text(&output.stdout);
     assert!(told.contains("largest estimated error of the imprint: ") && told.contains(" by the layers, "), "{told}");
-    assert_eq!(text(&output.stderr), "");
+    // the grid of this cylinder is coarse, and nothing else is doubted
+    let doubts = text(&output.stderr);
+    assert!(doubts.lines().all(|line| line.contains("on this grid")), "{doubts}");
     let doubtful = folder.run(&format!("{CYLINDER} {STEEL} --pressure 100MPa --yield-errors --yield-layers 8"));
     let doubts = text(&doubtful.stderr);
     for doubt in ["from a single step between two loads", "times as thick as the contacts are wide"] {

@@ -93,8 +93,11 @@ fn what_a_creep_leaves_open_is_said() {
     let warnings = |rest: &str| text(&folder.run(&format!("{ROUGH} {rest}")).stderr).to_owned();
     let late = warnings("--creep 9,1 --path-time 1,2 --path-load 0.05,0.02 --path-steps 1");
     assert!(late.contains("begins at the time 1.0, so its first load acts from the time 0 on"), "{late}");
-    assert!(!warnings("--creep 9,1 --path-time 1 --path-steps 1").contains("warning"));
-    assert!(!warnings("--creep 9,1 --path-time 0,1 --path-steps 1").contains("warning"));
+    // what else is told is told of the grid
+    for path in ["--path-time 1", "--path-time 0,1"] {
+        let told = warnings(&format!("--creep 9,1 {path} --path-steps 1"));
+        assert!(told.lines().all(|line| line.contains("on this grid")), "{told}");
+    }
     // the compliances of moduli 1 and 3 are as 3 to 1
     for rest in ["--path-time 1 --path-steps 1", "--speed 1"] {
         let shared = warnings(&format!("{two} --creep 9,1 {rest}"));
