@@ -134,8 +134,12 @@ fn units_need_a_modulus() {
         assert_eq!(output.status.code(), Some(0), "{given}: {}", text(&output.stderr));
     }
     // the modulus of a scene serves the hardness of a flag
-    folder.ok(&format!("solve {line} --modulus 5GPa --save-setup saved.toml"));
-    folder.ok("solve saved.toml --hardness 1GPa");
+    for given in
+        [format!("solve {line} --modulus 5GPa --save-setup saved.toml"), "solve saved.toml --hardness 1GPa".into()]
+    {
+        let output = folder.run(&given);
+        assert_eq!(output.status.code(), Some(0), "{given}: {}", text(&output.stderr));
+    }
 }
 
 /// Quantities of every kind that has units: a number alone beside one with a unit is refused.
@@ -189,8 +193,10 @@ fn ranges_with_one_unit_or_three_dots_are_refused() {
         assert_eq!(output.status.code(), Some(2), "{given}");
         assert!(text(&output.stderr).contains(expected), "{given}: {}", text(&output.stderr));
     }
-    folder.ok(&format!("solve {line} --pressure 1kPa..10kPa:3"));
-    folder.ok(&format!("solve {line} --reduced-pressure 1e-3..1e-1:3"));
+    for given in ["--pressure 1kPa..10kPa:3", "--reduced-pressure 1e-3..1e-1:3"] {
+        let output = folder.run(&format!("solve {line} {given}"));
+        assert_eq!(output.status.code(), Some(0), "{given}: {}", text(&output.stderr));
+    }
 }
 
 /// A force acts on a surface, and a force per length on a line; a number alone beside units would be in newtons.
