@@ -46,7 +46,7 @@ pub enum SetupError {
     /// A unit for one quantity and none for another of its kind.
     #[error("{without} has no unit, but {with} has one: give a unit for every {kind}, or for none")]
     MixedUnits {
-        /// `pressure`, `length`, `force`, `energy per area`, `time` or `speed`.
+        /// `pressure`, `length`, `force`, `energy per area`, `time`, `speed` or `load of a path`.
         kind: &'static str,
         /// The quantity without a unit, and its value.
         without: String,

@@ -27,7 +27,7 @@ pub struct CreepPath {
 /// A change of the rate of the load at a point of a path. The Kelvin elements answer it with a transient: an element with the ratio `f` and the
 /// time `tau` lags behind the load by `f tau P'`, and after the point it goes from the lag of the rate before to that of the rate after.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Turn {
+pub(super) struct RateChange {
     /// The change of the rate over the larger one of the rates before and after: 1 at both ends of a hold, 2 where the load goes back as
     /// fast as it came, 0 where nothing changes.
     pub change: f64,
@@ -95,7 +95,7 @@ impl CreepPath {
     }
 
     /// How the rate of the load changes at a point; none at the ends of the path, where the load jumps, and where its rate stays.
-    pub(super) fn turn(&self, point: usize) -> Option<Turn> {
+    pub(super) fn turn(&self, point: usize) -> Option<RateChange> {
         let (time, load) = *self.points.get(point)?;
         let is_jump = self.points.iter().any(|(other, it)| *other == time && *it != load);
         let before = self.points.iter().rev().find(|(other, _)| *other < time)?;
@@ -103,7 +103,7 @@ impl CreepPath {
         let rate = |(other, it): &(f64, Load)| (it.value() - load.value()) / (other - time);
         let [before_rate, after_rate] = [before, after].map(rate);
         let change = (after_rate - before_rate).abs() / before_rate.abs().max(after_rate.abs());
-        let turn = Turn { change, time: (time - before.0).min(after.0 - time) };
+        let turn = RateChange { change, time: (time - before.0).min(after.0 - time) };
         (!is_jump && change > 0.0).then_some(turn)
     }
 }

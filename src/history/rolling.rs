@@ -411,18 +411,16 @@ impl Shifts {
             };
             let traction = state.p.iter().zip(narrow).map(|(t, limit)| t - limit).collect();
             let slip = state.u.iter().zip(&height).map(|(u, h)| u - h - level).collect();
-            let (inner_steps, transforms, datum) = (state.inner, state.transforms(), -level);
-            let reach = 0.0;
             return Ok(SolvedTraction {
                 status,
                 traction,
                 slip,
-                datum,
+                datum: -level,
                 certificate,
-                reach,
+                reach: 0.0,
                 updates,
-                inner_steps,
-                transforms,
+                inner_steps: state.inner,
+                transforms: state.transforms(),
             });
         }
         unreachable!("the last update returns")

@@ -138,9 +138,9 @@ fn losses(problem: &Problem, mean_pressure: f64) -> [f64; 2] {
 }
 
 /// The estimated relative error of the friction coefficient of a contact by its grid, from the contact on half as many points along each axis. The
-/// difference alone crosses zero by chance: of 344 contacts (rough lines and surfaces, cylinders), against grids of 4 to 8 times as many points, it was too
-/// small by more than 1.5 times in 10 %, and by up to 44 times. With the error of the area added it was so in 3, by up to 2.4 times; half of the errors are
-/// below a tenth of what is stated.
+/// difference alone crosses zero by chance: of 148 contacts (rough lines and surfaces, cylinders) that were not used to choose the sum, against grids of
+/// 4 to 8 times as many points, the difference was more than 1.5 times too small in 10 %, and by up to 22 times. With the error of the area added it was
+/// so in 2, by up to 2.4 times; half of the errors are below a tenth of what is stated.
 fn grid_error(contact: &Contact, friction: f64) -> Option<f64> {
     // a contact that was stopped or not found has larger errors, and nobody waits for a second one
     let coarse = coarser(&contact.problem).filter(|_| contact.is_converged())?;

@@ -1,6 +1,6 @@
 //! The transients by which a viscoelastic solid answers a change of the rate of the load.
 
-use super::creep_path::Turn;
+use super::creep_path::RateChange;
 use crate::elastic::PronyTerm;
 
 /// The first step after a point where the load stops or turns, as a part of the shortest time whose transient counts: a jump of the rate excites
@@ -31,7 +31,7 @@ pub(super) struct Transients {
 impl Transients {
     /// The transients of the elements of a solid at a point where the rate of the load changes, for a relative tolerance of the lost energy; none
     /// without a change.
-    pub fn new(turn: Option<Turn>, terms: &[PronyTerm], tolerance: f64) -> Self {
+    pub fn new(turn: Option<RateChange>, terms: &[PronyTerm], tolerance: f64) -> Self {
         let mut transients = Self { first_step: f64::INFINITY, left_out: 0.0 };
         let Some(turn) = turn else { return transients };
         for term in terms {
@@ -77,7 +77,7 @@ mod tests {
         for [a, b] in [[1.0, -1.0], [1.0, 0.0], [0.0, 1.0], [1.0, 0.5], [0.5, 1.0], [-0.3, 1.0], [1.0, 0.99]] {
             let change = f64::abs(a - b) / f64::max(f64::abs(a), f64::abs(b));
             let terms = [PronyTerm { ratio: 2.0, time: tau }];
-            let transients = Transients::new(Some(Turn { change, time }), &terms, 1e-1);
+            let transients = Transients::new(Some(RateChange { change, time }), &terms, 1e-1);
             let true_part = changed([a, b], tau, time);
             assert!(transients.first_step.is_infinite() && true_part > 0.0);
             assert!(true_part <= transients.left_out && transients.left_out <= 8.0 * true_part, "{a} {b}: {true_part}");
@@ -87,7 +87,7 @@ mod tests {
     #[test]
     fn steps_begin_with_the_shortest_time_that_counts() {
         let terms = [1e-6, 0.3, 5.0].map(|time| PronyTerm { ratio: 1.0, time });
-        let at = |change: f64| Transients::new(Some(Turn { change, time: 10.0 }), &terms, 1e-2);
+        let at = |change: f64| Transients::new(Some(RateChange { change, time: 10.0 }), &terms, 1e-2);
         assert!((at(2.0).first_step - 0.15).abs() < 1e-12 && (at(0.5).first_step - 0.3).abs() < 1e-12);
         assert!((at(2.0).left_out - 4e-7).abs() < 1e-12);
         assert_eq!(Transients::new(None, &terms, 1e-2), Transients { first_step: f64::INFINITY, left_out: 0.0 });

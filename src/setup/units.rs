@@ -8,8 +8,7 @@ use std::path::Path;
 use toml::Value;
 
 /// The kinds of quantities, each with its keys. Numbers alone of one kind are in the same unit, so either all of them have a unit or none has.
-/// The keys of [`LOADS`] join the kind of the normal load.
-const KINDS: [(&str, &[&str]); 6] = [
+const KINDS: [(&str, &[&str]); 7] = [
     (
         PRESSURE,
         &[
@@ -48,25 +47,18 @@ const KINDS: [(&str, &[&str]); 6] = [
             "rolling.step",
         ],
     ),
-    (FORCE_KIND, &[FORCE]),
+    ("force", &[FORCE]),
     ("energy per area", &["adhesion.work"]),
     ("time", &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
     ("speed", &["sliding.speed"]),
+    // They are of the kind of the normal load. Numbers alone are in SI beside one with a unit, since a path is often a table of numbers.
+    ("load of a path", &LOADS),
 ];
 const PRESSURE: &str = "pressure";
 const LENGTH: &str = "length";
-const FORCE_KIND: &str = "force";
 
 /// The loads of a path and the tangential loads: they are of the same kind as the normal load.
 const LOADS: [&str; 4] = ["friction.tangential", "path.load", "path.tangential", "rolling.tangential"];
-
-/// The kinds of the normal loads, by their keys. A reduced pressure has no unit.
-const NORMAL_LOADS: [(&str, &str); 4] = [
-    ("load.mean-pressure", PRESSURE),
-    ("load.force", FORCE_KIND),
-    ("load.mean-gap", LENGTH),
-    ("load.approach", LENGTH),
-];
 
 /// The keys of a contact modulus. Each of them alone says which modulus pressures are compared with.
 const MODULI: [&str; 3] = ["solid.contact-modulus", "solid.young", "solid.stiffness"];
@@ -164,7 +156,7 @@ impl SetupTable {
     /// [`SetupError::MixedUnits`].
     pub fn check_numbers(&self) -> Result<(), SetupError> {
         for (kind, keys) in KINDS {
-            self.check_kind(kind, &self.keys_of_kind(kind, keys))?;
+            self.check_kind(kind, keys)?;
         }
         // a force belongs to a pressure times an area
         let force = self.words_of(FORCE).into_iter().find(|word| has_unit(word));
@@ -176,13 +168,6 @@ impl SetupTable {
             }
             _ => Ok(()),
         }
-    }
-
-    /// The keys of a kind, with those of the loads that follow the normal load, where this is of the kind.
-    fn keys_of_kind(&self, kind: &str, keys: &[&'static str]) -> Vec<&'static str> {
-        let is_of_kind = NORMAL_LOADS.iter().any(|(key, its)| *its == kind && self.find(key).is_some());
-        let loads: &[&str] = if is_of_kind { &LOADS } else { &[] };
-        [keys, loads].concat()
     }
 
     /// The pressures and lengths that are given, each with its key.

@@ -656,7 +656,7 @@ fn errors_by_the_layers_are_not_too_small() {
     let below = |points: usize| DepthLayers::below(1.0 / points as f64, 0.4).unwrap();
     let uniform = |count: usize| DepthLayers::uniform(count, 0.5).unwrap();
     let steep = PlasticSolid::new(1.0, 0.25, 0.012, 0.005).unwrap();
-    let (mut worst, mut checked): (f64, usize) = (0.0, 0);
+    let (mut exceptions, mut checked) = (Vec::new(), 0);
     for (problem, solid, layers, loads) in [
         (cylinder(96, &soft()), soft(), uniform(24), [7.5e-4, 1.5e-3]),
         (cylinder(96, &soft()), soft(), uniform(48), [7.5e-4, 1.5e-3]),
@@ -664,6 +664,7 @@ fn errors_by_the_layers_are_not_too_small() {
         (sine(&steep), steep, below(96), [2e-3, 8e-3]),
         (sine(&steep), steep, uniform(40), [2e-3, 8e-3]),
     ] {
+        let count = layers.count();
         let new = |layers: DepthLayers| {
             let plastic = Plastic::new(problem.clone(), solid, layers, &PolonskyKeer).unwrap();
             PlasticLoading::new(plastic, loads.map(Load::MeanPressure).into(), 1).unwrap()
@@ -675,17 +676,19 @@ fn errors_by_the_layers_are_not_too_small() {
             exact.next(&mut ()).unwrap().unwrap();
             let missed = PlasticErrors::between(told.plastic().state(), exact.plastic().state());
             let errors = told.errors().unwrap().layers;
-            for (missed, told) in [
-                (missed.relative_area, errors.relative_area),
-                (missed.imprint_depth, errors.imprint_depth),
-                (missed.total_accumulated, errors.total_accumulated),
+            for (name, missed, told) in [
+                ("area", missed.relative_area, errors.relative_area),
+                ("imprint", missed.imprint_depth, errors.imprint_depth),
+                ("strain", missed.total_accumulated, errors.total_accumulated),
             ] {
-                worst = worst.max(missed / told);
                 checked += 1;
+                if missed >= 1.5 * told {
+                    exceptions.push(format!("{name} {missed:.2e} for {told:.2e} in {count} layers"));
+                }
             }
         }
     }
-    assert!(worst < 1.5 && checked == 30, "{worst}");
+    assert!(exceptions.is_empty() && checked == 30, "{exceptions:?}");
     // two layers estimate nothing
     let plastic = Plastic::new(cylinder(64, &soft()), soft(), uniform(2), &PolonskyKeer).unwrap();
     let mut two = PlasticLoading::new(plastic, vec![Load::MeanPressure(1.5e-3)], 1).unwrap().with_errors().unwrap();

@@ -160,7 +160,7 @@ fn only_cycles_that_close_are_told() {
         loads.iter().enumerate().map(|(i, load)| (period * i as f64, Load::MeanPressure(*load))).collect();
     let creep = Creep::new(problem(surface, Load::MeanPressure(low)), prony);
     let path = CreepPath::new(points.clone()).unwrap();
-    let steps = CreepSteps::fixed(creep, path, 40, &Multilevel, tight()).unwrap();
+    let steps = CreepSteps::adaptive(creep, path, 1e-3, &Multilevel, tight()).unwrap();
     let states: Vec<State> = steps
         .map(|state| {
             let state = state.unwrap();

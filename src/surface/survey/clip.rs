@@ -43,7 +43,7 @@ impl Clip {
             return [None; 2];
         }
         let all = (scan.height.len() - scan.voids()).max(1) as f64;
-        let plateaus = Plateaus::new(scan);
+        let plateaus = PlateauSearch::new(scan);
         [true, false].map(|is_top| {
             let nodes = equal(scan, is_top).max(plateaus.count(is_top));
             let share = nodes as f64 / all;
@@ -74,7 +74,7 @@ fn equal(scan: &Scan, is_top: bool) -> usize {
 }
 
 /// What is needed to find heights that are flat more often than chance lets them be.
-struct Plateaus {
+struct PlateauSearch {
     /// The heights without their plane.
     level: Scan,
     /// The flat nodes of these.
@@ -85,7 +85,7 @@ struct Plateaus {
     chance: f64,
 }
 
-impl Plateaus {
+impl PlateauSearch {
     fn new(scan: &Scan) -> Self {
         let level = Detrend::Plane.apply(scan.clone());
         // Slopes of a ball or a cylinder vanish at its crest alone. Beside the slopes of the form, roughness there would look flat, so

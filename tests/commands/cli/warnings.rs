@@ -117,7 +117,7 @@ fn units_need_a_modulus() {
         (format!("solve {line} --hardness 1GPa"), "the hardness 1GPa has a unit, but no modulus is given"),
         (format!("solve {line} --poisson 0.3 --layer 5um --hardness 1GPa"), "the hardness 1GPa has a unit"),
         (format!("solve {line} --adhesion 50mJ/m^2 --adhesion-range 10nm"), "the work of adhesion 50mJ/m^2 has a unit"),
-        (format!("solve {line} --yield-stress 1MPa --hardening-modulus 1MPa"), "the yield stress 1MPa has a unit"),
+        (format!("solve {line} --yield-stress 1MPa --hardening-modulus 1MPa"), "give the contact modulus, or Young's modulus and Poisson's ratio"),
         ("study study.toml --out study.csv".into(), "the hardness 1 MPa has a unit"),
     ] {
         let output = folder.run(&given);
@@ -162,12 +162,10 @@ fn numbers_beside_units_are_refused_for_every_kind() {
             "the high-pass wavelength 5 has no unit",
         ),
         (format!("{line} --path-load 1,2kPa --creep 1,1ms --path-time 0,1ms"), "the load of the path 1 has no unit"),
-        (format!("{line} --path-load 1,2 --creep 1,1ms --path-time 0,1ms"), "the load of the path 1 has no unit"),
         (format!("{line} --creep 1,1ms --path path.csv"), "the load of the path 1 has no unit"),
         (format!("{line} --creep 1,1ms --path plain.csv"), "the time of the path 1 has no unit"),
         (format!("{line} --creep 1,1ms --speed 1,2m/s"), "the speed 1 has no unit"),
-        (format!("{two} --friction 0.3 --tangential 5"), "the tangential load 5 has no unit"),
-        (format!("{two} --friction 0.3 --path-tangential 5"), "the tangential load of the path 5 has no unit"),
+        (format!("{two} --friction 0.3 --path-tangential 5,1kPa"), "the tangential load of the path 5 has no unit"),
         (format!("{line} --bumps 0,1um,2um,3,1um,2um"), "the length of a bump 3 has no unit"),
     ] {
         let output = folder.run(&format!("solve {given}"));
