@@ -7,7 +7,7 @@ use super::range::Range;
 use super::text::SetupTable;
 use crate::error::{ConflictRule, SetupError};
 use crate::files::{TextColumn, TextWord, read_columns};
-use crate::quantity::time_of;
+use crate::quantity::{has_unit, time_of};
 use std::path::Path;
 
 impl SetupTable {
@@ -64,6 +64,7 @@ fn columns(path: &Path, kind: Option<&str>) -> Result<Vec<(&'static str, Vec<f64
         if column.words.is_empty() {
             return Err(wrong("the table is empty: give one row for each point of the path".into()));
         }
+        check_column_units(&column).map_err(wrong)?;
         let values = column.numbers(|word| number(name, kind, word)).map_err(wrong)?;
         if name == "time" {
             check_order(&column, &values).map_err(wrong)?;
@@ -82,6 +83,20 @@ fn number(name: &str, kind: Option<&str>, word: &str) -> Result<f64, String> {
     };
     let kind = if name == "time" { "time".to_owned() } else { kind.map_or("number".into(), |it| it.replace('-', " ")) };
     read.ok_or_else(|| format!("`{word}` in the column {name} is not a {kind}"))
+}
+
+/// Refuses a column in which some quantities have a unit and others have none; zero needs none.
+fn check_column_units(column: &TextColumn) -> Result<(), String> {
+    let is_zero = |word: &&TextWord| word.text.trim().parse::<f64>() == Ok(0.0);
+    let (with, without): (Vec<_>, Vec<_>) =
+        column.words.iter().filter(|word| !is_zero(word)).partition(|word| has_unit(&word.text));
+    match (with.first(), without.first()) {
+        (Some(with), Some(TextWord { row, text })) => Err(format!(
+            "row {row}: `{text}` in the column {} has no unit, but {} has one: give a unit in every row, or in none",
+            column.name, with.text
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// Refuses times that fall.

@@ -60,20 +60,24 @@ impl<'t> Range<'t> {
     }
 }
 
-/// The unit of one end of a range, if the other end has none; none if both ends have a unit, or neither has.
+/// The unit of one end of a range, if the other end is a number alone; none if both ends have a unit, or neither has.
 fn unit_of_one(ends: [&str; 2]) -> Option<&str> {
-    let [first, last] = ends.map(has_unit);
-    match (first, last) {
-        (true, false) => Some(unit(ends[0])),
-        (false, true) => Some(unit(ends[1])),
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
+    match ends {
+        [with, alone] if is_number(alone) => unit(with),
+        [alone, with] if is_number(alone) => unit(with),
         _ => None,
     }
 }
 
-/// The unit at the end of a quantity.
-fn unit(word: &str) -> &str {
-    let number = word.char_indices().rev().find(|&(at, _)| word[..at].trim_end().parse::<f64>().is_ok());
-    number.map_or(word, |(at, _)| word[at..].trim())
+/// The unit behind the number of a quantity; none for a number alone, and for what does not begin with a number.
+fn unit(word: &str) -> Option<&str> {
+    if !has_unit(word) {
+        return None;
+    }
+    let mut ends_of_number = word.char_indices().rev().map(|(at, _)| at);
+    let at = ends_of_number.find(|&at| word[..at].trim_end().parse::<f64>().is_ok())?;
+    Some(word[at..].trim())
 }
 
 /// The range with the same unit at both of its ends.

@@ -2,9 +2,7 @@
 
 use super::SetupTable;
 use crate::error::SetupError;
-use crate::files::read_columns;
 use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit, has_unit};
-use std::path::Path;
 use toml::Value;
 
 /// The kinds of quantities, each with its keys. Numbers alone of one kind are in the same unit, so either all of them have a unit or none has.
@@ -67,9 +65,6 @@ const MODULI: [&str; 3] = ["solid.contact-modulus", "solid.young", "solid.stiffn
 /// contradicts that. Mean pressures and forces are refused without a modulus in any case.
 const OVER_MODULUS: [&str; 5] =
     ["law.hardness", "solid.yield-stress", "solid.hardening-modulus", "solid.kinematic-hardening", "adhesion.work"];
-
-/// The section of a path, whose columns may be in a file.
-const PATH: &str = "path.";
 
 /// The section whose lists are pairs of a ratio, which has no unit, and a time.
 const OF_PAIRS: &str = "viscoelastic.";
@@ -159,8 +154,8 @@ impl SetupTable {
             self.check_kind(kind, keys)?;
         }
         // a force belongs to a pressure times an area
-        let force = self.words_of(FORCE).into_iter().find(|word| has_unit(word));
-        let number = self.pressures_and_lengths().into_iter().find(|(_, word)| !has_unit(word));
+        let force = self.words_of(FORCE).into_iter().find(|word| is_with_unit(word));
+        let number = self.pressures_and_lengths().into_iter().find(|(_, word)| !is_with_unit(word));
         match (force, number) {
             (Some(force), Some(number)) => {
                 let kind = if KINDS[0].1.contains(&number.0) { PRESSURE } else { LENGTH };
@@ -184,14 +179,14 @@ impl SetupTable {
         if MODULI.iter().any(|key| self.find(key).is_some()) {
             return Ok(());
         }
-        match self.given(&OVER_MODULUS).iter().find(|(_, word)| has_unit(word)) {
+        match self.given(&OVER_MODULUS).iter().find(|(_, word)| is_with_unit(word)) {
             Some(given) => Err(SetupError::UnitWithoutModulus { given: named(given) }),
             None => Ok(()),
         }
     }
 
     fn check_kind(&self, kind: &'static str, keys: &[&'static str]) -> Result<(), SetupError> {
-        let (with, without): (Vec<_>, Vec<_>) = self.given(keys).into_iter().partition(|(_, word)| has_unit(word));
+        let (with, without): (Vec<_>, Vec<_>) = self.given(keys).into_iter().partition(|(_, word)| is_with_unit(word));
         match (with.first(), without.first()) {
             (Some(with), Some(without)) => {
                 Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) })
@@ -210,9 +205,9 @@ impl SetupTable {
     /// # Errors
     /// [`SetupError::ForceWithoutUnit`].
     pub fn check_force_numbers(&self) -> Result<(), SetupError> {
-        let Some(force) = self.words_of(FORCE).into_iter().find(|word| !has_unit(word)) else { return Ok(()) };
+        let Some(force) = self.words_of(FORCE).into_iter().find(|word| !is_with_unit(word)) else { return Ok(()) };
         let given = self.pressures_and_lengths();
-        let Some(with) = given.iter().find(|(_, word)| has_unit(word)) else { return Ok(()) };
+        let Some(with) = given.iter().find(|(_, word)| is_with_unit(word)) else { return Ok(()) };
         let example = match self.axes() {
             Some(1) => format!("{force}N/m"),
             Some(_) => format!("{force}N"),
@@ -248,24 +243,14 @@ impl SetupTable {
         }
     }
 
-    /// The quantities at some keys, as they are written, those in the file of a path as well; of pairs of a ratio and a time, the times.
-    /// Ratios that have units are refused where they are read.
+    /// The quantities at some keys, as they are written; of pairs of a ratio and a time, the times. Ratios that have units are refused
+    /// where they are read.
     fn words_of(&self, key: &str) -> Vec<String> {
         let Some(Value::Array(pairs)) = self.find(key).filter(|_| key.starts_with(OF_PAIRS)) else {
-            let in_file = key.strip_prefix(PATH).map_or_else(Vec::new, |name| self.words_in_path_file(name));
-            return [words(self.find(key)), in_file].concat();
+            return words(self.find(key));
         };
         let every_second = |from: usize| pairs.iter().skip(from).step_by(2).flat_map(|it| words(Some(it)));
-        if every_second(0).any(|ratio| has_unit(&ratio)) { Vec::new() } else { every_second(1).collect() }
-    }
-
-    /// The quantities in a column of the file of the path. A file that cannot be read is refused where the path is read.
-    fn words_in_path_file(&self, name: &str) -> Vec<String> {
-        let Some(file) = self.find("path.file").and_then(Value::as_str) else { return Vec::new() };
-        let columns = read_columns(Path::new(file)).unwrap_or_default();
-        let column = columns.into_iter().find(|column| column.name.eq_ignore_ascii_case(name));
-        let words = column.into_iter().flat_map(|column| column.words).map(|word| word.text);
-        words.filter(|word| word.trim().parse::<f64>() != Ok(0.0)).collect()
+        if every_second(0).any(|ratio| is_with_unit(&ratio)) { Vec::new() } else { every_second(1).collect() }
     }
 
     /// Refuses bodies of which one conducts electricity and the other one heat.
@@ -273,7 +258,7 @@ impl SetupTable {
         for key in CONDUCTION {
             let words = words(self.find(key));
             let (thermal, electrical): (Vec<_>, Vec<_>) =
-                words.into_iter().filter(|word| has_unit(word)).partition(|word| word.contains(KELVIN));
+                words.into_iter().filter(|word| is_with_unit(word)).partition(|word| word.contains(KELVIN));
             if let (Some(electrical), Some(thermal)) = (electrical.first(), thermal.first()) {
                 let [electrical, thermal] = [electrical, thermal].map(String::clone);
                 return Err(SetupError::ElectricalAndThermal { electrical, thermal });
@@ -314,4 +299,9 @@ fn number(value: &Value) -> Option<f64> {
 /// A quantity, or the ends of a range of them such as `1e5..1e6:4`.
 fn ends(word: &str) -> impl Iterator<Item = &str> {
     word.split(':').next().unwrap_or(word).split("..").map(str::trim)
+}
+
+/// Whether a quantity, or an end of a range of them, has a unit.
+fn is_with_unit(word: &str) -> bool {
+    ends(word).any(has_unit)
 }

@@ -136,5 +136,5 @@ fn each_drive_ends_soon_after_it_is_interrupted() {
             assert!(is_soon, "{name}: {told:?}: {line}");
         }
     };
-    thread::scope(|scope| (0..WORKERS).for_each(|_| drop(scope.spawn(&check))));
+    thread::scope(|scope| (0..WORKERS).for_each(|_| drop(scope.spawn(check))));
 }

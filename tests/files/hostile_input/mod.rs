@@ -551,6 +551,7 @@ fn extreme_but_possible_contacts_end_with_numbers() {
                 "friction",
                 "reduced_pressure_contact",
                 "rms_gradient_contact",
+                "kappa",
                 "kappa_r",
                 "relative_area_error",
                 "kappa_r_error",
