@@ -210,11 +210,6 @@ pub fn force_unit(text: &str) -> Option<ForceUnit> {
     }
 }
 
-/// Whether a quantity, as it is written, ends in a unit: it has letters, and is no number such as `1e-3` or `inf`.
-pub fn has_unit(word: &str) -> bool {
-    word.contains(char::is_alphabetic) && word.trim().parse::<f64>().is_err()
-}
-
 /// Whether a text is a length with its unit, such as `160 um`.
 pub fn has_length_unit(text: &str) -> bool {
     units::length(text).is_some()

@@ -3,11 +3,11 @@
 use super::command::value;
 use super::loads::read_number;
 use super::path::COLUMNS;
-use super::range::Range;
+use super::range::{Range, has_unit};
 use super::text::SetupTable;
 use crate::error::{ConflictRule, SetupError};
 use crate::files::{TextColumn, TextWord, read_columns};
-use crate::quantity::{has_unit, time_of};
+use crate::quantity::time_of;
 use std::path::Path;
 
 impl SetupTable {

@@ -1,7 +1,5 @@
 //! Ranges of values with equal ratios, such as `1e-3..1e-1:13`.
 
-use crate::quantity::has_unit;
-
 /// Largest number of values of a range.
 const MOST: u32 = 100_000;
 
@@ -58,6 +56,11 @@ impl<'t> Range<'t> {
         let inner = (1..self.count - 1).map(|i| first * ratio.powf(share(i)));
         Ok([first].into_iter().chain(inner).chain([last]).collect())
     }
+}
+
+/// Whether a quantity, as it is written, ends in a unit: it has letters, and is no number such as `1e-3` or `inf`.
+pub(super) fn has_unit(word: &str) -> bool {
+    word.contains(char::is_alphabetic) && word.trim().parse::<f64>().is_err()
 }
 
 /// The unit of one end of a range, if the other end is a number alone; none if both ends have a unit, or neither has.

@@ -1,8 +1,9 @@
 //! Units that are given for some quantities and not for others.
 
 use super::SetupTable;
+use super::range::has_unit;
 use crate::error::SetupError;
-use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit, has_unit};
+use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit};
 use toml::Value;
 
 /// The kinds of quantities, each with its keys. Numbers alone of one kind are in the same unit, so either all of them have a unit or none has.
