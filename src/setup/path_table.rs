@@ -3,7 +3,7 @@
 use super::command::value;
 use super::loads::read_number;
 use super::path::COLUMNS;
-use super::range::{Range, has_unit};
+use super::range::{Range, unit};
 use super::text::SetupTable;
 use crate::error::{ConflictRule, SetupError};
 use crate::files::{TextColumn, TextWord, read_columns};
@@ -89,7 +89,7 @@ fn number(name: &str, kind: Option<&str>, word: &str) -> Result<f64, String> {
 fn check_column_units(column: &TextColumn) -> Result<(), String> {
     let is_zero = |word: &&TextWord| word.text.trim().parse::<f64>() == Ok(0.0);
     let (with, without): (Vec<_>, Vec<_>) =
-        column.words.iter().filter(|word| !is_zero(word)).partition(|word| has_unit(&word.text));
+        column.words.iter().filter(|word| !is_zero(word)).partition(|word| unit(&word.text).is_some());
     match (with.first(), without.first()) {
         (Some(with), Some(TextWord { row, text })) => Err(format!(
             "row {row}: `{text}` in the column {} has no unit, but {} has one: give a unit in every row, or in none",

@@ -74,7 +74,7 @@ fn unit_of_one(ends: [&str; 2]) -> Option<&str> {
 }
 
 /// The unit behind the number of a quantity; none for a number alone, and for what does not begin with a number.
-fn unit(word: &str) -> Option<&str> {
+pub(super) fn unit(word: &str) -> Option<&str> {
     if !has_unit(word) {
         return None;
     }

@@ -31,21 +31,17 @@ fn loads_up_and_down_leave_an_imprint() {
     assert!(found["claim"].as_str().unwrap().starts_with("the solution of each load step"));
     let pressures = column(&found, "mean_pressure");
     assert!(pressures.iter().zip([20e6, 100e6, 20e6, 0.0]).all(|(p, q)| (p - q).abs() < 1.0), "{pressures:?}");
-    let [area, imprint, work, depth, strain, over] = [
-        "relative_area",
-        "imprint_depth",
-        "plastic_work",
-        "deepest_yield",
-        "max_plastic_strain",
-        "contact_pressure_over_yield",
-    ]
-    .map(|name| column(&found, name));
+    let [area, imprint, work, depth, strain] =
+        ["relative_area", "imprint_depth", "plastic_work", "deepest_yield", "max_plastic_strain"]
+            .map(|name| column(&found, name));
     // the first load is elastic; the second one dents the body, which fits the cylinder better then
     assert!(imprint[0] == 0.0 && work[0] == 0.0 && depth[0] == 0.0 && strain[0] == 0.0);
     assert!(area[2] > 1.1 * area[0], "{area:?}");
     assert!(imprint[1] > 50e-9 && (imprint[3] / imprint[1] - 1.0).abs() < 1e-3, "{imprint:?}");
     assert!(work.windows(2).all(|pair| pair[1] >= pair[0]) && work[1] > 0.0, "{work:?}");
-    assert!(over[1] > 1.0 && over[3] == 0.0 && area[3] == 0.0, "{over:?}");
+    let over = |state: usize| found["states"][state]["contact_pressure_over_yield"].as_f64();
+    // without contact there is no pressure in it
+    assert!(over(1).unwrap() > 1.0 && over(3).is_none() && area[3] == 0.0);
     let stored = column(&found, "stored");
     assert!(stored[3] > 0.0 && stored[3] < stored[1]);
     // one long step in which the body flows does not tell the work of the load, but more steps do: it is taken up or stored

@@ -103,7 +103,7 @@ fn ranges_in_paths_have_equal_ratios() {
         (format!("{ROUGH} --creep 9,1 --path-time 0..1:3"), "lead from 0 to 1: give ends of one sign that are not 0"),
         (format!("{wheel} --path-tangential -1e-3..1e-3:3"), "give ends of one sign"),
         (format!("{wheel} --path-tangential 1e-3..2e-3"), "first..last:number"),
-        (format!("{wheel} --rolling 1e-4..1e3kPa:3"), "same kind"),
+        (format!("{wheel} --rolling 1e-4kPa..1e3kPa:3"), "same kind"),
     ] {
         let output = folder.run(&line);
         assert_eq!(output.status.code(), Some(2), "{line}");
