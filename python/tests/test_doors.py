@@ -71,6 +71,9 @@ def test_each_drive_gives_the_same_numbers_through_each_door(name, tmp_path):
                 # a column without a value is read as one of flags
                 is_empty = door is table and door[quantity].dtype == bool
                 found = np.full(len(values), np.nan) if is_empty else np.asarray(door[quantity], dtype=float)
+                if door is table and door[quantity].dtype.kind == "i":
+                    # an empty cell of a column of whole numbers is read as -1
+                    found[found == -1] = np.nan
                 np.testing.assert_array_equal(found, values, err_msg=quantity)
                 compared += 1
     assert compared > 40

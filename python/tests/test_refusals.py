@@ -289,8 +289,8 @@ REFUSALS: list[Refusal] = [
     # sections
     (lambda: solve(law=1.0), asp.AsperityError, "law is 1.0: give a dictionary of hardness"),
     (lambda: solve(friction=0.3), asp.AsperityError, "friction is 0.3: give a dictionary of coefficient, tangential"),
-    (lambda: solve(path=1.5), asp.AsperityError, "path is 1.5: give a dictionary of file, time, load, tangential, steps, time_tolerance, tolerance"),
-    (lambda: solve(path=[0, 1]), asp.AsperityError, "path is a list: give a dictionary of file, time, load, tangential, steps, time_tolerance, tolerance"),
+    (lambda: solve(path=1.5), asp.AsperityError, "path is 1.5: give a dictionary of file, time, load, tangential, steps, tolerance, time_tolerance"),
+    (lambda: solve(path=[0, 1]), asp.AsperityError, "path is a list: give a dictionary of file, time, load, tangential, steps, tolerance, time_tolerance"),
     (lambda: solve(viscoelastic=[9, "9 ms"], path={"time": 1.0}), asp.AsperityError, "viscoelastic is a list: give a dictionary of creep, relaxation"),
     (lambda: solve(friction=[0.3, 0.1]), asp.AsperityError, "friction is a list: give a dictionary of coefficient, tangential"),
     (lambda: solve(viscoelastic={"creep": ["9 ms", 9]}, path={"time": 1.0}), asp.AsperityError, "`9 ms` is a time, but a ratio stands in its place"),
