@@ -117,7 +117,9 @@ def test_a_script_draws_its_picture_and_prints_what_is_true(check: Callable[[Num
         timeout=120,
     )
     assert done.returncode == 0, done.stderr
-    assert "Warning" not in done.stderr, done.stderr
+    # small grids are quick, and say what they cost
+    others = [line for line in done.stderr.splitlines() if "Warning: " in line and "on this grid" not in line]
+    assert not others, done.stderr
     assert [path.name for path in tmp_path.glob("*.png")] == [f"{check.__name__}.png"]
     pixels = image.imread(tmp_path / f"{check.__name__}.png")
     assert len(np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0)) > 20
