@@ -19,8 +19,8 @@ const CARRIED: [&str; 4] = ["traction", "traction_across", "stored_strain", "att
 /// The energy that each closed cycle lost, per area of the cell: from a point of the path to the next one with the same loads, gone through in the
 /// same direction, at which the contact has returned to its state, with other loads between them. The next cycle begins where one ends.
 ///
-/// A state has returned where pressure, gap, traction, memory, attraction, shift and stored energy have, see [`CLOSED`]. Half a cycle does not, and
-/// neither does a solid that still creeps from its first load.
+/// A state has returned where pressure, gap, traction, memory, attraction, shift and stored energy have, to 1 % of their changes within the cycle.
+/// Half a cycle does not, and neither does a solid that still creeps from its first load.
 ///
 /// States name the point of the path that they have reached.
 pub fn cycle_losses(path: &[PathPoint], states: &[impl Borrow<State>]) -> Vec<f64> {
