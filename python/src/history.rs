@@ -128,7 +128,16 @@ impl History {
     #[getter]
     fn energy_per_cycle<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyArray1<f64>> {
         let setup = &slf.as_super().get().setup;
-        vector(slf.py(), slf.get().outcome.cycles(&setup.setup))
+        let cycles = slf.get().outcome.cycles(&setup.setup);
+        vector(slf.py(), cycles.iter().map(|cycle| cycle.energy).collect())
+    }
+
+    /// The estimated errors of `energy_per_cycle` by the steps in time or of the path; NaN where none is estimated.
+    #[getter]
+    fn energy_per_cycle_error<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyArray1<f64>> {
+        let setup = &slf.as_super().get().setup;
+        let cycles = slf.get().outcome.cycles(&setup.setup);
+        vector(slf.py(), cycles.iter().map(|cycle| cycle.error.unwrap_or(f64::NAN)).collect())
     }
 
     /// Explains a number of `numbers` in one sentence.

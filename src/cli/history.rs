@@ -40,6 +40,9 @@ struct HistorySummary {
     /// Energy lost in each closed cycle of the path, per area of the cell.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     energy_per_cycle: Vec<f64>,
+    /// The estimated errors of these by the steps in time or of the path, where there are any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    energy_per_cycle_error: Vec<f64>,
     /// Why the history ended before its path did, if it did.
     #[serde(skip_serializing_if = "Option::is_none")]
     ended: Option<String>,
@@ -102,6 +105,7 @@ fn write_files(
     if let Some(path) = &outputs.save_setup {
         setup.write(path)?;
     }
+    let cycles = outcome.cycles(setup);
     let summary = HistorySummary {
         process: outcome.kind.into(),
         claim: match has_claims {
@@ -110,7 +114,8 @@ fn write_files(
         },
         adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
-        energy_per_cycle: outcome.cycles(setup),
+        energy_per_cycle: cycles.iter().map(|it| it.energy).collect(),
+        energy_per_cycle_error: cycles.iter().filter_map(|it| it.error).collect(),
         ended: outcome.ended.as_ref().map(HistoryError::to_string),
         warnings,
         setup: full,
@@ -187,11 +192,21 @@ impl HistorySummary {
             adhesion::write_totals(it, units, out)?;
         }
         write_errors(outcome, units, out)?;
-        if !self.energy_per_cycle.is_empty() {
-            let energies: Vec<String> = self.energy_per_cycle.iter().map(|it| units.energy_per_area(*it)).collect();
-            writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))?;
+        self.write_cycles(units, out)
+    }
+
+    /// The energies that the cycles lost, each with its error over the energy, where there is one.
+    fn write_cycles(&self, units: Units, out: &mut dyn Write) -> io::Result<()> {
+        if self.energy_per_cycle.is_empty() {
+            return Ok(());
         }
-        Ok(())
+        let mut energies = Vec::new();
+        for (i, energy) in self.energy_per_cycle.iter().enumerate() {
+            let error = self.energy_per_cycle_error.get(i).filter(|error| **error > 0.0);
+            let relative = error.map_or_else(String::new, |error| format!(" (relative error {:.1e})", error / energy));
+            energies.push(units.energy_per_area(*energy) + &relative);
+        }
+        writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))
     }
 }
 

@@ -24,7 +24,7 @@ const MOST_STEPS: f64 = 64.0;
 
 /// The error of the area of nodes that touch, over the mean excess of counted nodes at edges without adhesion. The true excess was 0.7 of it on average
 /// and 2.3 times it at most, over that on grids of 3 to 8 times as many points, with process zones of 2 to 3 spacings.
-const COUNTING: f64 = 1.5;
+const COUNTING_ERROR: f64 = 1.5;
 
 /// Ranges of the attraction at which surfaces that have parted are drawn, where the attraction has no cut-off.
 const APART: f64 = 30.0;
@@ -206,7 +206,7 @@ impl AdhesiveProcess {
 /// The estimated relative error of the area of a contact whose nodes are counted; none where none touches.
 fn counting_error(contact: &Contact) -> Option<f64> {
     let Counted { relative_area, relative_area_corrected, .. } = contact.counted();
-    (relative_area > 0.0).then(|| COUNTING * (relative_area - relative_area_corrected) / relative_area)
+    (relative_area > 0.0).then(|| COUNTING_ERROR * (relative_area - relative_area_corrected) / relative_area)
 }
 
 impl Process for AdhesiveProcess {

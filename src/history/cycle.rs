@@ -23,10 +23,27 @@ const CARRIED: [&str; 4] = ["traction", "traction_across", "stored_strain", "att
 /// Half a cycle does not, and neither does a solid that still creeps from its first load.
 ///
 /// States name the point of the path that they have reached.
-pub fn cycle_losses(path: &[PathPoint], states: &[impl Borrow<State>]) -> Vec<f64> {
-    let cycles = Cycles::new(path, states).closed;
-    let lost = |[from, to]: [&State; 2]| Some(to.get(Quantity::Dissipated)? - from.get(Quantity::Dissipated)?);
-    cycles.into_iter().filter_map(lost).collect()
+pub fn cycle_losses(path: &[PathPoint], states: &[impl Borrow<State>]) -> Vec<CycleLoss> {
+    Cycles::new(path, states).closed.into_iter().filter_map(CycleLoss::between).collect()
+}
+
+/// The energy that a closed cycle lost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleLoss {
+    /// The energy, per area of the cell.
+    pub energy: f64,
+    /// Its estimated error by the steps in time or by the steps of the path, per area. None where the states have no such error.
+    pub error: Option<f64>,
+}
+
+impl CycleLoss {
+    /// The loss between the first and the last state of a cycle. Errors of a lost energy add up from state to state, so the cycle has what they
+    /// grew by.
+    fn between([from, to]: [&State; 2]) -> Option<Self> {
+        let added = |of: Quantity| Some(to.get(of)? - from.get(of)?);
+        let error = added(Quantity::DissipatedTimeError).or_else(|| added(Quantity::DissipatedPathError));
+        Some(Self { energy: added(Quantity::Dissipated)?, error })
+    }
 }
 
 /// The number of cycles of a path after which a contact with adhesion has not returned to its state. Other contacts are not counted: they return

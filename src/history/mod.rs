@@ -64,7 +64,7 @@ pub use creep_path::CreepPath;
 pub use creep_process::CreepProcess;
 pub use creep_state::{CreepEnergy, CreepState};
 pub use creep_steps::CreepSteps;
-pub use cycle::{cycle_losses, open_cycles};
+pub use cycle::{CycleLoss, cycle_losses, open_cycles};
 pub use loading::Loading;
 pub use motion_process::{RollingProcess, SlidingProcess};
 pub use plastic::{

@@ -17,7 +17,7 @@ const COARSE_TOLERANCE: f64 = 1e-6;
 const COARSE_UPDATES: usize = 300;
 
 /// The least relative error of friction that is stated: rounding of its sums over the waves.
-const ROUNDING: f64 = 1e-12;
+const FRICTION_ROUNDING: f64 = 1e-12;
 
 /// A rough surface that slides steadily over a viscoelastic solid without friction at the interface. The loss of
 /// energy in the solid resists the motion.
@@ -150,6 +150,6 @@ fn grid_error(contact: &Contact, friction: f64) -> Option<f64> {
     let stop = Stop::new(COARSE_TOLERANCE, COARSE_UPDATES).ok()?;
     let found = MonotoneSets.solve_from(Some(&start), &coarse, &stop, &mut ()).ok()?;
     let difference = (found.friction() / friction - 1.0).abs();
-    let error = difference.max(ROUNDING) + contact.resolution().relative_area_error;
+    let error = difference.max(FRICTION_ROUNDING) + contact.resolution().relative_area_error;
     Some(error).filter(|error| found.is_converged() && error.is_finite())
 }

@@ -94,7 +94,7 @@ pub struct SlipHistory<'s> {
 }
 
 /// Contacts under normal loads that are kept: a step and its halves need three, and those of the step before it may come again.
-const KNOWN: usize = 4;
+const KEPT_CONTACTS: usize = 4;
 
 impl<'s> SlipHistory<'s> {
     /// A history that begins without any load. The load of `problem` is not used. The coefficient of friction `mu` may be zero.
@@ -337,7 +337,7 @@ impl<'s> SlipHistory<'s> {
         (memory.traction, memory.tangential) = (round.found.values, round.target);
         let pressed = (round.contact, round.pressed);
         if self.coupling.is_none() {
-            self.known.truncate(KNOWN - 1);
+            self.known.truncate(KEPT_CONTACTS - 1);
             self.known.push_front(pressed.clone());
         }
         memory.pressed = Some(pressed);
@@ -380,9 +380,9 @@ impl<'s> SlipHistory<'s> {
         self.share(load, [tangential, 0.0]).map(drop)
     }
 
-    /// Whether tractions are along both axes, and whether pressure and traction displace the surface in each other's direction.
-    pub(super) fn kind(&self) -> [bool; 2] {
-        [self.shear.is_some(), self.coupling.is_some()]
+    /// Whether pressure and traction displace the surface in each other's direction.
+    pub(super) fn is_coupled(&self) -> bool {
+        self.coupling.is_some()
     }
 
     /// The shares `Q / (mu P)` of the load at which everything slides, with their signs.

@@ -12,17 +12,17 @@ use std::sync::Arc;
 
 /// A traction is solved to this part of the tolerance. The certificate is quadratic in the error of the traction, but shift and lost energy
 /// are not: with 1, energies of spheres were off by 5e-4 at a tolerance of 1e-8.
-pub(super) const PULL: f64 = 0.01;
+pub(super) const PULL_TOLERANCE_SHARE: f64 = 0.01;
 
 /// No part of a tolerance is below this one, which rounding allows.
-const FINEST: f64 = 2e-15;
+const LEAST_TOLERANCE: f64 = 2e-15;
 
 /// The largest change of the traction that is expected, over the drive, the largest limit `mu p` and the square root of the number of
 /// nodes that touch: where all of them stick, it grows like the inverse root of the distance from the edge.
-const REACH: f64 = 2.0;
+const CHANGE_OVER_DRIVE: f64 = 2.0;
 
 /// The factor by which the window of the traction is widened where the traction reaches its end.
-pub(super) const WIDER: f64 = 4.0;
+pub(super) const WINDOW_GROWTH: f64 = 4.0;
 
 /// Relative distance from the end of a window within which a traction counts as having reached it.
 pub(super) const AT_BOUND: f64 = 1e-9;
@@ -93,19 +93,19 @@ impl SlipPull<'_> {
         let highest = limits.iter().copied().fold(0.0, f64::max);
         let mut reach = reach_of(drive, touching) * highest;
         let near = 1.0 - target.abs() / (mu * task.contact.mean_pressure());
-        let stop = finer(self.stop, PULL * near);
+        let stop = finer(self.stop, PULL_TOLERANCE_SHARE * near);
         let mut work = Work::default();
         loop {
             let window = SlipWindow::new(&limits, &middle.values, target, reach);
             if !window.carries() {
-                reach *= WIDER;
+                reach *= WINDOW_GROWTH;
                 continue;
             }
             let yardstick = drive * mu;
             let (found, raised) = self.solve_within(&window, task, (&middle, yardstick), &stop, observer)?;
             work += found.work + Work { transforms: 2, ..Work::default() };
             if found.status == Status::Converged && window.is_reached(values(&found.pressure)) {
-                reach = WIDER * window.reach;
+                reach = WINDOW_GROWTH * window.reach;
                 continue;
             }
             return Ok(self.traction_of(&window, middle, (&found, &raised), (task, work)));
@@ -205,7 +205,7 @@ impl SlipWindow {
     fn carries(&self) -> bool {
         let is_whole = |axis: usize| !self.is_narrow.iter().any(|it| it[axis]);
         let [ahead, behind] = self.room.each_ref().map(|room| room.iter().sum::<f64>());
-        (is_whole(0) || ahead >= WIDER * self.change) && (is_whole(1) || behind >= -WIDER * self.change)
+        (is_whole(0) || ahead >= WINDOW_GROWTH * self.change) && (is_whole(1) || behind >= -WINDOW_GROWTH * self.change)
     }
 
     /// Whether a traction has reached an end of the window at which friction does not limit it.
@@ -246,13 +246,13 @@ pub(super) fn drive_of(limits: &[f64], before: &[Pair], total: Pair) -> f64 {
 
 /// Half the width of the window of a drive, over the largest limit of friction.
 pub(super) fn reach_of(drive: f64, touching: usize) -> f64 {
-    REACH * (touching as f64).sqrt() * drive
+    CHANGE_OVER_DRIVE * (touching as f64).sqrt() * drive
 }
 
 /// A part of a tolerance.
 pub(super) fn finer(stop: Stop, part: f64) -> Stop {
     let tolerance = stop.tolerance();
-    Stop::new((part * tolerance).max(FINEST).min(tolerance), stop.max_iterations()).unwrap_or(stop)
+    Stop::new((part * tolerance).max(LEAST_TOLERANCE).min(tolerance), stop.max_iterations()).unwrap_or(stop)
 }
 
 /// The datum of the gap of a contact, by one node: `g - (u - h)`.

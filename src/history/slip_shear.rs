@@ -2,7 +2,7 @@
 
 use super::discs::{Discs, Pair, add, length};
 use super::slip_memory::SlipMemory;
-use super::slip_pull::{AT_BOUND, PULL, WIDER, drive_of, finer, reach_of};
+use super::slip_pull::{AT_BOUND, PULL_TOLERANCE_SHARE, WINDOW_GROWTH, drive_of, finer, reach_of};
 use super::slip_round::{SlipTask, values};
 use super::slip_traction::{Traction, sliding_length};
 use super::slip_vector::VectorStep;
@@ -48,13 +48,13 @@ pub(super) fn pull_towards(
     let near = 1.0 - length(total) / limits.iter().sum::<f64>();
     let highest = limits.iter().copied().fold(0.0, f64::max);
     let earlier = traction.iter().fold(0.0, |most: f64, tau| most.max(length(*tau)));
-    let mut reach = (reach_of(drive, places.len()) * highest).max(WIDER * earlier);
+    let mut reach = (reach_of(drive, places.len()) * highest).max(WINDOW_GROWTH * earlier);
     let transforms = response.transforms();
     let mut iterations = 0;
     let found = loop {
         let radii: Vec<f64> = limits.iter().map(|limit| limit.min(reach)).collect();
         let narrowed = (reach / highest).min(1.0);
-        let part = PULL * (near * drive / narrowed).min(1.0).powi(2);
+        let part = PULL_TOLERANCE_SHARE * (near * drive / narrowed).min(1.0).powi(2);
         let stop = finer(step_stop, part);
         let discs = Discs { radii: radii.clone(), total };
         let size = narrowed * sliding_length(mu, pressed);
@@ -65,7 +65,7 @@ pub(super) fn pull_towards(
         if found.status != Status::Converged || !(0..radii.len()).any(is_at_rim) {
             break found;
         }
-        reach *= WIDER;
+        reach *= WINDOW_GROWTH;
     };
     let (mut traction, mut displacement) = (zeros(), zeros());
     for (axis, field) in traction.iter_mut().enumerate() {

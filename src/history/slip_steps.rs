@@ -9,35 +9,37 @@ use crate::error::SlipError;
 
 /// The first step on a way, over the way: where the normal load varies, and where it stays and only the direction of slip turns, which costs
 /// little accuracy (0.2 % for a sphere in one step).
-const FIRST: f64 = 0.25;
-const FIRST_UNDER_ONE_LOAD: f64 = 1.0;
+const FIRST_STEP: f64 = 0.25;
+const FIRST_STEP_UNDER_ONE_LOAD: f64 = 1.0;
 /// No step is shorter than this part of the way: its error is stated, but it is not repeated.
-const SHORTEST: f64 = 1.0 / 512.0;
+const SHORTEST_STEP: f64 = 1.0 / 512.0;
 /// The part of the largest step that the tolerance allows which is tried.
-const SAFETY: f64 = 0.8;
+const STEP_SAFETY: f64 = 0.8;
 /// The least and the most factor from one step to the next one that is tried.
-const CHANGE: [f64; 2] = [0.2, 2.0];
+const STEP_CHANGE: [f64; 2] = [0.2, 2.0];
 /// The part of the tolerance that one way may use, since the errors of all ways add up.
-const SHARED: f64 = 0.5;
+const SHARE_OF_A_WAY: f64 = 0.5;
 /// The error of the energy is compared with the energy lost, or with this part of the largest energy that tractions have stored: a path
 /// on which hardly anything slips loses hardly anything.
 pub(crate) const LEAST_LOSS: f64 = 1e-2;
 /// The error of the shift is compared with the largest shift, or with this part of the displacement by the tractions: with coupling they may be large
 /// where the shift is zero by symmetry.
 pub(crate) const LEAST_SHIFT: f64 = 0.1;
-/// With tractions along both axes the direction of slip turns most where slip begins, which a step and its halves miss alike: the least stated error of
-/// shift and lost energy of a step, over those of the step and the part of the way. Against 128 steps the errors of one were up to
-/// 4e-5 and 6e-4.
-const TURNED: [f64; 2] = [4e-4, 4e-3];
+/// With coupling, the first step of a contact that begins, over the way: the pressure makes the first nodes slip, and a step from nothing and
+/// its halves are in error alike. The steps grow from there.
+const FIRST_STEP_FROM_NOTHING: f64 = 1.0 / 1024.0;
+/// The least stated error of the shift and of the lost energy, over their sizes and the tolerance: a step and its halves may agree by chance, where few
+/// nodes touch or where the direction of slip turns.
+const LEAST_STATED: [f64; 2] = [0.1, 0.5];
 /// The least part of the tolerance that a step may use, however short it is: where a contact begins, its first steps are alike whatever their
 /// length.
 const LEAST_SHARE: f64 = 1.0 / 16.0;
 /// The part of an error that the next state still states: where a difference crosses zero, it says nothing.
-const FADING: f64 = 0.5;
+const FADING_ERROR: f64 = 0.5;
 
 /// The stated error, over the difference of a step from its halves. The latter is the error of the halves where it is of first order; where nodes
 /// begin to slip or turn within a step, it scatters about that.
-const STATED: f64 = 2.0;
+const STATED_OVER_DIFFERENCE: f64 = 2.0;
 
 /// How many steps a path takes from one point to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,8 +149,7 @@ impl<'s> SlipSteps<'s> {
     ) -> Result<SlipState, SlipError> {
         // a way that cannot be gone to its end is not begun
         self.history.check(way.at(1.0))?;
-        let [_, is_coupled] = self.history.kind();
-        let begins = self.history.has_begun() || !is_coupled || way.from[0] <= 0.0;
+        let begins = self.history.has_begun() || !self.history.is_coupled() || way.from[0] <= 0.0;
         if begins {
             return self.pass(way, tolerance, observer);
         }
@@ -185,7 +186,13 @@ impl<'s> SlipSteps<'s> {
 
     /// Steps beside doubled ones to the end of a way, each with an error within the tolerance.
     fn adapt(&mut self, way: LoadWay, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
-        let mut wanted = if way.from[0] == way.to[0] { FIRST_UNDER_ONE_LOAD } else { FIRST };
+        let mut wanted = if way.from[0] == way.to[0] {
+            FIRST_STEP_UNDER_ONE_LOAD
+        } else if self.history.is_coupled() && way.from[0] == 0.0 {
+            FIRST_STEP_FROM_NOTHING
+        } else {
+            FIRST_STEP
+        };
         let (mut done, mut loss_before) = (0.0, 0.0);
         let mut passed: Option<SlipState> = None;
         loop {
@@ -196,10 +203,10 @@ impl<'s> SlipSteps<'s> {
             let begin = self.history.memory().clone();
             let trial = self.trial(ends.map(|end| way.at(end)), observer)?;
             let excess = self.excess(&trial, [done, step], tolerance);
-            let factor = (SAFETY * excess.sqrt().recip()).clamp(CHANGE[0], CHANGE[1]);
+            let factor = (STEP_SAFETY * excess.sqrt().recip()).clamp(STEP_CHANGE[0], STEP_CHANGE[1]);
             // the error of what is not solved says nothing about the step
             let is_solved = trial.whole.is_converged() && trial.fine.is_converged();
-            if excess > 1.0 && is_solved && step > SHORTEST {
+            if excess > 1.0 && is_solved && step > SHORTEST_STEP {
                 self.history.recall(begin);
                 wanted = step * factor.min(0.5);
                 continue;
@@ -208,14 +215,13 @@ impl<'s> SlipSteps<'s> {
             done = ends[1];
             let [shift, loss, share] = difference(&trial.whole, &trial.fine);
             // where a difference crosses zero, it says nothing
-            let loss = loss.abs().max(FADING * loss_before);
+            let loss = loss.abs().max(FADING_ERROR * loss_before);
             loss_before = loss;
-            let [has_both_axes, _] = self.history.kind();
-            let least = if has_both_axes { TURNED.map(|it| it * step) } else { [0.0; 2] };
-            let loss = loss.max(least[1] * trial.fine.dissipated);
-            let least_shift = least[0] * trial.fine.shift.abs();
+            let least_loss = LEAST_STATED[1] * tolerance * trial.fine.dissipated;
+            let displaced = trial.fine.displacement_by_traction();
             self.doubled = Some(trial.doubled);
-            let state = self.keep(trial.fine, [shift, loss, share]);
+            let state = self.keep(trial.fine, [shift, loss.max(least_loss), share]);
+            let least_shift = LEAST_STATED[0] * tolerance * self.largest[0].max(LEAST_SHIFT * displaced);
             if let Some(errors) = &mut self.totals.errors {
                 errors.shift = errors.shift.max(least_shift);
             }
@@ -252,7 +258,7 @@ impl<'s> SlipSteps<'s> {
         let shift = shift.max(LEAST_SHIFT * trial.fine.displacement_by_traction());
         let lost = self.totals.dissipated + left * trial.fine.dissipated;
         let lost = lost.max(LEAST_LOSS * self.largest[1].max(trial.fine.stored));
-        let allowed = SHARED * tolerance * step.max(LEAST_SHARE);
+        let allowed = SHARE_OF_A_WAY * tolerance * step.max(LEAST_SHARE);
         let over = |error: f64, size: f64| if error > 0.0 { error / (allowed * size) } else { 0.0 };
         over(shift_error, shift).max(over(loss_error, lost))
     }
@@ -265,7 +271,7 @@ impl<'s> SlipSteps<'s> {
         self.shift_apart += shift;
         if let Some(errors) = &mut self.totals.errors {
             *errors = SlipPathErrors {
-                shift: self.shift_apart.abs().max(FADING * errors.shift),
+                shift: self.shift_apart.abs().max(FADING_ERROR * errors.shift),
                 dissipated: errors.dissipated + dissipated.abs(),
                 stick_share: stick_share.abs(),
             };
@@ -283,5 +289,6 @@ impl<'s> SlipSteps<'s> {
 fn difference(whole: &SlipState, fine: &SlipState) -> [f64; 3] {
     let share = whole.stick_share() - fine.stick_share();
     let share = if share.is_finite() { share } else { 0.0 };
-    [whole.shift - fine.shift, whole.dissipated - fine.dissipated, share].map(|difference| STATED * difference)
+    [whole.shift - fine.shift, whole.dissipated - fine.dissipated, share]
+        .map(|difference| STATED_OVER_DIFFERENCE * difference)
 }

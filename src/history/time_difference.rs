@@ -10,7 +10,7 @@ const LEAST_MEAN: f64 = 0.25;
 /// The area of a node that comes into contact, in areas of its cell: of a patch that begins with it.
 const NODE: f64 = 0.5;
 /// The error of the area that is stated at least where the pressures have one, in areas of the cell of a node: edges are interpolated between nodes.
-const EDGE: f64 = 5e-3;
+const LEAST_EDGE_ERROR: f64 = 5e-3;
 /// The relative error of the pressures from which they have one.
 const SMALL: f64 = 1e-9;
 /// The part of what has flowed in nodes that came into contact in the last step which is stated as an error: it depends on when they came.
@@ -59,7 +59,7 @@ pub(super) fn errors_in_time(
     let size = rms(&fine.contact.pressure);
     let off = rms(&pressure).max(late_pressure(coarse, fine)).max(NEW * new_pressure(fine, earlier));
     let relative = if size > 0.0 { (off / size).min(1.0) } else { 0.0 };
-    let edge = if relative > SMALL { EDGE / fine.contact.pressure.len() as f64 } else { 0.0 };
+    let edge = if relative > SMALL { LEAST_EDGE_ERROR / fine.contact.pressure.len() as f64 } else { 0.0 };
     let area = (coarse.relative_area() - fine.relative_area()).abs().max(edge);
     let [other, energy] = [coarse.energy, fine.energy];
     let turnover = energy.work.abs().max(energy.stored).max(energy.lost);

@@ -11,7 +11,7 @@ const AFTER_TURN: f64 = 0.5;
 const LEAST_TURN: f64 = 0.5;
 /// A transient counts where the energy that it may change is more than this part of the tolerance, over the energy lost on the way to the next
 /// point. Transients of shorter elements are not followed, and are part of the error of the lost energy.
-const COUNTS: f64 = 0.1;
+const LEAST_ENERGY: f64 = 0.1;
 /// The energy that a transient may change, over that lost on the way of a duration `T` to the next point, is at most this many times
 /// `tau/T` times the change of the rate. With the rates `a` and `b` before and after, the element loses in proportion to
 /// `int (b + (a - b) exp(-t/tau))^2 dt = b^2 T + 2 b (a - b) tau + (a - b)^2 tau/2`.
@@ -36,7 +36,7 @@ impl Transients {
         let Some(turn) = turn else { return transients };
         for term in terms {
             let part = OF_TRANSIENT * turn.change * term.time / turn.time;
-            if part > COUNTS * tolerance {
+            if part > LEAST_ENERGY * tolerance {
                 let step = AFTER_TURN * term.time / turn.change.clamp(LEAST_TURN, 1.0);
                 transients.first_step = transients.first_step.min(step);
             } else {

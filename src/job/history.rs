@@ -8,7 +8,7 @@ use crate::contact::{
     warnings_of_contact, warnings_of_states,
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
-use crate::history::{AdhesionTotals, LEAST_LOSS, LEAST_SHIFT, cycle_losses, open_cycles};
+use crate::history::{AdhesionTotals, CycleLoss, LEAST_LOSS, LEAST_SHIFT, cycle_losses, open_cycles};
 use crate::setup::{ProcessKind, Setup, warning_of_leakage};
 use crate::warning::Warning;
 use serde::Serialize;
@@ -226,7 +226,7 @@ impl HistoryOutcome {
     }
 
     /// The energy that each closed cycle of the path lost, per area of the cell.
-    pub fn cycles(&self, setup: &Setup) -> Vec<f64> {
+    pub fn cycles(&self, setup: &Setup) -> Vec<CycleLoss> {
         cycle_losses(&setup.path_points(), &self.states)
     }
 

@@ -10,10 +10,10 @@ use std::sync::Arc;
 const FULLY_PLASTIC: f64 = 2.4;
 
 /// The largest thickness of given layers, over the mean width of the contacts.
-const THICK: f64 = 0.15;
+const THICKEST_LAYER: f64 = 0.15;
 
 /// Rounding of thicknesses, relative.
-const ROUNDING: f64 = 1e-9;
+const THICKNESS_ROUNDING: f64 = 1e-9;
 
 /// Accumulated plastic strains above this one are not small.
 const LARGEST_STRAIN: f64 = 0.1;
@@ -68,8 +68,8 @@ fn warning_of_thick_layers(states: &[Arc<State>], setup: &Setup) -> Option<Warni
     let first = heaviest.cut.as_ref()?.interfaces.get(1).copied()?;
     let width = mean_width(&heaviest.contact)?;
     // the first layer is never asked to be thinner than it is by default
-    let limit = (THICK * width).max(0.5 * heaviest.contact.problem.surface().grid().shortest_spacing());
-    (first > limit * (1.0 + ROUNDING)).then(|| {
+    let limit = (THICKEST_LAYER * width).max(0.5 * heaviest.contact.problem.surface().grid().shortest_spacing());
+    (first > limit * (1.0 + THICKNESS_ROUNDING)).then(|| {
         Warning::new(
             format!(
                 "The layers are {:.2} times as thick as the contacts are wide: the stress is uniform in a layer, so that a contact that is \

@@ -175,7 +175,10 @@ fn only_cycles_that_close_are_told() {
     let exact =
         2.0 * layer().1 * ratio * rate * rate * tau * period * (1.0 - 2.0 * tau / period * (0.5 * period / tau).tanh());
     assert_eq!(losses.len(), 2, "{losses:?}");
-    for lost in losses {
-        is_near(lost, exact, 1e-3, "a cycle");
+    for loss in losses {
+        is_near(loss.energy, exact, 1e-3, "a cycle");
+        let told = loss.error.unwrap();
+        let off = (loss.energy - exact).abs();
+        assert!(off < told && told < 1e-2 * exact, "{off:e} off, {told:e} told");
     }
 }

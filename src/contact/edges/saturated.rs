@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 /// `Ci(pi)`, the cosine integral: what a node adds to the difference of the displacements of its two neighbours on one side, besides the
 /// logarithm of the continuum, see [`half_width`].
-const FAR: f64 = 0.073_667_9;
+const COSINE_INTEGRAL_OF_PI: f64 = 0.073_667_9;
 /// `Euler's constant + ln(pi) - Ci(pi)`: by how much a pressed node is displaced more than its neighbour, in `2 p l / (pi E*)`.
-const NEAR: f64 = 1.648_277_6;
+const OWN_OVER_NEIGHBOUR: f64 = 1.648_277_6;
 
 /// The largest half-width of a saturated edge, in spacings: with a wider zone the pressure at the edge is that of an elastic one, and the elastic law
 /// is the better one. Of 250 rough lines with a hardness, solved on grids six times as fine, the areas were off by 0.041 spacings an edge (rms) with a
 /// limit of 0.35 to 0.5, by 0.043 with 0.9, and by 0.065 with the elastic law alone.
-const WIDEST: f64 = 0.5;
+const LARGEST_HALF_WIDTH: f64 = 0.5;
 
 /// The pressure on both sides of a link, and how far the surfaces come apart along it.
 #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ impl SaturatedSide {
     /// half-width of the zone over which the pressure falls.
     pub fn place(self) -> Option<f64> {
         let half_width = half_width(self);
-        (half_width < WIDEST).then_some(self.filled - 0.5 + half_width)
+        (half_width < LARGEST_HALF_WIDTH).then_some(self.filled - 0.5 + half_width)
     }
 }
 
@@ -46,17 +46,17 @@ impl SaturatedSide {
 /// a jump of the pressure. So the wider the angle at which the surfaces part, the narrower is the zone, exponentially.
 ///
 /// **On the grid** the same plateau ends with one node of the pressure `P`, and the differences of its displacements are known exactly: the node is
-/// displaced by `(2 P l / pi E*) NEAR` more than its neighbours, and the plateau adds `(2 H l / pi E*) (ln(.) + Ci(pi))` between this
+/// displaced by `(2 P l / pi E*) OWN_OVER_NEIGHBOUR` more than its neighbours, and the plateau adds `(2 H l / pi E*) (ln(.) + Ci(pi))` between this
 /// node and the next one. What lies farther away is the same in both. With the gap `G` of the next node and the overlap `O` of the last one
 ///
 /// ```text
-/// ln(b / 2 l) = -(G + O) pi E* / (2 H l) - Ci(pi) - NEAR P / H
+/// ln(b / 2 l) = -(G + O) pi E* / (2 H l) - Ci(pi) - OWN_OVER_NEIGHBOUR P / H
 /// ```
 ///
 /// # Source
 /// This crate's own.
 fn half_width(side: SaturatedSide) -> f64 {
-    2.0 * (-side.opening - FAR - NEAR * side.filled).exp()
+    2.0 * (-side.opening - COSINE_INTEGRAL_OF_PI - OWN_OVER_NEIGHBOUR * side.filled).exp()
 }
 
 /// The factor by which the opening of a link is divided, for the pressure of the plateau as a length `H l / E*`.

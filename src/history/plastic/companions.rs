@@ -11,20 +11,20 @@ use ndarray::{Axis, Slice};
 /// The order of the error is between 1 and 2, and the first difference is small by chance now and then. On 128 random lines and surfaces in uniform layers that are
 /// thin enough for the contact, the error was mostly 0.2 times as large as told, in 99 % of 307 areas and imprints at most 1.2 times, and in none but
 /// one more than 1.5 times: that was an imprint close to the onset of flow. A third of the first difference, as of an error of second order, is too small by up to 77.
-const LAYERS: [f64; 2] = [2.0, 0.5];
+const LAYER_ERROR_FACTORS: [f64; 2] = [2.0, 0.5];
 
 /// The least number of layers whose error is estimated.
 const FEWEST_LAYERS: usize = 4;
 
 /// The von Mises stress over the yield stress from which on thinner layers may flow where these do not.
-const ONSET: f64 = 0.9;
+const ONSET_OF_FLOW: f64 = 0.9;
 
 /// The least stated error of the area by the layers, over that by the edges of a contact whose solid flows. On cylinders and sines, 24 to 48 layers against
 /// eight times as many moved areas by up to 0.37 of it where the differences said less.
 const EDGE_SCATTER: f64 = 0.5;
 
 /// The fewest points along a side of a grid of half as many.
-const FEWEST: usize = 8;
+const FEWEST_POINTS: usize = 8;
 
 /// Further histories under the same loads: one in steps of half the length, two in layers of twice and of four times the thickness, and one on a grid of half
 /// as many points along each axis.
@@ -79,13 +79,13 @@ impl<'s> Companions<'s> {
         let (state, [doubled, fourfold]) = (plastic.state(), self.layers.each_ref().map(Plastic::state));
         // where nothing flows yet but soon will, thinner layers, whose mean stress is higher, may flow: the histories differ by nothing then
         let is_at_onset =
-            state.max_accumulated() == 0.0 && state.max_von_mises() > ONSET * plastic.solid().yield_stress();
+            state.max_accumulated() == 0.0 && state.max_von_mises() > ONSET_OF_FLOW * plastic.solid().yield_stress();
         // two layers made one of one layer are the same layer
         if is_at_onset || state.layers().count() < FEWEST_LAYERS {
             return PlasticErrors::UNKNOWN;
         }
         let [near, far] = [PlasticErrors::between(state, doubled), PlasticErrors::between(doubled, fourfold)];
-        let errors = near.times(LAYERS[0]).larger(far.times(LAYERS[1]));
+        let errors = near.times(LAYER_ERROR_FACTORS[0]).larger(far.times(LAYER_ERROR_FACTORS[1]));
         // Single nodes decide where the edge of a contact is whose solid flows, and thinner layers move it by less than a spacing, but not
         // smoothly. Two differences that are small by chance say nothing of the next one.
         let resolved = state.contact.resolved();
@@ -111,7 +111,7 @@ impl Observer for Unseen<'_> {
 fn on_half_the_points(problem: &Problem) -> Result<Option<Problem>, PlasticError> {
     let grid = problem.surface().grid();
     let [ny, nx] = grid.shape();
-    let is_half = |points: usize| points.is_multiple_of(2) && points >= 2 * FEWEST;
+    let is_half = |points: usize| points.is_multiple_of(2) && points >= 2 * FEWEST_POINTS;
     if !(is_half(nx) && (grid.is_line() || is_half(ny))) {
         return Ok(None);
     }

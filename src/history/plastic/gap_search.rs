@@ -1,6 +1,6 @@
 //! The load step that ends at a mean gap.
 
-use super::plastic_process::CONTACT;
+use super::plastic_process::CONTACT_TOLERANCE;
 use super::{Plastic, PlasticState};
 use crate::contact::{Contact, Load, Observer, Status, Stop};
 use crate::error::PlasticError;
@@ -12,7 +12,7 @@ use crate::surface::Field;
 const TOLERANCE: f64 = 1e-6;
 const ROOM_TOLERANCE: f64 = 1e-5;
 /// The least part of the rms height by which a mean gap may be off, because of rounding.
-const ROUNDING: f64 = 1e-13;
+const GAP_ROUNDING: f64 = 1e-13;
 /// The least pressure with which a search begins, over that which moves the softest wave by the distance from first touch: contacts of a few nodes are softer.
 const LEAST_START: f64 = 0.01;
 /// The most load steps of a search.
@@ -62,7 +62,7 @@ impl Plastic<'_> {
             return Ok(free.lifted_to(gap));
         }
         let (rms_height, room) = (self.problem().rms_height(), gap.min(touching - gap));
-        let within = (TOLERANCE * rms_height).min(ROOM_TOLERANCE * room).max(ROUNDING * rms_height);
+        let within = (TOLERANCE * rms_height).min(ROOM_TOLERANCE * room).max(GAP_ROUNDING * rms_height);
         let limit = self.solid().deep_limit();
         // so close to first touch the elastic contact may carry nothing that its tolerance sees; from a pressure of 0 the search would not go on
         let [softest, _] = self.problem().compliance().stiffness_range();
@@ -95,7 +95,7 @@ impl Plastic<'_> {
         let problem = self.problem();
         let heights = problem.surface().height() - &self.state().residual;
         let pressed = problem.with_heights(heights)?.with_load(Load::MeanGap(gap))?;
-        Ok(self.solver().solve(&pressed, &Stop::default().at(CONTACT), observer)?.mean_pressure())
+        Ok(self.solver().solve(&pressed, &Stop::default().at(CONTACT_TOLERANCE), observer)?.mean_pressure())
     }
 }
 

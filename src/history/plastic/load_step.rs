@@ -23,10 +23,10 @@ const FIRST_CONTACT: f64 = 1e-11;
 const LEAST_CONTACT: f64 = 2.0;
 /// A step is done, whatever its goal, where its gap is below this many times the stated rounding of the contact, plus that of its waves: a step that is elastic
 /// and close to flat has a goal of 1e-8 of so little energy that no pressure in doubles reaches it.
-const FLOOR: f64 = 4.0;
-/// A step has stalled after this many iterations in which its gap has not fallen to [`PROGRESS`] times the least one so far.
-const PATIENCE: usize = 300;
-const PROGRESS: f64 = 0.9;
+const LEAST_GAP_OVER_ROUNDING: f64 = 4.0;
+/// A step has stalled after this many iterations in which its gap has not fallen to [`STALLED_PROGRESS`] times the least one so far.
+const STALLED_ITERATIONS: usize = 300;
+const STALLED_PROGRESS: f64 = 0.9;
 /// The largest tolerance of a contact.
 const LOOSEST_CONTACT: f64 = 1e-3;
 /// The parts of the goal, and of the last gap, that the gap of a contact may have.
@@ -233,7 +233,7 @@ impl LoadStep<'_, '_> {
             let energy = contact.mean_pressure() * problem.rms_height();
             contact_gap = contact.certificate.eta * energy;
             let waves = rounding_of_waves(problem, rms(&contact.pressure));
-            floor = (FLOOR * contact.certificate.rounding + waves) * energy;
+            floor = (LEAST_GAP_OVER_ROUNDING * contact.certificate.rounding + waves) * energy;
             of_contact = [mean(p, problem.height()), mean(p, residual), mean(p, u)];
         }
         let [heights, sunk, pressed] = of_contact;
@@ -269,13 +269,13 @@ impl GapProgress {
     /// Whether a step stalls at an iterate: its gap does not fall any more, or it is that of a contact alone, whose solver makes no progress either.
     fn has_stalled(&mut self, now: &FlowIterate) -> bool {
         let gap = now.certificate.gap();
-        if gap <= PROGRESS * self.least {
+        if gap <= STALLED_PROGRESS * self.least {
             (self.least, self.waited) = (gap, 0);
         } else {
             self.waited += 1;
         }
         let is_contact_stuck = now.contact.as_ref().is_some_and(|contact| contact.status == Status::Stalled);
-        self.waited >= PATIENCE || (is_contact_stuck && now.certificate.flow_gap == 0.0)
+        self.waited >= STALLED_ITERATIONS || (is_contact_stuck && now.certificate.flow_gap == 0.0)
     }
 }
 

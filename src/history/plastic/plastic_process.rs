@@ -17,7 +17,7 @@ use ndarray::{Array2, Array3, Axis};
 const TOLERANCE: f64 = 1e-6;
 const MOST_ITERATIONS: usize = 1000;
 /// The tolerance `eta` of a contact from which a work or a first pressure is found.
-pub(super) const CONTACT: f64 = 1e-11;
+pub(super) const CONTACT_TOLERANCE: f64 = 1e-11;
 /// Tensors below each node: strain and stress before the step, increment, its successor and stress in the step.
 const TENSORS: f64 = 5.0;
 /// Tensors of Anderson's method for each place that flows: twelve of earlier points, and those of the new one.
@@ -232,7 +232,7 @@ impl<'s> Plastic<'s> {
         if pressure > 0.0 {
             let heights = self.problem.surface().height() - &state.residual;
             let posed = self.problem.with_heights(heights)?.with_load(Load::MeanPressure(pressure))?;
-            let (start, stop) = (Some(&self.state.contact.pressure), Stop::default().at(CONTACT));
+            let (start, stop) = (Some(&self.state.contact.pressure), Stop::default().at(CONTACT_TOLERANCE));
             flowed = Pressing::new(&self.solver.solve_from(start, &posed, &stop, observer)?, &state.residual);
         }
         Ok(before.work(&state.unflowed, &flowed, &after))

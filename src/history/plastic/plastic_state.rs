@@ -11,7 +11,7 @@ use ndarray::{Array2, Array3, Axis};
 const NEGLIGIBLE: f64 = 1e-3;
 
 /// The largest part of the energy that is taken up and stored by which the work of the load may differ from it, to be told.
-const BALANCE: f64 = 1e-2;
+const LARGEST_IMBALANCE: f64 = 1e-2;
 
 /// How far a load step is from the minimum of its energy, all per area of the cell (pressure times length), and relative.
 ///
@@ -64,7 +64,7 @@ pub struct PlasticEnergy {
 impl PlasticEnergy {
     /// The work of the load, if what flow has taken up and what is stored account for it within 1 %: else the steps are too long to tell it.
     pub fn balanced_work(&self) -> Option<f64> {
-        (self.imbalance <= BALANCE * (self.elastic + self.plastic)).then_some(self.work)
+        (self.imbalance <= LARGEST_IMBALANCE * (self.elastic + self.plastic)).then_some(self.work)
     }
 }
 

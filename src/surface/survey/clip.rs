@@ -20,8 +20,8 @@ const STENCILS: [[f64; 3]; 2] = [[1.0, -2.0, 1.0], [-0.5, 0.0, 0.5]];
 /// The share of the flat heights below the plateau that are not of it.
 const BELOW: f64 = 0.1;
 /// The least share of the nodes on a plateau and above it that are flat. Nothing lies above heights that were cut off, and they are flat but
-/// for their noise; above heights that are flat by chance lie the peaks of the surface. On 600 clipped and 600 whole profiles and maps, with and
-/// without a form, 0.3 halves the false findings that 0.2 leaves and finds 5 % less of what was cut off.
+/// for their noise; above heights that are flat by chance lie the peaks of the surface. Of 600 whole and 600
+/// clipped profiles and maps, with and without a form, 22 and 376 are found with 0.3, and 35 and 398 with 0.2.
 const FLAT_SHARE: f64 = 0.3;
 /// The share of the highest heights among which plateaus are, and how many times more often heights are flat there than in the middle.
 const END: f64 = 0.25;
