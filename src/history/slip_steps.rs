@@ -30,7 +30,7 @@ pub(crate) const LEAST_SHIFT: f64 = 0.1;
 const FIRST_STEP_FROM_NOTHING: f64 = 1.0 / 1024.0;
 /// The least stated error of the shift and of the lost energy, over their sizes and the tolerance: a step and its halves may agree by chance, where few
 /// nodes touch or where the direction of slip turns.
-const LEAST_STATED: [f64; 2] = [0.1, 0.5];
+const LEAST_STATED: [f64; 2] = [0.2, 0.5];
 /// The least part of the tolerance that a step may use, however short it is: where a contact begins, its first steps are alike whatever their
 /// length.
 const LEAST_SHARE: f64 = 1.0 / 16.0;
