@@ -7,12 +7,12 @@ use super::slip_totals::{SlipPathErrors, SlipTotals};
 use crate::contact::{Load, Observer, ResultClaim};
 use crate::error::SlipError;
 
-/// The first step on a way, over the way: where the normal load varies, and where it stays and only the direction of slip turns, which costs
-/// little accuracy (0.2 % for a sphere in one step).
+/// The first step on a way, over the way: in general, and without coupling where the normal load stays and only the direction of slip turns, which
+/// costs little accuracy (0.2 % for a sphere in one step).
 const FIRST_STEP: f64 = 0.25;
 const FIRST_STEP_UNDER_ONE_LOAD: f64 = 1.0;
 /// No step is shorter than this part of the way: its error is stated, but it is not repeated.
-const SHORTEST_STEP: f64 = 1.0 / 512.0;
+const SHORTEST_STEP: f64 = 1.0 / 1024.0;
 /// The part of the largest step that the tolerance allows which is tried.
 const STEP_SAFETY: f64 = 0.8;
 /// The least and the most factor from one step to the next one that is tried.
@@ -27,10 +27,13 @@ pub(crate) const LEAST_LOSS: f64 = 1e-2;
 pub(crate) const LEAST_SHIFT: f64 = 0.1;
 /// With coupling, the first step of a contact that begins, over the way: the pressure makes the first nodes slip, and a step from nothing and
 /// its halves are in error alike. The steps grow from there.
-const FIRST_STEP_FROM_NOTHING: f64 = 1.0 / 1024.0;
+const FIRST_STEP_FROM_NOTHING: f64 = SHORTEST_STEP;
 /// The least stated error of the shift and of the lost energy, over their sizes and the tolerance: a step and its halves may agree by chance, where few
 /// nodes touch or where the direction of slip turns.
 const LEAST_STATED: [f64; 2] = [0.2, 0.5];
+/// The least stated error of the lost energy of a path that slips, over the largest energy that tractions have stored and the tolerance. Paths that lose
+/// less than a hundredth of what is stored had errors of up to this size.
+const LEAST_OF_STORED: f64 = 0.02;
 /// The least part of the tolerance that a step may use, however short it is: where a contact begins, its first steps are alike whatever their
 /// length.
 const LEAST_SHARE: f64 = 1.0 / 16.0;
@@ -186,12 +189,10 @@ impl<'s> SlipSteps<'s> {
 
     /// Steps beside doubled ones to the end of a way, each with an error within the tolerance.
     fn adapt(&mut self, way: LoadWay, tolerance: f64, observer: &mut dyn Observer) -> Result<SlipState, SlipError> {
-        let mut wanted = if way.from[0] == way.to[0] {
-            FIRST_STEP_UNDER_ONE_LOAD
-        } else if self.history.is_coupled() && way.from[0] == 0.0 {
-            FIRST_STEP_FROM_NOTHING
-        } else {
-            FIRST_STEP
+        let mut wanted = match (self.history.is_coupled(), way.from[0]) {
+            (true, 0.0) => FIRST_STEP_FROM_NOTHING,
+            (false, load) if load == way.to[0] => FIRST_STEP_UNDER_ONE_LOAD,
+            _ => FIRST_STEP,
         };
         let (mut done, mut loss_before) = (0.0, 0.0);
         let mut passed: Option<SlipState> = None;
@@ -202,7 +203,7 @@ impl<'s> SlipSteps<'s> {
             let ends = [0.5, 1.0].map(|part| if step == left && part == 1.0 { 1.0 } else { done + part * step });
             let begin = self.history.memory().clone();
             let trial = self.trial(ends.map(|end| way.at(end)), observer)?;
-            let excess = self.excess(&trial, [done, step], tolerance);
+            let excess = self.excess(&trial, way, [done, step], tolerance);
             let factor = (STEP_SAFETY * excess.sqrt().recip()).clamp(STEP_CHANGE[0], STEP_CHANGE[1]);
             // the error of what is not solved says nothing about the step
             let is_solved = trial.whole.is_converged() && trial.fine.is_converged();
@@ -211,7 +212,7 @@ impl<'s> SlipSteps<'s> {
                 wanted = step * factor.min(0.5);
                 continue;
             }
-            wanted = step * factor;
+            wanted = (step * factor).max(SHORTEST_STEP);
             done = ends[1];
             let [shift, loss, share] = difference(&trial.whole, &trial.fine);
             // where a difference crosses zero, it says nothing
@@ -222,8 +223,11 @@ impl<'s> SlipSteps<'s> {
             self.doubled = Some(trial.doubled);
             let state = self.keep(trial.fine, [shift, loss.max(least_loss), share]);
             let least_shift = LEAST_STATED[0] * tolerance * self.largest[0].max(LEAST_SHIFT * displaced);
+            let slips = self.totals.dissipated > 0.0;
+            let least_loss = if slips { LEAST_OF_STORED * tolerance * self.largest[1] } else { 0.0 };
             if let Some(errors) = &mut self.totals.errors {
                 errors.shift = errors.shift.max(least_shift);
+                errors.dissipated = errors.dissipated.max(least_loss);
             }
             let state = match passed.take() {
                 Some(earlier) => state.after(earlier),
@@ -249,8 +253,9 @@ impl<'s> SlipSteps<'s> {
         Ok(HalvedStep { whole, fine, doubled })
     }
 
-    /// The largest relative error of a step, over what the step may cause: of the shift and of the lost energy.
-    fn excess(&self, trial: &HalvedStep, [done, step]: [f64; 2], tolerance: f64) -> f64 {
+    /// The largest relative error of a step, over what the step may cause: of the shift and of the lost energy, and with coupling of the energy that the
+    /// tractions store. While a pressure grows on bodies that stick, neither shift nor loss shows how wrong the tractions are, and later pulls begin from them.
+    fn excess(&self, trial: &HalvedStep, way: LoadWay, [done, step]: [f64; 2], tolerance: f64) -> f64 {
         let [shift_error, loss_error, _] = difference(&trial.whole, &trial.fine).map(f64::abs);
         // what the way comes to at this rate
         let left = (1.0 - done) / step;
@@ -260,7 +265,16 @@ impl<'s> SlipSteps<'s> {
         let lost = lost.max(LEAST_LOSS * self.largest[1].max(trial.fine.stored));
         let allowed = SHARE_OF_A_WAY * tolerance * step.max(LEAST_SHARE);
         let over = |error: f64, size: f64| if error > 0.0 { error / (allowed * size) } else { 0.0 };
-        over(shift_error, shift).max(over(loss_error, lost))
+        let of_both = over(shift_error, shift).max(over(loss_error, lost));
+        if !self.history.is_coupled() {
+            return of_both;
+        }
+        // what the pressure makes tractions store grows like its square
+        let grown = (way.to[0] / way.at(done + step).0.value()).max(1.0).powi(2);
+        let stored = self.largest[1].max(grown * trial.fine.stored);
+        // unlike the loss of a step, it has the errors of all steps before
+        let stored_error = (trial.whole.stored - trial.fine.stored).abs();
+        of_both.max(if stored > 0.0 { stored_error / (SHARE_OF_A_WAY * tolerance * stored) } else { 0.0 })
     }
 
     /// Counts a step with its differences from the doubled history, and says what its claim is.
