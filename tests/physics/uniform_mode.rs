@@ -178,7 +178,8 @@ fn only_cycles_that_close_are_told() {
     for loss in losses {
         is_near(loss.energy, exact, 1e-3, "a cycle");
         let told = loss.error.unwrap();
+        // steps along straight loads are exact in full contact, but for rounding
         let off = (loss.energy - exact).abs();
-        assert!(off < told && told < 1e-2 * exact, "{off:e} off, {told:e} told");
+        assert!(off <= told.max(1e-9 * exact) && told < 1e-2 * exact, "{off:e} off, {told:e} told");
     }
 }
