@@ -111,9 +111,12 @@ struct Origin {
     unreadable: Vec<(String, String)>,
     /// Whether the file has units, so that lengths are in metres.
     is_in_metres: bool,
-    /// Whether the file says distances.
+    /// Whether the file says distances in a unit that it does not say.
     #[serde(skip)]
-    has_spacing: bool,
+    has_spacing_without_unit: bool,
+    /// Whether the file says the unit of its heights.
+    #[serde(skip)]
+    has_height_unit: bool,
     header: Vec<(String, String)>,
 }
 
@@ -256,15 +259,27 @@ fn scan(height: Field, grid: &Grid) -> Scan {
 
 impl Origin {
     fn read(file: &HeightFile, recipe: &Recipe) -> Result<Self> {
-        let Measurement { format, channels, channel, unreadable, is_in_metres, spacing, header, .. } =
+        let Measurement { format, channels, channel, unreadable, is_in_metres, units, spacing, header, .. } =
             file.measurement(recipe.channel.as_deref())?;
-        Ok(Self { format, channels, channel, unreadable, is_in_metres, has_spacing: spacing.is_some(), header })
+        let has_spacing_without_unit = spacing.is_some() && units.distance.is_none();
+        let has_height_unit = units.height.is_some();
+        Ok(Self {
+            format,
+            channels,
+            channel,
+            unreadable,
+            is_in_metres,
+            has_spacing_without_unit,
+            has_height_unit,
+            header,
+        })
     }
 
     /// Whether the unit of lengths is known.
     fn has_unit(&self, recipe: &Recipe) -> bool {
-        let own = recipe.height_unit.filter(|_| !self.has_spacing); // otherwise distances have none
-        self.is_in_metres || recipe.file_unit.or(own).is_some() || self.format == "NumPy"
+        let has_height_unit = self.has_height_unit || recipe.height_unit.is_some();
+        let is_told = recipe.file_unit.is_some() || (has_height_unit && !self.has_spacing_without_unit);
+        self.is_in_metres || is_told || self.format == "NumPy"
     }
 
     /// The warning that the unit of lengths is unknown.
@@ -277,7 +292,12 @@ impl Origin {
     }
 
     fn rows(&self) -> Vec<(String, String)> {
-        let unit = if self.is_in_metres { "metres" } else { "not given in the file" };
+        let unit = match (self.is_in_metres, self.has_height_unit, self.has_spacing_without_unit) {
+            (true, ..) => "metres",
+            (false, true, _) => "metres for heights, not given for distances",
+            (false, false, false) => "not given for heights",
+            (false, false, true) => "not given in the file",
+        };
         let channel = match self.channels.as_slice() {
             [one] => one.clone(),
             all => format!("{}, one of {}: choose with --channel", self.channel, all.join(", ")),

@@ -9,6 +9,7 @@ mod axis;
 mod bcr;
 mod bytes;
 mod cdf;
+mod cells;
 mod channel;
 mod columns;
 #[cfg(feature = "microscopes")]
@@ -57,6 +58,7 @@ mod profile;
 mod raster;
 mod remarks;
 mod room;
+mod said;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod sur;
@@ -69,6 +71,7 @@ mod tmd;
 mod unit;
 #[cfg(feature = "microscopes")]
 mod vk4;
+mod void;
 #[cfg(feature = "microscopes")]
 mod wsxm;
 mod wyko_text;
@@ -80,9 +83,10 @@ mod xlsx;
 mod zlib;
 #[cfg(feature = "microscopes")]
 mod zon;
+mod zygo_text;
 
 pub use height_file::HeightFile;
-pub use layout::Layout;
+pub use layout::{FileUnits, Layout};
 pub use measurement::Measurement;
 
 use crate::error::FileError;
@@ -142,6 +146,7 @@ const INSTRUMENTS: &[Instrument] = &[
     #[cfg(feature = "microscopes")]
     zon::INSTRUMENT,
     wyko_text::INSTRUMENT,
+    zygo_text::INSTRUMENT,
     numbers::INSTRUMENT,
 ];
 
