@@ -51,7 +51,7 @@ impl Comma {
     /// first of these that the line has; and white space does, which leaves no cell empty.
     pub fn words(self, line: &str) -> Vec<&str> {
         // a comma inside of a word parts numbers only where no white space does so
-        let is_one = self == Self::Parts && !line.trim().contains(char::is_whitespace);
+        let is_one = self == Self::Parts && !has_gap(line.trim());
         let parts = |at: usize| is_one || is_beside_gap(line, at);
         let Some(separator) = separator(line, parts) else { return joined(line.split_whitespace().collect()) };
         let mut words = Vec::new();
@@ -90,6 +90,20 @@ impl Comma {
         let plain = word.replacen('\u{2212}', "-", 2).replacen(['d', 'D'], "e", 1);
         (plain != word).then(|| self.number(&plain)).flatten()
     }
+}
+
+/// Whether white space stands in a line other than between two letters, as it does in `no data`.
+fn has_gap(line: &str) -> bool {
+    let mut before = ' ';
+    let mut letters = line.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let is_between_letters = before.is_alphabetic() && letters.peek().is_some_and(|it| it.is_alphabetic());
+        if letter.is_whitespace() && !is_between_letters {
+            return true;
+        }
+        before = letter;
+    }
+    false
 }
 
 /// The letter that parts the cells of a line, none for white space, if so does a comma at some places.

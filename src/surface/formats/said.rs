@@ -27,15 +27,28 @@ fn pair(line: &str) -> Option<(String, String)> {
         return Some(owned(name.trim_matches('"'), value));
     }
     let words: Vec<&str> = Comma::Parts.words(line);
-    if line.contains(['"', '\t', ';', ',']) {
-        let [name, rest @ ..] = &words[..] else { return None };
+    let cells = cells(line);
+    if let [name, rest @ ..] = &cells[..]
+        && (1..=2).contains(&rest.len())
+        && begins_with_letter(name)
+        // the comma of `step 0,5` is a decimal one
+        && !name.contains(|letter: char| letter.is_ascii_digit())
+    {
         let value = rest.join(" ");
-        let is_pair = (1..=2).contains(&rest.len()) && begins_with_letter(name) && !value.trim().is_empty();
-        return is_pair.then(|| owned(name, &value));
+        return (!value.trim().is_empty()).then(|| owned(name, &value));
     }
     let place = words.iter().position(|word| matches!(Comma::Decimal.cells(word)[..], [Cell::Number(_)]))?;
     let (name, value) = (words[..place].join(" "), words[place..].join(" "));
     (begins_with_letter(&name) && words.len() <= place + 2).then(|| owned(&name, &value))
+}
+
+/// The cells of a line in the head: parted by tabs, semicolons or commas, the first of these that it has, or, if some are in quotes, as in rows.
+fn cells(line: &str) -> Vec<&str> {
+    if line.contains('"') {
+        return Comma::Parts.words(line);
+    }
+    let separator = ['\t', ';', ','].into_iter().find(|it| line.contains(*it));
+    separator.map_or(vec![line], |separator| line.split(separator).map(str::trim).collect())
 }
 
 /// The names of a line and the numbers below them, none if they are not as many.

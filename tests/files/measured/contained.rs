@@ -64,6 +64,23 @@ fn x3p_says_where_it_comes_from() {
 }
 
 #[test]
+fn x3p_without_increments_has_no_size() {
+    let (main, points) = containers::x3p::doubles();
+    let read_main = |main: &str| {
+        Measurement::from_bytes(&containers::x3p::archive(main.as_bytes(), &points, &[]), None)
+            .map_err(|it| it.to_string())
+    };
+    let without = |axis: &str| main.replace(&format!("<Increment>{axis}</Increment>"), "");
+    for main in [without("2e-6"), without("3e-6"), without("2e-6").replace("<Increment>3e-6", "<Increment>")] {
+        let measured = read_main(&main).unwrap();
+        assert!(measured.spacing.is_none() && measured.is_in_metres, "{:?}", measured.spacing);
+        assert!(is_same(measured.height[[0, 1]], height(1, 0) * 1e-9));
+    }
+    let whole = main.replace(">D<", ">L<");
+    assert!(read_main(&whole).unwrap_err().contains("no Increment that turns them into metres"));
+}
+
+#[test]
 fn x3p_is_refused_when_its_points_are_damaged_or_missing() {
     let (main, points) = containers::x3p::doubles();
     let refusal = |main: &str, points: &[u8]| {

@@ -6,6 +6,7 @@ mod contained;
 pub mod containers;
 mod doubts;
 mod exports;
+mod heads;
 mod made;
 mod mutants;
 mod probes;
