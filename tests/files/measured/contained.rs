@@ -204,6 +204,16 @@ fn netcdf_has_attributes_and_profiles() {
     assert_eq!((entry(&measured, "title"), entry(&measured, "unit")), ("a small map", "nm"));
     assert_eq!(read(&containers::netcdf::wide(), None).channels, ["z"]);
     is_uneven("netcdf", &read(&containers::netcdf::profile(), None));
-    let other = Measurement::from_bytes(b"\x89HDF\r\n\x1a\n....", None).unwrap_err().to_string();
-    assert!(other.contains("nccopy -k classic"), "{other}");
+}
+
+#[test]
+fn files_of_hdf5_say_how_to_convert_them() {
+    let reason =
+        |rest: &[u8]| Measurement::from_bytes(&[b"\x89HDF\r\n\x1a\n", rest].concat(), None).unwrap_err().to_string();
+    assert!(reason(b"....\0_NCProperties\0").contains("nccopy -k classic"));
+    for (rest, file) in [(&b"...."[..], "an HDF5 file"), (b"..Z Converter..", "a .datx file of Zygo Mx")] {
+        let told = reason(rest);
+        assert!(told.contains(file) && told.contains("read_topography('FILE').to_netcdf('NEW.nc')"), "{told}");
+        assert!(!told.contains("nccopy"), "{told}");
+    }
 }
