@@ -45,7 +45,7 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: SceneArgs<OfSurface>,
-    /// Write the heights in metres (.npy, .sdf, .x3p or .xyz), or a picture of them, of their artefacts and of their spectrum (.svg, .pdf or .png)
+    /// Write the heights in metres (.npy, .sdf, .x3p, .xyz, .gwy, or .stl as a closed block in millimetres), or a picture of them, of their artefacts and of their spectrum (.svg, .pdf or .png)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer
