@@ -7,6 +7,7 @@ use super::flags::{OfSurface, SceneArgs};
 use super::output::{write_json, write_rows};
 use super::picture::title_of;
 use super::problem_summary::along_axes;
+use super::surface_table::SurfaceTable;
 use super::survey;
 use super::survey_picture::of_survey;
 use super::terminal::stdout;
@@ -21,7 +22,7 @@ use asperity::files::{check_apart, check_named};
 use asperity::plot::{FIGURES, is_figure, write_figure};
 use asperity::record::record_survey;
 use asperity::seen::capital;
-use asperity::setup::{Cost, Recipe};
+use asperity::setup::{Cell, Cost, Recipe};
 use asperity::surface::{
     Artefacts, Field, HeightFile, Measurement, PreparationChoice, RankMap, Resample, Roughness, Scan,
     SpectrumConvention, SpectrumTable, Surface, Survey,
@@ -35,9 +36,13 @@ use std::path::{Path, PathBuf};
 /// off, and their spectrum; at most, their autocorrelation on half as many nodes again along both axes.
 const FIELDS: f64 = 12.0;
 
+/// The ending of a table of statistics.
+const TABLE: &str = "csv";
+
 const EXAMPLES: &str = "\
 Examples:
   asperity surface patch.x3p --fill harmonic --detrend curvature --out flat.npy
+  asperity surface *.x3p --detrend plane --out table.csv
   asperity surface --indenter sphere --radius 1mm --points 256,256 --size 100um --json";
 
 #[derive(Args)]
@@ -45,7 +50,10 @@ Examples:
 pub struct Describe {
     #[command(flatten)]
     scene: SceneArgs<OfSurface>,
-    /// Write the heights in metres (.npy, .sdf, .x3p, .xyz, .gwy, or .stl as a closed block in millimetres), or a picture of them, of their artefacts and of their spectrum (.svg, .pdf or .png)
+    /// Further files of heights, each with the same flags: a row of statistics for each, and one of their mean
+    #[arg(value_name = "FILES")]
+    more: Vec<PathBuf>,
+    /// Write the heights in metres (.npy, .sdf, .x3p, .xyz, .gwy, or .stl as a closed block in millimetres), a picture of them, of their artefacts and of their spectrum (.svg, .pdf or .png), or the statistics of one or several files as a table (.csv)
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer
@@ -72,7 +80,7 @@ pub struct Describe {
 
 /// The statistics of a surface as they are printed.
 #[derive(Serialize)]
-struct Statistics {
+pub struct Statistics {
     /// The parts of the surface, such as a file, in words.
     source: String,
     /// What the file of heights says.
@@ -92,7 +100,7 @@ struct Statistics {
     /// The statistics of heights without voids.
     #[serde(flatten)]
     whole: Option<HeightStatistics>,
-    warnings: Vec<String>,
+    pub warnings: Vec<String>,
     /// What is wrong with measured heights, and what an automatic preparation would do.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     verdict: Vec<String>,
@@ -139,6 +147,11 @@ struct HeightStatistics {
 
 impl Describe {
     pub fn run(&self) -> Result<ExitStatus> {
+        let is_table =
+            self.out.as_ref().and_then(|path| path.extension()).is_some_and(|it| it.eq_ignore_ascii_case(TABLE));
+        if is_table || !self.more.is_empty() {
+            return self.run_many();
+        }
         if let Some(path) = &self.out {
             check_named(path, &Scan::endings().into_iter().chain(FIGURES).collect::<Vec<_>>())?;
         }
@@ -152,14 +165,8 @@ impl Describe {
         let table = self.scene.table()?;
         let written = self.out.iter().chain(&self.psd).chain(&self.record);
         check_apart(written, self.scene.files(&table))?;
-        let (mut recipe, cell) = table.surface()?;
-        let uneven = even(&mut recipe)?;
-        let grid = recipe.grid(&cell)?;
-        recipe.check(&grid)?;
-        Cost::from_fields(&grid, FIELDS).check("a surface")?;
         let units = self.scene.units();
-        let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?, units)?;
-        statistics.warnings.extend(uneven);
+        let Described { recipe, grid, statistics, height } = Described::new(table.surface()?, units)?;
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
         let mut heights = self.out.iter().filter(|path| !is_figure(path));
         heights.try_for_each(|path| statistics.check_unit(&recipe, path))?;
@@ -188,6 +195,49 @@ impl Describe {
         self.record.iter().for_each(|path| wrote(path));
         self.out.iter().chain(&self.psd).for_each(|path| wrote(path));
         Ok(ExitStatus::Done)
+    }
+}
+
+impl Describe {
+    /// Statistics of one file or several as a table.
+    fn run_many(&self) -> Result<ExitStatus> {
+        if let Some(path) = &self.out {
+            check_named(path, &[TABLE])?;
+        }
+        if self.record.is_some() || self.psd.is_some() {
+            return usage("--record and --psd are for one file of heights: give one file, and another --out than .csv");
+        }
+        let scenes: Vec<SceneArgs<OfSurface>> =
+            self.more.iter().map(|file| self.scene.with_file(file.clone())).collect();
+        let mut files = Vec::new();
+        for scene in std::iter::once(&self.scene).chain(&scenes) {
+            let table = scene.table()?;
+            check_apart(&self.out, scene.files(&table))?;
+            let described = Described::new(table.surface()?, scene.units())?;
+            let name = scene.file().map_or(described.statistics.source.clone(), |file| file.display().to_string());
+            files.push((name, described.statistics));
+        }
+        SurfaceTable::new(&files, self.scene.units())?.run(self.out.as_deref(), self.json, self.strict)
+    }
+}
+
+/// A surface with its statistics.
+struct Described {
+    recipe: Recipe,
+    grid: Grid,
+    statistics: Statistics,
+    height: Field,
+}
+
+impl Described {
+    fn new((mut recipe, cell): (Recipe, Cell), units: Units) -> Result<Self> {
+        let uneven = even(&mut recipe)?;
+        let grid = recipe.grid(&cell)?;
+        recipe.check(&grid)?;
+        Cost::from_fields(&grid, FIELDS).check("a surface")?;
+        let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?, units)?;
+        statistics.warnings.extend(uneven);
+        Ok(Self { recipe, grid, statistics, height })
     }
 }
 
@@ -311,6 +361,48 @@ impl Origin {
 }
 
 impl Statistics {
+    /// Whether lengths are in metres, as far as is known.
+    pub fn is_in_metres(&self) -> bool {
+        self.file.as_ref().is_none_or(|file| file.is_in_metres) || self.units.metres
+    }
+
+    /// The numbers of a table by the names of their columns; those of heights are none where some are void.
+    pub fn columns(&self) -> Vec<(String, Option<f64>)> {
+        let axes = |name: &str, values: Vec<f64>| -> Vec<(String, Option<f64>)> {
+            let axes = if values.len() == 1 { &["x"][..] } else { &["y", "x"] };
+            axes.iter().zip(values).map(|(axis, value)| (format!("{name}_{axis}"), Some(value))).collect()
+        };
+        let mut columns = axes("points", self.points.iter().map(|count| *count as f64).collect());
+        columns.extend(axes("size", self.size.clone()));
+        columns.push(("voids".into(), Some(self.voids as f64)));
+        columns.push(("rms_gradient".into(), self.rms_gradient()));
+        if let Some(whole) = &self.whole {
+            let Roughness { rms_height, rms_curvature, peak, valley, skewness, kurtosis, .. } = whole.roughness;
+            let heights = [
+                ("rms_height", rms_height),
+                ("rms_curvature", rms_curvature),
+                ("peak", peak),
+                ("valley", valley),
+                ("skewness", skewness),
+                ("kurtosis", kurtosis),
+            ];
+            columns.extend(heights.map(|(name, value)| (name.to_owned(), Some(value))));
+            columns.extend(whole.texture.values());
+        }
+        columns
+    }
+
+    /// The rms gradient; of heights with voids that between neighbours that were measured.
+    fn rms_gradient(&self) -> Option<f64> {
+        let of_measured = || {
+            let axes = &self.survey.as_ref()?.axes;
+            let squares: Option<Vec<f64>> =
+                axes.iter().map(|axis| Some(axis.scales.first()?.rms_gradient.powi(2))).collect();
+            Some(squares?.iter().sum::<f64>().sqrt())
+        };
+        self.whole.as_ref().map(|whole| whole.roughness.rms_gradient).or_else(of_measured)
+    }
+
     /// Records heights, which must not be void.
     fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
         let survey = self.whole_survey("the surface cannot be recorded")?;
@@ -362,6 +454,7 @@ impl Statistics {
             ("size", size.join(" x ")),
             ("spacing", along_axes(&self.spacing, |it| units.length(it))),
             ("voids", self.voids.to_string()),
+            ("rms gradient", self.rms_gradient().map_or("not known".to_owned(), significant)),
         ];
         write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
         write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.clone())), out)?;
