@@ -2,14 +2,14 @@
 
 use super::exit_status::{ExitStatus, usage};
 use super::output::write_json;
-use super::surface::Statistics;
+use super::surface_statistics::Statistics;
 use super::terminal::stdout;
 use super::units::{Units, significant};
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
 use asperity::error::FileError;
-use asperity::files::write_beside;
+use asperity::files::write_csv;
 use serde_json::{Map, Value};
 use std::io::{self, Write};
 use std::path::Path;
@@ -84,19 +84,13 @@ impl SurfaceTable {
     }
 
     fn write(&self, path: &Path) -> Result<(), FileError> {
-        write_beside(path, |file| {
-            let mut table = csv::Writer::from_writer(file);
-            table.write_record(std::iter::once("file").chain(self.columns.iter().map(String::as_str)))?;
-            for row in &self.rows {
-                table.write_field(&row.name)?;
-                for column in &self.columns {
-                    // a number that is not defined is an empty cell, which enters nobody's mean
-                    table.write_field(row.find(column).map_or(String::new(), |value| format!("{value:?}")))?;
-                }
-                table.write_record(None::<&[u8]>)?;
-            }
-            table.flush()
-        })
+        let names: Vec<String> = std::iter::once("file".to_owned()).chain(self.columns.iter().cloned()).collect();
+        let rows = self.rows.iter().map(|row| {
+            // a number that is not defined is an empty cell, which enters nobody's mean
+            let cell = |column: &String| row.find(column).map_or(String::new(), |value| format!("{value:?}"));
+            std::iter::once(row.name.clone()).chain(self.columns.iter().map(cell)).collect()
+        });
+        write_csv(path, std::iter::once(names).chain(rows))
     }
 
     fn json(&self) -> Vec<Map<String, Value>> {

@@ -248,9 +248,10 @@ fn spacing(surface: &Surface) -> Option<Warning> {
 fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface, refined: usize) -> Option<Warning> {
     let Layout { spacing, units, .. } = file.layout(recipe.channel.as_deref()).ok()?;
     let [_, own] = spacing?;
+    let own = own * recipe.file_unit.filter(|_| units.distance.is_none()).unwrap_or(1.0);
     let spacing = surface.grid().spacing()[1] * refined as f64;
     let power = (spacing / own).log10();
-    let unit = if units.distance.is_some() { 0.0 } else { power.round() };
+    let unit = if units.distance.or(recipe.file_unit).is_some() { 0.0 } else { power.round() };
     let is_same = (power - unit).abs() < SAME_LENGTH;
     (!is_same).then(|| {
         Warning::new(

@@ -13,7 +13,7 @@ pub(super) enum Comma {
 
 /// What a cell holds.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Cell<'a> {
+pub(super) enum TextCell<'a> {
     /// A number, or NaN for a word that stands for a void.
     Number(f64),
     /// Nothing, between two separators.
@@ -22,7 +22,7 @@ pub(super) enum Cell<'a> {
     Word(&'a str),
 }
 
-impl<'a> Cell<'a> {
+impl<'a> TextCell<'a> {
     /// The word in a cell that holds neither a number nor nothing.
     pub fn word(&self) -> Option<&'a str> {
         match self {
@@ -38,12 +38,12 @@ impl Comma {
     /// Whether a line holds numbers and blank cells and nothing else, and at least one number.
     pub fn reads(self, line: &str) -> bool {
         let cells = self.cells(line);
-        let has_number = cells.iter().any(|cell| matches!(cell, Cell::Number(_)));
-        has_number && !cells.iter().any(|cell| matches!(cell, Cell::Word(_)))
+        let has_number = cells.iter().any(|cell| matches!(cell, TextCell::Number(_)));
+        has_number && !cells.iter().any(|cell| matches!(cell, TextCell::Word(_)))
     }
 
     /// The cells of a line.
-    pub fn cells(self, line: &str) -> Vec<Cell<'_>> {
+    pub fn cells(self, line: &str) -> Vec<TextCell<'_>> {
         self.words(line).into_iter().map(|word| self.cell(word)).collect()
     }
 
@@ -68,11 +68,11 @@ impl Comma {
         words
     }
 
-    fn cell(self, word: &str) -> Cell<'_> {
+    fn cell(self, word: &str) -> TextCell<'_> {
         match self.number(word) {
-            _ if word.is_empty() => Cell::Blank,
-            Some(number) => Cell::Number(number),
-            None => Cell::Word(word),
+            _ if word.is_empty() => TextCell::Blank,
+            Some(number) => TextCell::Number(number),
+            None => TextCell::Word(word),
         }
     }
 

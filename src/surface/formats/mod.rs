@@ -52,6 +52,8 @@ mod opdx;
 mod plu;
 #[cfg(feature = "microscopes")]
 mod plux;
+#[cfg(feature = "microscopes")]
+mod png;
 mod points;
 mod profile;
 #[cfg(feature = "microscopes")]
@@ -66,6 +68,8 @@ mod table;
 mod text;
 #[cfg(feature = "microscopes")]
 mod tiff;
+#[cfg(feature = "microscopes")]
+mod tiff_image;
 #[cfg(feature = "microscopes")]
 mod tmd;
 mod unit;
@@ -112,6 +116,10 @@ const INSTRUMENTS: &[Instrument] = &[
     ibw::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     jpk::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    png::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    tiff_image::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     metropro::INSTRUMENT,
     #[cfg(feature = "microscopes")]

@@ -1,6 +1,6 @@
 //! Names and values in the head of a text.
 
-use super::cells::{Cell, Comma};
+use super::cells::{Comma, TextCell};
 use super::unit::metres;
 
 /// Units that a name may end in, as in `pixel_size_um`.
@@ -37,7 +37,7 @@ fn pair(line: &str) -> Option<(String, String)> {
         let value = rest.join(" ");
         return (!value.trim().is_empty()).then(|| owned(name, &value));
     }
-    let place = words.iter().position(|word| matches!(Comma::Decimal.cells(word)[..], [Cell::Number(_)]))?;
+    let place = words.iter().position(|word| matches!(Comma::Decimal.cells(word)[..], [TextCell::Number(_)]))?;
     let (name, value) = (words[..place].join(" "), words[place..].join(" "));
     (begins_with_letter(&name) && words.len() <= place + 2).then(|| owned(&name, &value))
 }

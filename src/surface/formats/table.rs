@@ -1,6 +1,6 @@
 //! Numbers in rows of a text.
 
-use super::cells::{Cell, Comma};
+use super::cells::{Comma, TextCell};
 use super::format::malformed;
 use super::void::{is_error_of_spreadsheet, is_void};
 use std::io;
@@ -83,9 +83,9 @@ impl TextTable {
     /// Passes over a line of the head. One with as many words as a row, most of them numbers and no name in front, is a row with an error in it.
     fn pass(&mut self, place: usize, line: &str, comma: Comma) -> io::Result<()> {
         let cells = comma.cells(line);
-        let wrong = cells.iter().find_map(Cell::word);
-        let numbers = cells.iter().filter(|cell| matches!(cell, Cell::Number(_))).count();
-        let is_named = cells.first().and_then(Cell::word).is_some_and(is_name);
+        let wrong = cells.iter().find_map(TextCell::word);
+        let numbers = cells.iter().filter(|cell| matches!(cell, TextCell::Number(_))).count();
+        let is_named = cells.first().and_then(TextCell::word).is_some_and(is_name);
         match wrong {
             Some(word) if cells.len() == self.columns && 2 * numbers >= cells.len() && !is_named => {
                 Err(malformed(format!("line {place} has {word:?}, which is not a number")))
@@ -102,7 +102,7 @@ impl TextTable {
     /// of a line may be missing where all rows before it have empty ones.
     fn add(&mut self, place: usize, line: &str, comma: Comma) -> io::Result<()> {
         let mut cells = comma.cells(line);
-        if let Some(word) = cells.iter().find_map(Cell::word) {
+        if let Some(word) = cells.iter().find_map(TextCell::word) {
             if self.head.iter().take(REPEATED).any(|it| it == line.trim()) {
                 return Ok(());
             }
@@ -113,19 +113,19 @@ impl TextTable {
             self.is_blank = vec![true; cells.len()];
             self.is_tabbed = line.contains('\t') && !line.contains([';', ',']);
         }
-        let is_void = cells.iter().all(|cell| *cell == Cell::Blank);
+        let is_void = cells.iter().all(|cell| *cell == TextCell::Blank);
         if is_void && (self.columns <= COLUMNS_OF_POINTS || cells.len() != self.columns) {
             return Ok(());
         }
         let found = cells.len();
-        while cells.len() > self.columns && cells.last() == Some(&Cell::Blank) {
+        while cells.len() > self.columns && cells.last() == Some(&TextCell::Blank) {
             cells.pop();
         }
         let is_short = found < self.columns && self.is_blank[found..].iter().all(|it| *it);
         if is_short && self.shortest.is_none_or(|(_, least)| found < least) {
             self.shortest = Some((place, found));
         }
-        cells.resize(if is_short { self.columns } else { cells.len() }, Cell::Blank);
+        cells.resize(if is_short { self.columns } else { cells.len() }, TextCell::Blank);
         if cells.len() != self.columns {
             return Err(malformed(format!(
                 "line {place} has {found} numbers, but the lines before it have {}",
@@ -133,8 +133,8 @@ impl TextTable {
             )));
         }
         for (column, cell) in cells.into_iter().enumerate() {
-            self.is_blank[column] &= cell == Cell::Blank;
-            self.values.push(if let Cell::Number(number) = cell { number } else { f64::NAN });
+            self.is_blank[column] &= cell == TextCell::Blank;
+            self.values.push(if let TextCell::Number(number) = cell { number } else { f64::NAN });
         }
         match self.shortest {
             Some((line, cells)) if !self.is_blank[cells..].iter().all(|it| *it) => {

@@ -1,7 +1,7 @@
 //! The text files of Zygo's interferometers.
 
 use super::bytes::{latin, nodes};
-use super::cells::{Cell, Comma};
+use super::cells::{Comma, TextCell};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
@@ -97,7 +97,7 @@ fn points(lines: &[&str], first: usize, origin: [i64; 2], [ny, nx]: [usize; 2]) 
     let mut count = 0;
     for (at, line) in lines.iter().enumerate().take_while(|it| *it.1 != END).filter(|it| !it.1.is_empty()) {
         let wrong = || malformed(format!("line {} has {line:?} instead of column, row and height", first + at));
-        let [Cell::Number(x), Cell::Number(y), Cell::Number(height)] = Comma::Parts.cells(line)[..] else {
+        let [TextCell::Number(x), TextCell::Number(y), TextCell::Number(height)] = Comma::Parts.cells(line)[..] else {
             return Err(wrong());
         };
         let [iy, ix] = [y - origin[0] as f64, x - origin[1] as f64];

@@ -7,6 +7,7 @@ pub mod containers;
 mod doubts;
 mod exports;
 mod heads;
+mod images;
 mod made;
 mod mutants;
 mod probes;

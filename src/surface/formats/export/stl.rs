@@ -17,7 +17,7 @@ const THICKNESS: f64 = 0.1;
 /// "SLC/STL file specification" of 3D Systems, 1989: 80 bytes, the number of triangles, and for each its normal, its three corners
 /// counterclockwise as seen from outside as single-precision numbers, and two bytes.
 pub(super) fn write(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
-    let block = Block::new(scan);
+    let block = SolidBlock::new(scan);
     let [ny, nx] = scan.shape();
     let rim = block.rim();
     let count = 2 * (ny - 1) * (nx - 1) + 3 * rim.len();
@@ -49,13 +49,13 @@ pub(super) fn write(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
 type Corner = [f32; 3];
 
 /// A block with heights on top.
-struct Block<'a> {
+struct SolidBlock<'a> {
     scan: &'a Scan,
     mean: f64,
     base: f32,
 }
 
-impl<'a> Block<'a> {
+impl<'a> SolidBlock<'a> {
     fn new(scan: &'a Scan) -> Self {
         let mean = scan.height.mean().unwrap_or_default();
         let deepest = scan.height.iter().copied().fold(f64::INFINITY, f64::min);
