@@ -127,7 +127,7 @@ impl<'a> TiffPage<'a> {
             (32, 3) => NumberType::F32,
             (64, 3) => NumberType::F64,
             (bits, _) => {
-                return Err(malformed(format!("its images have {bits} bits per point, none of 8, 16, 32 and 64")));
+                return Err(malformed(format!("its images have {bits} bits per point of a kind that is not read")));
             }
         };
         let places = self.numbers(PLACES);
