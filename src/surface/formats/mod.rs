@@ -53,7 +53,7 @@ mod plu;
 #[cfg(feature = "microscopes")]
 mod plux;
 #[cfg(feature = "microscopes")]
-mod png;
+mod png_image;
 mod points;
 mod profile;
 #[cfg(feature = "microscopes")]
@@ -117,7 +117,7 @@ const INSTRUMENTS: &[Instrument] = &[
     #[cfg(feature = "microscopes")]
     jpk::INSTRUMENT,
     #[cfg(feature = "microscopes")]
-    png::INSTRUMENT,
+    png_image::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     tiff_image::INSTRUMENT,
     #[cfg(feature = "microscopes")]
