@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 #[pymethods]
 impl Surface {
-    /// Writes the heights, in metres, to a file whose ending gives the format: .npy, .sdf, .x3p or .xyz.
+    /// Writes the heights, in metres, to a file whose ending gives the format: .npy, .sdf, .x3p, .xyz, .gwy, or .stl (a closed block, in millimetres).
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         self.check_not_read(&path)?;
         py.try_detached(|| Scan::from_surface(&self.surface, 1).write(&path))

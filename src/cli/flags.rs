@@ -114,6 +114,16 @@ pub struct SceneArgs<E> {
 }
 
 impl<E: Extent> SceneArgs<E> {
+    /// The same flags over another scene.
+    pub fn with_file(&self, file: PathBuf) -> Self {
+        Self { file: Some(file), given: self.given.clone(), extent: PhantomData }
+    }
+
+    /// The scene itself, if it is given.
+    pub fn file(&self) -> Option<&Path> {
+        self.file.as_deref()
+    }
+
     /// A scene as it is in its file.
     pub fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }

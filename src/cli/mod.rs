@@ -52,6 +52,8 @@ mod study_row;
 mod study_summary;
 mod study_table;
 mod surface;
+mod surface_statistics;
+mod surface_table;
 mod survey;
 mod survey_picture;
 mod terminal;

@@ -29,6 +29,11 @@ impl TextureReport {
         Self { texture_boundary: boundary, by_key, parameters }
     }
 
+    /// Values by their keys, in the order of rows.
+    pub fn values(&self) -> impl Iterator<Item = (String, Option<f64>)> + '_ {
+        self.parameters.iter().map(|it| (it.key.to_lowercase(), it.value))
+    }
+
     /// Rows for reading.
     pub fn rows(&self, units: Units) -> Vec<(String, String)> {
         let taken = ("texture taken as".to_owned(), self.texture_boundary.to_owned());

@@ -6,8 +6,8 @@ use crate::files::InputFile;
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::surface::{
-    Bumps, HeightFile, Indenter, Layout, Preparation, PreparationChoice, Prepared, RandomRoughness, Resample, Scan,
-    Surface,
+    Bumps, FileUnits, HeightFile, Indenter, Layout, Preparation, PreparationChoice, Prepared, RandomRoughness,
+    Resample, Scan, Surface,
 };
 use serde::{Deserialize, Deserializer, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -39,8 +39,8 @@ pub struct Recipe {
     /// heights.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "name_or_number")]
     pub channel: Option<String>,
-    /// The unit of a file that states none: heights and distances are multiplied by it. Without it they are used as
-    /// they are.
+    /// The unit of a file that states none, or not all: heights and distances that the file gives without a unit are multiplied by it. Without
+    /// it they are used as they are.
     #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_length")]
     pub file_unit: Option<f64>,
     /// The unit of the heights of a file that states none, where that of the distances is another one.
@@ -168,7 +168,7 @@ impl Recipe {
     /// The spacing of a file: from the lengths of the cell, or else from the file.
     fn spacing(&self, layout: &Layout, cell: &Cell) -> Result<[f64; 2], SetupError> {
         let [ny, nx] = layout.shape;
-        let unit = self.unit(layout.is_in_metres)?;
+        let unit = self.unit_of_distances(layout)?;
         if cell.size.is_empty() {
             return Ok(layout.spacing.ok_or(ConflictRule::NoSize)?.map(|spacing| spacing * unit));
         }
@@ -177,15 +177,30 @@ impl Recipe {
         Ok(whole.unrefined(&shape)?.spacing())
     }
 
-    /// The unit of the distances of a file.
-    fn unit(&self, is_in_metres: bool) -> Result<f64, SetupError> {
-        checked_unit(self.file_unit, "the unit of the file", is_in_metres)
+    /// The unit of the distances of a file: 1 if they are in metres.
+    fn unit_of_distances(&self, layout: &Layout) -> Result<f64, SetupError> {
+        self.check_units(layout)?;
+        let is_own = layout.units.distance.is_some();
+        checked_unit(self.file_unit, "the unit of the file").map(|unit| if is_own { 1.0 } else { unit })
     }
 
-    /// The unit of the heights of a file: their own, or else that of the file.
-    fn unit_of_heights(&self, is_in_metres: bool) -> Result<f64, SetupError> {
-        let unit = self.unit(is_in_metres)?;
-        checked_unit(self.height_unit.or(Some(unit).filter(|_| !is_in_metres)), "the unit of the heights", is_in_metres)
+    /// The unit of the heights of a file: 1 if they are in metres, or else their own, or that of the file.
+    fn unit_of_heights(&self, layout: &Layout) -> Result<f64, SetupError> {
+        self.check_units(layout)?;
+        checked_unit(self.file_unit, "the unit of the file")?;
+        let unit = checked_unit(self.height_unit.or(self.file_unit), "the unit of the heights")?;
+        Ok(if layout.units.height.is_some() { 1.0 } else { unit })
+    }
+
+    /// Refuses units other than those that a file states; where it states some of them only, the unit of the file is that of the others.
+    fn check_units(&self, layout: &Layout) -> Result<(), SetupError> {
+        let file = self.file_unit.filter(|unit| layout.is_in_metres && !layout.units.has(*unit));
+        let own = FileUnits { distance: None, ..layout.units };
+        let height = self.height_unit.filter(|unit| own.height.is_some() && !own.has(*unit));
+        match file.or(height) {
+            Some(unit) => Err(SetupError::UnitOfFile { unit }),
+            None => Ok(()),
+        }
     }
 
     /// Number of axes of its arrays.
@@ -229,7 +244,7 @@ impl Recipe {
     /// For a file that cannot be read, positions that are not evenly spaced, and steps that its heights do not allow.
     pub fn prepared(&self, file: &HeightFile, grid: &Grid) -> Result<Prepared, SetupError> {
         let mut measured = file.measurement(self.channel.as_deref())?;
-        let unit = self.unit_of_heights(measured.is_in_metres)?;
+        let unit = self.unit_of_heights(&measured.layout())?;
         if let Some(x) = &measured.positions {
             let resample = self.prepare.resample.ok_or_else(|| SetupError::Uneven { path: file.path().into() })?;
             let (even, _) = resample.apply(x, &measured.height.row(0).to_vec());
@@ -355,10 +370,9 @@ impl Recipe {
 }
 
 /// A unit of a file, 1 if it is not given.
-fn checked_unit(given: Option<f64>, name: &'static str, is_in_metres: bool) -> Result<f64, SetupError> {
+fn checked_unit(given: Option<f64>, name: &'static str) -> Result<f64, SetupError> {
     match given {
         None => Ok(1.0),
-        Some(unit) if is_in_metres => Err(SetupError::UnitOfFile { unit }),
         Some(unit) if unit > 0.0 && unit.is_finite() => Ok(unit),
         Some(unit) => Err(SurfaceError::NotPositive { name, value: unit }.into()),
     }

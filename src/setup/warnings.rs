@@ -246,11 +246,12 @@ fn spacing(surface: &Surface) -> Option<Warning> {
 
 /// The warning that distances in a file do not fit the size, or, where the file does not say its units, do not fit it in any unit.
 fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface, refined: usize) -> Option<Warning> {
-    let Layout { spacing, is_in_metres, .. } = file.layout(recipe.channel.as_deref()).ok()?;
+    let Layout { spacing, units, .. } = file.layout(recipe.channel.as_deref()).ok()?;
     let [_, own] = spacing?;
+    let own = own * recipe.file_unit.filter(|_| units.distance.is_none()).unwrap_or(1.0);
     let spacing = surface.grid().spacing()[1] * refined as f64;
     let power = (spacing / own).log10();
-    let unit = if is_in_metres { 0.0 } else { power.round() };
+    let unit = if units.distance.or(recipe.file_unit).is_some() { 0.0 } else { power.round() };
     let is_same = (power - unit).abs() < SAME_LENGTH;
     (!is_same).then(|| {
         Warning::new(

@@ -18,8 +18,8 @@ mod texture;
 
 pub use bumps::{Bump, Bumps};
 pub use formats::{
-    HeightFile, Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights, read_shape,
-    read_text, write_heights,
+    FileUnits, HeightFile, Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights,
+    read_shape, read_text, write_heights,
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};

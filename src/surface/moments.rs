@@ -184,7 +184,7 @@ impl WaveSums {
 }
 
 /// The heights, less their slope and under a window along free axes.
-fn stationary(surface: &Surface) -> Cow<'_, [f64]> {
+pub(super) fn stationary(surface: &Surface) -> Cow<'_, [f64]> {
     let grid = surface.grid();
     if grid.is_periodic() {
         return surface.heights().into();

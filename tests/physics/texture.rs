@@ -199,10 +199,14 @@ fn parameters_scale_with_the_unit_of_length() {
             Surface::new(grid, rough.height() * unit).unwrap()
         };
         let [one, other] = [1.0, unit].map(|unit| Texture::new(&in_unit(unit)));
-        let numbers = ["Ssk", "Sku", "Sdq", "Sdr", "Str", "Smr1", "Smr2"];
+        let numbers = ["Ssk", "Sku", "Sdq", "Sdr", "Str", "Std", "Smr1", "Smr2"];
         for (one, other) in one.parameters().iter().zip(other.parameters()) {
-            let factor = if numbers.contains(&one.symbol.as_str()) { 1.0 } else { unit };
-            assert_eq!(one.value.unwrap() * factor, other.value.unwrap(), "{}", one.symbol);
+            let factor = match one.symbol.as_str() {
+                "Spd" => unit.powi(-2),
+                symbol if numbers.contains(&symbol) => 1.0,
+                _ => unit,
+            };
+            assert_eq!(one.value.map(|value| value * factor), other.value, "{}", one.symbol);
         }
         let [one, other] = [1.0, unit].map(|unit| SpectralMoments::new(&in_unit(unit)));
         assert_near(one.m0 * unit.powi(2), other.m0, 1e-12, "m0");
@@ -385,4 +389,69 @@ fn real_maps_have_the_moments_of_a_peers_derivatives() {
             assert_near(found, told, 2e-8, &format!("{name}: {i}"));
         }
     }
+}
+
+/// The volumes of a cosine follow from its curve `c(r) = A cos(pi r)`.
+#[test]
+fn volumes_of_a_cosine_are_closed_forms() {
+    let amplitude = 3.0;
+    let grid = Grid::surface([8, 4000], [1.0, 1.0]).unwrap();
+    let waves = Texture::new(&surface(grid, |(_, j)| amplitude * (TAU * (j as f64 + 0.5) / 4000.0).cos()));
+    let peaks = amplitude * ((0.1 * PI).sin() / PI - 0.1 * (0.1 * PI).cos());
+    let valleys = amplitude * (0.2 * (0.8 * PI).cos() + (0.8 * PI).sin() / PI);
+    assert_near(value(&waves, "Vmp"), peaks, 1e-4, "Vmp");
+    assert_near(value(&waves, "Vvv"), valleys, 1e-4, "Vvv");
+}
+
+/// A lay at any angle is found to half a degree, periodic or not, whatever the ratio of spacings.
+#[test]
+fn the_direction_of_a_lay_is_found() {
+    for [waves_y, waves_x] in [[0.0, 9.0], [9.0, 0.0], [5.0, 9.0], [-5.0, 9.0], [3.0, 11.0], [-12.0, 4.0]] {
+        let [ly, lx] = [2.0, 3.0];
+        let grid = Grid::surface([96, 128], [ly, lx]).unwrap();
+        let phase = |(i, j): (usize, usize)| TAU * (waves_y * i as f64 / 96.0 + waves_x * j as f64 / 128.0);
+        let grooves = |node: (usize, usize)| phase(node).cos() + 0.2 * (2.0 * phase(node)).sin();
+        // along the crests the phase does not change: dx waves_x / lx + dy waves_y / ly = 0
+        let crest = (waves_x / lx).atan2(-waves_y / ly).to_degrees().rem_euclid(180.0);
+        for periodic in [[true, true], [false, false]] {
+            let found = value(&Texture::new(&surface(grid.with_periodic(periodic), grooves)), "Std");
+            let off = (found - crest + 90.0).rem_euclid(180.0) - 90.0;
+            assert!(off.abs() < 0.5, "{found} for {crest}, {periodic:?}");
+        }
+    }
+    let grid = Grid::surface([64, 64], [1.0, 1.0]).unwrap();
+    let alike = Surface::rough(
+        grid,
+        &Spectrum { hurst: 0.8, rolloff_wavelength: 0.1, short_cutoff: 0.05, rms_gradient: 0.1 },
+        3,
+    );
+    assert_eq!(Texture::new(&alike.unwrap()).direction, None);
+}
+
+/// Hills are counted by hand: bumps on a plane, some of them on the flanks of others, with saddles that are known.
+#[test]
+fn hills_that_hardly_rise_are_pruned() {
+    let mut height = Array2::zeros([16, 20]);
+    let tops = [(2, 2, 10.0), (2, 9, 8.0), (9, 3, 6.0), (9, 10, 4.0), (13, 16, 2.0), (6, 16, 0.5)];
+    tops.into_iter().for_each(|(y, x, z)| height[[y, x]] = z);
+    // beside the top of 10 a second one of 9.8 behind a saddle of 9.5, less than 5 % of Sz = 15 below, and a third of 9.6 behind one of 8.8
+    [(3, 9.5), (4, 9.8), (5, 8.8), (6, 9.6)].into_iter().for_each(|(x, z)| height[[2, x]] = z);
+    let pits = [(5, 5, -5.0), (5, 13, -4.0), (12, 5, -3.0), (12, 12, -2.0), (15, 1, -1.0)];
+    pits.into_iter().for_each(|(y, x, z)| height[[y, x]] = z);
+    let grid = Grid::surface([16, 20], [4.0, 5.0]).unwrap();
+    let texture = Texture::new(&Surface::new(grid, height.clone()).unwrap());
+    // 10, 9.6, 8, 6, 4 and 2 are significant, 9.8 and 0.5 are not
+    assert_near(texture.peak_density.unwrap(), 6.0 / 20.0, 1e-12, "Spd");
+    let peaks = (10.0 + 9.6 + 8.0 + 6.0 + 4.0) / 5.0;
+    assert_near(value(&texture, "S5z"), peaks + (5.0 + 4.0 + 3.0 + 2.0 + 1.0) / 5.0, 1e-12, "S5z");
+    // one pit less, and there are no five
+    height[[15, 1]] = 0.0;
+    assert_eq!(Texture::new(&Surface::new(grid, height).unwrap()).ten_point_height, None);
+    // two peaks across a rim are one on a periodic grid, and two on a free one
+    let row = |i: usize| if i == 0 { 3.0 } else { [0.0, 1.0, 0.0, 1.0, 2.5, 1.0, 0.0, 2.0][i] };
+    let ends = |periodic: bool| {
+        let grid = Grid::surface([8, 8], [1.0, 1.0]).unwrap().with_periodic([periodic, periodic]);
+        Texture::new(&surface(grid, |(i, j)| row(i) + if j == 3 { 1.0 } else { 0.0 })).peak_density
+    };
+    assert_eq!((ends(true), ends(false)), (Some(2.0), Some(3.0)));
 }

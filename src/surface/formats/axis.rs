@@ -8,7 +8,8 @@ use std::io;
 /// An axis of coordinates, in metres.
 #[derive(Clone, Copy)]
 pub(super) struct CoordinateAxis {
-    pub increment: f64,
+    /// None if the file does not say it.
+    pub increment: Option<f64>,
     pub offset: f64,
     /// The type of the coordinates that are stored, none for those that follow from the grid.
     pub kind: Option<CoordinateType>,
@@ -22,13 +23,18 @@ impl CoordinateAxis {
             Some("A") => Some(CoordinateType::new(find(axis, "DataType").unwrap_or_default())?),
             other => return Err(malformed(format!("its axis {name} is of the type {:?}", other.unwrap_or_default()))),
         };
-        let increment = number(axis, "Increment")?.unwrap_or(1.0);
+        let increment: Option<f64> = number(axis, "Increment")?;
+        if let (None, Some(CoordinateType::Short | CoordinateType::Long)) = (increment, kind) {
+            return Err(malformed(format!(
+                "its axis {name} has whole numbers, but no Increment that turns them into metres"
+            )));
+        }
         Ok(Self { increment, offset: number(axis, "Offset")?.unwrap_or(0.0), kind })
     }
 
     /// The coordinate of a stored number.
     pub fn metres(&self, number: f64) -> f64 {
-        self.offset + self.increment * number
+        self.offset + self.increment.unwrap_or(1.0) * number
     }
 }
 

@@ -12,8 +12,6 @@ use std::io;
 /// each with a name and a way to turn numbers into values: the default one does so by a factor and an offset, and has a unit. Rows follow each
 /// other upwards unless a flag says otherwise, so that the last one is at `y = 0`. No value is void.
 ///
-/// This reader has not been tried on a file of an instrument yet: it follows the descriptions alone.
-///
 /// # Source
 /// The tags of JPK Instruments in Gwyddion (`jpk.h`), and what Gwyddion (`jpkscan.c`) and SurfaceTopography 1.27 (`JPK.py`) make of them.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "JPK image scan", is_it, channels };

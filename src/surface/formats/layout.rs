@@ -16,10 +16,29 @@ pub struct Layout {
     pub is_profile: bool,
     /// Spacing along y and x (the mean for uneven positions); none if the file has none.
     pub spacing: Option<[f64; 2]>,
-    /// Whether distances and heights are in metres: if not, the file has no units.
+    /// Whether all lengths that the file has are in metres: heights, and distances if it has some.
     pub is_in_metres: bool,
+    /// The units that the file states; lengths in these are converted to metres.
+    pub units: FileUnits,
     /// Whether all positions of a profile are evenly spaced.
     pub is_even: bool,
+}
+
+/// Metres in the units that a file states, none where it states no unit.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct FileUnits {
+    /// Of distances.
+    pub distance: Option<f64>,
+    /// Of heights.
+    pub height: Option<f64>,
+}
+
+impl FileUnits {
+    /// Whether a unit is one of those that the file states, except for rounding.
+    pub(crate) fn has(&self, unit: f64) -> bool {
+        let is_same = |own: &f64| (unit / own - 1.0).abs() < 1e-9;
+        [self.distance, self.height].iter().flatten().any(is_same)
+    }
 }
 
 /// Positions in ascending order, the first one at 0.
@@ -32,15 +51,25 @@ pub(super) struct AscendingPositions {
 impl Layout {
     /// The layout of a map of no known spacing.
     pub(super) fn map(shape: [usize; 2]) -> Self {
-        Self { shape, is_profile: false, spacing: None, is_in_metres: false, is_even: true }
+        Self {
+            shape,
+            is_profile: false,
+            spacing: None,
+            is_in_metres: false,
+            units: FileUnits::default(),
+            is_even: true,
+        }
     }
 
     /// The layout of a channel, and the positions in it.
     pub(super) fn from_channel(channel: &Channel) -> io::Result<(Self, Option<AscendingPositions>)> {
         let Channel { shape, is_profile, spacing, ref positions, lateral_unit, unit, .. } = *channel;
-        let is_in_metres = lateral_unit.is_some() && unit.is_some();
-        let lateral = lateral_unit.filter(|_| is_in_metres).unwrap_or(1.0);
-        let spacing = spacing.map(|it| it.map(|it| it * lateral));
+        let has_distances = spacing.is_some() || positions.is_some();
+        let is_in_metres = unit.is_some() && (lateral_unit.is_some() || !has_distances);
+        let units = FileUnits { distance: lateral_unit.filter(|_| has_distances), height: unit };
+        let lateral = units.distance.unwrap_or(1.0);
+        // instruments write a size of zero where nobody calibrated or set it: the heights can be used with a size that is given
+        let spacing = spacing.filter(|_| doubt_of_spacing(channel).is_none()).map(|it| it.map(|it| it * lateral));
         if let Some(wrong) = spacing.into_iter().flatten().find(|it| !(*it > 0.0 && it.is_finite())) {
             return Err(malformed(format!("it states a spacing of {wrong:?}")));
         }
@@ -48,8 +77,16 @@ impl Layout {
         let mean = positions.as_ref().and_then(|it| Some(it.x.last()? / (it.x.len() - 1) as f64));
         let is_even = positions.as_ref().zip(mean).is_none_or(|(it, dx)| it.is_even(dx));
         let spacing = spacing.or(mean.map(|dx| [dx; 2]));
-        Ok((Self { shape, is_profile, spacing, is_in_metres, is_even }, positions))
+        Ok((Self { shape, is_profile, spacing, is_in_metres, units, is_even }, positions))
     }
+}
+
+/// The doubt that a file states a size of zero, which is none.
+pub(super) fn doubt_of_spacing(channel: &Channel) -> Option<String> {
+    let [dy, dx] = channel.spacing?;
+    let axes: Vec<&str> = [(dx, "x"), (dy, "y")].into_iter().filter(|it| it.0 == 0.0).map(|it| it.1).collect();
+    (!axes.is_empty())
+        .then(|| format!("the size along {} is zero, which is none: give it (--size)", axes.join(" and ")))
 }
 
 impl AscendingPositions {

@@ -4,7 +4,7 @@ use super::channel::{Channel, choose};
 use super::format::EMPTY;
 use super::format::{ReadSeek, malformed};
 use super::instrument::Instrument;
-use super::layout::Layout;
+use super::layout::{FileUnits, Layout, doubt_of_spacing};
 use super::room::check_points;
 use super::{HEIGHTS, INSTRUMENTS, npy, npz, profile_of, shape_of};
 use crate::error::FileError;
@@ -17,8 +17,8 @@ use std::path::Path;
 
 /// The heights in a file of an instrument, without any preparation.
 ///
-/// A file with units is converted to metres. The numbers of a file without units are kept, and `is_in_metres` is then
-/// false. Otherwise `is_in_metres` is true. The first row of `height` is that at `y = 0`.
+/// Lengths in units that the file states are converted to metres, and `is_in_metres` is true if all are. The numbers of lengths
+/// without a unit are kept: `units` says which these are. The first row of `height` is that at `y = 0`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     /// The format, such as "ISO 25178-71 (SDF)".
@@ -37,8 +37,10 @@ pub struct Measurement {
     pub spacing: Option<[f64; 2]>,
     /// Positions along x of a profile that is not evenly spaced.
     pub positions: Option<Vec<f64>>,
-    /// Whether heights and distances are in metres: if not, the file has no units.
+    /// Whether all lengths that the file has are in metres: heights, and distances if it has some.
     pub is_in_metres: bool,
+    /// The units that the file states.
+    pub units: FileUnits,
     /// Other metadata: names and values.
     pub header: Vec<(String, String)>,
     /// Inconsistencies in the file, such as a wrong count of points.
@@ -134,9 +136,9 @@ impl Measurement {
 
     /// Shape and spacing.
     pub fn layout(&self) -> Layout {
-        let Self { height, is_profile, spacing, is_in_metres, positions, .. } = self;
-        let (shape, is_even) = (height.dim().into(), positions.is_none());
-        Layout { shape, is_profile: *is_profile, spacing: *spacing, is_in_metres: *is_in_metres, is_even }
+        let &Self { is_profile, spacing, is_in_metres, units, .. } = self;
+        let (shape, is_even) = (self.height.dim().into(), self.positions.is_none());
+        Layout { shape, is_profile, spacing, is_in_metres, units, is_even }
     }
 
     /// Positions of the columns along x, the first one at 0, where the file says them.
@@ -148,14 +150,15 @@ impl Measurement {
     /// The measurement in a channel.
     fn new(format: &'static str, channels: Vec<String>, channel: Channel) -> io::Result<Self> {
         let (layout, positions) = Layout::from_channel(&channel)?;
-        let Channel { name, unit, header, doubts, values, .. } = channel;
-        let Layout { shape, is_profile, spacing, is_in_metres, is_even } = layout;
+        let doubt = doubt_of_spacing(&channel);
+        let Channel { name, header, doubts, values, .. } = channel;
+        let Layout { shape, is_profile, spacing, is_in_metres, units, is_even } = layout;
         let values = values()?;
         let found = values.len();
         let height = Field::from_shape_vec(shape, values).map_err(|_| {
             malformed(format!("it contains {found} heights, but {} rows of {} are needed", shape[0], shape[1]))
         })?;
-        let unit = unit.filter(|_| is_in_metres).unwrap_or(1.0);
+        let unit = units.height.unwrap_or(1.0);
         let height = height.mapv_into(|h| if h.is_finite() { h * unit } else { f64::NAN });
         if let Some([least, most]) = overflowing(height.iter().copied().filter(|h| !h.is_nan())) {
             return Err(malformed(format!(
@@ -169,7 +172,8 @@ impl Measurement {
         let positions = positions.filter(|_| !is_even).map(|it| it.x);
         let advice =
             "The file may be damaged or incomplete: compare the shape and the heights with those of the instrument";
-        let warnings = doubts.into_iter().map(|doubt| Warning::new(format!("In the file, {doubt}"), advice)).collect();
+        let doubts = doubts.into_iter().chain(doubt);
+        let warnings = doubts.map(|doubt| Warning::new(format!("In the file, {doubt}"), advice)).collect();
         Ok(Self {
             format,
             channels,
@@ -180,6 +184,7 @@ impl Measurement {
             spacing,
             positions,
             is_in_metres,
+            units,
             header,
             warnings,
         })

@@ -9,6 +9,7 @@ mod axis;
 mod bcr;
 mod bytes;
 mod cdf;
+mod cells;
 mod channel;
 mod columns;
 #[cfg(feature = "microscopes")]
@@ -51,12 +52,15 @@ mod opdx;
 mod plu;
 #[cfg(feature = "microscopes")]
 mod plux;
+#[cfg(feature = "microscopes")]
+mod png_image;
 mod points;
 mod profile;
 #[cfg(feature = "microscopes")]
 mod raster;
 mod remarks;
 mod room;
+mod said;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod sur;
@@ -65,10 +69,13 @@ mod text;
 #[cfg(feature = "microscopes")]
 mod tiff;
 #[cfg(feature = "microscopes")]
+mod tiff_image;
+#[cfg(feature = "microscopes")]
 mod tmd;
 mod unit;
 #[cfg(feature = "microscopes")]
 mod vk4;
+mod void;
 #[cfg(feature = "microscopes")]
 mod wsxm;
 mod wyko_text;
@@ -80,9 +87,10 @@ mod xlsx;
 mod zlib;
 #[cfg(feature = "microscopes")]
 mod zon;
+mod zygo_text;
 
 pub use height_file::HeightFile;
-pub use layout::Layout;
+pub use layout::{FileUnits, Layout};
 pub use measurement::Measurement;
 
 use crate::error::FileError;
@@ -108,6 +116,10 @@ const INSTRUMENTS: &[Instrument] = &[
     ibw::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     jpk::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    png_image::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    tiff_image::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     metropro::INSTRUMENT,
     #[cfg(feature = "microscopes")]
@@ -142,6 +154,7 @@ const INSTRUMENTS: &[Instrument] = &[
     #[cfg(feature = "microscopes")]
     zon::INSTRUMENT,
     wyko_text::INSTRUMENT,
+    zygo_text::INSTRUMENT,
     numbers::INSTRUMENT,
 ];
 

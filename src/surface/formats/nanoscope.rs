@@ -150,7 +150,7 @@ fn channel<'a>(bytes: &'a [u8], name: &str, kind: &str, image: &List, lists: &[L
     if !range.is_finite() || range == 0.0 {
         return Err(malformed(format!("its Z scale is {range:?} metres")));
     }
-    let [width, height] = scan_size(image, lists, rows)?;
+    let [width, height] = scan_size(image, lists, [ny, nx])?;
     Ok(Channel {
         spacing: Some([height / ny as f64, width / nx as f64]),
         lateral_unit: Some(1.0),
@@ -224,15 +224,16 @@ fn ratio(unit: &str, other: &str) -> Option<f64> {
 
 /// Width and height of an image of some rows, in metres. The scan may be given by its width alone, or by its width twice, and then its
 /// aspect ratio says the height, or the size of its slow axis; an image of fewer rows than its scan has is a part of it.
-fn scan_size(image: &List, lists: &[List], rows: i64) -> io::Result<[f64; 2]> {
+fn scan_size(image: &List, lists: &[List], [ny, nx]: [usize; 2]) -> io::Result<[f64; 2]> {
     let size = size(image.need("Scan Size")?)?;
-    let ratio = find(image, lists, "Aspect Ratio").map(aspect).transpose()?.unwrap_or(1.0);
+    let ratio = find(image, lists, "Aspect Ratio").map(|text| aspect(text, [ny, nx])).transpose()?.unwrap_or(1.0);
     let width = size[0];
     Ok(match (find(image, lists, "Slow Axis Size"), size[..] == [width, width] || size.len() == 1) {
         (Some(slow), _) => {
             let whole: Option<i64> = lists.iter().find_map(|list| list.number("Lines").ok());
-            let part =
-                whole.filter(|whole| ratio != 1.0 && rows < *whole).map_or(1.0, |whole| rows as f64 / whole as f64);
+            let part = whole
+                .filter(|whole| ratio != 1.0 && (ny as i64) < *whole)
+                .map_or(1.0, |whole| ny as f64 / whole as f64);
             [width, self::size(slow)?[0] * part]
         }
         (None, true) => [width, width / ratio],
@@ -245,10 +246,18 @@ fn find<'a>(image: &List<'a>, lists: &[List<'a>], name: &str) -> Option<&'a str>
     image.find(name).or_else(|| lists.iter().filter(|list| !list.is_image()).find_map(|list| list.find(name)))
 }
 
-/// The ratio of width and height, such as 2 in `2:1` and `2`.
-fn aspect(text: &str) -> io::Result<f64> {
-    let (width, height) = text.split_once(':').unwrap_or((text, "1"));
-    let ratio = width.trim().parse::<f64>().ok().zip(height.trim().parse::<f64>().ok()).map(|(x, y)| x / y);
+/// The ratio of width and height of an image of rows and columns, such as 2 in `2:1`. A number alone is that ratio or its inverse: the one that
+/// makes the pixels more nearly square is taken, and of equally good ones that of an image with lines longer than it is high.
+fn aspect(text: &str, [ny, nx]: [usize; 2]) -> io::Result<f64> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|it| *it > 0.0 && it.is_finite());
+    let ratio = match text.split_once(':') {
+        Some((width, height)) => number(width).zip(number(height)).map(|(x, y)| x / y),
+        None => number(text).map(|ratio| {
+            let [wide, high] = [ratio.max(1.0 / ratio), ratio.min(1.0 / ratio)];
+            let distortion = |ratio: f64| (ny as f64 * ratio / nx as f64).ln().abs();
+            if distortion(high) < distortion(wide) - 1e-9 { high } else { wide }
+        }),
+    };
     let ratio = ratio.filter(|ratio| *ratio > 0.0 && ratio.is_finite());
     ratio.ok_or_else(|| malformed(format!("its aspect ratio is {text:?}")))
 }

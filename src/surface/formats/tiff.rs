@@ -119,12 +119,16 @@ impl<'a> TiffPage<'a> {
             return Err(malformed("its images are compressed or have colours: save them without"));
         }
         let kind = match (value(BITS, 1.0), value(SAMPLE_FORMAT, 1.0)) {
+            (8, 1) => NumberType::U8,
             (16, 1) => NumberType::U16,
             (16, 2) => NumberType::I16,
             (32, 1) => NumberType::U32,
             (32, 2) => NumberType::I32,
             (32, 3) => NumberType::F32,
-            (bits, _) => return Err(malformed(format!("its images have {bits} bits per point, neither 16 nor 32"))),
+            (64, 3) => NumberType::F64,
+            (bits, _) => {
+                return Err(malformed(format!("its images have {bits} bits per point of a kind that is not read")));
+            }
         };
         let places = self.numbers(PLACES);
         if places.len() > STRIPS {

@@ -13,7 +13,8 @@ use std::io::{self, Read};
 
 /// An archive whose `main.xml` describes three axes and the numbers of points along them, and holds the points as a list or names a file
 /// of the archive with them, x fastest, then y, the least significant byte first. Only coordinates along absolute axes are stored, and
-/// a coordinate in metres is offset plus number times increment. Void points are NaN, empty in a list, or those whose bit in a file of
+/// a coordinate in metres is offset plus number times increment, which is 1 for floating
+/// point numbers if it is not there; without the increments of axes that are not stored there are no distances. Void points are NaN, empty in a list, or those whose bit in a file of
 /// valid points, the least significant bit first, is zero. Points whose MD5 check sum is not that of the description are refused; a description
 /// that was changed after its own sum was made is read, with a doubt.
 ///
@@ -196,8 +197,9 @@ impl DescribedSurface {
         let [x, y, _] = self.axes;
         let (shape, is_profile) = (self.shape, self.is_profile);
         let positions = x.kind.is_some().then(|| self.coordinates(&mut archive, 0)).transpose()?;
-        let spacing = [if is_profile { x } else { y }, x].map(|it| it.increment);
-        let spacing = positions.is_none().then_some(spacing);
+        let along = if is_profile { x } else { y };
+        // without increments the file says no size: 1 m, which programs fill in, is none
+        let spacing = along.increment.zip(x.increment).map(|(dy, dx)| [dy, dx]).filter(|_| positions.is_none());
         let doubts = self.doubt(&mut archive)?.into_iter().collect();
         let values = move || self.coordinates(&mut archive, 2);
         let [lateral_unit, unit] = [Some(1.0); 2];

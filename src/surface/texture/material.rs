@@ -98,6 +98,24 @@ impl AbbottCurve {
         (above as f64 - 0.5 + (over - height) / (over - under)) / z.len() as f64
     }
 
+    /// The volume of material above the height of the share `ratio`, over the area: Vmp for 0.1; a length.
+    ///
+    /// ```
+    /// use asperity::surface::{AbbottCurve, Scan};
+    /// // a ramp: above the height of a tenth of it lies a triangle of that base
+    /// let height = ndarray::Array2::from_shape_fn((1, 1000), |(_, i)| i as f64);
+    /// let curve = AbbottCurve::from_scan(&Scan { height, spacing: [1.0; 2] }).expect("heights are there");
+    /// assert!((curve.material_volume(0.1) - 0.5 * 0.1 * 100.0).abs() < 1e-9);
+    /// ```
+    pub fn material_volume(&self, ratio: f64) -> f64 {
+        volume(self.descending.iter(), ratio) - ratio * self.height(ratio)
+    }
+
+    /// The volume of the voids below the height of the share `ratio`, over the area: Vvv for 0.8; a length.
+    pub fn void_volume(&self, ratio: f64) -> f64 {
+        (1.0 - ratio) * self.height(ratio) - volume(self.descending.iter().rev(), 1.0 - ratio)
+    }
+
     /// Core, peaks and valleys.
     pub fn core(&self) -> CoreHeights {
         let [top, bottom] = self.equivalent_line();
@@ -128,6 +146,14 @@ impl AbbottCurve {
         let from_top = first as f64 + middle + 0.5;
         [mean - slope * from_top, mean + slope * (n - from_top)]
     }
+}
+
+/// The integral of heights over the first share of them, each of which stands for the same share.
+fn volume<'a>(heights: impl ExactSizeIterator<Item = &'a f64>, share: f64) -> f64 {
+    let count = heights.len() as f64;
+    let nodes = share.clamp(0.0, 1.0) * count;
+    let part = |(i, height): (usize, &f64)| height * (nodes - i as f64).clamp(0.0, 1.0);
+    heights.take(nodes.ceil() as usize).enumerate().map(part).sum::<f64>() / count
 }
 
 /// The height of the triangle on a base of so many nodes that has the area under the curve there. `excess` falls, and the curve is 0 at

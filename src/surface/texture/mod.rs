@@ -2,6 +2,8 @@
 
 mod correlation;
 mod developed;
+mod direction;
+mod hills;
 mod material;
 mod parameters;
 
@@ -12,10 +14,17 @@ pub use parameters::{SurfaceParameter, SurfaceParameters};
 use super::{Roughness, Surface};
 use crate::chunks;
 use developed::{developed_ratio, rms_gradient};
+use direction::texture_direction;
+use hills::SignificantHills;
 use std::f64::consts::FRAC_PI_2;
 
 /// The autocorrelation at which the standards take the autocorrelation length.
 const DECAYED: f64 = 0.2;
+/// From this aspect ratio on a surface is alike in all directions, and its strongest one is chance.
+const LEAST_ISOTROPIC: f64 = 0.5;
+/// Material ratios of the peaks, Vmp, and of the valleys, Vvv, by the defaults of ISO 25178-3.
+const PEAKS: f64 = 0.1;
+const VALLEYS: f64 = 0.8;
 /// The autocorrelation at which correlation lengths along the axes are taken.
 const HALF: f64 = 0.5;
 /// Material ratios at which heights are told, and the ends of their symbols.
@@ -44,8 +53,13 @@ const RATIOS: [(f64, &str); 3] = [(0.1, "mc10"), (0.5, "mc50"), (0.9, "mc90")];
 /// | `developed_ratio` | Sdr | Pdr | area (length of a line) of the surface over that of the cell, less 1 |
 /// | `autocorrelation_length` | Sal | Pal | shortest distance at which the autocorrelation falls to 0.2 |
 /// | `aspect_ratio` | Str | | Sal over the longest distance at which the autocorrelation first falls to 0.2 |
+/// | `direction` | Std | | direction of the lay in degrees from x towards y, at right angles to the strongest waves; none from Str = 0.5 on |
 /// | `correlation_length` | | | distances along y and x at which the autocorrelation falls to 1/2 |
 /// | `material` | Smc10, 50, 90 | Pmc10, 50, 90 | heights above which 10, 50 and 90 % of the surface lie |
+/// | `peak_material` | Vmp | | volume of material above the height of the ratio 10 %, over the area |
+/// | `valley_void` | Vvv | | volume of voids below the height of the ratio 80 %, over the area |
+/// | `ten_point_height` | S5z | | mean height of the five highest peaks plus mean depth of the five deepest pits; none if there are fewer |
+/// | `peak_density` | Spd | | number of peaks over the area |
 /// | `core` | Sk, Spk, Svk, Smr1, Smr2 | Pk, Ppk, Pvk, Pmr1, Pmr2 | see [`CoreHeights`] |
 ///
 /// *Area.* Each cell of four nodes is cut along either diagonal into two triangles; its area is the mean of both. With the slopes `g` of
@@ -53,6 +67,9 @@ const RATIOS: [(f64, &str); 3] = [(0.1, "mc10"), (0.5, "mc50"), (0.9, "mc90")];
 ///
 /// *Correlation.* See [`Autocorrelation`]. A length is none if the autocorrelation does not fall that far within half of the cell: along the
 /// grooves of a surface that does not vary along them, and for a flat. Then there is no aspect ratio, either.
+///
+/// *Peaks and pits.* Those of S5z and Spd are higher (deeper) than their eight neighbours, and rise by 5 % of Sz or more above the highest saddle
+/// to a higher one (Wolf pruning); those at free rims count.
 ///
 /// Source: ISO 25178-2:2021; ISO 21920-2:2021; ISO 13565-2:1996; Peklenik, Proc. Inst. Mech. Eng. 182(3K):108, 1967.
 ///
@@ -89,10 +106,20 @@ pub struct Texture {
     pub autocorrelation_length: Option<f64>,
     /// Texture aspect ratio of a surface, from 0 (grooves) to 1 (alike in all directions).
     pub aspect_ratio: Option<f64>,
+    /// Direction of the lay of a surface, in degrees.
+    pub direction: Option<f64>,
     /// Correlation lengths along y (none for a line) and x.
     pub correlation_length: [Option<f64>; 2],
     /// Heights about the mean above which 10, 50 and 90 % of the surface lie.
     pub material: [f64; 3],
+    /// Volume of material of the peaks over the area, a length; none for a line.
+    pub peak_material: Option<f64>,
+    /// Volume of the voids of the valleys over the area, a length; none for a line.
+    pub valley_void: Option<f64>,
+    /// Ten point height, a length.
+    pub ten_point_height: Option<f64>,
+    /// Peaks per area; none for a line.
+    pub peak_density: Option<f64>,
     /// Core, peaks and valleys.
     pub core: CoreHeights,
 }
@@ -115,7 +142,10 @@ impl Texture {
         let Roughness { rms_height, peak, valley, skewness, kurtosis, .. } = Roughness::new(surface);
         let (curve, correlation) = (AbbottCurve::new(surface), Autocorrelation::new(surface));
         let along = |angle: f64| correlation.as_ref().and_then(|it| it.decay(angle, HALF));
+        let hills = (!is_line).then(|| SignificantHills::new(surface, peak + valley));
         let [shortest, longest] = correlation.as_ref().map_or([None; 2], |it| it.extremes(DECAYED));
+        let aspect_ratio = shortest.zip(longest).filter(|_| !is_line).map(|(shortest, longest)| shortest / longest);
+        let has_lay = !is_line && aspect_ratio.is_none_or(|ratio| ratio < LEAST_ISOTROPIC);
         Self {
             is_line,
             mean_deviation: chunks::sum(z.len(), |i| z[i].abs()) / z.len() as f64,
@@ -127,9 +157,14 @@ impl Texture {
             rms_gradient: rms_gradient(surface),
             developed_ratio: developed_ratio(surface),
             autocorrelation_length: shortest,
-            aspect_ratio: shortest.zip(longest).filter(|_| !is_line).map(|(shortest, longest)| shortest / longest),
+            aspect_ratio,
+            direction: if has_lay { texture_direction(surface) } else { None },
             correlation_length: [if is_line { None } else { along(FRAC_PI_2) }, along(0.0)],
             material: RATIOS.map(|(ratio, _)| curve.height(ratio)),
+            peak_material: (!is_line).then(|| curve.material_volume(PEAKS)),
+            valley_void: (!is_line).then(|| curve.void_volume(VALLEYS)),
+            ten_point_height: hills.and_then(|it| it.ten_point_height),
+            peak_density: hills.map(|it| it.peak_density),
             core: curve.core(),
         }
     }
@@ -154,8 +189,18 @@ impl Texture {
             meaning,
             value,
         };
-        let all = self.of_heights().into_iter().chain(self.of_distances()).chain(self.of_material());
-        all.map(parameter).collect()
+        let all =
+            self.of_heights().into_iter().chain(self.of_distances()).chain(self.of_material()).chain(self.of_areas());
+        let volumes = [
+            ("Vmp", "peak material volume per area", self.peak_material),
+            ("Vvv", "valley void volume per area", self.valley_void),
+        ];
+        let volumes = volumes.into_iter().filter(|_| !self.is_line).map(|(symbol, meaning, value)| TextureParameter {
+            symbol: symbol.to_owned(),
+            meaning,
+            value,
+        });
+        all.map(parameter).chain(volumes).collect()
     }
 
     fn of_heights(&self) -> [(&'static str, &'static str, Option<f64>); 7] {
@@ -179,6 +224,18 @@ impl Texture {
             ("al", "decay length", self.autocorrelation_length),
         ];
         all.into_iter().chain(aspect)
+    }
+
+    /// The parameters that only surfaces have.
+    fn of_areas(&self) -> Vec<(&'static str, &'static str, Option<f64>)> {
+        if self.is_line {
+            return Vec::new();
+        }
+        vec![
+            ("td", "texture direction, degrees from x to y", self.direction),
+            ("5z", "ten point height", self.ten_point_height),
+            ("pd", "peak density, per area", self.peak_density),
+        ]
     }
 
     fn of_material(&self) -> impl Iterator<Item = (&'static str, &'static str, Option<f64>)> {

@@ -25,7 +25,7 @@ pub struct SurfaceParameter {
 }
 
 /// The letters behind S or P of the parameters that are lengths.
-const LENGTHS: [&str; 9] = ["a", "q", "p", "v", "z", "al", "k", "pk", "vk"];
+const LENGTHS: [&str; 12] = ["a", "q", "p", "v", "z", "al", "k", "pk", "vk", "5z", "mp", "vv"];
 
 impl SurfaceParameter {
     /// Whether it is a length.
@@ -84,9 +84,9 @@ impl SurfaceParameters {
     }
 }
 
-/// Whether a parameter is the height of a single node.
+/// Whether a parameter is the height of a few nodes, or an angle, for which parts tell no error.
 fn is_extreme(key: &str) -> bool {
-    key.len() == 2 && key.ends_with(['p', 'v', 'z'])
+    (key.len() == 2 && key.ends_with(['p', 'v', 'z'])) || ["S5z", "Std"].contains(&key)
 }
 
 /// The standard error of the mean of some values.

@@ -64,6 +64,23 @@ fn x3p_says_where_it_comes_from() {
 }
 
 #[test]
+fn x3p_without_increments_has_no_size() {
+    let (main, points) = containers::x3p::doubles();
+    let read_main = |main: &str| {
+        Measurement::from_bytes(&containers::x3p::archive(main.as_bytes(), &points, &[]), None)
+            .map_err(|it| it.to_string())
+    };
+    let without = |axis: &str| main.replace(&format!("<Increment>{axis}</Increment>"), "");
+    for main in [without("2e-6"), without("3e-6"), without("2e-6").replace("<Increment>3e-6", "<Increment>")] {
+        let measured = read_main(&main).unwrap();
+        assert!(measured.spacing.is_none() && measured.is_in_metres, "{:?}", measured.spacing);
+        assert!(is_same(measured.height[[0, 1]], height(1, 0) * 1e-9));
+    }
+    let whole = main.replace(">D<", ">L<");
+    assert!(read_main(&whole).unwrap_err().contains("no Increment that turns them into metres"));
+}
+
+#[test]
 fn x3p_is_refused_when_its_points_are_damaged_or_missing() {
     let (main, points) = containers::x3p::doubles();
     let refusal = |main: &str, points: &[u8]| {
@@ -187,6 +204,16 @@ fn netcdf_has_attributes_and_profiles() {
     assert_eq!((entry(&measured, "title"), entry(&measured, "unit")), ("a small map", "nm"));
     assert_eq!(read(&containers::netcdf::wide(), None).channels, ["z"]);
     is_uneven("netcdf", &read(&containers::netcdf::profile(), None));
-    let other = Measurement::from_bytes(b"\x89HDF\r\n\x1a\n....", None).unwrap_err().to_string();
-    assert!(other.contains("nccopy -k classic"), "{other}");
+}
+
+#[test]
+fn files_of_hdf5_say_how_to_convert_them() {
+    let reason =
+        |rest: &[u8]| Measurement::from_bytes(&[b"\x89HDF\r\n\x1a\n", rest].concat(), None).unwrap_err().to_string();
+    assert!(reason(b"....\0_NCProperties\0").contains("nccopy -k classic"));
+    for (rest, file) in [(&b"...."[..], "an HDF5 file"), (b"..Z Converter..", "a .datx file of Zygo Mx")] {
+        let told = reason(rest);
+        assert!(told.contains(file) && told.contains("read_topography('FILE').to_netcdf('NEW.nc')"), "{told}");
+        assert!(!told.contains("nccopy"), "{told}");
+    }
 }

@@ -32,7 +32,7 @@ fn bits(height: &Field) -> Vec<u64> {
 #[test]
 fn maps_come_back_to_the_last_bit() {
     let scan = map();
-    for ending in ["sdf", "x3p", "npy", "xyz", "SDF"] {
+    for ending in ["sdf", "x3p", "npy", "xyz", "gwy", "SDF"] {
         let read = read_back(&scan, ending);
         assert_eq!((read.height.dim(), read.is_profile), ((6, 9), false), "{ending}");
         assert_eq!(bits(&read.height), bits(&scan.height), "{ending}");
@@ -42,6 +42,8 @@ fn maps_come_back_to_the_last_bit() {
                 let pairs = found.into_iter().zip(scan.spacing);
                 assert!(read.is_in_metres && pairs.into_iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-15), "{found:?}");
             }
+            // a length over the points, and their distance again
+            ("gwy", Some(found)) => assert!((0..2).all(|axis| (found[axis] / scan.spacing[axis] - 1.0).abs() < 1e-15)),
             (_, spacing) => assert_eq!((spacing, read.is_in_metres), (Some(scan.spacing), true), "{ending}"),
         }
     }
@@ -108,7 +110,13 @@ fn the_same_heights_are_the_same_file() {
     for ending in Scan::endings() {
         let written = ["a", "b"].map(|name| {
             let path = folder.path().join(name).with_extension(ending);
-            map().write(&path).unwrap();
+            // a solid has no voids
+            let scan = if ending == "stl" {
+                Scan { height: map().height.mapv(|h| if h.is_nan() { 0.0 } else { h }), ..map() }
+            } else {
+                map()
+            };
+            scan.write(&path).unwrap();
             std::fs::read(path).unwrap()
         });
         assert_eq!(written[0], written[1], "{ending}");
@@ -118,5 +126,55 @@ fn the_same_heights_are_the_same_file() {
 #[test]
 fn other_endings_are_refused() {
     let refused = map().write(Path::new("patch.txt")).unwrap_err().to_string();
-    assert_eq!(refused, "cannot write patch.txt: give a name that ends in .npy or .sdf or .x3p or .xyz");
+    assert_eq!(
+        refused,
+        "cannot write patch.txt: give a name that ends in .npy or .sdf or .x3p or .xyz or .gwy or .stl"
+    );
+}
+
+/// The triangles of a binary STL: corners as bits, so that equal ones are the same.
+fn triangles(bytes: &[u8]) -> Vec<[[u32; 3]; 3]> {
+    let count = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize;
+    assert_eq!(bytes.len(), 84 + 50 * count);
+    let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let corner = |at: usize| [0, 4, 8].map(|i| number(at + i));
+    (0..count).map(|i| [12, 24, 36].map(|place| corner(84 + 50 * i + place))).collect()
+}
+
+/// A closed solid: each edge is passed once in each direction, and the volume, by the theorem of divergence, is that under the surface.
+#[test]
+fn blocks_are_watertight() {
+    let height = Field::from_shape_fn((7, 11), |(y, x)| 1e-6 * (0.7 * (3 * y + x) as f64).sin());
+    let scan = Scan { height, spacing: [2e-6, 3e-6] };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("block.stl");
+    scan.write(&path).unwrap();
+    let triangles = triangles(&std::fs::read(&path).unwrap());
+    let mut edges = std::collections::HashMap::new();
+    for [a, b, c] in &triangles {
+        for edge in [(a, b), (b, c), (c, a)] {
+            assert!(edges.insert(edge, ()).is_none(), "an edge is passed twice in the same direction");
+        }
+    }
+    assert!(edges.keys().all(|(from, to)| edges.contains_key(&(*to, *from))), "an edge is open");
+    let millimetres = |corner: &[u32; 3]| corner.map(|bits| f64::from(f32::from_bits(bits)));
+    let volume = |corners: &[[u32; 3]; 3]| {
+        let [a, b, c] = [0, 1, 2].map(|i| millimetres(&corners[i]));
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+    };
+    let found = triangles.iter().map(volume).sum::<f64>() / 6.0 * 1e-9;
+    // the volume above the base: cells are prisms of triangles, with a diagonal from the first corner
+    let [mean, deepest] = [scan.height.mean().unwrap(), scan.height.iter().copied().fold(f64::INFINITY, f64::min)];
+    let above = |y: usize, x: usize| scan.height[[y, x]] - mean - (deepest - mean - 0.1 * 12e-6);
+    let cell = |y: usize, x: usize| {
+        let [a, b, c, d] = [above(y, x), above(y, x + 1), above(y + 1, x + 1), above(y + 1, x)];
+        0.5 * 6e-12 * ((a + b + c) / 3.0 + (a + c + d) / 3.0)
+    };
+    let told: f64 = (0..6).flat_map(|y| (0..10).map(move |x| (y, x))).map(|(y, x)| cell(y, x)).sum();
+    assert!((found / told - 1.0).abs() < 1e-5, "{found} of {told}");
+    let reason = |scan: &Scan, name: &str| scan.write(folder.path().join(name)).unwrap_err().to_string();
+    assert!(reason(&map(), "void.stl").contains("a solid has no void heights"));
+    assert!(
+        reason(&profile(), "line.stl").contains("this is a profile") && reason(&profile(), "line.gwy").contains("maps")
+    );
 }

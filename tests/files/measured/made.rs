@@ -104,6 +104,13 @@ fn nanoscope_of_scans_that_are_not_square() {
         let unit = 6.5536 * 400e-9 / 65536.0;
         assert_map(&read(&nanoscope::sized(&image, &scan), None), unit, metres(size), false);
     }
+    // a number alone is the ratio of width and height or its inverse, whichever makes pixels more nearly square
+    let [nx, ny] = POINTS.map(|count| count as f64);
+    let inverse = format!("\\Scan Size: 10 10 ~m\n\\Aspect Ratio: {}", ny / nx);
+    let square = read(&nanoscope::sized(&inverse, ""), None).spacing.unwrap();
+    assert!(is_close(square[0], square[1]) && is_close(square[1], 10e-6 / nx), "{square:?}");
+    let empty = read(&nanoscope::sized("\\Scan Size: 0 0 ~m", ""), None);
+    assert!(empty.spacing.is_none() && empty.warnings[0].statement.contains("the size along x and y is zero"));
     let wrong = nanoscope::sized("\\Scan Size: 10 ~m", "\\Aspect Ratio: 0:1\n");
     assert_eq!(reason(&wrong), "its aspect ratio is \"0:1\"");
 }

@@ -6,6 +6,8 @@ mod contained;
 pub mod containers;
 mod doubts;
 mod exports;
+mod heads;
+mod images;
 mod made;
 mod mutants;
 mod probes;
