@@ -13,7 +13,7 @@ use super::terminal::stdout;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, ContactModulus, Problem, archive, warnings_of};
+use asperity::contact::{Contact, Problem, archive, warnings_of};
 use asperity::error::ProblemError;
 use asperity::files::{check_apart, check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, GivenField, Replay};
@@ -76,7 +76,7 @@ impl Certify {
         let read = self.scene.files(&table).into_iter().chain([path.into()]);
         check_apart(self.out.as_deref().into_iter().chain(recorded), read)?;
         let setup = table.setup()?;
-        check_elastic(&setup)?;
+        check_single(&setup)?;
         let grid = setup.check()?;
         Cost::from_fields(&grid, FIELDS).check("a certificate")?;
         if !grid.is_line() && !["npz", ""].contains(&self.ending().as_str()) {
@@ -85,8 +85,7 @@ impl Certify {
                 self.ending()
             ));
         }
-        let (surface, modulus) = (setup.surface()?, ContactModulus(setup.contact_modulus()?));
-        let claim = Claim::new(surface, modulus, is_loaded.then_some(setup.load), quantity, &field)?;
+        let claim = Claim::of_problem(setup.problem()?, is_loaded.then_some(setup.load), quantity, &field)?;
         let problem = claim.problem().or_else(|error| refuse(&claim, &setup, error))?;
         let contact = self.contact(&setup, &claim, &problem, path)?;
         if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {
@@ -182,6 +181,24 @@ impl Certify {
         let ending = self.out.as_deref().and_then(Path::extension).unwrap_or_default();
         ending.to_string_lossy().to_ascii_lowercase()
     }
+}
+
+/// Refuses setups whose contact depends on its past, or on more than its pressure: no certificate of one pressure tells whether it is right.
+fn check_single(setup: &Setup) -> Result<()> {
+    check_elastic(setup)?;
+    if setup.adhesion.is_some() {
+        return usage(
+            "adhesion is given, but a contact with attraction has several solutions, and no certificate of a pressure tells which one is meant: leave it \
+             out, or check a saved result with `asperity patches FILE`",
+        );
+    }
+    if setup.is_history()? {
+        return usage(
+            "a history is given, but a result is certified as the solution of one problem without a past: leave the path and the creep out, or check a \
+             saved history with `asperity patches FILE`",
+        );
+    }
+    Ok(())
 }
 
 /// The sentence for a problem that a claim cannot pose, and for the mistake that may be behind it.

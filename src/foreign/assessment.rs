@@ -55,7 +55,8 @@ impl Assessment {
     /// The errors of [`Claim::problem`].
     pub fn new(claim: &Claim, contact: &Contact) -> Result<Self, ProblemError> {
         let state = claim.state()?;
-        let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
+        let pressure = contact.pressure.as_slice().unwrap_or_default();
+        let gap = &open_gap(contact);
         let over_rms = |node: usize| Spot { node, value: gap[node] / contact.problem.rms_height() };
         let nodes = || 0..gap.len();
         let deepest = nodes().min_by(|&a, &b| gap[a].total_cmp(&gap[b])).unwrap_or_default();
@@ -88,4 +89,11 @@ impl Assessment {
         let first_order = stop.gap_tolerance();
         stop.is_met(&contact.certificate) && self.load_error <= first_order && self.tension.share <= first_order
     }
+}
+
+/// The gap of a contact, 0 where the surfaces overlap at the hardness: they may do so, as the solid is indented there.
+fn open_gap(contact: &Contact) -> Vec<f64> {
+    let law = contact.problem.law();
+    let nodes = contact.pressure.iter().zip(&contact.gap);
+    nodes.map(|(pressure, gap)| if law.yields(*pressure) { gap.max(0.0) } else { *gap }).collect()
 }

@@ -21,6 +21,8 @@ pub struct Claim {
     pub(super) values: Vec<f64>,
     /// The stiffness that it is taken to be computed with.
     pub(super) kernel: WaveStiffness,
+    /// The problem with its own solid or law, if that is no half-space or no hard wall.
+    special: Option<Problem>,
 }
 
 impl Claim {
@@ -42,7 +44,29 @@ impl Claim {
             return Err(ClaimError::NoLoad);
         }
         let values = values.iter().copied().collect();
-        Ok(Self { surface, contact_modulus, load, quantity, values, kernel: WaveStiffness::Norm })
+        Ok(Self { surface, contact_modulus, load, quantity, values, kernel: WaveStiffness::Norm, special: None })
+    }
+
+    /// The claim that `values` of a quantity solve a problem of any solid and law, under a load or under their own. The load of the problem is
+    /// not used.
+    ///
+    /// # Errors
+    /// The errors of [`Claim::new`].
+    pub fn of_problem(
+        problem: Problem,
+        load: Option<Load>,
+        quantity: GivenField,
+        values: &Field,
+    ) -> Result<Self, ClaimError> {
+        let modulus = ContactModulus(problem.contact_modulus());
+        let claim = Self::new(problem.surface().clone(), modulus, load, quantity, values)?;
+        let is_plain = problem.solid().is_half_space() && problem.law().is_hard_wall();
+        Ok(Self { special: (!is_plain).then_some(problem), ..claim })
+    }
+
+    /// Whether the solid is a half-space below a hard wall, for which everyday errors are looked for.
+    pub(super) fn is_plain(&self) -> bool {
+        self.special.is_none()
     }
 
     /// The quantity that is claimed.
@@ -68,14 +92,18 @@ impl Claim {
     /// The problem that it is claimed to solve.
     ///
     /// # Errors
-    /// The errors of [`Problem::new`], such as for a load of the field that presses nothing.
+    /// The errors of [`Problem::new`] and of [`Problem::with_load`], such as for a load of the field that presses nothing.
     pub fn problem(&self) -> Result<Problem, ProblemError> {
         let mean = self.mean();
         let own = match self.quantity {
             GivenField::Pressure => Load::MeanPressure(mean.abs()),
             GivenField::Gap | GivenField::Displacement => Load::MeanGap(mean),
         };
-        Problem::new(self.surface.clone(), ContactModulus(self.contact_modulus), self.load.unwrap_or(own))
+        let load = self.load.unwrap_or(own);
+        match &self.special {
+            Some(problem) => problem.clone().with_load(load),
+            None => Problem::new(self.surface.clone(), ContactModulus(self.contact_modulus), load),
+        }
     }
 
     /// The state that it makes of its problem.

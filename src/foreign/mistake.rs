@@ -60,8 +60,12 @@ struct CorrectedClaim {
 
 impl Claim {
     /// The everyday errors that explain why the claim fails, each a sentence with what to do; none where it holds, or
-    /// fails for another reason. Poisson's ratios of the solid, if known, explain some of the factors.
+    /// fails for another reason. Poisson's ratios of the solid, if known, explain some of the factors. On other solids than half-spaces and
+    /// with a hardness none is looked for.
     pub fn mistakes(&self, poisson: &[f64]) -> Vec<Mistake> {
+        if !self.is_plain() {
+            return Vec::new();
+        }
         let given = Fault::from_claim(self).map_or(f64::INFINITY, |fault| fault.size);
         let explains =
             |trial: &CorrectedClaim| trial.fault.size <= SOUND.min(given / FAR) && trial.fault.nodes >= FEWEST;

@@ -209,3 +209,41 @@ fn the_recording_shows_where_the_error_sits() {
         assert!(entities.contains(&format!("/contact/{name}")), "{name}: {entities:?}");
     }
 }
+
+/// A result is certified as the solution of the problem that is given: with its solid, its law and its boundary. It holds for its own problem and
+/// for no other one.
+#[test]
+fn each_result_holds_for_its_own_problem_alone() {
+    let folder = Folder::new();
+    let surface = "--hurst 0.8 --rolloff 0.25 --short-cutoff 0.05 --rms-gradient 0.1 --points 128 --size 1 --seed 3";
+    let body = "--young 1 --poisson 0.3";
+    let kinds = [
+        ("plain", String::new()),
+        ("bonded", "--layer 0.05 --base bonded".into()),
+        ("loose", "--layer 0.05 --base sliding".into()),
+        ("hard", "--hardness 0.05".into()),
+        ("harder", "--hardness 0.08".into()),
+        ("free", "--boundary free".into()),
+        ("slides", "--creep 4,1 --speed 0.1".to_string()),
+    ];
+    for (name, flags) in &kinds {
+        let solved =
+            folder.run(&format!("solve {surface} {body} {flags} --pressure 0.005 --tolerance 1e-10 --out {name}.npz"));
+        assert!(solved.status.success(), "{name}: {}", text(&solved.stderr));
+    }
+    for (of, _) in &kinds {
+        for (result, _) in &kinds {
+            let output = folder.run(&format!("certify --setup-of {of}.npz --pressure {result}.npz"));
+            let expected = if of == result { 0 } else { 3 };
+            assert_eq!(output.status.code(), Some(expected), "{result} as {of}: {}", text(&output.stdout));
+        }
+    }
+    for (flags, word) in [("--adhesion 1e-4 --adhesion-range 0.01", "adhesion"), ("--creep 4,1 --path-time 1", "past")]
+    {
+        let solved = folder.run(&format!("solve {surface} {body} {flags} --pressure 0.005 --out other.npz"));
+        assert!(solved.status.code() != Some(2), "{}", text(&solved.stderr));
+        let refused = folder.run("certify --setup-of other.npz --pressure plain.npz");
+        assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains(word), "{}", text(&refused.stderr));
+        std::fs::remove_file(folder.join("other.npz")).unwrap();
+    }
+}
