@@ -365,9 +365,11 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Un
     }
     let words = |length: f64| units.length(length);
     let found = survey.artefacts.iter().map(|it| capital(&it.sentence_in(&words)));
-    let error = Some(survey.area_error)
-        .filter(|it| *it >= Artefacts::TOLD)
-        .map(|error| format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error));
+    let error =
+        Some(survey.area_error).filter(|it| *it >= Artefacts::TOLD).map(|error| match recipe.prepare.is_none() {
+            true => format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error),
+            false => format!("Areas may be off by up to {:.0} % by what the preparation has left", 100.0 * error),
+        });
     let mut lines: Vec<String> = found.chain(error).collect();
     let choice = PreparationChoice::new(scan, true, grid.periodic())?;
     if lines.is_empty() && choice.reasons.is_empty() {

@@ -12,11 +12,14 @@ const ABOVE_WHITE: f64 = 0.5;
 /// Bends of offsets that grow more than this from one line to two are those of the surface.
 const MOST_GROWTH: f64 = 1.8;
 
+/// Correlations of the levels with themselves, below which they have fallen, and above which they repeat.
+const FALLEN: f64 = 0.3;
+const REPEATED: f64 = 0.75;
 /// Exponentials that decay within this part of the lines are looked for: a polynomial takes longer ones.
-const LONGEST_DECAY: f64 = 0.25;
+const LONGEST_DECAY: f64 = 0.2;
 /// The factor between decay lengths that are tried.
 const DECAY_STEP: f64 = 1.25;
-/// The largest part of the mean square of the levels about their parabola that an exponential leaves. Drift by 10 to 40 rms heights leaves less
+/// The largest part of the mean square of the levels about their polynomial of third order that an exponential leaves. Drift by 10 to 40 rms heights leaves less
 /// than 5 %, and the levels of random surfaces leave more than half.
 const LEFT_BY_SETTLING: f64 = 0.1;
 
@@ -91,16 +94,33 @@ impl LineOffsets {
         if two < MOST_GROWTH * one { one / 6.0 } else { 0.0 }
     }
 
-    /// The exponential `d exp(-i / decay)`, from the first line or the last one on, that explains the levels beside a parabola; none where it
+    /// Whether the levels repeat after some lines, as those of a turned surface or a blazed grating do.
+    ///
+    /// Their correlation with themselves falls below `FALLEN` and rises to `REPEATED` again after up to half of the lines. That of drift, a random
+    /// walk, falls and stays low.
+    pub fn repeat(&self) -> bool {
+        let lines = self.offsets.len();
+        let mut has_fallen = false;
+        for lag in 2..=lines / 2 {
+            let correlation = correlation(&self.offsets[lag..], &self.offsets[..lines - lag]);
+            has_fallen |= correlation < FALLEN;
+            if has_fallen && correlation > REPEATED {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The exponential `d exp(-i / decay)`, from the first line or the last one on, that explains the levels beside a polynomial of third order; none where it
     /// leaves more than a tenth of their mean square.
     pub fn settling(&self) -> Option<Settling> {
         let lines = self.offsets.len();
         let place = |i: usize| 2.0 * i as f64 / (lines - 1) as f64 - 1.0;
         let fit = |levels: &[f64]| {
-            let terms = |i: usize| [1.0, place(i), place(i).powi(2), levels[i]];
+            let terms = |i: usize| [1.0, place(i), place(i).powi(2), place(i).powi(3), levels[i]];
             let factors = linear((0..lines).map(|i| (terms(i), self.offsets[i])));
             let sum = |i: usize| terms(i).iter().zip(factors).map(|(term, factor)| term * factor).sum::<f64>();
-            ((0..lines).map(|i| (self.offsets[i] - sum(i)).powi(2)).sum::<f64>(), factors[3])
+            ((0..lines).map(|i| (self.offsets[i] - sum(i)).powi(2)).sum::<f64>(), factors[4])
         };
         let (before, _) = fit(&vec![0.0; lines]);
         let (mut best, mut least) = (None, LEFT_BY_SETTLING * before);
@@ -154,6 +174,19 @@ impl LineLevel {
             }
         }
     }
+}
+
+/// Pearson's correlation of two sequences; 0 where one is constant.
+fn correlation(one: &[f64], other: &[f64]) -> f64 {
+    let count = one.len() as f64;
+    let means = [one, other].map(|it| it.iter().sum::<f64>() / count);
+    let mut sums = [0.0; 3];
+    for (a, b) in one.iter().zip(other) {
+        let (a, b) = (a - means[0], b - means[1]);
+        sums = [sums[0] + a * a, sums[1] + b * b, sums[2] + a * b];
+    }
+    let scale = (sums[0] * sums[1]).sqrt();
+    if scale > 0.0 { sums[2] / scale } else { 0.0 }
 }
 
 /// The heights along a line across an axis.

@@ -1,5 +1,6 @@
 //! The preparation of measured heights.
 
+mod cluster;
 mod crop;
 mod detrend;
 mod fill;
@@ -16,6 +17,7 @@ mod scars;
 mod stand_off;
 mod taper;
 
+pub(in crate::surface) use cluster::clusters;
 pub use crop::Crop;
 pub use detrend::Detrend;
 pub use fill::Fill;

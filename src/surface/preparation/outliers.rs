@@ -1,6 +1,7 @@
 //! Single heights that stand off all their neighbours.
 
 use super::Scan;
+use super::cluster::clusters;
 use super::stand_off::{StandOff, rounding};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -15,6 +16,8 @@ const SIDES: [[isize; 2]; 3] = [[1, 1], [1, 2], [2, 1]];
 const REACH: usize = 5;
 /// The largest share of the nodes that may be outliers: with more, outliers are neighbours of outliers, and what stands off is the surface.
 const MOST: f64 = 0.1;
+/// The most nodes of an outlier.
+const LARGEST: usize = 4;
 /// The most times that what was behind outliers is looked for: where a tenth of the nodes are outliers, half of them have another one as a
 /// neighbour, which hides them until it is void.
 const PASSES: usize = 6;
@@ -57,6 +60,11 @@ impl Outliers {
             }
             found.iter().for_each(|node| left.height[*node] = f64::NAN);
             all.extend(found);
+        }
+        if !all.is_empty() {
+            // an outlier beside those that are void has no neighbours left to stand off, but is above the rest of them by a cliff
+            let small = clusters(&left).into_iter().filter(|nodes| nodes.len() <= LARGEST);
+            all.extend(small.flatten().map(|(y, x)| [y, x]));
         }
         all
     }

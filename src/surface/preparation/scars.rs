@@ -10,12 +10,12 @@ const SHORTEST: usize = 8;
 /// Standard deviations by which each node of a scar stands off, and by which half of them do.
 const DEVIATIONS: [f64; 2] = [3.0, 6.0];
 /// The largest share of the nodes that may be in scars: with more, scars are neighbours of scars, and what stands off is the surface.
-const MOST: f64 = 0.15;
+const MOST: f64 = 0.1;
 
 /// What becomes of scars: stretches of a scan line, where the probe lost the surface, that stand off the lines on both sides.
 ///
 /// A scar has at least 8 nodes along the line. All of them are above both neighbouring lines, or below both of them, by three standard
-/// deviations of such differences, and half of them by six. Where more than 15 % of the nodes are in scars, there are none.
+/// deviations of such differences, and half of them by six. Where more than 10 % of the nodes are in scars, there are none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

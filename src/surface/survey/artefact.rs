@@ -95,7 +95,7 @@ impl Artefact {
                 100.0 * area_error_of(share)
             ),
             Self::Clipped { nodes, share, is_top: true } => format!(
-                "{nodes} of the highest heights ({:.1} % of all) are flat: peaks were cut off, and relative areas are too large by up to {share:.2}",
+                "{nodes} of the highest heights ({:.1} % of all) are flat: peaks were worn, or cut off by the instrument, and then relative areas are too large by up to {share:.2}",
                 100.0 * share
             ),
             Self::Clipped { nodes, share, .. } => {

@@ -2,11 +2,11 @@
 
 use super::Artefact;
 use super::clip::Clip;
-use super::cluster::Clusters;
 use super::scales::sample;
 use super::shift::LineShift;
 use super::waves::{Alone, WavePower};
 use crate::surface::bends::{DEVIATION, median};
+use crate::surface::preparation::clusters;
 use crate::surface::{Fill, LineLevel, LineOffsets, Outliers, Preparation, Resample, Scan, Scars};
 
 /// Offsets of lines are an artefact where those that are independent make this share of the mean square gradient.
@@ -27,7 +27,9 @@ const SETTLING: f64 = 2.0;
 const ALIKE: f64 = 0.25;
 const MOST_ALIKE: f64 = 0.7;
 /// The fewest heights that are alike by more than chance.
-const FEWEST_ALIKE: usize = 16;
+const FEWEST_ALIKE: usize = 40;
+/// The part of a line that is mended, if it is a wire and not a scar.
+const WIRE: f64 = 0.5;
 
 /// The artefacts of some heights, and the heights without those that can be mended.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,9 +73,14 @@ impl Artefacts {
         it.mend_offsets();
         let before = it.rest.clone();
         it.mend_outliers();
+        it.all.extend(alike(&before, &it.rest, false));
+        let before = it.rest.clone();
         it.mend_scars();
-        it.all.extend(alike(&before, &it.rest));
-        it.all.extend(Clusters::new(&it.rest).map(|Clusters { count, nodes }| Artefact::Clusters { count, nodes }));
+        it.all.extend(alike(&before, &it.rest, true));
+        let found = clusters(&it.rest);
+        if !found.is_empty() {
+            it.all.push(Artefact::Clusters { count: found.len(), nodes: found.iter().map(Vec::len).sum() });
+        }
         it.all.extend([0, 1].into_iter().filter_map(|axis| {
             let LineShift { nodes, share } = LineShift::new(&it.rest, axis)?;
             Some(Artefact::Shifted { axis: ["y", "x"][axis], nodes, share })
@@ -176,7 +183,8 @@ impl Artefacts {
             let is_told = |it: &Artefact| {
                 matches!(it, Artefact::Offsets { axis, .. } | Artefact::Grooves { axis, .. } | Artefact::Step { axis, .. } if *axis == name)
             };
-            let found = waves.wander(number).filter(|_| !self.all.iter().any(is_told));
+            let repeats = || LineOffsets::new(&self.rest, number).is_some_and(|it| it.repeat());
+            let found = waves.wander(number).filter(|_| !self.all.iter().any(is_told) && !repeats());
             found.map(|[rms, share]| (share, Artefact::Wander { axis: name, rms, share }))
         });
         let alone = waves
@@ -254,15 +262,22 @@ fn rounded(scan: &Scan) -> Option<Artefact> {
     (is_rounded && share * share / 6.0 > ROUNDED).then_some(Artefact::Rounded { step, share })
 }
 
-/// The heights that are void in one scan and not in another one, if most of them stand above the smooth heights there by the same.
-fn alike(before: &Scan, after: &Scan) -> Option<Artefact> {
+/// The heights that are void in one scan and not in another one, if most of them stand above the smooth heights there by the same; of scars,
+/// those in lines most of which is mended.
+fn alike(before: &Scan, after: &Scan, are_scars: bool) -> Option<Artefact> {
     if after.voids() <= before.voids() {
         return None;
     }
+    let is_mended = ndarray::Zip::from(&before.height).and(&after.height).map_collect(|a, b| b.is_nan() && !a.is_nan());
+    let long = |axis: usize| -> Vec<bool> {
+        let lines = is_mended.axis_iter(ndarray::Axis(axis));
+        lines.map(|line| line.iter().filter(|it| **it).count() as f64 > WIRE * line.len() as f64).collect()
+    };
+    let [rows, columns] = [0, 1].map(long);
+    let is_counted = |(y, x): (usize, usize)| is_mended[(y, x)] && (!are_scars || rows[y] || columns[x]);
     let full = Fill::Harmonic.apply(after.clone())?;
-    let places = before.height.iter().zip(&after.height).zip(&full.height);
-    let mended = places.filter(|((before, after), _)| after.is_nan() && !before.is_nan());
-    let mut off: Vec<f64> = mended.map(|((before, _), smooth)| before - smooth).collect();
+    let places = before.height.indexed_iter().zip(&full.height).filter(|((place, _), _)| is_counted(*place));
+    let mut off: Vec<f64> = places.map(|((_, before), smooth)| before - smooth).collect();
     let middle = median(&mut off)?;
     let is_alike = |it: &&f64| (**it - middle).abs() < ALIKE * middle;
     let nodes = off.iter().filter(is_alike).count();

@@ -14,6 +14,8 @@ const ALL_NOISE: f64 = 0.98;
 
 /// The error of areas that is told at least after a filter of much noise, since what is left of the noise touches as the surface does not.
 const LEAST_ERROR: f64 = 0.15;
+/// The difference of the rms gradients of a part and of the whole from which on it is told.
+const OTHER_PART: f64 = 0.05;
 /// Halvings of the range of cut-offs.
 const BISECTIONS: usize = 6;
 
@@ -104,6 +106,14 @@ impl PreparationChoice {
             "voids reach the rim of the {rows} x {columns} heights: they are cropped to the largest rectangle without such voids, {ny} x {nx}, \
              which leaves out {lost:.0} % of the measured heights"
         ));
+        let [whole, left] = [scan, &part].map(|it| Detrend::Curvature.apply(it.clone()).rms_gradient());
+        let off = (left / whole - 1.0).abs();
+        if off > OTHER_PART {
+            let off = 100.0 * off;
+            self.because(format!(
+                "the rms gradient of the whole is {off:.0} % off that of this part: areas may be {off:.0} % off"
+            ));
+        }
         self.preparation.crop = Some(crop);
         Some(part)
     }

@@ -5,7 +5,6 @@ mod artefacts;
 mod band;
 mod choice;
 mod clip;
-mod cluster;
 mod noise;
 mod scales;
 mod seam;

@@ -1,7 +1,6 @@
 //! Clusters of a few heights that stand far above those around them.
 
-use super::scales::usual;
-use crate::surface::Scan;
+use super::Scan;
 use crate::surface::bends::median;
 use ndarray::{Array2, Axis};
 
@@ -9,45 +8,52 @@ use ndarray::{Array2, Axis};
 const WIDTH: usize = 6;
 /// How far above such squares the nodes of a cluster are at least, over the median of all heights there.
 const ABOVE: f64 = 6.0;
-/// The least drop from the lowest node of a cluster to the highest one around it, over the usual step between neighbours. Summits of a surface
-/// go down in usual steps: of 400 random maps and profiles none has such a cliff all around.
-const CLIFF: f64 = 6.0;
+/// The least drop from the lowest node of a cluster to the highest one around it, over the step between neighbours that only `1 - LARGE` of them
+/// exceed. Summits of a surface go down in usual steps, also those of heights with long tails; an artefact goes down at once.
+const CLIFF: f64 = 3.5;
+const LARGE: f64 = 0.97;
+/// The most steps of which the large ones are found.
+const SAMPLE: usize = 1 << 16;
 
-/// Clusters of up to 5 x 5 nodes that are above all nodes around them by a cliff.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Clusters {
-    /// How many there are.
-    pub count: usize,
-    /// Their nodes.
-    pub nodes: usize,
-}
-
-impl Clusters {
-    /// The clusters of some heights; none without.
-    pub fn new(scan: &Scan) -> Option<Self> {
-        let above = above_squares(scan);
-        let mut known: Vec<f64> = above.iter().copied().filter(|it| !it.is_nan()).collect();
-        let least = ABOVE * median(&mut known)?;
-        let cliff = CLIFF * scan.axes().map(|axis| usual(scan, axis, &[-1.0, 1.0])).fold(0.0, f64::max);
-        let marked = above.mapv(|it| it > least.max(cliff));
-        let mut visited = Array2::from_elem(marked.dim(), false);
-        let mut found = Self { count: 0, nodes: 0 };
-        for (start, _) in marked.indexed_iter().filter(|(_, it)| **it) {
-            if visited[start] {
-                continue;
-            }
-            let (nodes, drop) = cluster(scan, &marked, &mut visited, start);
-            if nodes < WIDTH * WIDTH && drop > cliff {
-                found.count += 1;
-                found.nodes += nodes;
-            }
+/// The nodes of each cluster of up to 5 x 5 heights that is above all heights around it by a cliff.
+pub(in crate::surface) fn clusters(scan: &Scan) -> Vec<Vec<(usize, usize)>> {
+    let above = above_squares(scan);
+    let mut known: Vec<f64> = above.iter().copied().filter(|it| !it.is_nan()).collect();
+    let Some(middle) = median(&mut known) else { return Vec::new() };
+    let cliff = CLIFF * scan.axes().map(|axis| large_step(scan, axis)).fold(0.0, f64::max);
+    let least = cliff.max(ABOVE * middle);
+    let marked = above.mapv(|it| it > least);
+    let mut visited = Array2::from_elem(marked.dim(), false);
+    let mut found = Vec::new();
+    for (start, _) in marked.indexed_iter().filter(|(_, it)| **it) {
+        if visited[start] {
+            continue;
         }
-        (found.count > 0).then_some(found)
+        let (nodes, drop) = cluster(scan, &marked, &mut visited, start);
+        if nodes.len() < WIDTH * WIDTH && drop > cliff {
+            found.push(nodes);
+        }
     }
+    found
 }
 
-/// The number of nodes of the cluster at a node, and how far the lowest of them is above the highest one beside them.
-fn cluster(scan: &Scan, marked: &Array2<bool>, visited: &mut Array2<bool>, start: (usize, usize)) -> (usize, f64) {
+/// The step between neighbours along an axis that only a few exceed.
+fn large_step(scan: &Scan, axis: usize) -> f64 {
+    let pairs = scan.height.axis_windows(Axis(axis), 2).into_iter();
+    let steps = pairs.flat_map(|pair| &pair.index_axis(Axis(axis), 1) - &pair.index_axis(Axis(axis), 0));
+    let every = scan.height.len().div_ceil(SAMPLE);
+    let mut steps: Vec<f64> = steps.step_by(every).filter(|it| !it.is_nan()).map(f64::abs).collect();
+    let place = (LARGE * steps.len() as f64) as usize;
+    if place < steps.len() { *steps.select_nth_unstable_by(place, f64::total_cmp).1 } else { 0.0 }
+}
+
+/// The nodes of the cluster at a node, and how far the lowest of them is above the highest one beside them.
+fn cluster(
+    scan: &Scan,
+    marked: &Array2<bool>,
+    visited: &mut Array2<bool>,
+    start: (usize, usize),
+) -> (Vec<(usize, usize)>, f64) {
     let (mut nodes, mut next) = (vec![start], 0);
     let (mut lowest, mut highest_beside) = (f64::INFINITY, f64::NEG_INFINITY);
     visited[start] = true;
@@ -67,7 +73,7 @@ fn cluster(scan: &Scan, marked: &Array2<bool>, visited: &mut Array2<bool>, start
             }
         }
     }
-    (nodes.len(), lowest - highest_beside)
+    (nodes, lowest - highest_beside)
 }
 
 /// How far each height is above the highest level square of some nodes that fits below the heights there: the top hat of mathematical morphology.
