@@ -170,10 +170,7 @@ impl Preparation {
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
             let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
             it.filled = Some(it.scan.height.mapv(f64::is_nan));
-            it.take(full, |before, _| {
-                let (voids, share) = (before.voids(), 100.0 * before.voids() as f64 / before.height.len() as f64);
-                format!("{voids} voids ({share:.2} % of the heights) filled with the smoothest heights")
-            });
+            it.take(full, |before, _| format!("{} voids filled with the smoothest heights", before.voids()));
         }
         if let Some(detrend) = self.detrend {
             let flat = detrend.apply(it.scan.clone());

@@ -37,8 +37,12 @@ pub enum Artefact {
     Settling { axis: &'static str, height: f64, lines: f64 },
     /// Single heights that stand off all their neighbours, a share `share` of all, which are too many to be mended.
     ManyOutliers { share: f64 },
+    /// Stretches of lines across an axis that stand off the lines beside them, a share `share` of all heights, which are too many to be mended.
+    ManyScars { axis: &'static str, share: f64 },
     /// Clusters of a few heights, `count` of them with `nodes` nodes, that stand above those around them by a cliff.
     Clusters { count: usize, nodes: usize },
+    /// Parts of a map that are higher than the rest by `height`, a length, behind irregular edges.
+    RaisedParts { height: f64 },
     /// Every second line shifted along the lines by `nodes` nodes, which makes a share `share` of the rms gradient.
     Shifted { axis: &'static str, nodes: usize, share: f64 },
     /// Heights that were mended as single ones or scars, `nodes` of them, but may be pillars and wires of the surface: their heights are alike.
@@ -116,7 +120,7 @@ impl Artefact {
     fn sentence_of_scan(&self, words: &dyn Fn(f64) -> String) -> String {
         match *self {
             Self::Repeated { axis, times } => format!(
-                "every height is there {times} times along {axis}, so that the file has fewer heights than nodes, and areas may be up to {:.0} % off",
+                "every height is there {times} times along {axis}, so the file has fewer heights than nodes, and areas may be off by up to {:.0} %",
                 100.0 * OFF_BY_REPEATS
             ),
             Self::Settling { axis, height, lines } => {
@@ -130,10 +134,19 @@ impl Artefact {
                 "{:.0} % of single heights stand off: too many to be mended, and areas may be off by up to 100 %",
                 100.0 * share
             ),
+            Self::ManyScars { axis, share } => format!(
+                "{:.0} % of the heights are in scars along {}s: too many to be mended, and areas may be off by up to 100 %",
+                100.0 * share,
+                line_of(axis)
+            ),
             Self::Clusters { count, nodes } => format!(
                 "{nodes} heights in {} of up to 5 x 5 nodes stand above those around them by a cliff: particles of the surface, \
                  or artefacts, and then areas may be off by up to 100 %",
                 if count == 1 { "a cluster".to_owned() } else { format!("{count} clusters") }
+            ),
+            Self::RaisedParts { height } => format!(
+                "parts are higher than the rest by {} behind irregular edges: of the surface, or jumps of an interferometer, and then areas may be off by up to 100 %",
+                words(height)
             ),
             Self::Shifted { axis, nodes, share } => format!(
                 "every second {} is shifted by {nodes} nodes, as trace and retrace are: areas may be off by up to {:.0} %",

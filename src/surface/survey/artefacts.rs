@@ -2,6 +2,7 @@
 
 use super::Artefact;
 use super::clip::Clip;
+use super::jump::jump_of_parts;
 use super::scales::sample;
 use super::shift::LineShift;
 use super::waves::{Alone, WavePower};
@@ -21,6 +22,8 @@ const TOLD: f64 = 0.02;
 /// Rounded heights are told of where the mean square of rounding makes this share of that of the steps.
 const ROUNDED: f64 = 0.05;
 
+/// The largest share of the heights that is told as scars: more of them are the surface.
+const MOST_SCARS: f64 = 0.3;
 /// Levels settle where their exponential is higher than this many rms heights along the lines.
 const SETTLING: f64 = 2.0;
 /// Heights that stand off are alike where most of them, `MOST_ALIKE`, are within this part of their median; spikes and dead pixels differ by more.
@@ -81,6 +84,7 @@ impl Artefacts {
         if !found.is_empty() {
             it.all.push(Artefact::Clusters { count: found.len(), nodes: found.iter().map(Vec::len).sum() });
         }
+        it.all.extend(jump_of_parts(&it.rest).map(|height| Artefact::RaisedParts { height }));
         it.all.extend([0, 1].into_iter().filter_map(|axis| {
             let LineShift { nodes, share } = LineShift::new(&it.rest, axis)?;
             Some(Artefact::Shifted { axis: ["y", "x"][axis], nodes, share })
@@ -164,16 +168,24 @@ impl Artefacts {
         }
     }
 
-    /// Takes scars for voids, along the axis that has more of them.
+    /// Takes scars for voids, along the axis that has more of them, unless they are too many.
     fn mend_scars(&mut self) {
-        let along = [Scars::Rows, Scars::Columns].map(|it| (it, it.find(&self.rest).len()));
-        let Some((scars, nodes)) = along.into_iter().max_by_key(|(_, nodes)| *nodes).filter(|it| it.1 > 0) else {
-            return;
-        };
-        let axis = if scars == Scars::Rows { "y" } else { "x" };
-        self.all.push(Artefact::Scars { axis, nodes });
-        self.steps.scars = Some(scars);
-        self.rest = scars.apply(self.rest.clone());
+        let along = [Scars::Rows, Scars::Columns].map(|it| (it, it.all(&self.rest).len()));
+        let (scars, all) = if along[0].1 >= along[1].1 { along[0] } else { along[1] };
+        let nodes = scars.find(&self.rest).len();
+        let (number, axis) = if scars == Scars::Rows { (0, "y") } else { (1, "x") };
+        let share = all as f64 / self.rest.height.len() as f64;
+        if nodes > 0 {
+            self.all.push(Artefact::Scars { axis, nodes });
+            self.steps.scars = Some(scars);
+            self.rest = scars.apply(self.rest.clone());
+        } else if all > 0 && share < MOST_SCARS {
+            // ridges that come back after some lines are a grating, or turned
+            let repeats = LineOffsets::new(&self.rest, number).is_some_and(|it| it.repeat());
+            if !repeats {
+                self.all.push(Artefact::ManyScars { axis, share });
+            }
+        }
     }
 
     /// Levels of lines that wander, where they are not told already, and waves that stand alone.
