@@ -159,10 +159,17 @@ impl Artefacts {
         let found: Vec<(usize, Artefact)> =
             [0, 1].into_iter().filter_map(|axis| Some((axis, Artefact::of_lines(&self.rest, axis)?))).collect();
         for (axis, artefact) in found {
-            // one step levels the lines along each axis
-            if artefact.can_be_mended() && self.level(axis).is_none() {
-                *self.level(axis) = Some(LineLevel::Offsets);
-                self.rest = LineLevel::Offsets.apply(self.rest.clone(), axis);
+            match artefact {
+                // one step levels the lines across an axis, and it is taken: the offsets stay, and are told as levels that wander
+                Artefact::Offsets { axis: name, rms, share } if self.level(axis).is_some() => {
+                    self.all.push(Artefact::Wander { axis: name, rms, share });
+                    continue;
+                }
+                Artefact::Offsets { .. } => {
+                    *self.level(axis) = Some(LineLevel::Offsets);
+                    self.rest = LineLevel::Offsets.apply(self.rest.clone(), axis);
+                }
+                _ => {}
             }
             self.all.push(artefact);
         }

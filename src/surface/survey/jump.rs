@@ -10,6 +10,9 @@ const EDGE: f64 = 8.0;
 /// Edges are of one height where most of them, `MOST_ALIKE`, differ from their median by less than this many usual steps.
 const WITHIN: f64 = 4.0;
 const MOST_ALIKE: f64 = 0.6;
+/// The most steps between a third and two thirds of that height, over the edges of that height: where a surface has steps of all sizes, as heights
+/// with long tails have, its largest ones are no edges.
+const MOST_BETWEEN: f64 = 0.1;
 /// The fewest edges, and the largest part of the nodes that may be at one.
 const FEWEST: usize = 64;
 const MOST: f64 = 0.1;
@@ -36,6 +39,8 @@ pub(super) fn jump_of_parts(scan: &Scan) -> Option<f64> {
     let height = median(&mut edges)?;
     let is_alike = |step: &f64| (step - height).abs() < WITHIN * usual_step;
     let alike = edges.iter().filter(|step| is_alike(step)).count();
+    let is_between = |step: &&f64| (height / 3.0..2.0 * height / 3.0).contains(*step);
+    let between = steps.iter().flatten().filter(is_between).count();
     let (mut on_straight, mut all) = (0usize, 0usize);
     for (axis, steps) in steps.iter().enumerate() {
         let marked = steps.mapv(|step| is_alike(&step));
@@ -43,7 +48,8 @@ pub(super) fn jump_of_parts(scan: &Scan) -> Option<f64> {
         on_straight += straight(&marked, 1 - axis);
     }
     let is_irregular = (on_straight as f64) < STRAIGHT * all as f64;
-    (alike as f64 > MOST_ALIKE * count as f64 && is_irregular).then_some(height)
+    let is_of_one_height = alike as f64 > MOST_ALIKE * count as f64 && (between as f64) < MOST_BETWEEN * alike as f64;
+    (is_of_one_height && is_irregular).then_some(height)
 }
 
 /// The number of marked places whose neighbour behind them along an axis is marked, too.
