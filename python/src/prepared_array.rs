@@ -71,7 +71,9 @@ impl PreparedArray {
         let factor = cell.refine.take().unwrap_or(1);
         let coarse = cell.grid().map_err(py_error)?;
         fork::check_not_forked()?;
-        let made = || asperity::Surface::new(coarse, prepared.scan.height)?.refined(factor);
+        let filled = prepared.filled;
+        let made =
+            || asperity::Surface::new(coarse, prepared.scan.height)?.with_filled(filled.as_ref()).refined(factor);
         let surface = height.py().try_detached(made)?;
         let preparation = reasons.into_iter().chain(prepared.effects).collect();
         Ok(Self { surface, sections, rank, preparation })

@@ -209,7 +209,12 @@ impl Finding {
             ("contact patches", format!("{} ({:.2} nodes each{small}){of_shape}", it.patches, it.nodes_per_patch)),
             ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
         ];
-        let rows = rows.into_iter().chain(energy).map(|(name, value)| (name.to_owned(), value));
+        // a share of heights that were filled in says nothing where none touches
+        let filled = (it.filled_area_share > 0.0).then(|| {
+            let [area, load] = [it.filled_area_share, it.filled_load_share].map(percent);
+            ("on filled heights", format!("{area} of the contact, {load} of the load"))
+        });
+        let rows = rows.into_iter().chain(filled).chain(energy).map(|(name, value)| (name.to_owned(), value));
         rows.chain(self.others(units)).collect()
     }
 

@@ -18,6 +18,7 @@ use strum::IntoEnumIterator;
 /// |------------------------------------------------------|----------------------|---------------------------------------------|
 /// | `height`, `pressure`, `gap`, `displacement`          | `(ny, nx)` or `(nx)` | the fields, in the units of the problem     |
 /// | `contact`                                            | `(ny, nx)` or `(nx)` | whether the nodes touch                     |
+/// | `filled`, where voids were filled                    | `(ny, nx)` or `(nx)` | whether the heights of the nodes were filled in and never measured |
 /// | `pressure_edges`, `pressure_density`                 | `(65)`, `(64)`       | the [`Distribution`](crate::contact::Distribution) of the pressure in contact |
 /// | `gap_edges`, `gap_density`                           | `(65)`, `(64)`       | and that of the gap beside it               |
 /// | `wavenumber`                                         | `(waves)`            | `q = 2 pi / wavelength`, ascending          |
@@ -271,6 +272,10 @@ impl ArchiveWriter {
             let heights = PowerSpectrum::new(surface);
             self.npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
             self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
+        }
+        if let Some(filled) = surface.filled() {
+            let filled = ArrayView2::from_shape(grid.shape(), filled).expect("filled nodes are those of the grid");
+            self.add_field("filled", filled)?;
         }
         self.add_field("height", surface.heights_as_given().view())
     }

@@ -95,6 +95,18 @@ impl ArchiveReader {
         self.field("height", read_fields(&self.parts[0], "height")?)
     }
 
+    /// The nodes whose heights were filled in, shape `(ny, nx)`; none if all were measured.
+    ///
+    /// # Errors
+    /// The errors of [`ArchiveReader::fields`].
+    pub fn filled(&self) -> Result<Option<ndarray::Array2<bool>>, FileError> {
+        if !has_field(&self.parts[0], "filled")? {
+            return Ok(None);
+        }
+        let filled = self.field("filled", read_fields(&self.parts[0], "filled")?)?;
+        Ok(Some(filled.mapv(|it| it != 0.0)))
+    }
+
     /// All numbers of an array that all contacts share, such as `size`.
     ///
     /// # Errors

@@ -21,6 +21,11 @@ pub struct Counted {
     pub contact_nodes: usize,
     /// Nodes in contact that lie on plateaus, see [`Surface::is_level`](crate::surface::Surface::is_level).
     pub level_nodes: usize,
+    /// Share of the nodes in contact whose heights were not measured but filled in, see [`Surface::filled`](crate::surface::Surface::filled);
+    /// 0 without contact.
+    pub filled_area_share: f64,
+    /// Share of the load that these nodes bear.
+    pub filled_load_share: f64,
     /// Switches between contact and gap along rows (and columns): the length of the contact line in spacings.
     pub switches: usize,
     /// `a_rel`, the fraction of nodes in contact, which the paper plots.
@@ -55,7 +60,7 @@ impl Counted {
     pub fn new(problem: &Problem, pressure: &[f64]) -> Self {
         let grid = problem.surface().grid();
         assert_eq!(pressure.len(), grid.len(), "pressure must fit the grid");
-        let CountedSums { nodes, level, squares, switches, falling, falling_squares } =
+        let CountedSums { nodes, level, filled, pressures, squares, switches, falling, falling_squares } =
             CountedSums::new(pressure, problem);
         let excess = if grid.is_line() { NODE_EXCESS_PER_SWITCH_LINE } else { NODE_EXCESS_PER_SWITCH_SURFACE };
         let corrected = (nodes as f64 - excess * falling as f64).max(0.0);
@@ -68,6 +73,8 @@ impl Counted {
         Self {
             contact_nodes: nodes,
             level_nodes: level,
+            filled_area_share: filled as f64 / nodes.max(1) as f64,
+            filled_load_share: if pressures[0] > 0.0 { pressures[1] / pressures[0] } else { 0.0 },
             switches,
             relative_area,
             relative_area_corrected,
@@ -94,6 +101,10 @@ struct CountedSums {
     nodes: usize,
     /// Nodes on plateaus.
     level: usize,
+    /// Nodes whose heights were filled in.
+    filled: usize,
+    /// Sums of the pressures of all nodes in contact, and of the filled ones.
+    pressures: [f64; 2],
     /// Square gradients (Eq. 8).
     squares: f64,
     switches: usize,
@@ -107,12 +118,17 @@ impl CountedSums {
     fn new(pressure: &[f64], problem: &Problem) -> Self {
         let (surface, law) = (problem.surface(), problem.law());
         let (grid, square_gradient, is_level) = (surface.grid(), surface.square_gradient(), surface.is_level());
+        let filled = surface.filled();
         let parts = chunks::visit(pressure.len(), |range| {
             let mut sums = Self::default();
             for_each_in_contact(grid, pressure, range, |node, ends| {
                 let square = square_gradient(node);
                 sums.nodes += 1;
                 sums.level += usize::from(is_level(node));
+                let is_filled = filled.is_some_and(|it| it[node]);
+                sums.filled += usize::from(is_filled);
+                sums.pressures[0] += pressure[node];
+                sums.pressures[1] += if is_filled { pressure[node] } else { 0.0 };
                 sums.squares += square;
                 sums.switches += ends;
                 if ends > 0 && !law.yields(pressure[node]) {
@@ -129,6 +145,8 @@ impl CountedSums {
         Self {
             nodes: self.nodes + other.nodes,
             level: self.level + other.level,
+            filled: self.filled + other.filled,
+            pressures: [0, 1].map(|i| self.pressures[i] + other.pressures[i]),
             squares: self.squares + other.squares,
             switches: self.switches + other.switches,
             falling: self.falling + other.falling,

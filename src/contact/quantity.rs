@@ -302,6 +302,10 @@ quantities! {
             "Nodes in contact per contact patch.";
         UnresolvedShare unresolved_share: f64, Always, "n_c < few / n_c", "share that is not resolved", One, None, |it| in_contact(it, it.resolution().unresolved_share),
             "Fraction of the nodes in contact that are in patches too small to trust: fewer than 4 nodes on lines, 12 on surfaces.";
+        FilledAreaShare filled_area_share: f64, Always, "n_f / n_c", "share of contact on filled heights", One, None, |it| in_contact(it, it.counted().filled_area_share),
+            "Fraction of the nodes in contact whose heights were not measured but filled in.";
+        FilledLoadShare filled_load_share: f64, Always, "F_f / F", "share of load on filled heights", One, None, |it| in_contact(it, it.counted().filled_load_share),
+            "Fraction of the load that is on heights that were not measured but filled in.";
         EdgesOfShape edges_of_shape: f64, Elastic, "n_e / n", "share of edges by the shape", One, None, |it| in_contact(it, it.resolved().edges_of_shape as f64 / (it.resolved().edges.max(1)) as f64),
             "Fraction of the contact edges that are given by the shape of the surface, such as the rim of a punch.";
         RelativeAreaError relative_area_error: f64, NoAdhesion, "|da| / a_rel", "error of the relative area", One, None, |it| it.resolution().relative_area_error,

@@ -28,6 +28,9 @@ const MOST_LEVEL: f64 = 0.5;
 ///
 /// Where the pressure at an edge is limited, by a hardness or by the flow of the solid, the error of the place of such edges is added, see [`Resolved::edge_error`].
 ///
+/// Nodes in contact whose heights were not measured but filled in, see [`crate::surface::Surface::filled`], may not touch at all, or others
+/// of their void may: their share in the contact is added to the error of the area, and so to that of `kappa_r`.
+///
 /// Nodes on plateaus, see [`crate::surface::Surface::is_level`], do not determine the surface between them, as where
 /// heights are rounded or clipped. Half of their share in the contact is added to the errors of area and gradient, and
 /// if they are most of the contact, the error of `kappa_r` is unknown. Of 582 contacts of rough, clipped, worn, rounded
@@ -42,6 +45,8 @@ pub struct Resolution {
     pub unresolved_share: f64,
     /// Share of the nodes in contact that lie on plateaus; 0 without contact.
     pub level_share: f64,
+    /// Share of the nodes in contact whose heights were not measured but filled in; 0 without contact.
+    pub filled_share: f64,
     /// Estimated relative error of the resolved area.
     pub relative_area_error: f64,
     /// Estimated relative error of the resolved `kappa_r`; NaN where most of the contact lies on plateaus.
@@ -49,9 +54,9 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// The error of the area that plateaus leave on any grid.
+    /// The error of the area that plateaus and filled heights leave on any grid.
     pub fn least_area_error(&self) -> f64 {
-        SHARE * self.level_share
+        SHARE * self.level_share + self.filled_share
     }
 
     /// The fewest nodes of a patch whose pressure is not that of single nodes: 4 on lines, 12 on surfaces.
@@ -77,6 +82,7 @@ impl Resolution {
             error / value + SHARE * level_share
         };
         let relative_area_error = resolved.edge_error
+            + counted.filled_area_share
             + error(
                 resolved.relative_area,
                 counted.relative_area_corrected,
@@ -91,6 +97,7 @@ impl Resolution {
             nodes_per_patch: nodes / patches.count().max(1) as f64,
             unresolved_share: small as f64 / nodes.max(1.0),
             level_share,
+            filled_share: counted.filled_area_share,
             relative_area_error,
             kappa_r_error: if level_share > MOST_LEVEL { f64::NAN } else { relative_area_error + rms_gradient_error },
         }

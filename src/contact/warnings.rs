@@ -23,6 +23,8 @@ const STEEPEST: f64 = 0.5;
 const LARGEST_BOUND: f64 = 0.1;
 /// A share of the contact in patches that are too small to trust above this one gives a warning.
 const LARGEST_SHARE: f64 = 0.25;
+/// Shares of the contact on heights that were filled in above this one give a warning.
+const LARGEST_FILLED_SHARE: f64 = 0.02;
 /// Number of nodes in contact, over that in the largest contact of a history, up to which a state does not count. A path that begins at first touch
 /// always has states of single nodes.
 const SMALL_CONTACT: f64 = 1e-2;
@@ -73,7 +75,7 @@ struct Contacts<'a> {
 impl Contacts<'_> {
     /// All warnings but those of strains.
     fn warnings(self) -> Vec<Warning> {
-        let all = [too_heavy(self), unknown(self), without_gradient(self), loose(self), coarse(self)];
+        let all = [too_heavy(self), unknown(self), without_gradient(self), loose(self), coarse(self), filled(self)];
         let mut warnings: Vec<Warning> = all.into_iter().flatten().collect();
         // a grid is found for one contact only: several take a number
         if self.are_states || self.all > 1 {
@@ -285,6 +287,23 @@ fn coarse(contacts: Contacts<'_>) -> Option<Warning> {
     )
 }
 
+/// The warning that much of the contact is on heights that were never measured.
+fn filled(contacts: Contacts<'_>) -> Option<Warning> {
+    let shares = contacts.found.iter().filter(|it| it.filled_area_share > LARGEST_FILLED_SHARE);
+    let worst = shares.clone().max_by(|a, b| a.filled_area_share.total_cmp(&b.filled_area_share))?;
+    let [area, load] = [worst.filled_area_share, worst.filled_load_share].map(|share| 100.0 * share);
+    Some(
+        Warning::new(
+            format!(
+                "{area:.0} % of the contact and {load:.0} % of the load are on heights that were filled in and never measured{}, and the area may be off by as much",
+                contacts.count(shares.count())
+            ),
+            "Crop the heights to a part that was measured",
+        )
+        .with_remedy("surface.prepare.crop", None),
+    )
+}
+
 /// The warning that the solid yields below the pressures that are found.
 fn yielding(strains: &[Strain], law: Law) -> Option<Warning> {
     if !law.is_hard_wall() {
@@ -356,7 +375,7 @@ fn amount(error: f64) -> String {
     }
 }
 
-/// The larger one of the estimated errors of the grid.
+/// The larger one of the estimated errors of the grid, without what filled heights add to it, which no finer grid mends.
 fn error(it: &Observables) -> f64 {
-    it.relative_area_error.max(it.kappa_r_error)
+    it.relative_area_error.max(it.kappa_r_error) - if it.filled_area_share > 0.0 { it.filled_area_share } else { 0.0 }
 }

@@ -104,7 +104,8 @@ impl HeightKnobs {
         let prepare = Preparation { crop, ..Preparation::default() };
         let (recipe, cell) = Self { prepare, ..self.clone() }.unbounded(file)?;
         let PreparationChoice { preparation, reasons } = recipe.choice(&cell)?;
-        Ok(PreparationChoice { preparation: Preparation { crop: recipe.prepare.crop, ..preparation }, reasons })
+        let crop = preparation.crop.clone().or(recipe.prepare.crop);
+        Ok(PreparationChoice { preparation: Preparation { crop, ..preparation }, reasons })
     }
 
     /// The recipe and the cell of a file of any length.

@@ -285,7 +285,7 @@ const MOST_WAVES: f64 = (MOST_POINTS[0] / 2) as f64;
 const SURFACE_PARTS: [&str; 3] = ["bumps", "scene", "beside"];
 
 /// Ways to level scan lines.
-const LINE_LEVELS: &[&str] = &["", "offsets", "median", "line", "parabola"];
+const LINE_LEVELS: &[&str] = &["", "offsets", "median", "settling", "line", "parabola"];
 
 /// All knobs, in the order of the page.
 #[rustfmt::skip]
@@ -325,14 +325,14 @@ pub const KNOBS: &[Knob] = &[
     knob(File, "width", Length { example: "10 µm" }).at("heights.width").only_in(KnobScenes::Unspaced),
     knob(File, "boundary", Choice { options: &["periodic", "free"], default: "periodic" }).at("heights.boundary").only_in(KnobScenes::Heights),
     knob(File, "auto", Switch { default: true }).at("heights.auto").only_in(KnobScenes::Heights),
-    knob(File, "resample", Choice { options: &["", "linear"], default: "" }).at("heights.prepare.resample").only_in(KnobScenes::Uneven),
+    knob(File, "resample", Choice { options: &["", "linear", "repeats"], default: "" }).at("heights.prepare.resample").only_in(KnobScenes::Uneven),
     knob(File, "crop", Nodes { example: "0,256,0,256" }).at("heights.prepare.crop").only_in(KnobScenes::Heights),
     knob(File, "level-rows", Choice { options: LINE_LEVELS, default: "" }).at("heights.prepare.level-rows").only_in(KnobScenes::Heights),
     knob(File, "level-columns", Choice { options: LINE_LEVELS, default: "" }).at("heights.prepare.level-columns").only_in(KnobScenes::Heights),
     knob(File, "outliers", Choice { options: &["", "void"], default: "" }).at("heights.prepare.outliers").only_in(KnobScenes::Heights),
     knob(File, "scars", Choice { options: &["", "rows", "columns"], default: "" }).at("heights.prepare.scars").only_in(KnobScenes::Heights),
     knob(File, "fill", Choice { options: &["", "harmonic"], default: "" }).at("heights.prepare.fill").only_in(KnobScenes::Heights),
-    knob(File, "detrend", Choice { options: &["", "mean", "plane", "curvature"], default: "" }).at("heights.prepare.detrend").only_in(KnobScenes::Heights),
+    knob(File, "detrend", Choice { options: &["", "mean", "plane", "curvature", "cubic"], default: "" }).at("heights.prepare.detrend").only_in(KnobScenes::Heights),
     knob(File, "low-pass", Length { example: "200 nm" }).at("heights.prepare.low-pass").only_in(KnobScenes::Heights),
     knob(File, "mirror", Choice { options: &["", "x", "y", "both"], default: "" }).at("heights.prepare.mirror").only_in(KnobScenes::Heights),
     knob(Solver, "solver", Choice { options: &["multilevel", "polonsky-keer", "gfmd"], default: "multilevel" }).at("solver.method"),

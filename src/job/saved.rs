@@ -114,7 +114,8 @@ fn surface(reader: &ArchiveReader, setup: &Setup, doubts: &mut Doubts<'_>) -> Re
     let plateaus = plateaus(&grid, &saved, setup.grid.refine())?;
     let plain = Surface::new(grid, saved.clone()).map_err(SetupError::from)?;
     let surface = Surface::from_parts(grid, plain.height().clone(), plain.mean_height(), None, plateaus);
-    let surface = surface.map_err(SetupError::from)?;
+    let filled = reader.filled()?.filter(|nodes| nodes.dim() == grid.shape().into());
+    let surface = surface.map_err(SetupError::from)?.with_filled(filled.as_ref());
     doubts.add(None, measured_doubt(setup, &surface, &saved)?.into_iter().collect());
     Ok(surface.into())
 }

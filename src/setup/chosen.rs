@@ -39,7 +39,8 @@ impl SetupTable {
         let steps = toml::Table::try_from(preparation).expect("steps have a form in TOML");
         for (step, value) in steps {
             let path = format!("surface.prepare.{step}");
-            if self.find(&path).is_none() {
+            // a crop that is chosen is a part of the one that is given
+            if step == "crop" || self.find(&path).is_none() {
                 self.lay(&path, value);
             }
         }

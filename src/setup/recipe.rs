@@ -267,7 +267,13 @@ impl Recipe {
         let prepare = Preparation { resample, crop: self.prepare.crop.clone(), ..Preparation::default() };
         let raw = Self { prepare, ..self.clone() };
         let grid = raw.grid(&Cell { refine: None, ..cell.clone() })?;
-        Ok(PreparationChoice::new(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?)
+        let mut choice = PreparationChoice::new(&raw.prepared(file, &grid)?.scan, is_even, grid.periodic())?;
+        // rows and columns are counted in the file, not in the part of it that is given
+        choice.preparation.crop = match (choice.preparation.crop, &self.prepare.crop) {
+            (Some(chosen), Some(given)) => Some(chosen.after(given)),
+            (chosen, _) => chosen,
+        };
+        Ok(choice)
     }
 
     /// The surface on a grid: the sum of all parts that are given.
@@ -301,14 +307,14 @@ impl Recipe {
 
     /// The prepared heights of a file, refined to a grid.
     fn measured(&self, file: &HeightFile, grid: Grid) -> Result<Surface, SetupError> {
-        let scan = self.prepared(file, &grid)?.scan;
+        let Prepared { scan, filled, .. } = self.prepared(file, &grid)?;
         let (voids, shape) = (scan.voids(), scan.shape());
         if voids > 0 {
             return Err(SetupError::Voids { path: file.path().into(), voids, points: shape[0] * shape[1] });
         }
-        let height = Surface::new(grid.with_shape(shape)?, scan.height)?;
+        let height = Surface::new(grid.with_shape(shape)?, scan.height)?.with_filled(filled.as_ref());
         let refined = height.refined((grid.shape()[1] / shape[1]).max(1))?;
-        if *refined.grid() == grid { Ok(refined) } else { Ok(Surface::new(grid, refined.heights_as_given())?) }
+        if *refined.grid() == grid { Ok(refined) } else { Ok(refined.on(grid)?) }
     }
 
     fn some_bumps(&self) -> Option<&Bumps> {

@@ -4,8 +4,8 @@ use super::{Recipe, Setup, Solid};
 use crate::elastic::stress::USUAL_POISSON;
 use crate::seen::capital;
 use crate::surface::{
-    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Measurement, Noise, Roughness, Scan, Surface,
-    Survey,
+    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Measurement, Mirror, Noise, Roughness, Scan,
+    Surface, Survey,
 };
 use crate::warning::Warning;
 
@@ -96,12 +96,12 @@ impl Recipe {
         let scan = self.prepare.mirror.map_or_else(|| scan.clone(), |mirror| mirror.original(scan));
         let artefacts = Artefacts::new(&scan);
         let error = artefacts.area_error(&scan);
-        let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| warning_of_noise(&it));
+        let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| self.warning_of_noise(&it));
         let as_read = raw.filter(|_| !self.prepare.is_none() && self.prepare.crop.is_none());
         let hidden = as_read.map(|it| Artefacts::of_equal_heights(&Scan { height: it.height.clone(), ..scan }));
         let hidden = hidden.unwrap_or_default().into_iter().filter(|it| !artefacts.all.contains(it));
         let all: Vec<Artefact> = artefacts.all.iter().copied().chain(hidden).collect();
-        all.iter().filter_map(|it| warning_of(it, error)).chain(noise).collect()
+        all.iter().filter_map(|it| self.warning_of(it, error)).chain(noise).collect()
     }
 
     /// Warnings about random heights whose distribution and spectrum are far from what was asked for.
@@ -146,8 +146,8 @@ impl Recipe {
         [voids]
             .into_iter()
             .chain(jumps)
-            .chain(survey.artefacts.iter().filter_map(|it| warning_of(it, survey.area_error)))
-            .chain(warning_of_noise(&survey.noise))
+            .chain(survey.artefacts.iter().filter_map(|it| self.warning_of(it, survey.area_error)))
+            .chain(self.warning_of_noise(&survey.noise))
             .chain(survey.warning_of_growth())
             .collect()
     }
@@ -172,13 +172,68 @@ impl Recipe {
             };
             warning.with_remedy("grid.boundary", Some("free"))
         };
-        ["y", "x"]
-            .into_iter()
-            .zip(jumps.into_iter().zip(ends))
-            .filter(|(_, it)| it.1)
-            .map(|(axis, it)| (axis, it.0))
-            .map(jump)
-            .collect()
+        // heights that are mirrored along an axis have no jump there, but a first step that may be steep
+        let is_mirrored = match self.prepare.mirror {
+            None => [false; 2],
+            Some(mirror) => [mirror != Mirror::X, mirror != Mirror::Y],
+        };
+        let axes = (0..2).filter(|axis| ends[*axis] && !is_mirrored[*axis]);
+        axes.map(|axis| jump((["y", "x"][axis], jumps[axis]))).collect()
+    }
+
+    /// Whether a step of the preparation has mended an artefact as far as it can.
+    fn has_mended(&self, artefact: &Artefact) -> bool {
+        let level = |axis: &str| if axis == "y" { self.prepare.level_rows } else { self.prepare.level_columns };
+        match artefact {
+            Artefact::Offsets { axis, .. } | Artefact::Settling { axis, .. } => level(axis).is_some(),
+            Artefact::Outliers { .. } => self.prepare.outliers.is_some(),
+            Artefact::Scars { .. } => self.prepare.scars.is_some(),
+            Artefact::Repeated { .. } => self.prepare.resample.is_some(),
+            _ => false,
+        }
+    }
+
+    /// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended. A step that
+    /// was done is not advised again.
+    fn warning_of(&self, artefact: &Artefact, error: f64) -> Option<Warning> {
+        let what = capital(&artefact.sentence());
+        Some(match artefact {
+            Artefact::Clipped { is_top: false, .. } => return None,
+            it if it.can_be_mended() && error < Artefacts::TOLD => return None,
+            it if self.has_mended(it) => Warning::new(
+                format!("{what}, which the preparation has left. The area may be off by up to {:.0} %", 100.0 * error),
+                "Look at the heights, or crop them",
+            )
+            .with_remedy("surface.prepare.crop", None),
+            it if it.can_be_mended() => {
+                Warning::new(format!("{what}. The area may be off by up to {:.0} %", 100.0 * error), "Mend it")
+                    .with_remedy("surface.prepare.steps", Some("auto"))
+            }
+            Artefact::Border { .. } => Warning::new(what, "Crop the heights").with_remedy("surface.prepare.crop", None),
+            _ => Warning::new(what, "Look at the heights: no step of a preparation mends it"),
+        })
+    }
+
+    /// The warning that much of the gradient is noise, so that the area has no limit for small spacings.
+    fn warning_of_noise(&self, noise: &Noise) -> Option<Warning> {
+        if noise.area_error() <= Noise::TOLD {
+            return None;
+        }
+        let statement = format!(
+            "Noise at the spacing makes {}, so area and kappa depend on the noise of the instrument, and the area \
+             may be off by {:.0} %",
+            noise.part_of_gradient(),
+            100.0 * noise.area_error()
+        );
+        Some(match self.prepare.low_pass {
+            Some(_) => Warning::new(
+                format!("{statement}, after the filter that was used"),
+                "Use a longer cut-off, or compare with a second measurement",
+            ),
+            None => Warning::new(statement, "Filter the noise out")
+                .with_remedy("surface.prepare.low-pass", None)
+                .with_remedy("surface.prepare.steps", Some("auto")),
+        })
     }
 }
 
@@ -197,38 +252,6 @@ impl Survey {
             .with_remedy("surface.prepare.low-pass", None)
         })
     }
-}
-
-/// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended.
-fn warning_of(artefact: &Artefact, error: f64) -> Option<Warning> {
-    let what = capital(&artefact.sentence());
-    Some(match artefact {
-        Artefact::Clipped { is_top: false, .. } => return None,
-        it if it.can_be_mended() && error < Artefacts::TOLD => return None,
-        it if it.can_be_mended() => {
-            Warning::new(format!("{what}. The area may be off by up to {:.0} %", 100.0 * error), "Mend it")
-                .with_remedy("surface.prepare.steps", Some("auto"))
-        }
-        Artefact::Border { .. } => Warning::new(what, "Crop the heights").with_remedy("surface.prepare.crop", None),
-        _ => Warning::new(what, "Look at the heights: no step of a preparation mends it"),
-    })
-}
-
-/// The warning that much of the gradient is noise, so that the area has no limit for small spacings.
-fn warning_of_noise(noise: &Noise) -> Option<Warning> {
-    (noise.area_error() > Noise::TOLD).then(|| {
-        Warning::new(
-            format!(
-                "Noise at the spacing makes {}, so area and kappa depend on the noise of the instrument, and the area \
-                 may be off by {:.0} %",
-                noise.part_of_gradient(),
-                100.0 * noise.area_error()
-            ),
-            "Filter the noise out",
-        )
-        .with_remedy("surface.prepare.low-pass", None)
-        .with_remedy("surface.prepare.steps", Some("auto"))
-    })
 }
 
 /// The warning that the lengths of a measured surface may have been swapped.

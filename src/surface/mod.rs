@@ -2,6 +2,7 @@
 
 mod bends;
 mod bumps;
+mod filled;
 mod formats;
 mod indenter;
 mod level;
@@ -27,6 +28,7 @@ pub use moments::{MomentErrors, SpectralMoments};
 pub use plateau::Plateaus;
 pub use preparation::{
     Crop, Detrend, Fill, Form, LineLevel, LineOffsets, Mirror, Outliers, Preparation, Prepared, Resample, Scan, Scars,
+    Settling,
 };
 pub use random::{
     ExactPart, HeightDistribution, Lay, MeasuredSpectrum, RandomRoughness, RankMap, Rolloff, RolloffForm,
@@ -44,6 +46,7 @@ use crate::chunks;
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use ndarray::{Array2, ArrayView1};
+use std::sync::Arc;
 
 /// Values on a grid, shape `(ny, nx)`, row by row.
 pub type Field = Array2<f64>;
@@ -63,6 +66,8 @@ pub struct Surface {
     seed: Option<u64>,
     plateaus: Option<Plateaus>,
     rank_map: Option<RankMap>,
+    /// The nodes whose heights were not measured but filled in, row by row; none if all were measured.
+    filled: Option<Arc<[bool]>>,
 }
 
 impl Surface {
@@ -74,7 +79,7 @@ impl Surface {
     pub fn new(grid: Grid, height: Field) -> Result<Self, SurfaceError> {
         let mut height = checked(&grid, height)?;
         let mean_height = centre(height.as_slice_mut().expect("standard layout"));
-        Ok(Self { grid, height, mean_height, seed: None, plateaus: None, rank_map: None })
+        Ok(Self { grid, height, mean_height, seed: None, plateaus: None, rank_map: None, filled: None })
     }
 
     /// The surface with the parts of another surface, identical to the last bit: heights about their mean, mean, seed
@@ -97,7 +102,7 @@ impl Surface {
         seed: Option<u64>,
         plateaus: Option<Plateaus>,
     ) -> Result<Self, SurfaceError> {
-        Ok(Self { grid, height: checked(&grid, height)?, mean_height, seed, plateaus, rank_map: None })
+        Ok(Self { grid, height: checked(&grid, height)?, mean_height, seed, plateaus, rank_map: None, filled: None })
     }
 
     /// A line of given heights and period.
@@ -133,6 +138,7 @@ impl Surface {
             seed: self.seed.or(other.seed),
             plateaus: None,
             rank_map: self.rank_map.or(other.rank_map),
+            filled: self.filled_with(other),
         }
     }
 
@@ -156,7 +162,12 @@ impl Surface {
         let [one, two] = [self, other].map(Self::heights_as_given);
         let lower = ndarray::Zip::from(&one).and(&two).map_collect(|one, two| one.min(*two));
         let lower = Self::new(self.grid, lower).expect("finite heights of the same shape");
-        Self { seed: self.seed.or(other.seed), rank_map: self.rank_map.or(other.rank_map), ..lower }
+        Self {
+            seed: self.seed.or(other.seed),
+            rank_map: self.rank_map.or(other.rank_map),
+            filled: self.filled_with(other),
+            ..lower
+        }
     }
 
     /// The grid under the heights.

@@ -26,18 +26,18 @@ impl Surface {
         if factor == 1 {
             return Ok(self.clone());
         }
-        let plateaus = self.plateaus_on(factor);
+        let (plateaus, filled) = (self.plateaus_on(factor), self.filled_on(factor));
         if !grid.is_periodic() {
             let fine = self.mirrored()?.refined(factor)?.heights_as_given();
             let half = fine.slice_each_axis(|axis| Slice::from(..grid.shape()[axis.axis.index()])).to_owned();
-            return Ok(Self { seed: self.seed, plateaus, ..Self::new(grid, half)? });
+            return Ok(Self { seed: self.seed, plateaus, filled, ..Self::new(grid, half)? });
         }
         let mut modes = vec![Complex::default(); self.grid.modes()];
         Fourier::new(&self.grid).forward(self.heights(), &mut modes);
         let mut modes = padded(&self.grid, &grid, &modes);
         let mut height = Field::zeros(grid.shape());
         Fourier::new(&grid).inverse(&mut modes, height.as_slice_mut().expect("standard layout by construction"));
-        Ok(Self { seed: self.seed, plateaus, ..Self::new(grid, height + self.mean_height)? })
+        Ok(Self { seed: self.seed, plateaus, filled, ..Self::new(grid, height + self.mean_height)? })
     }
 }
 

@@ -28,13 +28,15 @@ pub enum Detrend {
     Plane,
     /// The least-squares polynomial of second order; for a line, the parabola.
     Curvature,
+    /// The least-squares polynomial of third order, as tube scanners bend maps in the shape of an S.
+    Cubic,
 }
 
 impl Detrend {
     /// The heights without their trend.
     pub fn apply(self, scan: Scan) -> Scan {
         let (trend, before) = (self.coefficients(&scan), scan.reach());
-        let mut rest = scan.less(|place| legendre(place).iter().zip(trend).map(|(f, c)| f * c).sum());
+        let mut rest = scan.less(|place| self.value(&trend, place));
         if self != Self::Mean && rest.reach() <= ROUNDING * before {
             rest.height.mapv_inplace(|h| if h.is_nan() { h } else { 0.0 });
         }
@@ -43,8 +45,8 @@ impl Detrend {
 
     /// The slopes along y and x of the plane of least squares.
     pub(in crate::surface) fn tilt(scan: &Scan) -> [f64; 2] {
-        let [_, y, x, ..] = Self::Plane.coefficients(scan);
-        [y, x].map(|slope| slope / scan.half())
+        let plane = Self::Plane.coefficients(scan);
+        [plane[1], plane[2]].map(|slope| slope / scan.half())
     }
 
     /// The heights minus the least-squares plane through some of the nodes.
@@ -52,22 +54,29 @@ impl Detrend {
         let mut some = scan.clone();
         some.height.zip_mut_with(nodes, |h, is_of_plane| *h = if *is_of_plane { *h } else { f64::NAN });
         let coefficients = Self::Plane.coefficients(&some);
-        scan.clone()
-            .less(|place| coefficients.iter().zip(legendre(place)).map(|(factor, function)| factor * function).sum())
+        scan.clone().less(|place| Self::Plane.value(&coefficients, place))
     }
 
-    /// The coefficients of Legendre's polynomials, 0 for those that are not in the trend.
-    fn coefficients(self, scan: &Scan) -> [f64; 6] {
-        let terms = match self {
-            Self::Mean => 1,
-            Self::Plane => 3,
-            Self::Curvature => 6,
-        };
-        let functions = |place: [f64; 2]| {
-            let all = legendre(place);
-            std::array::from_fn(|i| if i < terms { all[i] } else { 0.0 })
-        };
-        linear(scan.points().into_iter().map(|(place, h)| (functions(place), h)))
+    /// The coefficients of Legendre's polynomials.
+    fn coefficients(self, scan: &Scan) -> Vec<f64> {
+        let points = scan.points().into_iter();
+        match self {
+            Self::Mean => linear(points.map(|(_, h)| ([1.0], h))).to_vec(),
+            Self::Plane => linear(points.map(|([y, x], h)| ([1.0, y, x], h))).to_vec(),
+            Self::Curvature => linear(points.map(|(place, h)| (legendre(place), h))).to_vec(),
+            Self::Cubic => linear(points.map(|(place, h)| (third_order(place), h))).to_vec(),
+        }
+    }
+
+    /// The trend of some coefficients at a place.
+    fn value(self, coefficients: &[f64], place: [f64; 2]) -> f64 {
+        let sum = |functions: &[f64]| functions.iter().zip(coefficients).map(|(f, c)| f * c).sum();
+        match self {
+            Self::Mean => coefficients[0],
+            Self::Plane => sum(&[1.0, place[0], place[1]]),
+            Self::Curvature => sum(&legendre(place)),
+            Self::Cubic => sum(&third_order(place)),
+        }
     }
 }
 
@@ -75,4 +84,11 @@ impl Detrend {
 pub(super) fn legendre([y, x]: [f64; 2]) -> [f64; 6] {
     let second = |x: f64| 0.5 * (3.0 * x * x - 1.0);
     [1.0, y, x, x * y, second(y), second(x)]
+}
+
+/// The same up to third order: with `P_2(y) x, y P_2(x), P_3(y), P_3(x)`.
+fn third_order(place: [f64; 2]) -> [f64; 10] {
+    let [one, y, x, xy, yy, xx] = legendre(place);
+    let third = |x: f64| 0.5 * (5.0 * x * x - 3.0) * x;
+    [one, y, x, xy, yy, xx, yy * x, y * xx, third(y), third(x)]
 }

@@ -2,6 +2,7 @@
 
 use super::Scan;
 use crate::surface::Field;
+use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
@@ -39,9 +40,14 @@ impl Mirror {
 
     /// The heights and their images.
     pub fn apply(self, scan: &Scan) -> Scan {
-        let (shape, mirrored) = (scan.shape(), self.shape(scan.shape()));
+        Scan { height: self.images(&scan.height), ..*scan }
+    }
+
+    /// Values at the nodes of a map, and at their images.
+    pub(super) fn images<T: Copy>(self, values: &Array2<T>) -> Array2<T> {
+        let shape: [usize; 2] = values.dim().into();
+        let mirrored = self.shape(shape);
         let back = |i: usize, axis: usize| if i < shape[axis] { i } else { mirrored[axis] - i };
-        let height = Field::from_shape_fn(mirrored, |(y, x)| scan.height[[back(y, 0), back(x, 1)]]);
-        Scan { height, ..*scan }
+        Array2::from_shape_fn(mirrored, |(y, x)| values[[back(y, 0), back(x, 1)]])
     }
 }

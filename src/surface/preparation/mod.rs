@@ -1,5 +1,6 @@
 //! The preparation of measured heights.
 
+mod cluster;
 mod crop;
 mod detrend;
 mod fill;
@@ -16,11 +17,12 @@ mod scars;
 mod stand_off;
 mod taper;
 
+pub(in crate::surface) use cluster::clusters;
 pub use crop::Crop;
 pub use detrend::Detrend;
 pub use fill::Fill;
 pub use form::Form;
-pub use line_level::{LineLevel, LineOffsets};
+pub use line_level::{LineLevel, LineOffsets, Settling};
 pub use mirror::Mirror;
 pub use outliers::Outliers;
 pub use resample::Resample;
@@ -29,6 +31,7 @@ pub use scars::Scars;
 
 use crate::error::PreparationError;
 use crate::quantity::{number_in_words, some_length};
+use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 
 /// The steps that prepare measured heights, in their order. Only the given steps are done, and each one reports its
@@ -36,7 +39,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Preparation {
-    /// First step: how heights at uneven positions are interpolated to even spacing.
+    /// First step: how heights at uneven positions, or of which each is there several times, are interpolated to even spacing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resample: Option<Resample>,
     /// The part to keep.
@@ -82,6 +85,8 @@ pub struct Preparation {
 pub struct Prepared {
     /// The heights.
     pub scan: Scan,
+    /// The nodes whose heights were not measured but filled in; none if no void was filled.
+    pub filled: Option<Array2<bool>>,
     /// The effect of each step.
     pub effects: Vec<String>,
 }
@@ -133,7 +138,13 @@ impl Preparation {
     /// # Errors
     /// For a step that these heights do not allow.
     pub fn apply(&self, scan: Scan) -> Result<Prepared, PreparationError> {
-        let mut it = Prepared { scan, effects: Vec::new() };
+        let mut it = Prepared { scan, filled: None, effects: Vec::new() };
+        if self.resample == Some(Resample::Repeats) {
+            let even = Resample::without_repeats(it.scan.clone());
+            it.take(even, |before, after| {
+                format!("heights that are there several times were interpolated: {}", gradients(before, after))
+            });
+        }
         if let Some(crop) = &self.crop {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
             it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
@@ -158,6 +169,7 @@ impl Preparation {
         }
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
             let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
+            it.filled = Some(it.scan.height.mapv(f64::is_nan));
             it.take(full, |before, _| format!("{} voids filled with the smoothest heights", before.voids()));
         }
         if let Some(detrend) = self.detrend {
@@ -185,6 +197,7 @@ impl Preparation {
         }
         if let Some(mirror) = self.mirror {
             let mirrored = mirror.apply(&it.scan);
+            it.filled = it.filled.map(|nodes| mirror.images(&nodes));
             it.take(mirrored, |_, after| format!("mirrored to {} x {} points", after.shape()[0], after.shape()[1]));
         }
         Ok(it)

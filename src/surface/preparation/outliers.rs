@@ -1,6 +1,7 @@
 //! Single heights that stand off all their neighbours.
 
 use super::Scan;
+use super::cluster::clusters;
 use super::stand_off::{StandOff, rounding};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -13,16 +14,19 @@ const SLOPES: f64 = 3.0;
 const SIDES: [[isize; 2]; 3] = [[1, 1], [1, 2], [2, 1]];
 /// The nodes to each side among which the scale is also found.
 const REACH: usize = 5;
-/// The largest share of the nodes that may be outliers: more of them are no exception.
-const MOST: f64 = 0.02;
-/// The most times that what was behind outliers is looked for.
-const PASSES: usize = 3;
+/// The largest share of the nodes that may be outliers: with more, outliers are neighbours of outliers, and what stands off is the surface.
+const MOST: f64 = 0.1;
+/// The most nodes of an outlier.
+const LARGEST: usize = 4;
+/// The most times that what was behind outliers is looked for: where a tenth of the nodes are outliers, half of them have another one as a
+/// neighbour, which hides them until it is void.
+const PASSES: usize = 6;
 
 /// What becomes of heights that stand off all their neighbours, such as dead pixels and spikes.
 ///
 /// An outlier is of at most 2 x 2 nodes, so that larger particles are kept. It is above the nodes on both sides of it in all directions, or
 /// below all of them, by six standard deviations of such differences on the map and near the node, and by three of those of neighbours.
-/// Where more than 2 % of the nodes are so, none of them is an outlier.
+/// Where more than 10 % of the nodes are so, none of them is an outlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -42,6 +46,12 @@ impl Outliers {
 
     /// The nodes that are outliers, rows and columns.
     pub fn find(scan: &Scan) -> Vec<[usize; 2]> {
+        let all = Self::all(scan);
+        if all.len() as f64 > MOST * scan.height.len() as f64 { Vec::new() } else { all }
+    }
+
+    /// The nodes that stand off all their neighbours, also where they are too many to be outliers.
+    pub(in crate::surface) fn all(scan: &Scan) -> Vec<[usize; 2]> {
         let (mut left, mut all) = (scan.clone(), Vec::new());
         for _ in 0..PASSES {
             let found = standing_off(&left);
@@ -51,7 +61,12 @@ impl Outliers {
             found.iter().for_each(|node| left.height[*node] = f64::NAN);
             all.extend(found);
         }
-        if all.len() as f64 > MOST * scan.height.len() as f64 { Vec::new() } else { all }
+        if !all.is_empty() {
+            // an outlier beside those that are void has no neighbours left to stand off, but is above the rest of them by a cliff
+            let small = clusters(&left).into_iter().filter(|nodes| nodes.len() <= LARGEST);
+            all.extend(small.flatten().map(|(y, x)| [y, x]));
+        }
+        all
     }
 }
 

@@ -9,13 +9,13 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 const SHORTEST: usize = 8;
 /// Standard deviations by which each node of a scar stands off, and by which half of them do.
 const DEVIATIONS: [f64; 2] = [3.0, 6.0];
-/// The largest share of the nodes that may be in scars: more of them are no exception.
-const MOST: f64 = 0.05;
+/// The largest share of the nodes that may be in scars: with more, scars are neighbours of scars, and what stands off is the surface.
+const MOST: f64 = 0.07;
 
 /// What becomes of scars: stretches of a scan line, where the probe lost the surface, that stand off the lines on both sides.
 ///
 /// A scar has at least 8 nodes along the line. All of them are above both neighbouring lines, or below both of them, by three standard
-/// deviations of such differences, and half of them by six. Where more than 5 % of the nodes are in scars, there are none.
+/// deviations of such differences, and half of them by six. Where more than 7 % of the nodes are in scars, there are none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -37,6 +37,12 @@ impl Scars {
 
     /// The nodes that are in scars, rows and columns.
     pub fn find(self, scan: &Scan) -> Vec<[usize; 2]> {
+        let all = self.all(scan);
+        if all.len() as f64 > MOST * scan.height.len() as f64 { Vec::new() } else { all }
+    }
+
+    /// The nodes of stretches that stand off the lines beside them, also where they are too many to be scars.
+    pub(in crate::surface) fn all(self, scan: &Scan) -> Vec<[usize; 2]> {
         let step = if self == Self::Rows { [1, 0] } else { [0, 1] };
         let Some(off) = StandOff::new(scan, step, [1, 1], rounding(scan)).filter(|_| !scan.is_line()) else {
             return Vec::new();
@@ -57,7 +63,7 @@ impl Scars {
                 first += run.len();
             }
         }
-        if found.len() as f64 > MOST * scan.height.len() as f64 { Vec::new() } else { found }
+        found
     }
 }
 

@@ -1,9 +1,10 @@
 //! The automatic choice of a preparation.
 
+use super::seam::{form_of, has_kink};
 use super::{Artefact, Artefacts, Noise, Survey};
 use crate::error::SurfaceError;
 use crate::quantity::number_in_words;
-use crate::surface::{Detrend, Fill, Mirror, Preparation, Resample, Scan};
+use crate::surface::{Crop, Detrend, Fill, Mirror, Preparation, Resample, Scan};
 
 /// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
 const NOISE: f64 = 0.12;
@@ -13,6 +14,8 @@ const ALL_NOISE: f64 = 0.98;
 
 /// The error of areas that is told at least after a filter of much noise, since what is left of the noise touches as the surface does not.
 const LEAST_ERROR: f64 = 0.15;
+/// The difference of the rms gradients of a part and of the whole from which on it is told.
+const OTHER_PART: f64 = 0.05;
 /// Halvings of the range of cut-offs.
 const BISECTIONS: usize = 6;
 
@@ -42,6 +45,8 @@ impl PreparationChoice {
             choice.preparation.resample = Some(Resample::Linear);
             choice.because("the positions are not evenly spaced: the heights are resampled to even spacing".into());
         }
+        let part = choice.cropped(scan);
+        let scan = part.as_ref().unwrap_or(scan);
         let artefacts = Artefacts::new(scan);
         choice.mend(&artefacts, scan);
         let mut survey = Survey::without(&artefacts, scan)?;
@@ -49,13 +54,18 @@ impl PreparationChoice {
         if voids > 0 {
             choice.preparation.fill = Some(Fill::Harmonic);
             let all = scan.height.len();
-            choice.because(format!("{voids} of {all} heights are void: they are filled with the smoothest heights"));
+            let share = 100.0 * voids as f64 / all as f64;
+            choice.because(format!(
+                "{voids} of {all} heights ({share:.1} %) are void: they are filled with the smoothest heights, and each contact says how much of it \
+                 is on them"
+            ));
         }
         // a trend through a step would tilt both sides of it
         let has_step = artefacts.all.iter().any(|it| matches!(it, Artefact::Step { .. }));
         let mut full = Fill::Harmonic.apply(artefacts.rest.clone()).unwrap_or(artefacts.rest);
-        if !has_step && (ends(&survey, periodic) != [false; 2] || periodic == [false; 2]) {
-            full = choice.detrended(full, &survey, periodic);
+        let is_bent = [0, 1].into_iter().any(|axis| periodic[axis] && has_kink(&full, axis));
+        if !has_step && (is_bent || ends(&survey, periodic) != [false; 2] || periodic == [false; 2]) {
+            full = choice.detrended(full, periodic);
             survey = Survey::new(&full)?;
         }
         choice.mirror(&survey, periodic);
@@ -66,11 +76,15 @@ impl PreparationChoice {
     /// Mends artefacts, and tells of those that cannot be mended.
     fn mend(&mut self, artefacts: &Artefacts, scan: &Scan) {
         let Preparation { level_rows, level_columns, outliers, scars, .. } = artefacts.steps.clone();
-        self.preparation = Preparation { level_rows, level_columns, outliers, scars, ..self.preparation.clone() };
+        let resample = self.preparation.resample.or(artefacts.steps.resample);
+        self.preparation =
+            Preparation { resample, level_rows, level_columns, outliers, scars, ..self.preparation.clone() };
         for artefact in &artefacts.all {
             let what = artefact.sentence();
             self.because(match artefact {
                 Artefact::Offsets { .. } => format!("{what}: these offsets are taken off"),
+                Artefact::Settling { .. } => format!("{what}: the exponential is taken off"),
+                Artefact::Repeated { .. } => format!("{what}: they are interpolated between their middles"),
                 Artefact::Outliers { .. } | Artefact::Scars { .. } => format!("{what}: they become voids"),
                 _ => what,
             });
@@ -81,18 +95,44 @@ impl PreparationChoice {
         }
     }
 
+    /// Crops voids at the rim away, and returns what is left.
+    fn cropped(&mut self, scan: &Scan) -> Option<Scan> {
+        let crop = Crop::to_measured(scan)?;
+        let part = crop.apply(scan)?;
+        let [[ny, nx], [rows, columns]] = [part.shape(), scan.shape()];
+        let lost =
+            100.0 * (1.0 - (part.height.len() - part.voids()) as f64 / (scan.height.len() - scan.voids()) as f64);
+        self.because(format!(
+            "voids reach the rim of the {rows} x {columns} heights: they are cropped to the largest rectangle without such voids, {ny} x {nx}, \
+             which leaves out {lost:.0} % of the measured heights"
+        ));
+        let [whole, left] = [scan, &part].map(|it| Detrend::Curvature.apply(it.clone()).rms_gradient());
+        let off = (left / whole - 1.0).abs();
+        if off > OTHER_PART {
+            let off = 100.0 * off;
+            self.because(format!(
+                "the rms gradient of the whole is {off:.0} % off that of this part: areas may be {off:.0} % off"
+            ));
+        }
+        self.preparation.crop = Some(crop);
+        Some(part)
+    }
+
     fn because(&mut self, reason: String) {
         self.reasons.push(reason);
     }
 
     /// Takes off the trend.
-    fn detrended(&mut self, scan: Scan, survey: &Survey, periodic: [bool; 2]) -> Scan {
-        let share = 100.0 * survey.curvature_share;
+    fn detrended(&mut self, scan: Scan, periodic: [bool; 2]) -> Scan {
         let (trend, reason) = if periodic == [false; 2] {
             (Detrend::Plane, "the boundary is free: only the plane is subtracted, and the curvature is kept".to_owned())
         } else {
-            let reason = "the heights are not periodic: the polynomial of second order is subtracted";
-            (Detrend::Curvature, format!("{reason}, {share:.1} % of the mean square height about the plane"))
+            let trend = form_of(&scan);
+            let order = if trend == Detrend::Cubic { "third" } else { "second" };
+            let [before, after] = [Detrend::Plane, trend].map(|it| super::square(&it.apply(scan.clone())));
+            let share = if before > 0.0 { 100.0 * (1.0 - after / before) } else { 0.0 };
+            let reason = format!("the heights are not periodic: the polynomial of {order} order is subtracted");
+            (trend, format!("{reason}, {share:.1} % of the mean square height about the plane"))
         };
         self.preparation.detrend = Some(trend);
         self.because(reason);

@@ -1,15 +1,20 @@
 //! A survey of measured heights.
 
 mod artefact;
+mod artefacts;
 mod band;
 mod choice;
 mod clip;
+mod jump;
 mod noise;
 mod scales;
+mod seam;
+mod shift;
 mod table;
 mod waves;
 
-pub use artefact::{Artefact, Artefacts};
+pub use artefact::Artefact;
+pub use artefacts::Artefacts;
 pub use band::{Band, PowerLawFit};
 pub use choice::PreparationChoice;
 pub use noise::Noise;

@@ -23,6 +23,9 @@ const WANDER: f64 = 4.0;
 const OF_LEVELS: f64 = 2.0 / 3.0;
 /// Levels of which one wave makes more than this part of the bends are a grating.
 const GRATING: f64 = 0.25;
+/// Levels of which a sixteenth of the waves makes more than this part of the bends are a profile that repeats, as turning and blazed gratings leave
+/// it, with harmonics that alone are too weak. Drift has a quarter of its bends there.
+const PROFILE: [f64; 2] = [1.0 / 16.0, 0.6];
 
 /// The power of the waves of a map without its plane, under a Hann window of mean square 1.
 pub(super) struct WavePower {
@@ -103,7 +106,10 @@ impl WavePower {
         let place = |across: isize, along: isize| if axis == 0 { [across, along] } else { [along, across] };
         let bend = |along: isize, across: isize| self.at(place(across, along)) * self.step(axis, across).powi(2);
         let bends = |along: isize| -> f64 { (0..lines).map(|across| bend(along, across)).sum() };
-        let is_grating = (0..lines).any(|across| bend(0, across) > GRATING * bends(0));
+        let mut strongest: Vec<f64> = (0..lines).map(|across| bend(0, across)).collect();
+        strongest.sort_unstable_by(|a, b| b.total_cmp(a));
+        let few: f64 = strongest.iter().take((PROFILE[0] * lines as f64) as usize).sum();
+        let is_grating = strongest[0] > GRATING * bends(0) || few > PROFILE[1] * bends(0);
         let usual = BESIDE.map(bends).sum::<f64>() / BESIDE.count() as f64;
         // the square of a bend of independent steps is that of two steps
         let step = 0.5 * (bends(0) - usual) / OF_LEVELS;
