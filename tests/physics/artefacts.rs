@@ -305,7 +305,11 @@ fn prepared(map: &Map) -> (Preparation, Vec<String>, f64) {
 fn told(reasons: &[String]) -> f64 {
     let number = |reason: &String| {
         let words: Vec<&str> = reason.split_whitespace().collect();
-        let percent = words.windows(2).rev().find(|pair| pair[1] == "%").and_then(|pair| pair[0].parse::<f64>().ok());
+        let percent = words
+            .windows(2)
+            .rev()
+            .find(|pair| pair[1].trim_end_matches(':') == "%")
+            .and_then(|pair| pair[0].parse::<f64>().ok());
         let share = reason.split("by up to ").nth(1).and_then(|it| it.parse::<f64>().ok());
         share.map(|it| it / 0.1).or(percent.filter(|_| reason.contains("areas may be")).map(|it| 0.01 * it))
     };

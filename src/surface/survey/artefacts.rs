@@ -179,35 +179,39 @@ impl Artefacts {
     fn mend_scars(&mut self) {
         let along = [Scars::Rows, Scars::Columns].map(|it| (it, it.all(&self.rest).len()));
         let (scars, all) = if along[0].1 >= along[1].1 { along[0] } else { along[1] };
+        // ridges that come back after some lines are those of a grating, or turned
+        if all == 0
+            || LineOffsets::new(&self.rest, if scars == Scars::Rows { 0 } else { 1 }).is_some_and(|it| it.repeat())
+        {
+            return;
+        }
         let nodes = scars.find(&self.rest).len();
-        let (number, axis) = if scars == Scars::Rows { (0, "y") } else { (1, "x") };
+        let axis = if scars == Scars::Rows { "y" } else { "x" };
         let share = all as f64 / self.rest.height.len() as f64;
         if nodes > 0 {
             self.all.push(Artefact::Scars { axis, nodes });
             self.steps.scars = Some(scars);
             self.rest = scars.apply(self.rest.clone());
-        } else if all > 0 && share < MOST_SCARS {
-            // ridges that come back after some lines are a grating, or turned
-            let repeats = LineOffsets::new(&self.rest, number).is_some_and(|it| it.repeat());
-            if !repeats {
-                self.all.push(Artefact::ManyScars { axis, share });
-            }
+        } else if share < MOST_SCARS {
+            self.all.push(Artefact::ManyScars { axis, share });
         }
     }
 
     /// Levels of lines that wander, where they are not told already, and waves that stand alone.
     fn waves(&self) -> Vec<Artefact> {
         let Some(waves) = WavePower::new(&self.rest) else { return Vec::new() };
+        // the harmonics of a turned surface or a grating are waves that stand alone, and its levels wander
+        let repeats = [0, 1].map(|axis| LineOffsets::new(&self.rest, axis).is_some_and(|it| it.repeat()));
         let wander = [(0, "y"), (1, "x")].into_iter().filter_map(|(number, name)| {
             let is_told = |it: &Artefact| {
                 matches!(it, Artefact::Offsets { axis, .. } | Artefact::Grooves { axis, .. } | Artefact::Step { axis, .. } if *axis == name)
             };
-            let repeats = || LineOffsets::new(&self.rest, number).is_some_and(|it| it.repeat());
-            let found = waves.wander(number).filter(|_| !self.all.iter().any(is_told) && !repeats());
+            let found = waves.wander(number).filter(|_| !self.all.iter().any(is_told) && !repeats[number]);
             found.map(|[rms, share]| (share, Artefact::Wander { axis: name, rms, share }))
         });
         let alone = waves
             .alone()
+            .filter(|_| repeats == [false; 2])
             .map(|Alone { count, wavelength, rms, share }| (share, Artefact::Waves { count, wavelength, rms, share }));
         wander.chain(alone).filter(|it| it.0 > TOLD).map(|it| it.1).collect()
     }
