@@ -19,8 +19,8 @@ const REPEATED: f64 = 0.75;
 const LONGEST_DECAY: f64 = 0.2;
 /// The factor between decay lengths that are tried.
 const DECAY_STEP: f64 = 1.25;
-/// The largest part of the mean square of the levels about their polynomial of third order that an exponential leaves. Drift by 10 to 40 rms heights leaves less
-/// than 5 %, and the levels of random surfaces leave more than half.
+/// The largest part of the mean square of the levels about their polynomial of third order that an exponential leaves. The levels of 150 random maps
+/// left 0.12 to 1, half of them more than 0.76.
 const LEFT_BY_SETTLING: f64 = 0.1;
 
 /// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays.

@@ -24,7 +24,8 @@ const OF_LEVELS: f64 = 2.0 / 3.0;
 /// Levels of which one wave makes more than this part of the bends are a grating.
 const GRATING: f64 = 0.25;
 /// Levels of which a sixteenth of the waves makes more than this part of the bends are a profile that repeats, as turning and blazed gratings leave
-/// it, with harmonics that alone are too weak. Drift has a quarter of its bends there.
+/// it, with harmonics that alone are too weak. Of 300 random walks, as drift is one,
+/// the largest part was 0.54, and the mean 0.31.
 const PROFILE: [f64; 2] = [1.0 / 16.0, 0.6];
 
 /// The power of the waves of a map without its plane, under a Hann window of mean square 1.
