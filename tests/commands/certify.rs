@@ -222,7 +222,7 @@ fn each_result_holds_for_its_own_problem_alone() {
         ("bonded", "--layer 0.05 --base bonded".into()),
         ("loose", "--layer 0.05 --base sliding".into()),
         ("hard", "--hardness 0.05".into()),
-        ("harder", "--hardness 0.08".into()),
+        ("harder", "--hardness 0.06".into()),
         ("free", "--boundary free".into()),
         ("slides", "--creep 4,1 --speed 0.1".to_string()),
     ];
