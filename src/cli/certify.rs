@@ -13,7 +13,7 @@ use super::terminal::stdout;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Contact, Problem, archive, warnings_of};
+use asperity::contact::{Contact, ContactModulus, Problem, archive, warnings_of};
 use asperity::error::ProblemError;
 use asperity::files::{check_apart, check_named, write_beside};
 use asperity::foreign::{Assessment, Claim, Frame, GivenField, Replay};
@@ -24,6 +24,7 @@ use asperity::surface::read_field;
 use clap::{ArgGroup, Args};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Fields that a claim takes while it is assessed: its own, heights, and those of a half-space, a contact and a trial.
 const FIELDS: f64 = 12.0;
@@ -85,7 +86,10 @@ impl Certify {
                 self.ending()
             ));
         }
-        let claim = Claim::of_problem(setup.problem()?, is_loaded.then_some(setup.load), quantity, &field)?;
+        let (surface, modulus) = (Arc::new(setup.surface()?), ContactModulus(setup.contact_modulus()?));
+        let claim = Claim::new(surface.clone(), modulus, is_loaded.then_some(setup.load), quantity, &field)?;
+        let is_plain = setup.law.is_hard_wall() && setup.sliding.is_none() && setup.elastic()?.is_half_space();
+        let claim = if is_plain { claim } else { claim.with_problem(setup.problem_of(surface)?) };
         let problem = claim.problem().or_else(|error| refuse(&claim, &setup, error))?;
         let contact = self.contact(&setup, &claim, &problem, path)?;
         if let Some(fault) = contact.fault().filter(|_| contact.failure.is_some()) {

@@ -47,21 +47,9 @@ impl Claim {
         Ok(Self { surface, contact_modulus, load, quantity, values, kernel: WaveStiffness::Norm, special: None })
     }
 
-    /// The claim that `values` of a quantity solve a problem of any solid and law, under a load or under their own. The load of the problem is
-    /// not used.
-    ///
-    /// # Errors
-    /// The errors of [`Claim::new`].
-    pub fn of_problem(
-        problem: Problem,
-        load: Option<Load>,
-        quantity: GivenField,
-        values: &Field,
-    ) -> Result<Self, ClaimError> {
-        let modulus = ContactModulus(problem.contact_modulus());
-        let claim = Self::new(problem.surface().clone(), modulus, load, quantity, values)?;
-        let is_plain = problem.solid().is_half_space() && problem.law().is_hard_wall();
-        Ok(Self { special: (!is_plain).then_some(problem), ..claim })
+    /// The same claim for a problem of the same surface with a solid or a law of its own. The load of the problem is not used.
+    pub fn with_problem(self, problem: Problem) -> Self {
+        Self { special: Some(problem), ..self }
     }
 
     /// Whether the solid is a half-space below a hard wall, for which everyday errors are looked for.

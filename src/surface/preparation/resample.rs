@@ -7,6 +7,8 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// The fewest different heights along an axis, if they are repeats.
 const FEWEST_RUNS: usize = 8;
+/// The most times that each height is there, if they are repeats: programs enlarge by small factors, and longer runs are terraces of the surface.
+const MOST_REPEATS: usize = 4;
 
 /// How heights are interpolated to the same number of even positions over the same length: those at uneven positions, or those of which every
 /// one is there several times.
@@ -38,7 +40,7 @@ impl Resample {
         let times = (nodes as f64 / runs as f64).round() as usize;
         // some of a rim or of a flat part are no repeats of all heights
         let is_even = is_equal.split(|it| !*it).all(|run| run.len() < times + 1);
-        if runs >= FEWEST_RUNS && is_even { times } else { 1 }
+        if runs >= FEWEST_RUNS && times <= MOST_REPEATS && is_even { times } else { 1 }
     }
 
     /// The heights of which those that are there several times along an axis are interpolated between the middles of their repeats.

@@ -113,7 +113,7 @@ fn files_of_wrong_units_are_refused() {
         ("a.plu", changed(plu::file(), &2_f32.to_le_bytes(), &(-2_f32).to_le_bytes()), "-2"),
         ("a.sdf", unit("Xscale = 2.0e-006", "Xscale = -1"), "-1"),
         ("b.sdf", unit("Zscale = 1.0e-9", "Zscale = one"), "one"),
-        ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "a spacing of 0.0"),
+        ("a.x3p", described("<Increment>2e-6<", "<Increment>0<"), "no size is given, and the file has none"),
     ]);
     let told = |file: Vec<u8>, from: &str, to: &str| changed(file, from.as_bytes(), to.as_bytes());
     refuse_files(&[
