@@ -79,7 +79,8 @@ fn profile_deviation(name: &str, measured: &Measurement, truth: &Value) -> f64 {
     let unit = truth["unit_in_file"].as_str().map_or(1.0, metres);
     let number = |value: &Value| value.as_f64().unwrap() * unit;
     // a head may state a unit of the positions, which the peer does not look for
-    let place = |value: &Value| value.as_f64().unwrap() * measured.units.distance.unwrap_or(unit);
+    let own = measured.units.distance.filter(|_| truth["unit_in_file"].is_null());
+    let place = |value: &Value| value.as_f64().unwrap() * own.unwrap_or(unit);
     let count = truth["points"].as_u64().unwrap() as usize;
     assert_eq!((measured.height.dim(), measured.is_profile), ((1, count), true), "{name}");
     // positions that are even except for rounding are so here, and some of them are not to the peer
