@@ -114,7 +114,7 @@ fn a_map_in_text_is_described_prepared_and_solved() {
     assert_eq!(row(&told, "voids"), "1 of 1536 heights");
     let prepare = &told["knobs"]["prepare"];
     assert_eq!((&prepare["fill"], prepare["mirror"].is_string()), (&json!("harmonic"), true), "{prepare}");
-    assert!(told["reasons"][0].as_str().unwrap().starts_with("1 of 1536 heights are void"), "{}", told["reasons"]);
+    assert!(told["reasons"][0].as_str().unwrap().starts_with("1 of 1536 heights (0.1 %) are void"), "{}", told["reasons"]);
     assert_eq!(page.get("/api/heights").json(), told);
     let run = page.press(&told["knobs"]);
     assert_eq!(run["numbers"]["status"], "converged");
@@ -253,7 +253,7 @@ fn files_of_anyone_get_a_sentence_and_leave_the_one_before() {
     ] {
         assert_eq!(page.post("/api/describe", knobs).status, 400, "{knobs}");
     }
-    for knobs in [json!({"auto": false, "prepare": {"crop": [30, 99, 0, 9]}}), json!({"unit": 1})] {
+    for knobs in [json!({"auto": false, "prepare": {"crop": [30, 99, 0, 9]}}), json!({"unit": 2})] {
         let told = page.post("/api/describe", &knobs.to_string());
         assert_eq!(told.status, 200, "{knobs}: {}", told.text());
         assert!(told.json()["fault"].is_string(), "{knobs}: {}", told.json());

@@ -116,7 +116,8 @@ fn a_wave_holds_under_a_pull_as_in_the_library() {
     assert_eq!(facet("patches")["is_hertzian"], false);
     let parted = page.solve(&wave(json!({"pull": 0.1})));
     assert_eq!((number(&parted, "relative_area"), number(&parted, "patches")), (0.0, 0.0));
-    assert!(number(&parted, "mean_gap") > 3.0 * number(&run, "mean_gap"));
+    // surfaces that have parted have no gap that a load would give
+    assert!(parted["mean_gap"].is_null(), "{}", parted["mean_gap"]);
 }
 
 /// At gaps the load follows: approach and retreat have states at equal gaps of which one holds and the other does not, energy is lost in between, and the
