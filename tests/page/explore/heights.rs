@@ -114,7 +114,11 @@ fn a_map_in_text_is_described_prepared_and_solved() {
     assert_eq!(row(&told, "voids"), "1 of 1536 heights");
     let prepare = &told["knobs"]["prepare"];
     assert_eq!((&prepare["fill"], prepare["mirror"].is_string()), (&json!("harmonic"), true), "{prepare}");
-    assert!(told["reasons"][0].as_str().unwrap().starts_with("1 of 1536 heights (0.1 %) are void"), "{}", told["reasons"]);
+    assert!(
+        told["reasons"][0].as_str().unwrap().starts_with("1 of 1536 heights (0.1 %) are void"),
+        "{}",
+        told["reasons"]
+    );
     assert_eq!(page.get("/api/heights").json(), told);
     let run = page.press(&told["knobs"]);
     assert_eq!(run["numbers"]["status"], "converged");
