@@ -19,6 +19,7 @@ mod preparation;
 mod remedy;
 mod roughness;
 mod setup;
+mod shortened;
 mod study;
 mod text;
 
@@ -37,6 +38,7 @@ pub use plastic::PlasticError;
 pub use preparation::PreparationError;
 pub use roughness::RoughnessError;
 pub use setup::SetupError;
+pub(crate) use shortened::shortened;
 pub use study::StudyError;
 pub(crate) use text::flags_in_words;
 pub use text::{ExpectedValue, FoundValue, TextFault, TextPlace};

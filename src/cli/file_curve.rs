@@ -6,7 +6,7 @@ use asperity::contact::{ArchiveReader, Quantity};
 use asperity::error::FileError;
 use asperity::files::{TextColumn, read_columns};
 use asperity::plot::Dot;
-use asperity::study::SeedMean;
+use asperity::study::{SeedMean, first_changed_row};
 use std::path::Path;
 
 /// The column of the seeds in a table of a study, and how columns begin of what is varied along a curve.
@@ -68,6 +68,14 @@ pub fn curves_of(path: &Path, x: Abscissa<'_>, y: Quantity, is_one_of_many: bool
         true => vec![FileCurve { dots: of_archive(path, x, y)?.dots(), name }],
         false => {
             let columns = read_columns(path)?;
+            if let Some(row) = first_changed_row(&columns) {
+                return usage(format!(
+                    "row {row} of {} is not as it was written: its check sum does not fit. Make the table again, or take the column `{}` out to draw \
+                     what is there",
+                    path.display(),
+                    columns[columns.len() - 1].name
+                ));
+            }
             let numbers = of_columns(path, &columns, x, y)?;
             let named = |values: &str| match (values.is_empty(), is_one_of_many) {
                 (true, _) => name.clone(),

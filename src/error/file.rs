@@ -1,5 +1,6 @@
 //! Files that cannot be read or written.
 
+use super::shortened;
 use std::path::PathBuf;
 
 /// A file that cannot be read or written.
@@ -9,10 +10,10 @@ pub enum FileError {
     #[error("cannot read {}: {}", path.display(), reason(source))]
     Read { path: PathBuf, source: std::io::Error },
     /// The file has the wrong content.
-    #[error("{} is not a valid {what} file: {reason}", path.display())]
+    #[error("{} is not a valid {what} file: {}", path.display(), shortened(reason))]
     Format { path: PathBuf, what: &'static str, reason: String },
     /// The file is not a recording, or it contains nothing to compare.
-    #[error("{} cannot be compared: {reason}", path.display())]
+    #[error("{} cannot be compared: {}", path.display(), shortened(reason))]
     Incomparable { path: PathBuf, reason: String },
     /// The output cannot be created at this place.
     #[error("cannot write {}: {reason}", path.display())]

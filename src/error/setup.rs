@@ -2,7 +2,7 @@
 
 use super::{
     AdhesionError, Conflict, ConflictRule, CreepError, FileError, FlowError, GridError, HistoryError, PreparationError,
-    ProblemError, SettingError, SlipError, SolidError, SolveError, SurfaceError, TextFault, TextPlace,
+    ProblemError, SettingError, SlipError, SolidError, SolveError, SurfaceError, TextFault, TextPlace, shortened,
 };
 use crate::memory::free_in_words;
 use crate::quantity::{bytes_in_words, grouped};
@@ -125,7 +125,7 @@ pub enum SetupError {
     )]
     NoSuchNode { row: usize, column: usize, shape: [usize; 2] },
     /// A text that is not a setup.
-    #[error("{place}{fault}")]
+    #[error("{}", shortened(&format!("{place}{fault}")))]
     Text { place: TextPlace, fault: Box<TextFault> },
     /// A solve that needs more memory than is free, or than the system allows.
     #[error("{}", memory_in_words(*shape, *states, what, *needed, *free))]

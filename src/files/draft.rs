@@ -1,8 +1,9 @@
 //! Drafts: what is written under a name of its own, before it has its final name.
 
+use super::leftovers::{hold, remove_leftovers};
 use crate::error::{FileError, reason};
 use std::ffi::{OsStr, OsString};
-use std::fs::{File, create_dir, remove_dir_all, remove_file, rename};
+use std::fs::{File, create_dir, metadata, remove_dir_all, remove_file, rename, set_permissions};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -11,11 +12,15 @@ use tempfile::Builder;
 /// The drafts of this process. They are global, as a request to end the process can come at any time.
 static DRAFTS: Mutex<Vec<DraftName>> = Mutex::new(Vec::new());
 
+/// What the names of hidden drafts begin with.
+pub(super) const HIDDEN: &str = ".asperity-";
+
 /// A file or folder that was created new, under a name of its own, in the folder of the one that it stands for. No file of that name is opened or
-/// followed, and no other process has it.
+/// followed, and no other process has it. Where the name that it stands for is a link, it stands for the file that the link points to. It has the
+/// permissions of an older file that it takes the place of.
 ///
-/// A hidden draft, `.asperity-XXXXXX`, is removed when it is dropped. A draft that grows, such as `run.part-XXXXXX.rrd` for `run.rrd`, stays: it holds
-/// what a run that is killed has reached.
+/// A hidden draft, `.asperity-XXXXXX`, is removed when it is dropped; one that a killed process has left is removed by the next process that writes in
+/// its folder. A draft that grows, such as `run.part-XXXXXX.rrd` for `run.rrd`, stays: it holds what a run that is killed has reached.
 ///
 /// ```
 /// use asperity::files::Draft;
@@ -33,6 +38,8 @@ static DRAFTS: Mutex<Vec<DraftName>> = Mutex::new(Vec::new());
 pub struct Draft {
     name: DraftName,
     stands_for: PathBuf,
+    /// What tells other processes that this one has it, where it is hidden.
+    held: Option<File>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +55,7 @@ impl Draft {
     /// [`FileError::Target`] if `path` is a directory or a device, or nothing can be created in its folder.
     pub(super) fn hidden(path: &Path) -> Result<(Self, File), FileError> {
         check_place(path)?;
-        Self::make(path, [".asperity-".into(), OsString::new()], |path| File::create_new(path))
+        Self::make(path, [HIDDEN.into(), OsString::new()], |path| File::create_new(path))
     }
 
     /// A hidden draft of the folder `path`.
@@ -56,7 +63,7 @@ impl Draft {
     /// # Errors
     /// [`FileError::Target`] if nothing can be created beside it.
     pub(super) fn hidden_folder(path: &Path) -> Result<Self, FileError> {
-        Ok(Self::make(path, [".asperity-".into(), OsString::new()], |path| create_dir(path))?.0)
+        Ok(Self::make(path, [HIDDEN.into(), OsString::new()], |path| create_dir(path))?.0)
     }
 
     /// A file that grows until it is finished: `NAME.part-XXXXXX.ENDING` for `NAME.ENDING`.
@@ -83,15 +90,36 @@ impl Draft {
         [before, behind]: [OsString; 2],
         create: impl FnMut(&Path) -> io::Result<T>,
     ) -> Result<(Self, T), FileError> {
-        let folder = folder_of(path);
+        let stands_for = followed(path);
+        let folder = folder_of(&stands_for);
+        let is_hidden = before == OsStr::new(HIDDEN);
+        if is_hidden {
+            remove_leftovers(folder);
+        }
         let mut drafts = drafts();
+        let mut create = create;
+        let mut held = None;
+        let create_held = |path: &Path| {
+            let content = create(path)?;
+            // another process may have taken a new draft for one that was left, and removed it: the next name is tried
+            if is_hidden {
+                held = hold(path)?;
+            }
+            Ok(content)
+        };
         // files that tempfile creates by itself can be read by their owner alone
-        let made = Builder::new().prefix(&before).suffix(&behind).disable_cleanup(true).make_in(folder, create);
+        let made = Builder::new().prefix(&before).suffix(&behind).disable_cleanup(true).make_in(folder, create_held);
         let (content, made) = made.map_err(|error| nothing_in(folder, path, &error))?.into_parts();
-        let own = path.with_file_name(made.file_name().unwrap_or_default());
-        let name = DraftName { path: own, grows: before != OsStr::new(".asperity-") };
+        let own = stands_for.with_file_name(made.file_name().unwrap_or_default());
+        let name = DraftName { path: own, grows: !is_hidden };
         drafts.push(name.clone());
-        Ok((Self { name, stands_for: path.into() }, content))
+        if let Ok(older) = metadata(&stands_for)
+            && older.is_file()
+            && !name.path.is_dir()
+        {
+            set_permissions(&name.path, older.permissions()).ok(); // a file system without permissions has nothing to keep
+        }
+        Ok((Self { name, stands_for, held }, content))
     }
 
     /// Where it is.
@@ -102,9 +130,15 @@ impl Draft {
     /// Gives it its final name, in place of an older file there.
     ///
     /// # Errors
-    /// Errors of the system.
-    pub fn finish(self) -> io::Result<()> {
-        rename(&self.name.path, &self.stands_for)
+    /// Errors of the system, with the place of the draft, which stays: it holds all that was to be written.
+    pub fn finish(mut self) -> io::Result<()> {
+        self.held = None; // Windows renames no file that is open
+        rename(&self.name.path, &self.stands_for).map_err(|error| {
+            drafts().retain(|name| *name != self.name);
+            self.name.grows = true;
+            let reason = format!("{}; what was to be written is in {}", reason(&error), self.name.path.display());
+            io::Error::new(error.kind(), reason)
+        })
     }
 
     /// Removes it.
@@ -151,6 +185,19 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
+/// The file that a link points to, through any number of links up to [`MOST_LINKS`]; the path itself, where it is no link. The file need not exist.
+fn followed(path: &Path) -> PathBuf {
+    let mut place = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(target) = place.read_link() else { break };
+        place = folder_of(&place).join(target); // an absolute target takes the place of the folder
+    }
+    place
+}
+
+/// The most links in a row: systems follow 40.
+const MOST_LINKS: usize = 40;
+
 /// Refuses a place where there can be no file.
 fn check_place(path: &Path) -> Result<(), FileError> {
     let unfit = |reason: String| Err(FileError::Target { path: path.into(), reason });
@@ -160,7 +207,11 @@ fn check_place(path: &Path) -> Result<(), FileError> {
     if path.exists() && !path.is_file() {
         return unfit("it is not a regular file: give another name".into());
     }
-    let folder = folder_of(path);
+    if metadata(path).is_ok_and(|older| older.permissions().readonly()) {
+        return unfit("it is write-protected: allow writing to it, or give another name".into());
+    }
+    let place = followed(path);
+    let folder = folder_of(&place);
     match folder.is_dir() {
         true => Ok(()),
         false => unfit(format!("the folder {} does not exist: create it first", folder.display())),

@@ -3,6 +3,7 @@
 mod apart;
 mod draft;
 mod input_file;
+mod leftovers;
 
 pub use apart::check_apart;
 pub use draft::{Draft, abandon_drafts};

@@ -4,6 +4,7 @@
 //! `frames.rs` of the crate `re_log_encoding`.
 
 use super::tables;
+use std::ops::Range;
 
 /// The mark at the beginning of a file. Pieces of a stream that are joined have one each.
 const MARK: &[u8] = b"RRF2";
@@ -19,35 +20,51 @@ const DATA: u64 = 2;
 /// Bytes between the last message and the mark of a piece that follows it.
 const FOOT: usize = 32;
 
-/// The number of bytes up to the end of the last whole message. A file with an end has only whole messages; one without was cut off.
+/// Where the messages of a file are.
+#[derive(Debug, Default, PartialEq)]
+pub struct Frames {
+    /// The end of the last whole message.
+    pub end: usize,
+    /// The bytes before the last message of each piece that has an end.
+    pub before_last: Vec<Range<usize>>,
+}
+
+/// Where the messages of a file are. A file with an end has only whole messages; one without was cut off.
 ///
 /// # Errors
 /// A reason, for a length that cannot be.
-pub fn whole(bytes: &[u8], has_end: bool) -> Result<usize, String> {
+pub fn frames(bytes: &[u8], has_end: bool) -> Result<Frames, String> {
     let mut at = FILE_HEAD.min(bytes.len());
-    loop {
+    let (mut piece, mut last) = (0, at);
+    let (mut before_last, mut unpacked) = (Vec::new(), 0_u64);
+    let end = loop {
         if bytes[at..].starts_with(MARK) {
+            piece = at;
             at = bytes.len().min(at + FILE_HEAD);
+            last = at;
         }
-        let Some((kind, length)) = head(&bytes[at..]) else { return Ok(at) };
+        let Some((kind, length)) = head(&bytes[at..]) else { break at };
         let message = usize::try_from(length).ok().and_then(|it| bytes[at + MESSAGE_HEAD..].get(..it));
         match (message, kind) {
             (Some(message), LAST) => {
+                before_last.push(piece..last);
                 at += MESSAGE_HEAD + message.len() + FOOT;
                 if !bytes.get(at..).is_some_and(|rest| rest.starts_with(MARK)) {
-                    return Ok(bytes.len());
+                    break bytes.len();
                 }
             }
             (Some(message), _) => {
                 if kind == DATA {
-                    tables::check(message)?;
+                    unpacked += tables::check(message, unpacked)?;
                 }
+                last = at;
                 at += MESSAGE_HEAD + message.len();
             }
             (None, _) if has_end => return Err("a message is longer than the file".into()),
-            (None, _) => return Ok(at),
+            (None, _) => break at,
         }
-    }
+    };
+    Ok(Frames { end, before_last })
 }
 
 /// The kind and the length of the message at the beginning of some bytes.
@@ -59,6 +76,10 @@ fn head(bytes: &[u8]) -> Option<(u64, u64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn whole(bytes: &[u8], has_end: bool) -> Result<usize, String> {
+        frames(bytes, has_end).map(|frames| frames.end)
+    }
 
     /// A file with one message with data, which unpacks to a number of bytes.
     fn file(unpacked: &[u8]) -> Vec<u8> {

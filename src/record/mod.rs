@@ -35,6 +35,7 @@
 #![doc = include_str!("../../assets/doc/record.md")]
 
 mod description;
+mod digest;
 mod draw;
 mod file;
 mod layout;

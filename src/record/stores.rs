@@ -1,6 +1,6 @@
 //! The content of recordings that are read from files, which may be damaged in any way.
 
-use super::lengths;
+use super::{digest, lengths};
 use crate::error::FileError;
 use crate::files::read_bytes;
 use rerun::external::arrow::array::Array;
@@ -41,9 +41,10 @@ pub fn read(path: &Path) -> Result<BTreeMap<StoreId, ChunkStore>, FileError> {
     let unreadable = |source| FileError::Read { path: path.into(), source };
     let bytes = read_bytes(path)?;
     let decoded = caught(|| {
-        let whole = lengths::whole(&bytes, has_end(&bytes))?;
-        let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut &bytes[..whole]);
+        let frames = lengths::frames(&bytes, has_end(&bytes))?;
+        let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut &bytes[..frames.end]);
         let stores = stores.map_err(|error| error.to_string())?;
+        digest::check(&bytes, &frames.before_last, &stores.values().collect::<Vec<_>>())?;
         let mut chunks = stores.values().flat_map(ChunkStore::iter_physical_chunks);
         chunks.try_for_each(|chunk| check(chunk))?;
         drop(chunks);

@@ -4,6 +4,7 @@
 //! # Source
 //! The message `ArrowMsg` of the protocol of Rerun; the streaming format of Arrow.
 
+use crate::memory::check_room;
 use rerun::external::arrow::ipc::root_as_message;
 use rerun::external::re_log_encoding::external::lz4_flex::block::decompress_into;
 use std::borrow::Cow;
@@ -14,17 +15,26 @@ const MOST_UNPACKED: u64 = 255;
 /// The mark before the length of a table.
 const MARK: [u8; 4] = [0xff; 4];
 
-/// Refuses a message whose fields cannot be read, and one whose tables tell lengths that it has no bytes for. Whatever else is wrong with
-/// it, the decoder finds.
+/// Bytes for which there is always memory.
+const FEW: u64 = 1 << 24;
+
+/// Refuses a message whose fields cannot be read, one whose tables tell lengths that it has no bytes for, and one that does not fit in memory beside
+/// the `others` bytes of those before it. Whatever else is wrong with it, the decoder finds. Returns the bytes of its tables.
 ///
 /// # Errors
 /// A reason, for a length that cannot be.
-pub fn check(message: &[u8]) -> Result<(), String> {
+pub fn check(message: &[u8], others: u64) -> Result<u64, String> {
     let data = Data::read(message).ok_or("the fields of a message cannot be read")?;
     if data.unpacked > MOST_UNPACKED.saturating_mul(message.len() as u64) {
         return Err("a message would unpack to more than there is in it".into());
     }
-    data.tables().map_or(Ok(()), |tables| check_tables(&tables))
+    if data.unpacked > FEW {
+        // the decoder holds the tables of all messages, and those of this one packed, unpacked, and as arrays
+        let needed = others.saturating_add(data.unpacked.saturating_mul(2));
+        check_room(needed as f64).map_err(|room| format!("its data do not fit in memory: they need {room}"))?;
+    }
+    data.tables().map_or(Ok(()), |tables| check_tables(&tables))?;
+    Ok(data.unpacked)
 }
 
 /// The fields of a message that its tables depend on.
@@ -157,12 +167,12 @@ mod tests {
     #[test]
     fn tables_with_any_bit_wrong_are_refused_or_decoded_in_the_room_that_there_is() {
         let table = table();
-        assert_eq!(check(&message(&table)), Ok(()));
+        assert_eq!(check(&message(&table), 0).map(drop), Ok(()));
         let mut refused = 0;
         for bit in 0..8 * table.len() {
             let mut wrong = table.clone();
             wrong[bit / 8] ^= 1 << (bit % 8);
-            if check(&message(&wrong)).is_err() {
+            if check(&message(&wrong), 0).is_err() {
                 refused += 1;
                 continue;
             }
@@ -175,12 +185,12 @@ mod tests {
     #[test]
     fn messages_whose_fields_cannot_be_read_are_refused() {
         let message = message(&table());
-        assert!((message.len() - 20..message.len()).all(|end| check(&message[..end]).is_err()));
+        assert!((message.len() - 20..message.len()).all(|end| check(&message[..end], 0).is_err()));
         // groups, in which fields would not be seen
-        assert!(check(&[&[0x53, 0x54][..], &message].concat()).is_err());
+        assert!(check(&[&[0x53, 0x54][..], &message].concat(), 0).is_err());
         // the decoder takes 2^32 + 2 for 2
         let long = [&[0x10, 0x82, 0x80, 0x80, 0x80, 0x10][..], &message[2..]].concat();
-        assert_eq!(check(&long), Ok(()));
+        assert_eq!(check(&long, 0).map(drop), Ok(()));
         assert!(Data::read(&long).unwrap().tables().is_some_and(|tables| *tables == *table()));
     }
 }

@@ -5,7 +5,7 @@ use super::{Cell, FLAGS, Method, Recipe, Setup};
 use crate::contact::first_archive;
 use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
 use crate::files::{path_in_text, read_text_bytes, write_beside};
-use crate::surface::{read_fields, read_text};
+use crate::surface::{has_field, read_fields, read_text};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::Write;
@@ -88,7 +88,8 @@ impl SetupTable {
             self.remove("surface");
             self.remove("grid.refine");
             self.lay("surface.height", path_in_text(result)?.into());
-            if let Ok(size) = read_fields(result, "size") {
+            if has_field(result, "size")? {
+                let size = read_fields(result, "size")?;
                 self.lay("grid.size", size.iter().copied().collect::<Vec<f64>>().into());
             }
         }

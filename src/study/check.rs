@@ -1,5 +1,6 @@
 //! The check sum of a row, which shows whether a row, or the names of its columns, were changed after it was written.
 
+use crate::files::TextColumn;
 use crate::setup::fnv1a;
 use csv::{StringRecord, WriterBuilder};
 
@@ -34,6 +35,17 @@ impl Checksum {
             false => last == of_fields(fields),
         })
     }
+}
+
+/// The line of the first row of a table that is not as it was written; none for a table without check sums.
+pub fn first_changed_row(columns: &[TextColumn]) -> Option<u64> {
+    let (check, _) = columns.split_last().filter(|(last, _)| last.name == Checksum::NAME)?;
+    let names: StringRecord = columns.iter().map(|column| column.name.as_str()).collect();
+    let is_changed = |row: &usize| {
+        let words: StringRecord = columns.iter().map(|column| column.words[*row].text.as_str()).collect();
+        !Checksum::holds(&names, &words)
+    };
+    (0..check.words.len()).find(is_changed).map(|row| check.words[row].row)
 }
 
 /// The check sum of tables that were written before check sums covered the names of the columns.

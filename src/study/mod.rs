@@ -44,6 +44,7 @@ mod views;
 mod warnings;
 
 pub use campaign::Campaign;
+pub use check::first_changed_row;
 pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;

@@ -4,6 +4,7 @@ use super::pace::FlushPace;
 use super::viewer_feed::{LeftOut, ViewerFeed};
 use crate::error::{FileError, reason};
 use crate::files::{Draft, check_target};
+use crate::record::digest::{Digest, RunningDigest, SummedFile};
 use rerun::SpawnOptions;
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::log::{ChunkBatcherConfig, LogMsg};
@@ -34,7 +35,9 @@ pub struct Output {
 }
 
 struct OutputState {
-    encoder: Encoder<File>,
+    encoder: Encoder<SummedFile>,
+    /// The digest of what the encoder has written.
+    sum: RunningDigest,
     /// Another handle of the file; all handles share one place in it.
     file: File,
     /// Bytes of whole messages in the file.
@@ -89,10 +92,11 @@ impl Output {
         viewer: Option<Box<dyn LogSink>>,
     ) -> Result<Self, FileError> {
         let begin = || {
-            let (version, mut end) = (rerun::build_info().version, file.try_clone()?);
+            let (version, mut end, sum) = (rerun::build_info().version, file.try_clone()?, RunningDigest::default());
+            let file = SummedFile::new(file, sum.clone());
             let encoder = Encoder::new_eager(version, EncodingOptions::PROTOBUF_COMPRESSED, file).map_err(io_error)?;
             let written = end.stream_position()?;
-            Ok(OutputState { encoder, file: end, written, is_finished: false, draft, viewer })
+            Ok(OutputState { encoder, sum, file: end, written, is_finished: false, draft, viewer })
         };
         let state = begin().map_err(|failure: io::Error| not_made(path, &failure))?;
         Ok(Self { path: path.into(), pace, failure: Arc::default(), state: Arc::new(Mutex::new(state)) })
@@ -133,6 +137,11 @@ impl Output {
     pub(super) fn check(&self) -> Result<(), FileError> {
         let copy = |failure: &io::Error| self.error(io::Error::new(failure.kind(), failure.to_string()));
         self.failure.get().map(copy).map_or(Ok(()), Err)
+    }
+
+    /// The digest of the file so far.
+    pub(super) fn digest(&self) -> Digest {
+        self.state().sum.now()
     }
 
     /// Notes a failure, after which no more is written.

@@ -79,6 +79,7 @@ impl Recording {
     pub fn finish(self) -> Result<(), FileError> {
         self.wait_for_statics();
         self.flush()?;
+        self.write(|stream| self.output.digest().send(stream))?;
         self.output.finish()
     }
 
@@ -178,9 +179,17 @@ pub(super) fn write_whole(
 ) -> Result<(), FileError> {
     let output = Output::create(path)?;
     let failed = |failure| output.error(io::Error::other(failure));
-    let logged = stream(output.clone(), name).and_then(|stream| log(&stream).map(|()| stream)).map_err(failed);
-    let flushed = logged.and_then(|it| it.flush_blocking().map_err(|failure| output.error(io::Error::other(failure))));
-    flushed.and_then(|()| output.finish()).inspect_err(|_| output.discard())
+    let flush =
+        |stream: &RecordingStream| stream.flush_blocking().map_err(|failure| output.error(io::Error::other(failure)));
+    let written = stream(output.clone(), name)
+        .and_then(|stream| log(&stream).map(|()| stream))
+        .map_err(failed)
+        .and_then(|stream| {
+            flush(&stream)?;
+            output.digest().send(&stream).map_err(failed)?;
+            flush(&stream)
+        });
+    written.and_then(|()| output.finish()).inspect_err(|_| output.discard())
 }
 
 /// The scenes, prepared to be recorded under `above`, each under a root of its own of safe characters only.

@@ -4,8 +4,8 @@
 use super::bytes::latin;
 use super::format::malformed;
 #[cfg(feature = "microscopes")]
-use super::zlib::LARGEST_RATIO;
-#[cfg(feature = "microscopes")]
+use super::limits::{LARGEST_RATIO, text_limit};
+use super::limits::{XML_ATTRIBUTES, XML_NODES};
 use roxmltree::{Document, ParsingOptions};
 use std::io::{self, Cursor, Read};
 use zip::ZipArchive;
@@ -16,16 +16,6 @@ pub(super) type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 /// What an archive begins with.
 const MAGIC: &[u8] = b"PK\x03\x04";
-/// Bytes that every description may have.
-pub(super) const TEXT: u64 = 1 << 16;
-/// Largest number of bytes of a description per byte of an archive: beyond it, a document is too large to be useful.
-const TEXT_RATIO: u64 = 64;
-/// Parts of a description at most.
-#[cfg(feature = "microscopes")]
-const NODES: u32 = 1 << 22;
-/// Attributes of an element and spaces of names of a description at most: the time that they take grows with their square.
-#[cfg(feature = "microscopes")]
-const MOST: usize = 1024;
 
 /// Whether bytes are an archive that has this name in it.
 pub(super) fn names(bytes: &[u8], name: &str) -> bool {
@@ -51,11 +41,6 @@ pub(super) fn missing(name: &str) -> impl Fn(ZipError) -> io::Error {
         ZipError::FileNotFound => malformed(format!("it is an archive without {name:?}, which it refers to")),
         other => damaged(other),
     }
-}
-
-/// Bytes that a description in an archive of some length may have.
-pub(super) fn text_limit(length: u64) -> u64 {
-    TEXT + TEXT_RATIO.saturating_mul(length)
 }
 
 /// The bytes of a file of an archive, fewer than `limit`.
@@ -89,14 +74,15 @@ pub(super) fn text(archive: &mut Archive, name: &str, length: usize) -> io::Resu
 ///
 /// # Errors
 /// For a text that is no XML, or takes too long to read.
-#[cfg(feature = "microscopes")]
 pub(super) fn document<'a>(text: &'a str, name: &str) -> io::Result<Document<'a>> {
     let attributes = text.split('<').map(|element| element.bytes().filter(|byte| *byte == b'=').count());
     let most = attributes.max().unwrap_or(0).max(text.matches("xmlns").count());
-    if most > MOST {
-        return Err(malformed(format!("its {name} has {most} attributes or spaces of names, more than {MOST}")));
+    if most > XML_ATTRIBUTES {
+        return Err(malformed(format!(
+            "its {name} has {most} attributes or spaces of names, more than {XML_ATTRIBUTES}"
+        )));
     }
-    let options = ParsingOptions { nodes_limit: NODES, ..ParsingOptions::default() };
+    let options = ParsingOptions { nodes_limit: XML_NODES, ..ParsingOptions::default() };
     let read = Document::parse_with_options(text, options);
     read.map_err(|error| malformed(format!("its {name} cannot be read: {error}")))
 }

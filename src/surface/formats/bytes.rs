@@ -1,7 +1,7 @@
 //! Binary data, read from its start without ever going beyond its end.
 
 use super::format::malformed;
-use super::room::check_points;
+use super::limits::check_points;
 use std::io;
 
 /// Bytes of a file with the place in them.

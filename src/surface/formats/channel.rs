@@ -3,9 +3,6 @@
 use super::format::malformed;
 use std::io;
 
-/// The most channels that a file may have if it can state any number of them, each with a header of its own.
-#[cfg(feature = "microscopes")]
-const MOST: usize = 64;
 /// Words in the names of channels that are lengths, but no heights.
 #[cfg(feature = "microscopes")]
 const NO_HEIGHTS: [&str; 3] = ["amplitude", "deflection", "error"];
@@ -80,18 +77,6 @@ impl<'a> Channel<'a> {
             _ => (spacing, None),
         };
         Self { spacing: Some(spacing), lateral_unit, ..self }
-    }
-}
-
-/// Refuses a file that states more channels than can be read.
-///
-/// # Errors
-/// For more than [`MOST`] channels.
-#[cfg(feature = "microscopes")]
-pub(super) fn check_count(count: usize) -> io::Result<()> {
-    match count {
-        ..=MOST => Ok(()),
-        _ => Err(malformed(format!("it contains {count} channels, but at most {MOST} are read"))),
     }
 }
 

@@ -1,9 +1,10 @@
 //! The files of FRT's MicroProf profilometers.
 
 use super::bytes::{ByteReader, latin, left_over};
-use super::channel::{Channel, check_count, new_name};
+use super::channel::{Channel, new_name};
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::check_channels;
 use super::number_type::NumberType;
 use super::raster::ChannelRaster;
 use std::io;
@@ -129,7 +130,7 @@ fn images(mut at: ByteReader<'_>) -> io::Result<Vec<FrtImage<'_>>> {
     while !at.rest().is_empty() {
         let [kind, columns, rows, bits] = [at.u32()?, at.u32()?, at.u32()?, at.u32()?];
         images.push(FrtImage { kind, raster: raster(&mut at, [rows, columns], bits)? });
-        check_count(images.len())?;
+        check_channels(images.len())?;
     }
     Ok(images)
 }

@@ -1,10 +1,11 @@
 //! The binary waves of Igor Pro, and with them the maps of Asylum Research's microscopes.
 
 use super::bytes::{ByteReader, latin, left_over};
-use super::channel::{Channel, check_count, may_be_height, new_name};
+use super::channel::{Channel, may_be_height, new_name};
 use super::entries::Entries;
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::check_channels;
 use super::number_type::NumberType;
 use super::raster::ChannelRaster;
 use super::unit::metres_of_si;
@@ -70,7 +71,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     if more > 0 {
         return Err(malformed("its wave has four axes, but at most three are read: x, y and layers"));
     }
-    check_count(layers)?;
+    check_channels(layers)?;
     let (is_profile, shape) = (rows == 0, [rows.max(1) as i64, columns as i64]);
     let across = if is_profile { 1 } else { 0 };
     let (steps, units) =

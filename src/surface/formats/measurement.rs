@@ -5,7 +5,7 @@ use super::format::EMPTY;
 use super::format::{ReadSeek, malformed};
 use super::instrument::Instrument;
 use super::layout::{FileUnits, Layout, doubt_of_spacing};
-use super::room::check_points;
+use super::limits::check_points;
 use super::{HEIGHTS, INSTRUMENTS, npy, npz, profile_of, shape_of};
 use crate::error::FileError;
 use crate::files::{open_regular, read_whole};

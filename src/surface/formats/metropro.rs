@@ -1,9 +1,10 @@
 //! The files of MetroPro, with which Zygo's interferometers measure.
 
 use super::bytes::{ByteReader, left_over};
-use super::channel::{Channel, check_count, new_name};
+use super::channel::{Channel, new_name};
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::check_channels;
 use super::number_type::NumberType;
 use super::raster::ChannelRaster;
 use std::io;
@@ -60,7 +61,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let spacing = Some(f64::from(at(SPACING)?.f32()?)).filter(|it| *it != 0.0);
     let (pixels, points) = (shape(at(PIXELS)?)?, shape(at(POINTS)?)?);
     let images = if pixels == [0, 0] { 0 } else { usize::from(at(IMAGES)?.u16()?) };
-    check_count(images + 1)?;
+    check_channels(images + 1)?;
     let mut channels: Vec<Channel> = Vec::new();
     for _ in 0..images {
         let raster = ChannelRaster::new(&mut data, NumberType::U16, pixels)?;

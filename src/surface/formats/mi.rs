@@ -1,10 +1,11 @@
 //! The files of PicoView, with which microscopes of Molecular Imaging, Agilent and Keysight measure.
 
 use super::bytes::{ByteReader, latin, left_over, nodes};
-use super::channel::{Channel, check_count, may_be_height, new_name};
+use super::channel::{Channel, may_be_height, new_name};
 use super::entries::Entries;
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::check_channels;
 use super::number_type::NumberType;
 use super::raster::{ChannelRaster, from_below};
 use super::unit::metres_of_si;
@@ -39,7 +40,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     if kind != "Image" {
         return Err(malformed(format!("it is a file of the type {kind:?}, not an image")));
     }
-    check_count(parts.len())?;
+    check_channels(parts.len())?;
     let rest = &bytes[end + DATA.len()..];
     let length = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
     let data = rest.get(length + 1..).unwrap_or_default();

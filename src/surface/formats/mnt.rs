@@ -5,8 +5,9 @@ use super::channel::{Channel, listed};
 use super::compound::{self, stream};
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::LARGEST_RATIO;
 use super::unit::metres;
-use super::zlib::{LARGEST_RATIO, unpack};
+use super::zlib::unpack;
 use std::io;
 
 /// A compound document whose stream `ScopedContents` is a tree of entries, each of a tag of two bytes, a length of eight and its data. Objects

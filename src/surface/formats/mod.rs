@@ -30,6 +30,7 @@ mod instrument;
 #[cfg(feature = "microscopes")]
 mod jpk;
 mod layout;
+mod limits;
 mod measurement;
 #[cfg(feature = "microscopes")]
 mod metropro;
@@ -59,7 +60,6 @@ mod profile;
 #[cfg(feature = "microscopes")]
 mod raster;
 mod remarks;
-mod room;
 mod said;
 mod sdf;
 #[cfg(feature = "instruments")]

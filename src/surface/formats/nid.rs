@@ -1,10 +1,11 @@
 //! The files of Nanosurf's scanning probe microscopes.
 
 use super::bytes::{ByteReader, latin, left_over};
-use super::channel::{Channel, check_count, may_be_height, new_name};
+use super::channel::{Channel, may_be_height, new_name};
 use super::entries::{Entries, EntrySection, sections};
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::check_channels;
 use super::number_type::NumberType;
 use super::raster::ChannelRaster;
 use super::unit::metres_of_si;
@@ -39,7 +40,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     parts.sort_unstable();
     let parts: Vec<&EntrySection> =
         parts.iter().filter_map(|it| sections.iter().find(|section| section.name == it.1)).collect();
-    check_count(parts.len())?;
+    check_channels(parts.len())?;
     let common = find("DataSet-Info").cloned().unwrap_or_default();
     let mut at = ByteReader::new(bytes).seek(end + DATA.len())?;
     let mut channels: Vec<Channel> = Vec::new();

@@ -1,6 +1,7 @@
 //! NumPy's `.npy`.
 
 use super::format::{ArrayRequest, EMPTY, Format, ReadSeek, malformed};
+use super::limits::{NPY_HEADER, check_brackets};
 use ndarray::{ArrayD, ArrayViewD};
 use ndarray_npy::npy::header::Header;
 use ndarray_npy::{ReadNpyError, ReadNpyExt, ReadableElement, WriteNpyError, WriteNpyExt};
@@ -10,8 +11,6 @@ use strum::EnumString;
 
 /// What every file begins with.
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
-/// Bytes at the start of a file that must hold the whole header; NumPy writes 128.
-const HEADER_BYTES: u64 = 4096;
 
 /// An array that fills the file.
 pub(super) const FORMAT: Format = Format {
@@ -126,7 +125,7 @@ fn stated_header(start: &[u8]) -> Option<u64> {
 /// The header of an array, and where the data after it start.
 pub(super) fn header(file: &mut dyn ReadSeek, place: &Range<u64>) -> io::Result<(Header, u64)> {
     let mut start = Vec::new();
-    let most = HEADER_BYTES.min(place.end - place.start);
+    let most = NPY_HEADER.min(place.end - place.start);
     if most == 0 {
         return Err(malformed(EMPTY));
     }
@@ -137,9 +136,11 @@ pub(super) fn header(file: &mut dyn ReadSeek, place: &Range<u64>) -> io::Result<
         let found = place.end - place.start;
         return Err(malformed(format!(
             "it is not a valid .npy file: it states a header of {stated} bytes, but it has {found} in all and headers of at most \
-             {HEADER_BYTES} are read"
+             {NPY_HEADER} are read"
         )));
     }
+    let header_end = stated_header(&start).map_or(start.len(), |stated| stated as usize);
+    check_brackets(&start[..header_end])?;
     let mut rest = start.as_slice();
     let header = Header::from_reader(&mut rest).map_err(|error| {
         let why = error.to_string(); // a syntax error draws where it is, from an arrow on

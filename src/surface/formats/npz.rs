@@ -16,10 +16,19 @@ pub(super) const FORMAT: Format = Format {
 
 /// The start of an archive and of each of its members.
 const MARK: [u8; 4] = *b"PK\x03\x04";
-/// Names of arrays at the most, for people to choose from.
-const MOST: usize = 64;
-/// Bytes before the name of a member.
+/// The start of each entry of the directory behind the members.
+const ENTRY_MARK: [u8; 4] = *b"PK\x01\x02";
+/// The start of what follows the directory: the end of an archive, and of one with sizes of 64 bits.
+const END_MARKS: [[u8; 4]; 2] = [*b"PK\x05\x06", *b"PK\x06\x06"];
+/// The most names of arrays that an error shows.
+const MOST_NAMES: usize = 64;
+/// The most members of an archive: more of them need sizes of 64 bits, and NumPy writes one for each array.
+const MOST_MEMBERS: usize = u16::MAX as usize;
+/// Bytes before the name of a member, and of an entry of the directory.
 const HEAD: usize = 30;
+const ENTRY_HEAD: usize = 46;
+/// A size or a place that needs 64 bits, where there are 32: it stands elsewhere.
+const LONG: u64 = u32::MAX as u64;
 /// Bytes that are read at a time.
 const READ: usize = 1 << 16;
 
@@ -95,43 +104,91 @@ fn named_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Member> {
 /// The member of an archive, if it has one of that name. Nothing of a claimed size is allocated.
 ///
 /// # Errors
-/// The reason, where the member is compressed, or the archive is cut short.
+/// The reason, where the member is compressed, and the errors of [`members`].
 pub(super) fn find_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Option<Member>> {
-    let mut at = 0;
-    while let Some(member) = next(file, at)? {
-        if member.array.as_deref() == Some(name) {
-            return match member.is_stored {
-                true => Ok(Some(member)),
-                false => Err(malformed("it is compressed: save it with numpy.savez")),
-            };
-        }
-        at = member.place.end;
+    match members(file)?.into_iter().find(|member| member.array() == Some(name.as_bytes())) {
+        Some(member) if !member.is_stored => Err(malformed("it is compressed: save it with numpy.savez")),
+        found => Ok(found),
     }
-    Ok(None)
 }
 
-/// The names of all arrays of an archive, at most [`MOST`].
+/// The names of all arrays of an archive, at most [`MOST_NAMES`].
 ///
 /// # Errors
-/// The reason, where the archive is cut short.
+/// The errors of [`members`].
 pub(super) fn names(file: &mut dyn ReadSeek) -> io::Result<Vec<String>> {
-    let (mut names, mut at) = (Vec::new(), 0);
-    while let Some(member) = next(file, at)?.filter(|_| names.len() < MOST) {
-        names.extend(member.array);
-        at = member.place.end;
-    }
-    Ok(names)
+    let members = members(file)?;
+    let arrays = members.iter().filter_map(Member::array);
+    Ok(arrays.take(MOST_NAMES).map(|name| String::from_utf8_lossy(name).into_owned()).collect())
 }
 
 /// A member of an archive.
 pub(super) struct Member {
-    /// The name, if it is an array.
-    array: Option<String>,
+    name: Vec<u8>,
+    /// Where its head begins.
+    at: u64,
     place: Range<u64>,
     /// Whether it is not compressed.
     is_stored: bool,
     /// Its check sum.
     sum: u32,
+}
+
+impl Member {
+    /// Its name as an array, if it is one.
+    fn array(&self) -> Option<&[u8]> {
+        self.name.strip_suffix(b".npy")
+    }
+}
+
+/// The members of an archive, which are those of its directory.
+///
+/// The directory stands at the end, so that an archive that was cut has none. Both places hold each name: without the comparison, an array whose
+/// name is damaged would seem absent, and a reader would take the default for it.
+///
+/// # Errors
+/// The reason, where the archive is cut short or damaged.
+fn members(file: &mut dyn ReadSeek) -> io::Result<Vec<Member>> {
+    let (mut members, mut at) = (Vec::new(), 0);
+    while let Some(member) = next(file, at)? {
+        at = member.place.end;
+        members.push(member);
+        if members.len() > MOST_MEMBERS {
+            return Err(malformed(format!("it is an archive of more than {MOST_MEMBERS} files")));
+        }
+    }
+    file.seek(SeekFrom::Start(at))?;
+    let mut directory = BufReader::new(file);
+    for member in &members {
+        check_entry(&mut directory, member)?;
+    }
+    let mut mark = [0; 4];
+    match directory.read_exact(&mut mark) {
+        Ok(()) if END_MARKS.contains(&mark) => Ok(members),
+        _ => Err(malformed(DAMAGED_DIRECTORY)),
+    }
+}
+
+/// What is said of an archive whose directory is not there, or not that of its members.
+const DAMAGED_DIRECTORY: &str = "it is a damaged archive: it was cut, or the list of its arrays at its end is not that of the arrays in it; copy the \
+                                 file again";
+
+/// Checks that the next entry of the directory is that of a member.
+fn check_entry(directory: &mut impl Read, member: &Member) -> io::Result<()> {
+    let damaged = |_| malformed(DAMAGED_DIRECTORY);
+    let mut head = [0; ENTRY_HEAD];
+    directory.read_exact(&mut head).map_err(damaged)?;
+    let [name, extra, comment] = [28, 30, 32].map(|at| number(&head[at..at + 2]));
+    let mut rest = Vec::new();
+    directory.take(name + extra + comment).read_to_end(&mut rest)?;
+    let is_or_long = |at: usize, value: u64| [value, LONG].contains(&number(&head[at..at + 4]));
+    let is_same = head.starts_with(&ENTRY_MARK)
+        && rest.len() as u64 == name + extra + comment
+        && rest[..name as usize] == member.name
+        && number(&head[16..20]) == u64::from(member.sum)
+        && is_or_long(20, member.place.end - member.place.start)
+        && is_or_long(42, member.at);
+    if is_same { Ok(()) } else { Err(malformed(DAMAGED_DIRECTORY)) }
 }
 
 /// The member that begins at a place, if one does.
@@ -143,21 +200,20 @@ fn next(file: &mut dyn ReadSeek, at: u64) -> io::Result<Option<Member>> {
     if !is_read || head[..MARK.len()] != MARK {
         return Ok(None);
     }
-    let mut found = vec![0; number(&head[26..28]) as usize];
+    let mut name = vec![0; number(&head[26..28]) as usize];
     let mut extra = vec![0; number(&head[28..30]) as usize];
-    file.read_exact(&mut found).and_then(|()| file.read_exact(&mut extra)).map_err(cut_short)?;
-    let start = at + (HEAD + found.len() + extra.len()) as u64;
+    file.read_exact(&mut name).and_then(|()| file.read_exact(&mut extra)).map_err(cut_short)?;
+    let start = at + (HEAD + name.len() + extra.len()) as u64;
     let size = match number(&head[18..22]) {
-        size if size == u64::from(u32::MAX) => long_size(&extra),
+        LONG => long_size(&extra),
         size => Some(size),
     };
     let end = size.and_then(|size| start.checked_add(size)).filter(|&end| end <= bytes);
     let is_plain = head[6] & 0b1001 == 0;
     let cut = || malformed("it is an archive that is incomplete, encrypted or streamed");
     let end = end.filter(|_| is_plain).ok_or_else(cut)?;
-    let array = found.strip_suffix(b".npy").map(|name| String::from_utf8_lossy(name).into_owned());
     let (is_stored, sum) = (number(&head[8..10]) == 0, number(&head[14..18]) as u32);
-    Ok(Some(Member { array, place: start..end, is_stored, sum }))
+    Ok(Some(Member { name, at, place: start..end, is_stored, sum }))
 }
 
 /// The size of a member that does not fit 32 bits, from what stands beside its name.

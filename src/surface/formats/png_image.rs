@@ -48,7 +48,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
         }
     }
     // a stream can be unpacked to about a thousand times its length
-    let shape = nodes(rows, columns, size, stream.len().saturating_mul(super::zlib::LARGEST_RATIO))?;
+    let shape = nodes(rows, columns, size, stream.len().saturating_mul(super::limits::LARGEST_RATIO))?;
     Ok(vec![Channel::map("grey value", shape, move || points(&stream, shape, size))])
 }
 

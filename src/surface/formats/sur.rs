@@ -4,8 +4,9 @@ use super::bytes::{ByteReader, latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
+use super::limits::LARGEST_RATIO;
 use super::unit::{lateral, metres, ratio};
-use super::zlib::{LARGEST_RATIO, unpack};
+use super::zlib::unpack;
 use std::borrow::Cow;
 use std::io;
 

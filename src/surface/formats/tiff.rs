@@ -1,16 +1,14 @@
 //! The pages of TIFF files.
 
 use super::bytes::{ByteReader, nodes};
-use super::channel::check_count;
 use super::format::malformed;
+use super::limits::{STRIPS, TAG_BYTES, TAG_TEXT, check_channels};
 use super::number_type::NumberType;
 use std::io;
 
 /// What files begin with, the least or the most significant byte of a number first.
 const MAGICS: [&[u8]; 2] = [b"II*\0", b"MM\0*"];
 
-/// The most strips of an image.
-const STRIPS: usize = 1 << 16;
 /// Tags of the layout of an image.
 const COLUMNS: u16 = 256;
 const ROWS: u16 = 257;
@@ -42,16 +40,18 @@ pub(super) fn is_tiff(bytes: &[u8]) -> bool {
 /// All pages of a file.
 ///
 /// # Errors
-/// For places beyond the end, and for more pages than can be read.
+/// For places beyond the end, for more pages than can be read, and for pages that share their tags, as those of a ring do.
 pub(super) fn pages(bytes: &[u8]) -> io::Result<Vec<TiffPage<'_>>> {
     let file = ByteReader::new(bytes).big_endian(bytes.starts_with(MAGICS[1]));
     let mut next = file.seek(4)?.u32()?;
-    let mut pages = Vec::new();
+    let (mut pages, mut left) = (Vec::new(), bytes.len() / TAG_BYTES);
     while next != 0 {
         let mut at = file.seek(next as usize)?;
-        let tags = (0..at.u16()?).map(|_| tag(file, &mut at)).collect::<io::Result<_>>()?;
+        let count = at.u16()?;
+        left = left.checked_sub(usize::from(count)).ok_or_else(|| malformed("its pages share their tags"))?;
+        let tags = (0..count).map(|_| tag(file, &mut at)).collect::<io::Result<_>>()?;
         pages.push(TiffPage { tags, file });
-        check_count(pages.len())?;
+        check_channels(pages.len())?;
         next = at.u32()?;
     }
     Ok(pages)
@@ -81,15 +81,18 @@ impl<'a> TiffPage<'a> {
         self.tags.iter().find(|it| it.number == number)
     }
 
-    /// The text of a tag.
+    /// The text of a tag, as far as [`TAG_TEXT`] goes.
     pub fn text(&self, number: u16) -> Option<String> {
         let mut values = self.tag(number)?.values;
-        values.text(values.rest().len()).ok()
+        values.text(values.rest().len().min(TAG_TEXT)).ok()
     }
 
-    /// The numbers of a tag.
-    fn numbers(&self, number: u16) -> Vec<f64> {
-        let Some(Tag { kind, values, .. }) = self.tag(number) else { return Vec::new() };
+    /// The numbers of a tag, read one by one.
+    fn numbers(&self, number: u16) -> impl Iterator<Item = f64> {
+        let (kind, mut values) = match self.tag(number) {
+            Some(tag) => (tag.kind, tag.values),
+            None => (0, ByteReader::new(&[])),
+        };
         let kind = match kind {
             3 => NumberType::U16,
             4 => NumberType::U32,
@@ -100,13 +103,12 @@ impl<'a> TiffPage<'a> {
             12 => NumberType::F64,
             _ => NumberType::U8,
         };
-        let mut values = *values;
-        std::iter::from_fn(|| kind.read(&mut values).ok()).collect()
+        std::iter::from_fn(move || kind.read(&mut values).ok())
     }
 
     /// The first number of a tag.
     pub fn number(&self, number: u16) -> Option<f64> {
-        self.numbers(number).first().copied()
+        self.numbers(number).next()
     }
 
     /// The image of a page.
@@ -130,13 +132,12 @@ impl<'a> TiffPage<'a> {
                 return Err(malformed(format!("its images have {bits} bits per point of a kind that is not read")));
             }
         };
-        let places = self.numbers(PLACES);
-        if places.len() > STRIPS {
-            return Err(malformed(format!("its images have {} strips, but at most {STRIPS} are read", places.len())));
+        if self.numbers(PLACES).nth(STRIPS).is_some() {
+            return Err(malformed(format!("its images have more than {STRIPS} strips")));
         }
-        let strip = |(place, length): (&f64, &f64)| self.file.seek(*place as usize)?.part(*length as usize);
-        let lengths = self.numbers(LENGTHS);
-        let strips: Vec<ByteReader> = places.iter().zip(&lengths).map(strip).collect::<io::Result<_>>()?;
+        let strip = |(place, length): (f64, f64)| self.file.seek(place as usize)?.part(length as usize);
+        let strips =
+            self.numbers(PLACES).zip(self.numbers(LENGTHS)).map(strip).collect::<io::Result<Vec<ByteReader>>>()?;
         let bytes = strips.iter().map(|it| it.rest().len()).sum::<usize>().min(self.file.seek(0)?.rest().len());
         let shape = nodes(value(ROWS, 0.0), value(COLUMNS, 0.0), kind.size(), bytes)?;
         Ok(TiffImage { shape, kind, strips })

@@ -1,14 +1,14 @@
 //! Surfaces and profiles in archives with a description in XML.
 
-use super::archive::{self, Archive, TEXT, bytes_of, damaged, missing};
+use super::archive::{self, Archive, bytes_of, damaged, missing};
 use super::axis::{CoordinateAxis, CoordinateType, child, find, number};
 use super::bytes::{latin, left_over, nodes};
 use super::channel::Channel;
 use super::format::malformed;
 use super::instrument::Instrument;
-use super::zlib::LARGEST_RATIO;
+use super::limits::{LARGEST_RATIO, SHORT_TEXT, XML_ATTRIBUTES, text_limit};
 use md5::{Context, Digest};
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 use std::io::{self, Read};
 
 /// An archive whose `main.xml` describes three axes and the numbers of points along them, and holds the points as a list or names a file
@@ -29,8 +29,6 @@ const MAIN: &str = "main.xml";
 const SUM: &str = "md5checksum.hex";
 /// Points that are unpacked at a time.
 const PIECE: usize = 1 << 16;
-/// Attributes of a description at most: the time that it takes to compare them grows with their square.
-const ATTRIBUTES: usize = 1024;
 /// Entries of a record, and of one of its entries, that are shown.
 const SHOWN: usize = 64;
 
@@ -41,8 +39,8 @@ fn is_it(bytes: &[u8]) -> bool {
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let mut archive = archive::open(bytes)?;
     let (text, found) = description(&mut archive, bytes.len() as u64)?;
-    let sum = archive.by_name(SUM).ok().map(|sum| bytes_of(sum, TEXT)).transpose()?;
-    let document = Document::parse(&text).map_err(|error| malformed(format!("its {MAIN} cannot be read: {error}")))?;
+    let sum = archive.by_name(SUM).ok().map(|sum| bytes_of(sum, SHORT_TEXT)).transpose()?;
+    let document = archive::document(&text, MAIN)?;
     let root = document.root_element();
     let surface = DescribedSurface::new(root, bytes.len().saturating_mul(LARGEST_RATIO))?;
     let doubts = sum
@@ -61,11 +59,11 @@ fn is_sum(sum: Digest, text: &str) -> bool {
 
 /// The text of the description, and its check sum.
 fn description(archive: &mut Archive, length: u64) -> io::Result<(String, Digest)> {
-    let limit = archive::text_limit(length);
+    let limit = text_limit(length);
     let text = bytes_of(archive.by_name(MAIN).map_err(damaged)?, limit)?;
     match text.iter().filter(|byte| **byte == b'=').count() {
-        ..=ATTRIBUTES => Ok((latin(&text), md5::compute(&text))),
-        count => Err(malformed(format!("its {MAIN} has {count} attributes, more than {ATTRIBUTES}"))),
+        ..=XML_ATTRIBUTES => Ok((latin(&text), md5::compute(&text))),
+        count => Err(malformed(format!("its {MAIN} has {count} attributes, more than {XML_ATTRIBUTES}"))),
     }
 }
 

@@ -4,9 +4,6 @@ use super::format::malformed;
 use flate2::read::ZlibDecoder;
 use std::io::{self, Read};
 
-/// Largest number of bytes that one byte of a stream can unpack to: the limit of its compression.
-pub(super) const LARGEST_RATIO: usize = 1032;
-
 /// Unpacks a number of bytes of a stream, and reads on after them: check sums are compared at the end.
 ///
 /// # Errors

@@ -87,14 +87,16 @@ fn a_recording_that_was_cut_off_says_so() {
     assert!(std::fs::read(folder.join("run.rrd")).unwrap() == before);
 }
 
-/// Outputs grow in files that no one else has: not in a file of the user, not behind a link, and not in that of another process.
+/// Outputs grow in files that no one else has: not in a file of the user, and not in that of another process. An output that is a link is written
+/// where it points.
 #[cfg(all(unix, feature = "record"))]
 #[test]
 fn no_other_file_is_touched_while_outputs_grow() {
     let folder = Folder::new();
     let others = ["run.part.rrd", "run.part.csv", "run.part", "precious", ".asperity-"];
     others.iter().for_each(|name| std::fs::write(folder.join(name), "precious").unwrap());
-    std::os::unix::fs::symlink("precious", folder.join("run.rrd")).unwrap();
+    std::fs::create_dir(folder.join("aim")).unwrap();
+    std::os::unix::fs::symlink("aim/run.rrd", folder.join("run.rrd")).unwrap();
     let line =
         "solve --hurst 0.8 --rolloff 0.125 --short-cutoff 0.004 --rms-gradient 0.1 --points 8192 --size 1 --creep 9,1";
     let run = format!("{line} --reduced-pressure 0.05 --path-time 1 --path-steps 9 --record run.rrd --out run");
@@ -110,11 +112,54 @@ fn no_other_file_is_touched_while_outputs_grow() {
         assert!(child.wait().unwrap().success());
     }
     others.iter().for_each(|name| assert_eq!(std::fs::read(folder.join(name)).unwrap(), b"precious", "{name}"));
-    assert!(!folder.join("run.rrd").is_symlink());
-    assert_is_recording(&folder, "run.rrd");
+    assert!(folder.join("run.rrd").is_symlink());
+    assert_is_recording(&folder, "aim/run.rrd");
     let names: Vec<_> =
         std::fs::read_dir(folder.join("")).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap()).collect();
-    assert_eq!(names.len(), others.len() + 3, "{names:?}");
+    assert_eq!(names.len(), others.len() + 4, "{names:?}");
+    assert_eq!(std::fs::read_dir(folder.join("aim")).unwrap().count(), 1);
+}
+
+/// A hidden draft that a killed process left is removed by the next one that writes in its folder; one that a process still has is not, and neither
+/// is a file of another kind of name.
+#[cfg(unix)]
+#[test]
+fn what_killed_processes_left_hidden_is_removed() {
+    let folder = Folder::new();
+    for name in [".asperity-a1B2c3", ".asperity-inUse1", ".asperity-mine.npy", ".asperity-"] {
+        std::fs::write(folder.join(name), "begun").unwrap();
+    }
+    std::fs::create_dir(folder.join(".asperity-folder")).unwrap();
+    let in_use = std::fs::File::open(folder.join(".asperity-inUse1")).unwrap();
+    in_use.try_lock().unwrap();
+    assert!(folder.run("surface --indenter sine --amplitude 1 --points 64 --size 1 --out h.npy").status.success());
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder.join("")).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, [".asperity-", ".asperity-inUse1", ".asperity-mine.npy", "h.npy"]);
+}
+
+/// A new result has the permissions of the one that it takes the place of; one that is protected is left alone.
+#[cfg(unix)]
+#[test]
+fn permissions_of_older_results_are_kept_and_heeded() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = Folder::new();
+    let (path, line) = (folder.join("h.npy"), "surface --indenter sine --amplitude 1 --points 64 --size 1 --out h.npy");
+    let set = |mode: u32| std::fs::set_permissions(&path, std::fs::Permissions::from_mode(mode)).unwrap();
+    let mode = || std::fs::metadata(&path).unwrap().permissions().mode() & 0o777;
+    std::fs::write(&path, "private").unwrap();
+    set(0o600);
+    assert!(folder.run(line).status.success());
+    assert_eq!(mode(), 0o600);
+    let written = std::fs::read(&path).unwrap();
+    assert!(written != b"private");
+    set(0o440);
+    let output = folder.run(&line.replace("amplitude 1", "amplitude 2"));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("cannot write h.npy: it is write-protected") && said.lines().count() == 1, "{said}");
+    assert!(std::fs::read(&path).unwrap() == written && mode() == 0o440);
 }
 
 /// What is written at the end grows as well, in a hidden file, which a request to end removes.
