@@ -1,15 +1,18 @@
 //! Results that are read again: what holds comes back as it was, and what does not is said in a sentence.
 
 use asperity::contact::{ResultClaim, State, Status, archive, archive_of_slip, archive_of_states};
-use asperity::error::StudyError;
+use asperity::error::{FileError, StudyError};
 use asperity::job::{HistoryOutcome, Job, SavedFound, SavedResult};
 use asperity::setup::{Setup, SetupTable};
 use asperity::study::LoadCurve;
+use asperity::surface::{has_field, read_fields};
 use ndarray::{ArrayD, ArrayView1, IxDyn, OwnedRepr};
 use ndarray_npy::{NpzReader, NpzWriter};
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::collections::BTreeMap;
 use std::io::Cursor;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const ROUGH: &str =
     "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.02, rms-gradient = 0.1 } }
@@ -67,6 +70,50 @@ fn saved(scene: &str) -> Vec<u8> {
     match solved.slip {
         Some(slip) => archive_of_slip(&slip, 1, Some(&text)).unwrap(),
         None => archive(&solved.contact, 1, Some(&text)).unwrap(),
+    }
+}
+
+/// All arrays of an archive of some names, each with its shape; an error where one is damaged.
+fn all_fields(path: &Path, names: &[&'static str]) -> Result<Vec<Option<ArrayD<f64>>>, FileError> {
+    names.iter().map(|name| has_field(path, name)?.then(|| read_fields(path, name)).transpose()).collect()
+}
+
+/// With any bit of an archive wrong, and cut anywhere, it is refused or reads as it was: an array whose name is damaged is not taken for absent.
+#[test]
+fn damaged_and_cut_archives_are_refused_or_read_as_they_were() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("damaged.npz");
+    let bytes = saved(&scenes()[0].1);
+    std::fs::write(&path, &bytes).unwrap();
+    let names = NpzReader::new(Cursor::new(bytes.clone())).unwrap().names().unwrap();
+    let names: Vec<&'static str> =
+        names.iter().map(|name| &*String::leak(name.trim_end_matches(".npy").to_owned())).collect();
+    let right = all_fields(&path, &names).unwrap();
+    assert!(right.iter().all(Option::is_some) && right.len() > 8);
+    // where the heads of members and the directory are, which no check sum covers
+    let marks = |at: &usize| bytes[*at..].starts_with(b"PK");
+    let heads: Vec<usize> = (0..bytes.len() - 4).filter(marks).flat_map(|at| at..(at + 80).min(bytes.len())).collect();
+    let mut random = ChaCha8Rng::seed_from_u64(73);
+    let mut refused = 0;
+    for number in 0..600 {
+        let mut wrong = bytes.clone();
+        let at = if number % 2 == 0 {
+            heads[random.random_range(0..heads.len())]
+        } else {
+            random.random_range(0..bytes.len())
+        };
+        wrong[at] ^= 1 << random.random_range(0..8);
+        std::fs::write(&path, &wrong).unwrap();
+        match all_fields(&path, &names) {
+            Ok(found) => assert_eq!(found, right, "bit of byte {at}"),
+            Err(_) => refused += 1,
+        }
+    }
+    assert!(refused > 300, "{refused}");
+    for number in 0..100 {
+        let cut = bytes.len() * number / 100;
+        std::fs::write(&path, &bytes[..cut]).unwrap();
+        assert!(all_fields(&path, &names).is_err(), "cut at {cut}");
     }
 }
 

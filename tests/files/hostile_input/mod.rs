@@ -1,5 +1,6 @@
 //! Bad input: exit code 2, one sentence with what is wrong, nothing on standard output, no file made or touched.
 
+mod bombs;
 mod measured;
 
 use crate::command::{Folder, text};

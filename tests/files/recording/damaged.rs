@@ -32,6 +32,34 @@ fn damaged(whole: &[u8], random: &mut ChaCha8Rng) -> Vec<u8> {
     bytes
 }
 
+/// A whole recording has a digest: with any bit of its data wrong, it is refused, or what is read of it is as it was. Only the index at its end, which is
+/// not read, is not summed.
+#[test]
+fn a_wrong_bit_changes_no_setup_and_no_curve() {
+    let folder = Folder::new();
+    let [whole, mutant, out] = ["whole.rrd", "mutant.rrd", "out.rrd"].map(|name| folder.join(name));
+    assert!(folder.run(RUNS[0]).status.success());
+    let (bytes, right) = (std::fs::read(&whole).unwrap(), setups(&whole).unwrap());
+    let mut random = ChaCha8Rng::seed_from_u64(73);
+    let (mut refused, mut silent) = (0, 0);
+    for _ in 0..400 {
+        let mut wrong = bytes.clone();
+        wrong[random.random_range(12..bytes.len())] ^= 1 << random.random_range(0..8);
+        std::fs::write(&mutant, wrong).unwrap();
+        match setups(&mutant) {
+            Ok(found) => {
+                assert_eq!(found, right);
+                silent += 1;
+            }
+            Err(_) => {
+                refused += 1;
+                assert!(compare(&[&whole, &mutant], &out).is_err());
+            }
+        }
+    }
+    assert!(refused > 300 && silent < 100, "{refused} refused, {silent} read as they were");
+}
+
 #[test]
 fn damaged_recordings_are_refused_in_one_sentence() {
     let folder = Folder::new();

@@ -6,12 +6,14 @@ mod plan;
 use asperity::Stop;
 use asperity::contact::{Dynamics, Gfmd, Load, Masses};
 use asperity::error::StudyError;
+use asperity::files::read_columns;
 use asperity::setup::{Cell as Size, Method, Recipe, Setup, Solid};
-use asperity::study::{NUMERICS, Point, Realisation, Sweep, Table};
+use asperity::study::{NUMERICS, Point, Realisation, Sweep, Table, first_changed_row};
 use asperity::surface::{Indenter, Spectrum};
 use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::Mutex;
 
 fn line(hurst: f64, seed: u64, loads: &[f64]) -> Realisation {
@@ -124,6 +126,27 @@ fn rows_that_were_changed_after_they_were_written_are_solved_again() {
             "{place} of the table"
         );
     }
+}
+
+/// A table that was changed is not drawn as if it was as it was written; what is left of it without its check sums is.
+#[test]
+fn a_row_that_was_changed_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let [path, _] = paths(folder.path(), "drawn");
+    let whole = table_of(&sweep(2), &path);
+    assert_eq!(first_changed_row(&read_columns(&path).unwrap()), None);
+    let second_row = whole.iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(1).unwrap().0;
+    fs::write(&path, one_digit_changed(&whole, second_row + 40)).unwrap();
+    let columns = read_columns(&path).unwrap();
+    assert_eq!(first_changed_row(&columns), Some(3), "the row of names is the first one");
+    assert_eq!(first_changed_row(&columns[..columns.len() - 1]), None);
+    let plot = ["plot", "drawn.csv", "--y", "relative_area", "--out", "o.svg"];
+    let output = Command::new(env!("CARGO_BIN_EXE_asperity")).args(plot).current_dir(folder.path()).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(
+        said.starts_with("error: row 3 of drawn.csv is not as it was written") && !folder.path().join("o.svg").exists()
+    );
 }
 
 #[test]
