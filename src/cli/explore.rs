@@ -91,7 +91,8 @@ impl Explore {
             (Begin::Scene(path), None) => with_scene(path)?,
             (Begin::Start(start), Some(path)) => {
                 let heights = HeightFile::from(path.clone()).with_full_path();
-                (Sessions::with_heights(heights)?, start.knobs())
+                let sessions = Sessions::with_heights(heights).map_err(|refusal| Usage(refusal.sentence))?;
+                (sessions, start.knobs())
             }
             (Begin::Start(start), None) => (Sessions::default(), start.knobs()),
         };
