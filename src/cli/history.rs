@@ -40,9 +40,9 @@ struct HistorySummary {
     /// Energy lost in each closed cycle of the path, per area of the cell.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     energy_per_cycle: Vec<f64>,
-    /// The estimated errors of these by the steps in time or of the path, where there are any.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    energy_per_cycle_error: Vec<f64>,
+    /// The estimated errors of these by the steps in time or of the path, one for each cycle; null where a cycle has none.
+    #[serde(skip_serializing_if = "has_no_errors")]
+    energy_per_cycle_error: Vec<Option<f64>>,
     /// Why the history ended before its path did, if it did.
     #[serde(skip_serializing_if = "Option::is_none")]
     ended: Option<String>,
@@ -115,7 +115,7 @@ fn write_files(
         adhesion: outcome.adhesion.clone(),
         states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
         energy_per_cycle: cycles.iter().map(|it| it.energy).collect(),
-        energy_per_cycle_error: cycles.iter().filter_map(|it| it.error).collect(),
+        energy_per_cycle_error: cycles.iter().map(|it| it.error).collect(),
         ended: outcome.ended.as_ref().map(HistoryError::to_string),
         warnings,
         setup: full,
@@ -202,12 +202,17 @@ impl HistorySummary {
         }
         let mut energies = Vec::new();
         for (i, energy) in self.energy_per_cycle.iter().enumerate() {
-            let error = self.energy_per_cycle_error.get(i).filter(|error| **error > 0.0);
+            let error = self.energy_per_cycle_error[i].filter(|error| *error > 0.0);
             let relative = error.map_or_else(String::new, |error| format!(" (relative error {:.1e})", error / energy));
             energies.push(units.energy_per_area(*energy) + &relative);
         }
         writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))
     }
+}
+
+/// Whether no cycle has an estimated error.
+fn has_no_errors(errors: &[Option<f64>]) -> bool {
+    errors.iter().all(Option::is_none)
 }
 
 /// Numbers of a state with three estimated errors each: by the load steps, by the layers and by the grid, in this order.

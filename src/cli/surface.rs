@@ -37,7 +37,10 @@ pub struct Describe {
     /// Further files of heights, each with the same flags: a row of statistics for each, and one of their mean
     #[arg(value_name = "FILES")]
     more: Vec<PathBuf>,
-    /// Write the heights in metres (.npy, .sdf, .x3p, .xyz, .gwy, or .stl as a closed block in millimetres), a picture of them, of their artefacts and of their spectrum (.svg, .pdf or .png), or the statistics of one or several files as a table (.csv)
+    /// Write the heights, a picture or a table, by the end of the file's name
+    ///
+    /// Heights in metres: .npy, .sdf, .x3p, .xyz, .gwy; as a closed block in millimetres: .stl. A picture of the heights, of their artefacts
+    /// and of their spectrum: .svg, .pdf, .png. The statistics of one or several files as a table: .csv.
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     out: Option<PathBuf>,
     /// Record the heights, their power spectrum and their gradient at each scale, for the Rerun viewer

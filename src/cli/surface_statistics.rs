@@ -329,8 +329,8 @@ impl Statistics {
     }
 }
 
-/// What no survey can find, since it looks like a surface: a blunt tip and a smoothing program make contacts 35 to 59 % too large, and noise that is
-/// alike at neighbouring nodes up to 31 % too small.
+/// The sentence that ends each survey. A smoothed map, a map by a blunt tip and noise of a correlation length of a few nodes all look like a surface,
+/// so that no number can be given for their effect.
 const UNKNOWN: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes";
 
 /// What is wrong with measured heights, and what an automatic preparation would do.

@@ -186,13 +186,13 @@ quantities! {
         ImprintStepError imprint_step_error, "|d_imp|, s", "error of the imprint by the steps", Length, Number, None,
             "Estimated error of the depth of the imprint by the load steps: three times the difference from steps of half the length, and at least 0.4 % of the depth.";
         ImprintLayerError imprint_layer_error, "|d_imp|, z", "error of the imprint by the layers", Length, Number, None,
-            "Estimated error of the depth of the imprint by the layers: a third of the difference from layers of twice the thickness.";
+            "Estimated error of the depth of the imprint by the layers: twice the difference from layers of twice the thickness, and at least half the difference between these and layers of four times the thickness.";
         ImprintGridError imprint_grid_error, "|d_imp|, dx", "error of the imprint by the grid", Length, Number, None,
             "Estimated error of the depth of the imprint by the grid: the difference from half as many points along each axis.";
         RelativeAreaStepError relative_area_step_error, "|da|, s", "error of the area by the steps", One, Number, None,
             "Estimated error of the relative area by the load steps: three times the difference from steps of half the length, and at least 0.2 % of the area.";
         RelativeAreaLayerError relative_area_layer_error, "|da|, z", "error of the area by the layers", One, Number, None,
-            "Estimated error of the relative area by the layers: a third of the difference from layers of twice the thickness.";
+            "Estimated error of the relative area by the layers: twice the difference from layers of twice the thickness, and at least half the difference between these and layers of four times the thickness.";
         RelativeAreaGridError relative_area_grid_error, "|da|, dx", "error of the area by the grid", One, Number, None,
             "Estimated error of the relative area by the grid: the difference from half as many points along each axis.";
         TractionCertificate traction_certificate, "eta_t", "certificate of the traction", One, Number, None,

@@ -97,12 +97,8 @@ impl Playback {
     }
 
     fn values<'a>(&self, chunks: impl Iterator<Item = &'a Chunk>) -> BTreeMap<i64, f64> {
-        let (component, timeline) = (Scalars::descriptor_scalars().component, self.played().timeline());
-        let of_chunk = |chunk: &Chunk| {
-            let times = chunk.iter_component_indices(timeline.into(), component).map(|(time, _)| time.as_i64());
-            times.zip(chunk.iter_slices::<f64>(component).map(|values| values[0])).collect::<Vec<_>>()
-        };
-        chunks.flat_map(of_chunk).collect()
+        let timeline = self.played().timeline();
+        chunks.flat_map(|chunk| scalars(chunk, timeline)).collect()
     }
 
     /// The chunks of the curve over loads or states that has a name.
@@ -140,12 +136,8 @@ impl Playback {
 
     /// The last value of a trace.
     pub fn last(&self, root: &str, name: &str) -> Option<f64> {
-        let component = Scalars::descriptor_scalars().component;
-        let values = |chunk: &Chunk| {
-            let steps = chunk.iter_component_indices("step".into(), component).map(|(step, _)| step);
-            steps.zip(chunk.iter_slices::<f64>(component).map(|values| values[0])).collect::<Vec<_>>()
-        };
-        self.trace(root, name).flat_map(values).max_by_key(|(step, _)| *step).map(|(_, value)| value)
+        let values = self.trace(root, name).flat_map(|chunk| scalars(chunk, "step"));
+        values.max_by_key(|(step, _)| *step).map(|(_, value)| value)
     }
 
     /// The setup of a scene, if the recording carries it; that of a list of loads is a table only.
@@ -164,6 +156,14 @@ impl Playback {
     fn chunks_of(&self, entity: String) -> impl Iterator<Item = &Chunk> {
         self.chunks.iter().map(Arc::as_ref).filter(move |chunk| chunk.entity_path().to_string() == entity)
     }
+}
+
+/// The scalars of a chunk by their places on a timeline. A damaged file may hold rows without a value; these are left out.
+fn scalars(chunk: &Chunk, timeline: &'static str) -> Vec<(i64, f64)> {
+    let component = Scalars::descriptor_scalars().component;
+    let times = chunk.iter_component_indices(timeline.into(), component).map(|(time, _)| time.as_i64());
+    let values = chunk.iter_slices::<f64>(component);
+    times.zip(values).filter_map(|(time, row)| Some((time, *row.first()?))).collect()
 }
 
 /// The earlier name of a trace: `relative_area_resolved` for `relative_area`, and `relative_area` for `relative_area_counted`.

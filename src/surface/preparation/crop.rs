@@ -36,7 +36,7 @@ impl Crop {
     /// void; none where there are no such voids, or less than a quarter of the measured heights would be left.
     ///
     /// A fill has heights on one side of such a void only, so that it runs on as a smooth shelf at the level of the last heights, and a high one
-    /// bears load that no measured height bears: of 17 such maps and profiles, 15 had areas that were 18 to 263 % off.
+    /// bears load that no measured height bears.
     pub(in crate::surface) fn to_measured(scan: &Scan) -> Option<Self> {
         let (whole, measured) = (scan.shape().map(|n| [0, n]), scan.height.len() - scan.voids());
         let mut ranges = whole;

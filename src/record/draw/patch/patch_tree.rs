@@ -13,8 +13,8 @@ use rerun::{AnyValues, Points2D, Radius, RecordingStream, RecordingStreamResult,
 const MOST: usize = 60;
 /// The most patches that are named at their ends.
 const NAMED: usize = 8;
-/// Room for the names to the right, over the size of words.
-const ASIDE: f64 = 6.5;
+/// Room for the names to the right, over the size of words: enough for `in all: 1234`.
+const ASIDE: f64 = 5.4;
 /// Rows of the lane of events above the tree, with their names.
 const ROWS: [(PatchEventKind, &str); 4] = [
     (PatchEventKind::Born, "born"),
