@@ -6,11 +6,13 @@
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```
 //!
-//! Page, viewer, state and growing recordings all use one port of the loopback interface. Each tab has its own session
+//! Page, viewer, state and growing recordings all use one port of the loopback interface, and are for those who have the key in the address that is
+//! printed. Each tab has its own session
 //! in [`Sessions`], and a request changes only this session. Saved files are downloads of the browser.
 
 mod export;
 mod guard;
+mod key;
 mod language;
 mod letters;
 mod page;

@@ -1,6 +1,7 @@
 //! The server: loopback only, for its own pages only, with bounded requests.
 
 use super::guard;
+use super::key::Key;
 use super::patience::PatientStream;
 use super::policy::IN_HEADER;
 use super::site::{Intake, Reply, Site};
@@ -9,8 +10,8 @@ use axum::Router;
 use axum::body::{Body, HttpBody, to_bytes};
 use axum::extract::{Request as Incoming, State};
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
-    X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, LOCATION, REFERRER_POLICY,
+    SET_COOKIE, X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{Method, Response, StatusCode};
 use hyper::server::conn::http1;
@@ -26,6 +27,8 @@ use std::time::Duration;
 
 /// Requests answered at the same time; further ones wait.
 const THREADS: usize = 32;
+/// Connections at the same time; further ones are closed at once. A page has six.
+const CONNECTIONS: usize = 512;
 /// Number of ports that are tried after the given one.
 const FURTHER_PORTS: u16 = 32;
 /// Longest time that the head of a request, and its body, may take.
@@ -37,10 +40,11 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Longest time that open connections go on at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
 
-/// A port of the loopback interface, taken.
+/// A port of the loopback interface, taken, and the key to what is served there.
 pub struct Server {
     listener: TcpListener,
     port: u16,
+    key: Key,
 }
 
 impl Server {
@@ -60,7 +64,7 @@ impl Server {
         let listener = bound?;
         listener.set_nonblocking(true)?;
         let port = listener.local_addr()?.port();
-        Ok(Self { listener, port })
+        Ok(Self { listener, port, key: Key::of_login() })
     }
 
     /// The port.
@@ -68,9 +72,9 @@ impl Server {
         self.port
     }
 
-    /// Where the page is.
+    /// Where the page is, with the key.
     pub fn address(&self) -> String {
-        format!("http://127.0.0.1:{}/", self.port)
+        format!("http://127.0.0.1:{}/?{}", self.port, self.key.query())
     }
 
     /// Serves `site` until the process is interrupted or asked to end.
@@ -90,7 +94,7 @@ impl Server {
 
     async fn serve(self, site: impl Site) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
-        let served = Served { site, port: self.port, taken: Arc::default() };
+        let served = Served { site, port: self.port, key: self.key, taken: Arc::default() };
         let router = Router::new().fallback(answer).with_state(Arc::new(served));
         tokio::select! {
             served = accept(listener, router) => served,
@@ -103,15 +107,21 @@ impl Server {
 /// Answers the requests of all connections. One whose next request is not there to the end of its head in time is closed, as is one whose
 /// answer is not read.
 async fn accept(listener: tokio::net::TcpListener, router: Router) -> io::Result<()> {
+    let open = Arc::new(());
     loop {
         let Ok((stream, _)) = listener.accept().await else {
             tokio::time::sleep(PAUSE).await; // too many open files, for example: connections that end make room
             continue;
         };
+        if Arc::strong_count(&open) > CONNECTIONS {
+            continue; // the connection is closed, as nothing holds it
+        }
+        let one_of_them = Arc::clone(&open);
         let service = TowerToHyperService::new(router.clone());
         let mut http = http1::Builder::new();
         http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
         tokio::spawn(async move {
+            let _until_the_end = one_of_them;
             http.serve_connection(TokioIo::new(PatientStream::new(stream, UNREAD)), service).await.ok(); // a connection that breaks concerns nobody else
         });
     }
@@ -152,6 +162,7 @@ impl Drop for Delivery {
 struct Served<S> {
     site: S,
     port: u16,
+    key: Key,
     /// Whether a request has the right of [`Delivery`].
     taken: Arc<AtomicBool>,
 }
@@ -162,6 +173,12 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
         if head.method == Method::POST { served.site.intake(head.uri.path()) } else { Intake::JSON };
     if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, served.port, kind) {
         return response(Reply::Error(status, sentence.into()));
+    }
+    if !served.key.is_in(&head.headers, served.port) {
+        return match served.key.entrance(&head.uri) {
+            Some(address) => entered(&address, &served.key.cookie(served.port)),
+            None => response(Reply::Error(403, NO_KEY.into())),
+        };
     }
     if guard::announced(&head.headers) > most as u64 {
         return response(too_large(most));
@@ -183,6 +200,21 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
     };
     let replied = tokio::task::spawn_blocking(reply).await;
     response(replied.unwrap_or_else(|_| Reply::Error(500, RefusalRule::NoAnswer.into())))
+}
+
+/// What is said to a request without the key.
+const NO_KEY: &str = "other users of this machine may not use this server: open the address that asperity printed when it began, with its key";
+
+/// Sends a browser that has the key on to the page, with a cookie.
+fn entered(address: &str, cookie: &str) -> Response<Body> {
+    let mut response = response(Reply::Page("text/plain", "go on to the page".into()));
+    *response.status_mut() = StatusCode::SEE_OTHER;
+    for (name, value) in [(LOCATION, address), (SET_COOKIE, cookie)] {
+        if let Ok(value) = value.parse() {
+            response.headers_mut().insert(name, value);
+        }
+    }
+    response
 }
 
 /// Reads and discards at most `most` bytes of a body: a sender who is refused before everything is sent would see a
