@@ -257,7 +257,7 @@ impl<'a> CreepSteps<'a> {
             let doubled = self.doubled.clone();
             self.doubled = self.solve(Some(&goal), &doubled, doubled.time, load, observer)?;
             self.difference = Difference::new(&self.doubled, &next);
-            let time_errors = Some(errors_in_time(&self.doubled, [&next, &next, &from], 0.0));
+            let time_errors = Some(errors_in_time([&self.doubled, &doubled], [&next, &next, &from], 0.0));
             self.keep(CreepState { time_errors, ..next });
         } else {
             self.keep(next);
@@ -325,7 +325,7 @@ impl<'a> CreepSteps<'a> {
                 } else {
                     left_out
                 };
-                let time_errors = Some(errors_in_time(&whole, [&next, &half, &from], left_out));
+                let time_errors = Some(errors_in_time([&whole, &coarse], [&next, &half, &from], left_out));
                 (self.difference, self.doubled) = (after, whole);
                 self.keep(CreepState { time_errors, ..next });
                 return Ok(());

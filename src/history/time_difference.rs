@@ -47,9 +47,9 @@ impl Difference {
 }
 
 /// The errors of a state that came from `earlier`, from the same one in doubled steps, with what is left of the errors of the state `before`. Both
-/// histories may have left out a part of the energy lost since then.
+/// histories may have left out a part of the energy lost since then. Doubled steps led from `coarse_before` to `coarse`.
 pub(super) fn errors_in_time(
-    coarse: &CreepState,
+    [coarse, coarse_before]: [&CreepState; 2],
     [fine, earlier, before]: [&CreepState; 3],
     left_out: f64,
 ) -> TimeErrors {
@@ -66,6 +66,8 @@ pub(super) fn errors_in_time(
     let balance = (energy.work - energy.stored - energy.lost).abs();
     let work = (other.work - energy.work).abs().max((other.stored - energy.stored).abs()).max(balance);
     let since = energy.lost - before.energy.lost;
+    // by how much the histories moved apart: differences of other signs before and after must not hide what a cycle between them is off by
+    let moved = (other.lost - coarse_before.energy.lost - since).abs();
     let lost = (other.lost - energy.lost).abs().max(ROUNDING * energy.lost).max(OF_BALANCE * balance);
     let with = |now: f64, before: f64| now.max(FADING * before);
     let is_pressure = fine.load.as_ref().is_some_and(Load::is_pressure);
@@ -81,7 +83,7 @@ pub(super) fn errors_in_time(
         },
         relative_area: with(area.max(undecided(fine, [&pressure, &gap].map(largest))), told.relative_area),
         // energies add up
-        lost: lost.max(told.lost + relative.max(left_out) * since),
+        lost: lost.max(told.lost + moved.max(relative.max(left_out) * since)),
         work: work.max(ROUNDING * turnover).max(told.work + left_out * since),
     }
 }

@@ -7,8 +7,9 @@ use crate::surface::Field;
 ///
 /// The same history is solved in steps of twice the length. An error of first order is the difference of both, one of second order is
 /// a third of it. So the difference is stated. Where it crosses zero, the state states a part of the error before, and means state a
-/// part of the root mean square over the nodes, and each part of the lost energy the relative error of the pressure, and a part of what is missing in the
-/// balance of the energies. Transients after a change of the rate of the load that are much shorter than the steps are in neither history: what they may
+/// part of the root mean square over the nodes. The lost energy states what the two histories have moved apart by in all steps, in whichever direction, so that
+/// what it grows by is also an error of the loss between two states; and at least the relative error of the pressure for each part of it, and a part of what
+/// is missing in the balance of the energies. Transients after a change of the rate of the load that are much shorter than the steps are in neither history: what they may
 /// change of the energies is stated. Nodes that have just come into
 /// contact state a part of what has flowed in them. The area states the nodes whose pressure or gap is below its error. Quantities that the load
 /// prescribes have no error.
