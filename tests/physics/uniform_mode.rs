@@ -1,8 +1,10 @@
 //! Layers in every drive: a uniform pressure displaces a layer by `c P` with `c = t (1 + nu)(1 - 2 nu)/(E (1 - nu))`, whatever displaces it.
 
 use asperity::adhesion::{AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
-use asperity::contact::{Contact, Load, MonotoneSets, Multilevel, Problem, Quantity, Solver, State, Stop};
-use asperity::elastic::{Base, ContactModulus, Layer, Prony, PronyTerm};
+use asperity::contact::{
+    Contact, ContactModulus, Load, MonotoneSets, Multilevel, Problem, Quantity, Solver, State, Stop,
+};
+use asperity::elastic::{Base, Layer, Prony, PronyTerm};
 use asperity::history::{AdhesiveProcess, Creep, CreepPath, CreepSteps, PathPoint, Process, cycle_losses};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
