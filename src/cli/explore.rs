@@ -53,7 +53,7 @@ pub struct Explore {
     /// Write the page as a static site into a new or empty folder: the solver runs in the browser
     #[arg(long, value_name = "DIR", conflicts_with_all = ["height", "port", "no_open"])]
     export: Option<PathBuf>,
-    /// Leave out the recordings of the lessons and the viewer for them: a site with the built-in lessons has then 1.4 MB
+    /// Leave out the recordings of the lessons and the viewer for them: a site with the built-in lessons has then 1.5 MB
     /// instead of more than 200 MB
     #[arg(long, requires = "export")]
     no_recordings: bool,

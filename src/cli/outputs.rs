@@ -82,6 +82,8 @@ impl Outputs {
             has_stiffness: self.stiffness,
             has_stress: self.stress.is_some(),
             archived: if self.archive().is_some() { loads } else { 0 },
+            is_drawn: self.picture().is_some(),
+            has_pixels: self.picture().is_some_and(|path| has_ending(path, "png")),
         }
     }
 

@@ -35,7 +35,21 @@ const YIELD_FIELDS: f64 = 1.0;
 const OVERHEAD: f64 = 6e6;
 const OVERHEAD_FIELDS: f64 = 2.0;
 /// Bytes that a recording takes at least, that each point along its pictures adds, and the most of these points: lines, surfaces.
-const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [16e6, 0.085e6, 512.0]];
+const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [29e6, 0.085e6, 512.0]];
+/// Fields that a picture of the result takes after the solve, and bytes of its pixels and of what draws them.
+const DRAWN_FIELDS: [f64; 2] = [4.0, 5.2];
+const PIXELS: f64 = 25e6;
+/// Fields that a process takes besides its solves: lines, surfaces. A solid that creeps is followed in doubled steps as well, with a memory for each
+/// term of its series; a path of slip has a history in doubled steps, whose states are kept with traction and slip in both directions.
+const CREEP_FIELDS: [f64; 2] = [17.0, 16.0];
+const TERM_FIELDS: f64 = 10.3;
+const SLIDING_FIELDS: [f64; 2] = [22.0, 14.0];
+const SLIDING_TERM_FIELDS: f64 = 2.0;
+const SLIP_FIELDS: [f64; 2] = [28.0, 27.0];
+const SLIP_STATE_FIELDS: [f64; 2] = [3.0, 5.0];
+const STUCK_FIELDS: [f64; 2] = [6.0, 8.0];
+const ROLLING_FIELDS: [f64; 2] = [33.0, 33.0];
+const ADHESION_FIELDS: [f64; 2] = [24.0, 24.0];
 
 /// The memory and the grids that a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +77,9 @@ pub struct Extras {
     pub has_stress: bool,
     /// Contacts that are kept until their fields are written.
     pub archived: usize,
+    /// Whether the result is drawn, and whether the picture has pixels.
+    pub is_drawn: bool,
+    pub has_pixels: bool,
 }
 
 /// Fields of the solver of flows along an axis, with its coarse grids; those of its results, along both axes; and with their archive.
@@ -104,6 +121,7 @@ impl Setup {
                 1.0 + KEPT_FIELDS + solid + Multilevel::stiffness_fields(&grid, area),
             ),
             one(self.flow.leakage, 1.0 + KEPT_FIELDS + flow + KEPT_FLOW_FIELDS + kept),
+            one(extras.is_drawn, 1.0 + KEPT_FIELDS + DRAWN_FIELDS[of_dimension] + kept),
             // the solver is still there when its last state is recorded
             one(is_flow_recorded, solving + recorded + flow),
             archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS))
@@ -114,8 +132,41 @@ impl Setup {
         let pictures = least + each * most.min(grid.shape()[1] as f64);
         let overhead = OVERHEAD.min(bytes(&grid, OVERHEAD_FIELDS));
         let fields = bytes(&grid, phases.into_iter().fold(0.0, f64::max));
-        let bytes = fields + process + overhead + one(extras.is_recorded, pictures);
+        let is_stuck = self.friction.is_some_and(|it| it.tangential != 0.0) && self.path.is_none();
+        let stuck = one(is_stuck, bytes(&grid, STUCK_FIELDS[of_dimension]));
+        let bytes =
+            fields + process + stuck + overhead + one(extras.is_recorded, pictures) + one(extras.has_pixels, PIXELS);
         Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes, states })
+    }
+}
+
+impl Setup {
+    /// The bytes that a history of a solid that creeps takes besides its solves.
+    pub(super) fn creep_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
+        let terms = self.memory()?.len() as f64;
+        Ok(bytes(grid, CREEP_FIELDS[usize::from(!grid.is_line())] + TERM_FIELDS * terms))
+    }
+
+    /// The bytes that sliding takes besides its solves.
+    pub(super) fn sliding_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
+        let terms = self.memory()?.len() as f64;
+        Ok(bytes(grid, SLIDING_FIELDS[usize::from(!grid.is_line())] + SLIDING_TERM_FIELDS * terms))
+    }
+
+    /// The bytes that a path of slip takes besides its solves.
+    pub(super) fn slip_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
+        let (of_dimension, states) = (usize::from(!grid.is_line()), self.expected_states()? as f64);
+        Ok(bytes(grid, SLIP_FIELDS[of_dimension] + SLIP_STATE_FIELDS[of_dimension] * states))
+    }
+
+    /// The bytes that rolling takes besides its solves.
+    pub(super) fn rolling_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
+        Ok(bytes(grid, ROLLING_FIELDS[usize::from(!grid.is_line())]))
+    }
+
+    /// The bytes that a history with adhesion takes besides its solves.
+    pub(super) fn adhesion_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
+        Ok(bytes(grid, ADHESION_FIELDS[usize::from(!grid.is_line())]))
     }
 }
 

@@ -80,6 +80,42 @@ fn a_dry_run_knows_the_peak_of_twenty_solves_within_a_fifth() {
     assert!(cases.len() - off.len() >= 20, "{off:#?}");
 }
 
+/// What a history, and what a picture, takes beside its solves is told as well.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_dry_run_knows_the_peak_of_histories_and_pictures_within_a_quarter() {
+    let folder = Folder::new();
+    let small = format!("solve {CYLINDER} --modulus 1 --pressure 0.003");
+    let base = (0..20).map(|_| high_water(&folder, &small)).fold(0.0, f64::max);
+    let rough = |rest: String| format!("--hurst 0.8 --rolloff 0.25 --short-cutoff 0.02 --rms-gradient 0.1 {rest}");
+    let bodies = "--young 1,1 --poisson 0.5,0.5 --friction 0.3 --reduced-pressure 0.05";
+    let elastic = "--modulus 1 --reduced-pressure 0.05";
+    let line = "--points 131072 --size 1";
+    let cases = [
+        rough(format!("{SMALL} {elastic} --creep 9,1 --path-time 0,1 --path-load 1e-3,2e-3 --path-steps 2")),
+        rough(format!(
+            "{SMALL} {elastic} --creep 9,1,3,0.1,1,0.3 --path-time 0,1 --path-load 1e-3,2e-3 --path-steps 6"
+        )),
+        rough(format!("{line} {elastic} --creep 9,1,3,0.1 --path-time 0,1 --path-load 1e-3,2e-3 --path-steps 2")),
+        rough(format!("{SMALL} {elastic} --creep 9,1 --speed 0.1,1")),
+        rough(format!("{line} {elastic} --creep 9,1 --speed 0.1")),
+        rough(format!("{SMALL} {bodies} --tangential 5e-4")),
+        rough(format!("{SMALL} {bodies} --path-tangential 5e-4,-5e-4 --path-steps 2")),
+        rough(format!("{line} {bodies} --path-tangential 5e-4,-5e-4 --path-steps 2")),
+        rough(format!("{line} {bodies} --creepage 1e-4 --rolling-step 1e-2")),
+        rough(format!("{SMALL} {elastic} --out a.svg")),
+        rough(format!("{SMALL} {elastic} --out a.png")),
+    ];
+    for case in &cases {
+        let dry = folder.run(&format!("solve {case} --dry-run"));
+        let told = bytes_after(text(&dry.stdout), "memory      about ");
+        // a reading can miss the peak
+        let taken = (0..2).map(|_| high_water(&folder, &format!("solve {case}")) - base).fold(0.0, f64::max);
+        println!("{:>6.1} MB told, {:>6.1} MB taken, ratio {:.2}: {case}", told / 1e6, taken / 1e6, told / taken);
+        assert!((0.75..=1.25).contains(&(told / taken)), "{told:e} told, {taken:e} taken: {case}");
+    }
+}
+
 /// What does not fit in memory is refused by the figure that is told, in a dry run too.
 #[test]
 fn a_dry_run_refuses_what_does_not_fit() {
