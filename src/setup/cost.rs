@@ -77,8 +77,9 @@ pub struct Extras {
     pub has_stress: bool,
     /// Contacts that are kept until their fields are written.
     pub archived: usize,
-    /// Whether the result is drawn, and whether the picture has pixels.
+    /// Whether the result is drawn.
     pub is_drawn: bool,
+    /// Whether the picture has pixels.
     pub has_pixels: bool,
 }
 
