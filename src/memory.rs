@@ -1,11 +1,15 @@
 //! The memory that is free.
 
-/// Bytes of free memory, if the system reports it.
+#[cfg(all(target_os = "linux", feature = "figures"))]
+mod group;
+
+/// Bytes of free memory, if the system reports it: those of the machine, or fewer where a container has a limit.
 pub fn available_bytes() -> Option<f64> {
     #[cfg(all(target_os = "linux", feature = "figures"))]
     {
         use procfs::{Current, Meminfo};
-        Meminfo::current().ok().and_then(|memory| memory.mem_available).map(|bytes| bytes as f64)
+        let of_machine = Meminfo::current().ok().and_then(|memory| memory.mem_available).map(|bytes| bytes as f64);
+        of_machine.into_iter().chain(group::bytes_left()).reduce(f64::min)
     }
     #[cfg(not(all(target_os = "linux", feature = "figures")))]
     None
