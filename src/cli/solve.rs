@@ -1,5 +1,6 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
+use super::choice::bytes;
 use super::exit_status::{ExitStatus, Interrupted, shortfall, status_of, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
@@ -28,6 +29,7 @@ use asperity::files::{check_apart, write_beside};
 use asperity::flow::Leakage;
 use asperity::job::{Job, JobRun, Solved, write_nodes};
 use asperity::plot::write_figure;
+use asperity::quantity::bytes_in_words;
 use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable, warning_of_leakage};
 use asperity::study::LoadCurve;
 use clap::Args;
@@ -57,6 +59,9 @@ pub struct Solve {
     /// Print the estimated memory, number of transforms and size of the recording, and do not solve
     #[arg(long, conflicts_with = "json")]
     dry_run: bool,
+    /// Refuse a solve that is estimated to need more memory, such as 8GB [default: what is free]
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    memory: Option<f64>,
 }
 
 impl Solve {
@@ -108,8 +113,10 @@ impl Solve {
         imprint::check(outputs.imprint.as_deref(), &run.setup, self.scene.units())?;
         kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
         let mut growing = outputs.growing();
-        let job = self.job(run, kind, auto, &mut growing).with_extras(outputs.extras(loads.len().max(1)));
+        let contacts = run.setup.expected_states()?.max(loads.len()).max(1);
+        let job = self.job(run, kind, auto, &mut growing).with_extras(outputs.extras(contacts));
         let cost = job.cost()?;
+        self.check_memory(&cost)?;
         outputs.check()?;
         if kind.is_none() {
             self.check_contact(&job, &cost)?;
@@ -143,6 +150,18 @@ impl Solve {
             growing.discard();
         }
         written
+    }
+
+    /// Refuses a solve that needs more memory than it is given.
+    fn check_memory(&self, cost: &Cost) -> Result<()> {
+        match self.memory.filter(|given| cost.bytes > *given) {
+            Some(given) => usage(format!(
+                "the solve needs about {}, but --memory is {}: give more, a smaller grid, or fewer states",
+                bytes_in_words(cost.bytes),
+                bytes_in_words(given)
+            )),
+            None => Ok(()),
+        }
     }
 
     /// Refuses outputs that one contact does not have.

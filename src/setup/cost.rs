@@ -12,12 +12,11 @@ use crate::memory::check_bytes;
 const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
 /// Fields that are needed in addition to give random roughness a distribution of heights: sorted heights, ranks and amplitudes.
 const RANK_FIELDS: f64 = 3.0;
-/// Fields that an archive of one contact needs in memory: for lines (with positions and spectra) and for surfaces. The
-/// contour of a surface adds memory for each node in contact.
-const ARCHIVE_FIELDS: [f64; 2] = [16.5, 8.8];
+/// Fields that each contact of an archive needs in memory: for lines and for surfaces. The contour of a surface adds memory for each node in contact.
+const ARCHIVE_FIELDS: [f64; 2] = [11.0, 8.8];
 const CONTOUR_FIELDS: f64 = 3.5;
-/// Fields that an archive needs once, however many contacts it has: lines, surfaces.
-const ARCHIVE_ONCE: [f64; 2] = [0.0, 2.0];
+/// Fields that an archive needs once, however many contacts it has, such as positions and spectra: lines, surfaces.
+const ARCHIVE_ONCE: [f64; 2] = [5.5, 2.0];
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;
 /// Fields of a state of a history that is kept: those of its contact, and further ones such as traction and slip.
@@ -106,7 +105,10 @@ impl Setup {
         let diagnosed = one(extras.is_diagnosed, DIAGNOSIS_FIELDS[of_dimension]);
         let flows = one(self.flow.leakage && archived > 0.0, KEPT_FLOW_FIELDS);
         let states = self.expected_states()?;
-        let kept = (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows) + states as f64 * STATE_FIELDS;
+        let kept = match states {
+            0 => (archived - 1.0).max(0.0) * (KEPT_FIELDS + flows),
+            states => states as f64 * STATE_FIELDS,
+        };
         let is_flow_recorded = extras.is_recorded && !grid.is_line() && self.recorded_parts().contains(&Part::Flow);
         let flow = FLOW_FIELDS * Leakage::together(&grid) as f64;
         let contour = if grid.is_line() { 0.0 } else { CONTOUR_FIELDS * area };

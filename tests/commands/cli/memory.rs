@@ -129,3 +129,15 @@ fn a_dry_run_refuses_what_does_not_fit() {
         assert!(refusal.contains(&told), "{told} in {refusal}");
     }
 }
+
+/// A limit that is given is kept to: the solve is refused before it begins, with both figures.
+#[test]
+fn a_solve_above_the_memory_that_is_given_is_refused() {
+    let folder = Folder::new();
+    let solve = format!("solve {ROUGH} {SMALL} --reduced-pressure 0.05");
+    let refused = folder.run(&format!("{solve} --memory 4MB --out a.npz"));
+    let said = text(&refused.stderr);
+    assert_eq!(refused.status.code(), Some(2), "{said}");
+    assert!(said.contains("--memory is 4 MB") && said.lines().count() == 1 && !folder.join("a.npz").exists(), "{said}");
+    assert!(folder.run(&format!("{solve} --memory 1GB")).status.success());
+}
