@@ -172,8 +172,8 @@ impl Surface {
 
     /// A smooth indenter in the centre of the cell.
     ///
-    /// `shape` is "cylinder" or "sphere" (radius), "sine" or "crossed-sine" (amplitude), "wedge" or "cone" (slope), "punch" (half_width, depth)
-    /// or "power-law" (coefficient, exponent).
+    /// `shape` is "cylinder" or "sphere" (radius), "elliptic-paraboloid" (radius_x, radius_y), "sine" or "crossed-sine" (amplitude), "wedge", "cone" or
+    /// "pyramid" (slope), "punch" (half_width, depth) or "power-law" (coefficient, exponent).
     #[staticmethod]
     #[pyo3(signature = (shape, points, size, **keys), text_signature = "(shape, points, size, **parameters)")]
     fn indenter(

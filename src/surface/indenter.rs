@@ -46,6 +46,16 @@ pub enum Indenter {
         #[serde(deserialize_with = "quantity::length")]
         radius: f64,
     },
+    /// A paraboloid of two radii of curvature on a surface, `-x^2/(2 Rx) - y^2/(2 Ry)`, such as a crowned roller, or crossed cylinders.
+    #[strum(message = "-x^2 / (2 radius-x) - y^2 / (2 radius-y), a surface")]
+    EllipticParaboloid {
+        /// Radius of curvature `Rx` of the section along x, a length.
+        #[serde(deserialize_with = "quantity::length")]
+        radius_x: f64,
+        /// Radius of curvature `Ry` of the section along y, a length.
+        #[serde(deserialize_with = "quantity::length")]
+        radius_y: f64,
+    },
     /// One period of a cosine on a line, `D cos(2 pi x/L)`.
     #[strum(message = "amplitude cos(2 pi x / L), a line")]
     Sine {
@@ -74,6 +84,13 @@ pub enum Indenter {
         #[serde(deserialize_with = "quantity::slope")]
         slope: f64,
     },
+    /// A pyramid with four faces on a surface, `-m max(|x|, |y|)`. The faces of Vickers have 68 degrees from the axis, `m = cot 68 = 0.4040`.
+    #[strum(message = "-slope max(|x|, |y|), a surface")]
+    Pyramid {
+        /// Slope `m` of its faces, a length per length.
+        #[serde(deserialize_with = "quantity::slope")]
+        slope: f64,
+    },
     /// A power of the distance on a line or a surface, `-A r^n`.
     #[strum(message = "-coefficient r^exponent")]
     PowerLaw {
@@ -96,17 +113,19 @@ pub enum Indenter {
 
 impl Indenter {
     /// The names of its parameters that are lengths.
-    pub const LENGTHS: [&'static str; 4] = ["radius", "amplitude", "half_width", "depth"];
+    pub const LENGTHS: [&'static str; 6] = ["radius", "radius_x", "radius_y", "amplitude", "half_width", "depth"];
 
     /// Its name.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Cylinder { .. } => "cylinder",
             Self::Sphere { .. } => "sphere",
+            Self::EllipticParaboloid { .. } => "elliptic paraboloid",
             Self::Sine { .. } => "sine",
             Self::CrossedSine { .. } => "crossed sine",
             Self::Wedge { .. } => "wedge",
             Self::Cone { .. } => "cone",
+            Self::Pyramid { .. } => "pyramid",
             Self::PowerLaw { .. } => "power-law indenter",
             Self::Punch { .. } => "flat punch",
         }
@@ -140,7 +159,11 @@ impl Indenter {
     fn check_dimension(&self, grid: &Grid) -> Result<(), SurfaceError> {
         let needs = match self {
             Self::Cylinder { .. } | Self::Sine { .. } | Self::Wedge { .. } => "line",
-            Self::Sphere { .. } | Self::CrossedSine { .. } | Self::Cone { .. } => "surface",
+            Self::Sphere { .. }
+            | Self::EllipticParaboloid { .. }
+            | Self::CrossedSine { .. }
+            | Self::Cone { .. }
+            | Self::Pyramid { .. } => "surface",
             Self::PowerLaw { .. } | Self::Punch { .. } => return Ok(()),
         };
         let has = if grid.is_line() { "line" } else { "surface" };
@@ -151,8 +174,9 @@ impl Indenter {
     pub fn parameters(&self) -> Vec<(&'static str, f64)> {
         match *self {
             Self::Cylinder { radius } | Self::Sphere { radius } => vec![("radius", radius)],
+            Self::EllipticParaboloid { radius_x, radius_y } => vec![("radius_x", radius_x), ("radius_y", radius_y)],
             Self::Sine { amplitude } | Self::CrossedSine { amplitude } => vec![("amplitude", amplitude)],
-            Self::Wedge { slope } | Self::Cone { slope } => vec![("slope", slope)],
+            Self::Wedge { slope } | Self::Cone { slope } | Self::Pyramid { slope } => vec![("slope", slope)],
             Self::PowerLaw { coefficient, exponent } => vec![("coefficient", coefficient), ("exponent", exponent)],
             Self::Punch { half_width, depth } => vec![("half_width", half_width), ("depth", depth)],
         }
@@ -163,9 +187,11 @@ impl Indenter {
         let r = x.hypot(y);
         match *self {
             Self::Cylinder { radius } | Self::Sphere { radius } => -0.5 * r * (r / radius),
+            Self::EllipticParaboloid { radius_x, radius_y } => -0.5 * (x * (x / radius_x) + y * (y / radius_y)),
             Self::Sine { amplitude } => amplitude * (TAU * (x / lx)).cos(),
             Self::CrossedSine { amplitude } => amplitude * (TAU * (x / lx)).cos() * (TAU * (y / ly)).cos(),
             Self::Wedge { slope } | Self::Cone { slope } => -slope * r,
+            Self::Pyramid { slope } => -slope * x.abs().max(y.abs()),
             Self::PowerLaw { coefficient, exponent } => -coefficient * r.powf(exponent),
             Self::Punch { half_width, .. } if r <= half_width => 0.0,
             Self::Punch { depth, .. } => -depth,

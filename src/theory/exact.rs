@@ -1,7 +1,7 @@
 //! The exact solution for an indenter on a grid, where there is one.
 
 use super::periodic::{Periodic, strip_load, strip_mean_penetration, strip_penetration};
-use super::{Geometry, PowerLaw, Westergaard, crossed_full_pressure};
+use super::{EllipticHertz, Geometry, PowerLaw, Westergaard, crossed_full_pressure};
 use crate::grid::Grid;
 use crate::surface::{Field, Indenter, about_peak, shortest_period};
 use std::f64::consts::{E, PI, TAU};
@@ -14,6 +14,7 @@ use std::f64::consts::{E, PI, TAU};
 /// | cylinder, wedge, power law on a line | [`Periodic`]                                                   |
 /// | strip punch, until its base touches  | Koiter, periodic; each pressure is the mean over a node's cell |
 /// | sphere, cone, power law on a surface | [`PowerLaw`], isolated                                         |
+/// | elliptic paraboloid                  | [`EllipticHertz`], isolated                                    |
 /// | disc punch, until its base touches   | isolated; each the mean over a ring one spacing wide            |
 /// | crossed sine in full contact         | `p = p_mean + p_full cos cos`                                  |
 ///
@@ -96,6 +97,7 @@ impl Case<'_> {
             Indenter::Wedge { slope } => self.periodic("wedge, periodic", slope, 1.0),
             Indenter::Sphere { radius } => self.isolated("Hertz, isolated", 0.5 / radius, 2.0),
             Indenter::Cone { slope } => self.isolated("cone, isolated", slope, 1.0),
+            Indenter::EllipticParaboloid { radius_x, radius_y } => self.ellipse([radius_x, radius_y]),
             Indenter::PowerLaw { coefficient, exponent } if is_line => {
                 self.periodic("power law, periodic", coefficient, exponent)
             }
@@ -163,6 +165,17 @@ impl Case<'_> {
             max_pressure,
             contact_radius: Some(a),
             ..self.exact(name, PI * a * a / (lx * ly), pressure)
+        })
+    }
+
+    fn ellipse(&self, radii: [f64; 2]) -> Option<Exact> {
+        let [ly, lx] = self.grid.size();
+        let (contact, load) = (EllipticHertz::new(radii, self.contact_modulus), self.mean_pressure * lx * ly);
+        let [ax, ay] = contact.semi_axes(load);
+        (ax < 0.5 * lx && ay < 0.5 * ly).then(|| Exact {
+            kappa_r: Some(contact.kappa_r(load)),
+            max_pressure: Some(contact.max_pressure(load)),
+            ..self.exact("Hertz, isolated", PI * ax * ay / (lx * ly), |at| contact.pressure(load, at))
         })
     }
 

@@ -5,6 +5,7 @@
 
 mod bush_gibson_thomas;
 mod counting;
+mod elliptic_hertz;
 mod exact;
 mod greenwood_williamson;
 pub mod hertz;
@@ -18,6 +19,7 @@ mod westergaard;
 
 pub use bush_gibson_thomas::BushGibsonThomas;
 pub use counting::counting_excess;
+pub use elliptic_hertz::EllipticHertz;
 pub use exact::Exact;
 pub use greenwood_williamson::{GreenwoodWilliamson, SummitHeights};
 pub use periodic::Periodic;

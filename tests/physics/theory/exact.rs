@@ -1,7 +1,8 @@
 //! Exact solutions on grids: the gap is closed in contact and open elsewhere.
 
+use asperity::contact::{ContactModulus, Load, Multilevel, Problem, Solver, Stop};
 use asperity::fourier::{Complex, Fourier};
-use asperity::theory::{Exact, crossed_full_pressure, hertz};
+use asperity::theory::{EllipticHertz, Exact, crossed_full_pressure, hertz};
 use asperity::{Grid, Indenter};
 use std::f64::consts::PI;
 
@@ -115,4 +116,65 @@ fn there_is_none_where_nothing_is_known() {
     for pressure in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         none(Indenter::Sine { amplitude: 1.0 }, line, pressure);
     }
+}
+
+/// A paraboloid of two radii that stands alone: the solver finds the ellipse, its pressure and its approach. The heights and the solver know nothing of elliptic
+/// integrals.
+#[test]
+fn a_paraboloid_of_two_radii_has_an_elliptic_contact() {
+    let grid = Grid::surface([192, 192], [1.0, 1.0]).unwrap().with_periodic([false; 2]);
+    for radii in [[1.0, 0.35], [0.25, 2.0], [0.6, 0.6]] {
+        let indenter = Indenter::EllipticParaboloid { radius_x: radii[0], radius_y: radii[1] };
+        let theory = EllipticHertz::new(radii, MODULUS);
+        let load = 1.6e-2;
+        let problem =
+            Problem::new(indenter.surface(grid).unwrap(), ContactModulus(MODULUS), Load::MeanPressure(load)).unwrap();
+        let stop = Stop::new(1e-9, 10_000).unwrap();
+        let contact = Multilevel.solve(&problem, &stop, &mut ()).unwrap().converged().unwrap();
+        let near = |found: f64, expected: f64, tolerance: f64, what: &str| {
+            assert!((found / expected - 1.0).abs() < tolerance, "{radii:?}: {what} {found} for {expected}");
+        };
+        let [ax, ay] = theory.semi_axes(load);
+        near(contact.resolved().relative_area, PI * ax * ay, 4e-3, "area");
+        near(
+            contact.pressure.iter().fold(0.0, |a: f64, p| a.max(*p)),
+            theory.max_pressure(load),
+            4e-3,
+            "largest pressure",
+        );
+        near(contact.resolved().kappa_r, theory.kappa_r(load), 1e-2, "kappa_r");
+        // the peak is at height 0, above the mean, and remote points of a free surface are where the displacement is zero
+        let middle = [96, 96];
+        near(contact.displacement[middle], theory.approach(load), 4e-3, "approach");
+        let touching = |axis: usize| {
+            let at = |i: usize| if axis == 1 { contact.pressure[[96, i]] } else { contact.pressure[[i, 96]] };
+            (0..192).filter(|i| at(*i) > 0.0).count() as f64 / 192.0
+        };
+        near(touching(1), 2.0 * ax, 0.06, "axis along x");
+        near(touching(0), 2.0 * ay, 0.06, "axis along y");
+    }
+    let alone = |mean_pressure: f64| {
+        Exact::new(&Indenter::EllipticParaboloid { radius_x: 1.0, radius_y: 0.35 }, &grid, MODULUS, mean_pressure)
+    };
+    assert!((alone(1.6e-2).unwrap().pressure.mean().unwrap() / 1.6e-2 - 1.0).abs() < 2e-3);
+    assert!(alone(10.0).is_none(), "it does not fit the cell");
+}
+
+/// A pyramid is similar to itself at all loads, so that the area is in proportion to the load. The load is that of Bilodeau's approximation, which is an upper
+/// bound within some percent: `0.7453` for the `2/pi` of the cone (J. Appl. Mech. 59:519, 1992).
+#[test]
+fn a_pyramid_has_a_contact_in_proportion_to_its_load() {
+    let grid = Grid::surface([256, 256], [1.0, 1.0]).unwrap().with_periodic([false; 2]);
+    let slope = 0.2;
+    let surface = Indenter::Pyramid { slope }.surface(grid).unwrap();
+    let solve = |load: f64| {
+        let problem = Problem::new(surface.clone(), ContactModulus(MODULUS), Load::MeanPressure(load)).unwrap();
+        Multilevel.solve(&problem, &Stop::new(1e-8, 10_000).unwrap(), &mut ()).unwrap().converged().unwrap()
+    };
+    let [small, large] = [2e-2, 4e-2].map(solve);
+    let area = large.resolved().relative_area / small.resolved().relative_area;
+    assert!((area / 2.0 - 1.0).abs() < 0.02, "{area}");
+    let approach = large.displacement[[128, 128]];
+    let bound = 0.7453 * MODULUS * approach * approach / slope;
+    assert!((0.94..1.01).contains(&(4e-2 / bound)), "{} for {bound}", 4e-2);
 }
