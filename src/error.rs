@@ -136,7 +136,7 @@ pub enum SurfaceError {
     )]
     WavesTooFine { axis: &'static str, wavelength: f64, shortest: f64 },
     /// A table of a spectrum with impossible values.
-    #[error("the table of a spectrum cannot be used: {reason}")]
+    #[error("the table of a spectrum cannot be used: {}", shortened(reason))]
     SpectrumTable {
         /// The value of the table that is at fault, counted from 0, if it is one.
         place: Option<usize>,
@@ -357,7 +357,7 @@ pub enum SolidError {
     #[error("Poisson's ratio is {poisson:?}: it must lie above -1 and at most at 0.5")]
     Poisson { poisson: f64 },
     /// A table that is not one of stiffnesses.
-    #[error("the table of stiffnesses cannot be used: {reason}")]
+    #[error("the table of stiffnesses cannot be used: {}", shortened(reason))]
     StiffnessTable { reason: String },
     /// A table of stiffnesses together with other constants.
     #[error("both a stiffness and elastic constants are given: give only the stiffness, or leave it out")]

@@ -18,7 +18,7 @@ pub enum AdhesionError {
     #[error("the {name} is {value:?}: give a finite value")]
     NotFinite { name: &'static str, value: f64 },
     /// A table that is no attraction.
-    #[error("the table is no attraction: {reason}")]
+    #[error("the table is no attraction: {}", super::shortened(reason))]
     Table {
         /// The point of the table that is at fault, counted from 0, if it is one.
         point: Option<usize>,

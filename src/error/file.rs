@@ -7,7 +7,7 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The file is missing or unreadable.
-    #[error("cannot read {}: {}", path.display(), reason(source))]
+    #[error("cannot read {}: {}", path.display(), shortened(&reason(source)))]
     Read { path: PathBuf, source: std::io::Error },
     /// The file has the wrong content.
     #[error("{} is not a valid {what} file: {}", path.display(), shortened(reason))]

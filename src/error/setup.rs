@@ -31,7 +31,7 @@ pub enum SetupError {
     #[error(transparent)]
     Conflict(#[from] Conflict),
     /// A table that was read from a file and cannot be a path or an attraction.
-    #[error("{}: {reason}", path.display())]
+    #[error("{}: {}", path.display(), shortened(reason))]
     Table { path: PathBuf, reason: String },
     #[error(transparent)]
     Attraction(#[from] AdhesionError),

@@ -1,6 +1,6 @@
 //! Drafts: what is written under a name of its own, before it has its final name.
 
-use super::leftovers::{hold, remove_leftovers};
+use super::leftovers::{HIDDEN, hold, remove_leftovers};
 use crate::error::{FileError, reason};
 use std::ffi::{OsStr, OsString};
 use std::fs::{File, create_dir, metadata, remove_dir_all, remove_file, rename, set_permissions};
@@ -11,9 +11,6 @@ use tempfile::Builder;
 
 /// The drafts of this process. They are global, as a request to end the process can come at any time.
 static DRAFTS: Mutex<Vec<DraftName>> = Mutex::new(Vec::new());
-
-/// What the names of hidden drafts begin with.
-pub(super) const HIDDEN: &str = ".asperity-";
 
 /// A file or folder that was created new, under a name of its own, in the folder of the one that it stands for. No file of that name is opened or
 /// followed, and no other process has it. Where the name that it stands for is a link, it stands for the file that the link points to. It has the

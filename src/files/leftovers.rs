@@ -4,12 +4,14 @@
 //! another process can lock is a leftover. On Windows a lock keeps even its own process from writing, so that nothing is locked and nothing is removed
 //! there.
 
-use super::draft::HIDDEN;
 use std::collections::BTreeSet;
 use std::fs::{File, TryLockError, read_dir, remove_dir_all, remove_file};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+
+/// What the names of hidden drafts begin with.
+pub(super) const HIDDEN: &str = ".asperity-";
 
 /// Letters and digits at the end of the name of a hidden draft.
 const RANDOM: usize = 6;

@@ -26,7 +26,7 @@ pub struct Digest {
 
 impl Digest {
     /// The digest of some bytes.
-    fn of(bytes: &[u8]) -> Self {
+    fn from_bytes(bytes: &[u8]) -> Self {
         Self { bytes: bytes.len() as u64, crc: crc32fast::hash(bytes) }
     }
 
@@ -64,7 +64,7 @@ pub fn check(bytes: &[u8], summed: &[Range<usize>], stores: &[&ChunkStore]) -> R
     for piece in summed {
         let is_of_piece = |it: &&Digest| it.bytes == piece.len() as u64;
         let mut found = digests.iter().filter(is_of_piece).peekable();
-        if found.peek().is_some() && !found.any(|it| *it == Digest::of(&bytes[piece.clone()])) {
+        if found.peek().is_some() && !found.any(|it| *it == Digest::from_bytes(&bytes[piece.clone()])) {
             return Err(
                 "its bytes are not those that were written: they fail their check sum; copy or record it again".into(),
             );

@@ -50,6 +50,9 @@ pub fn frames(bytes: &[u8], has_end: bool) -> Result<Frames, String> {
                 before_last.push(piece..last);
                 at += MESSAGE_HEAD + message.len() + FOOT;
                 if !bytes.get(at..).is_some_and(|rest| rest.starts_with(MARK)) {
+                    if has_end && at < bytes.len() {
+                        return Err("it ends before its last message".into());
+                    }
                     break bytes.len();
                 }
             }

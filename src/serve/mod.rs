@@ -12,7 +12,6 @@
 
 mod export;
 mod guard;
-mod key;
 mod language;
 mod letters;
 mod page;
@@ -20,6 +19,7 @@ mod patience;
 mod policy;
 mod route;
 mod server;
+mod server_key;
 mod sessions;
 mod site;
 mod stream;

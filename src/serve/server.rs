@@ -1,9 +1,9 @@
 //! The server: loopback only, for its own pages only, with bounded requests.
 
 use super::guard;
-use super::key::Key;
 use super::patience::PatientStream;
 use super::policy::IN_HEADER;
+use super::server_key::ServerKey;
 use super::site::{Intake, Reply, Site};
 use crate::explore::{RefusalRule, Request};
 use axum::Router;
@@ -44,7 +44,7 @@ const FAREWELL: Duration = Duration::from_millis(500);
 pub struct Server {
     listener: TcpListener,
     port: u16,
-    key: Key,
+    key: ServerKey,
 }
 
 impl Server {
@@ -64,7 +64,7 @@ impl Server {
         let listener = bound?;
         listener.set_nonblocking(true)?;
         let port = listener.local_addr()?.port();
-        Ok(Self { listener, port, key: Key::of_login() })
+        Ok(Self { listener, port, key: ServerKey::of_login() })
     }
 
     /// The port.
@@ -162,7 +162,7 @@ impl Drop for Delivery {
 struct Served<S> {
     site: S,
     port: u16,
-    key: Key,
+    key: ServerKey,
     /// Whether a request has the right of [`Delivery`].
     taken: Arc<AtomicBool>,
 }

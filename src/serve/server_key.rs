@@ -16,9 +16,9 @@ const FILE: &str = "asperity-key";
 
 /// The key: it stands in the address that is printed. The first request with it gets a cookie, which all others have. Addresses that people share
 /// do not have it.
-pub struct Key(String);
+pub struct ServerKey(String);
 
-impl Key {
+impl ServerKey {
     /// The key of this login, so that open pages go on when the program is started again; a new one where the system has no folder for it.
     pub fn of_login() -> Self {
         let folder = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
@@ -80,9 +80,9 @@ impl Key {
     }
 }
 
-impl Debug for Key {
+impl Debug for ServerKey {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str("Key")
+        f.write_str("ServerKey")
     }
 }
 
@@ -97,8 +97,8 @@ mod tests {
     #[test]
     fn a_login_keeps_its_key_where_nobody_else_can_read_it() {
         let folder = tempfile::tempdir().unwrap();
-        let first = Key::kept_in(folder.path());
-        assert!(first.is(&Key::kept_in(folder.path()).0) && first.0.len() == DIGITS);
+        let first = ServerKey::kept_in(folder.path());
+        assert!(first.is(&ServerKey::kept_in(folder.path()).0) && first.0.len() == DIGITS);
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
@@ -106,12 +106,12 @@ mod tests {
             assert_eq!(mode & 0o777, 0o600);
         }
         std::fs::write(folder.path().join(FILE), "no key").unwrap();
-        assert!(!first.is(&Key::kept_in(folder.path()).0));
+        assert!(!first.is(&ServerKey::kept_in(folder.path()).0));
     }
 
     #[test]
     fn an_address_with_the_key_leads_to_the_page_and_to_nothing_else() {
-        let key = Key("0123456789abcdef0123456789abcdef".into());
+        let key = ServerKey("0123456789abcdef0123456789abcdef".into());
         let to = |uri: &str| key.entrance(&uri.parse().unwrap());
         let query = key.query();
         assert_eq!(to(&format!("/?{query}")), Some("/".into()));
