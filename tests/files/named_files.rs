@@ -1,9 +1,11 @@
 //! The files that a setup names: one list of them, of which all that a setup reads follows.
 
+use crate::height_files::directory;
 use asperity::setup::{FILE_KEYS, FLAGS, Setup, SetupTable};
 use asperity::surface::write_heights;
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 const ROUGH: &str =
@@ -167,7 +169,9 @@ fn a_setup_in_a_result_has_an_end() {
     head.push(b'\n');
     fs::write(&path, &head).unwrap();
     let end = (30 + name.len()) as u64 + u64::from(length);
-    fs::File::options().write(true).open(&path).unwrap().set_len(end).unwrap();
+    let mut file = fs::File::options().append(true).open(&path).unwrap();
+    file.set_len(end).unwrap();
+    file.write_all(&directory(&head)).unwrap();
     let read = SetupTable::read(&path).unwrap_err().to_string();
     assert!(read.ends_with("it has 1.1 GB, and a text may have 34 MB: give a smaller file"), "{read}");
 }
