@@ -59,7 +59,10 @@ impl Setup {
 
     /// The states along the path, with a number of steps between two points if none is given.
     pub(super) fn states_of_path(&self, steps: usize) -> usize {
-        self.path.as_ref().map_or(0, |it| it.len().saturating_mul(it.steps.unwrap_or(steps)))
+        let Some(path) = &self.path else { return 0 };
+        // a path in time that begins at time 0 has a single state there
+        let begins = usize::from(path.time.first() == Some(&0.0));
+        begins + (path.len() - begins).saturating_mul(path.steps.unwrap_or(steps))
     }
 
     /// The frames of motions in a history with adhesion, if there is one long jump from each point of the path to the next.
