@@ -23,7 +23,8 @@ const DECAY_STEP: f64 = 1.25;
 /// left 0.12 to 1, half of them more than 0.76.
 const LEFT_BY_SETTLING: f64 = 0.1;
 
-/// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays.
+/// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays but for the
+/// exponential by which its heights settle.
 ///
 /// The offset of a line is the sum of the medians of the differences between neighbouring lines up to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
@@ -84,6 +85,15 @@ impl LineOffsets {
             *offset = level;
         }
         Some(Self { bends: bends(&offsets), offsets })
+    }
+
+    /// The levels that may settle: the offsets of the lines of a map, or the heights of a profile without voids.
+    pub(in crate::surface) fn of_levels(scan: &Scan, axis: usize) -> Option<Self> {
+        if !scan.is_line() {
+            return Self::new(scan, axis);
+        }
+        let heights = scan.height.row(0).to_vec();
+        (axis == 1 && heights.len() >= 16 && scan.voids() == 0).then(|| Self { bends: bends(&heights), offsets: heights })
     }
 
     /// The mean square of the offsets that are independent from line to line; 0 if they are not independent.
@@ -158,7 +168,8 @@ impl LineOffsets {
 impl LineLevel {
     /// The heights without the level of each line across an axis, 0 for rows and 1 for columns.
     pub fn apply(self, mut scan: Scan, axis: usize) -> Scan {
-        match (self, LineOffsets::new(&scan, axis)) {
+        let found = if self == Self::Settling { LineOffsets::of_levels(&scan, axis) } else { LineOffsets::new(&scan, axis) };
+        match (self, found) {
             (_, None) => scan,
             (Self::Offsets, Some(found)) => less(scan, axis, &found.independent()),
             (Self::Median, Some(found)) => less(scan, axis, &found.offsets),
