@@ -221,7 +221,9 @@ impl Artefacts {
     fn left_across(&self, number: usize) -> Option<Artefact> {
         let name = ["y", "x"][number];
         let is_of_lines = |it: &Artefact| match it {
-            Artefact::Offsets { axis, .. } | Artefact::Scars { axis, .. } | Artefact::ManyScars { axis, .. } => *axis == name,
+            Artefact::Offsets { axis, .. } | Artefact::Scars { axis, .. } | Artefact::ManyScars { axis, .. } => {
+                *axis == name
+            }
             _ => false,
         };
         let slopes = [0, 1].map(|axis| (self.rest.rms_step(axis) / self.rest.spacing[axis]).powi(2));

@@ -125,7 +125,7 @@ impl PreparationChoice {
     /// Tells by how much areas may be off since filled heights are smooth.
     fn tell_of_fill(&mut self, with_voids: &Scan, full: &Scan) {
         let error = 100.0 * Fill::area_error(with_voids, full);
-        if error > 1.0 {
+        if error > 2.0 {
             self.because(format!("filled heights are smooth: areas may be up to {error:.1} % too large"));
         }
     }
@@ -188,7 +188,10 @@ impl PreparationChoice {
         let wavelength = wavelength_of_gradient(full, without, wavelength);
         self.preparation.low_pass = Some(wavelength);
         let after = full.low_pass(wavelength).rms_gradient();
-        let error = (after / without - 1.0).abs().max(1.0 - least / after).max((ERROR_PER_SHARE * share).max(share.min(LEAST_ERROR)));
+        let error = (after / without - 1.0)
+            .abs()
+            .max(1.0 - least / after)
+            .max((ERROR_PER_SHARE * share).max(share.min(LEAST_ERROR)));
         self.because(format!("noise makes {part}: waves below {wavelength:.3e} are filtered out"));
         self.because(format!(
             "without noise the rms gradient is estimated as {}, after the filter it is {}: areas may be up to {:.0} % off",

@@ -93,7 +93,8 @@ impl RepeatNoise {
             ));
         }
         if self.is_of_another_place {
-            lines.push("The measurements differ as much as those of different places: what is found is no noise".into());
+            lines
+                .push("The measurements differ as much as those of different places: what is found is no noise".into());
         }
         lines
     }
