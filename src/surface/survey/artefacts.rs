@@ -36,6 +36,9 @@ const WIRE: f64 = 0.5;
 /// The least effect on areas of heights that are mended as single ones or scars: with less they stay. A worn or pitted surface has a few nodes that
 /// stand off all others, which no contact notices.
 const LEAST_EFFECT: f64 = 0.02;
+/// The part of the rms difference from a level line at the rim to the second line that the first one has at most, if the surface opens from there: a
+/// sine at its zero has a half, and rough heights beside a line that was not measured have about 1.
+const OPENS: f64 = 0.75;
 /// The least share of the mean square gradient that is told as left of scars and offsets.
 const LEAST_LEFT: f64 = 0.05;
 /// Offsets of lines are those of all lines where the usual one, by the median, is at least this part of their root mean square. That of normally
@@ -314,12 +317,26 @@ fn border(scan: &Scan) -> Option<Artefact> {
     };
     let count = |axis: usize, is_first: bool| {
         let lines = scan.shape()[axis];
-        (0..lines).take_while(|i| level(axis, if is_first { *i } else { lines - 1 - i }, Some(edge))).count()
+        let count =
+            (0..lines).take_while(|i| level(axis, if is_first { *i } else { lines - 1 - i }, Some(edge))).count();
+        if count == 1 && opens_from(scan, axis, is_first) { 0 } else { count }
     };
     let lines = [count(0, true), count(0, false), count(1, true), count(1, false)];
     let all = [0, 1].map(|axis| (0..scan.shape()[axis]).filter(|place| level(axis, *place, None)).count());
     let is_rim = !scan.is_line() && all != [0, 0] && all == [lines[0] + lines[1], lines[2] + lines[3]];
     is_rim.then_some(Artefact::Border { lines })
+}
+
+/// Whether the surface opens from its first or last line across an axis, so that the level there is one of the surface, as that of a sine at its zero:
+/// the next line differs less from it than the one behind.
+fn opens_from(scan: &Scan, axis: usize, is_first: bool) -> bool {
+    let lines = scan.shape()[axis];
+    let line = |i: usize| scan.height.index_axis(ndarray::Axis(axis), if is_first { i } else { lines - 1 - i });
+    let square = |i: usize| -> f64 {
+        let off = &line(i) - &line(0);
+        off.iter().filter(|it| !it.is_nan()).map(|it| it * it).sum()
+    };
+    lines > 2 && square(1) < OPENS * OPENS * square(2)
 }
 
 /// Heights that are multiples of a step, where these are few.
