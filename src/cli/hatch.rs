@@ -10,7 +10,7 @@ const TILES: usize = 128;
 /// Every so many diagonals of tiles is a line of the hatch.
 const EVERY: usize = 3;
 /// What is written beside the title of a map with a hatch.
-const MEANING: &str = "; hatched: filled in, not measured";
+const MEANING: &str = "; hatched: filled in";
 
 /// Hatches the nodes of a map that are filled, row by row, if there are some. Positions of the panel are lengths along the grid.
 pub fn hatch(panel: &mut Panel, grid: &Grid, filled: Option<&[bool]>, units: Units) {

@@ -13,6 +13,9 @@ use std::path::{Path, PathBuf};
 /// The part by which the sides of two measurements of the same place may differ.
 const SAME_SIZE: f64 = 1e-3;
 
+/// The part of the heights that may be sharper than the tip by chance; with more the tip has not measured these heights.
+const SHARPER: f64 = 0.05;
+
 /// What is known of a measurement beside its heights.
 #[derive(Args)]
 pub struct MeasurementArgs {
@@ -40,6 +43,8 @@ struct TipReport {
     radius: f64,
     /// The part of the nodes that it has not reached for certain.
     unreached_share: f64,
+    /// The part of the nodes that are sharper than the tip, so that it cannot have measured them.
+    sharper_share: f64,
     /// The rms gradient of the image, and of the highest heights with this image.
     rms_gradient: [f64; 2],
     /// The relative error of areas by their ratio.
@@ -94,17 +99,26 @@ impl TipReport {
         Ok(Self {
             radius,
             unreached_share: found.unreached_share(),
+            sharper_share: found.sharper_share(heights),
             rms_gradient: [heights.rms_gradient(), found.height.rms_gradient()],
             area_error: found.area_error(heights),
         })
     }
 
     fn sentence(&self, units: Units) -> String {
+        let radius = units.length(self.radius);
+        if self.sharper_share > SHARPER {
+            return format!(
+                "A ball-shaped tip of radius {radius} cannot have measured {:.0} % of the heights, which are sharper: they are noise, to be filtered \
+                 out first, or the tip is smaller",
+                100.0 * self.sharper_share
+            );
+        }
         let [image, below] = self.rms_gradient;
         format!(
-            "A ball-shaped tip of radius {} has not reached {:.1} % of the heights for certain: valleys there have its radius at least, and summits have it in \
-             addition to their own. Without the tip the rms gradient is at least {below:.4}, not {image:.4}, and areas may be up to {:.0} % too large",
-            units.length(self.radius),
+            "A ball-shaped tip of radius {radius} has not reached {:.1} % of the heights for certain: valleys there have its radius at least, and \
+             summits have it in addition to their own. Without the tip the rms gradient is at least {below:.4}, not {image:.4}, and areas may be \
+             up to {:.0} % too large",
             100.0 * self.unreached_share,
             100.0 * self.area_error
         )

@@ -346,7 +346,8 @@ impl Statistics {
 
 /// What no survey can find, since it looks like a surface: a blunt tip and a smoothing program make contacts 35 to 59 % too large, and noise that is
 /// alike at neighbouring nodes up to 31 % too small.
-const UNKNOWN: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes";
+const UNKNOWN: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes: \
+     --tip-radius and --repeat tell more";
 
 /// What is wrong with measured heights, and what an automatic preparation would do.
 fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Units) -> Result<Vec<String>> {

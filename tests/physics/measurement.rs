@@ -64,7 +64,7 @@ fn a_ball_below_a_tip_is_found_again_as_far_as_the_tip_reaches() {
                 assert!((found.height.height[node] - ball).abs() < 0.03 * r, "{r}, {tip}, {d}");
                 assert!(is_certain, "a tip of {tip} reaches {d} from the middle of a ball of {r}");
             } else if d > on_plane + 2.0 && d < 78.0 {
-                assert!(is_certain && found.height.height[node] == 0.0, "{r}, {tip}, {d}");
+                assert!(*is_certain && found.height.height[node] == 0.0, "{r}, {tip}, {d}");
             }
         }
         assert!(ring > 100 && inside > 100);
@@ -91,6 +91,10 @@ fn certain_heights_are_those_of_the_truth() {
             off.sort_unstable_by(f64::total_cmp);
             let most = off[(0.99 * off.len() as f64) as usize];
             assert!(most < 0.05 * rms, "a tip of {radius}: {most:.2e} of {rms:.2e}");
+            // a tip does not measure heights that are sharper than itself
+            assert!(found.sharper_share(&image) < 0.01, "{radius}: {}", found.sharper_share(&image));
+            let sharper = TipReach::new(&image, 6.0 * radius).unwrap().sharper_share(&image);
+            assert!(radius > 3.0 || sharper > 0.05, "{radius}: {sharper}");
             shares.push(found.unreached_share());
             println!(
                 "{seed} {radius} {:.3} {:.3} {:.3}",
@@ -113,10 +117,10 @@ fn a_tip_has_a_positive_radius() {
 
 /// Noise that is alike at neighbours, of an rms height: the sum of normal values on a square of some nodes.
 fn noise(rms: f64, width: usize, random: &mut ChaCha8Rng) -> Array2<f64> {
-    let white = Array2::from_shape_fn((N + width, N + width), |_| StandardNormal.sample(random));
+    let white: Array2<f64> = Array2::from_shape_fn((N + width, N + width), |_| StandardNormal.sample(random));
     Array2::from_shape_fn((N, N), |(y, x)| {
         let part = white.slice(ndarray::s![y..y + width, x..x + width]);
-        rms * f64::from(part.sum()) / width as f64
+        rms * part.sum() / width as f64
     })
 }
 

@@ -135,7 +135,7 @@ impl Artefacts {
         for axis in self.rest.axes() {
             let Some(found) = LineOffsets::of_levels(&self.rest, axis).and_then(|it| it.settling()) else { continue };
             let roughness = match self.rest.is_line() {
-                true => super::square(&LineLevel::Settling.apply(self.rest.clone(), axis)).sqrt(),
+                true => rms_along(&LineLevel::Settling.apply(self.rest.clone(), axis), 0),
                 false => rms_along(&self.rest, axis),
             };
             if found.height.abs() < SETTLING * roughness {

@@ -80,6 +80,19 @@ impl TipReach {
         1.0 - certain as f64 / measured.max(1) as f64
     }
 
+    /// The part of the measured nodes that stand above what the tip measures of the reconstructed heights: they are sharper than the tip, by noise or
+    /// since the tip is smaller. Differences below the height of the tip one spacing from its lowest point are those of the grid.
+    pub fn sharper_share(&self, image: &Scan) -> f64 {
+        let tip = TipShape::new(image, self.radius);
+        let spacing = image.axes().map(|axis| image.spacing[axis]).fold(0.0, f64::max);
+        let grid = self.radius - (self.radius * self.radius - spacing * spacing).max(0.0).sqrt();
+        let highest = self.height.height.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let is_sharper =
+            |(node, height): &((usize, usize), &f64)| **height > tip.highest_below(&self.height, *node, highest) + grid;
+        let sharper = image.height.indexed_iter().filter(|(_, height)| !height.is_nan()).filter(is_sharper).count();
+        sharper as f64 / (image.height.len() - image.voids()).max(1) as f64
+    }
+
     /// How much larger areas of the image are than those of the reconstructed heights, by their rms gradients, as a part of the former. The surface
     /// may be steeper yet where the tip has not reached.
     pub fn area_error(&self, image: &Scan) -> f64 {
@@ -121,6 +134,19 @@ impl TipShape {
         }
         steps.sort_by(|one, other| one.1.total_cmp(&other.1));
         Self { steps }
+    }
+
+    /// The height of the lowest point of the tip over a node, where it rests on some heights.
+    fn highest_below(&self, heights: &Scan, (y, x): (usize, usize), highest: f64) -> f64 {
+        let mut most = f64::NEG_INFINITY;
+        for ([dy, dx], above) in &self.steps {
+            if highest - above <= most {
+                break;
+            }
+            let (Some(row), Some(column)) = (y.checked_add_signed(*dy), x.checked_add_signed(*dx)) else { continue };
+            most = most.max(heights.height.get((row, column)).copied().unwrap_or(f64::NAN) - above);
+        }
+        most
     }
 
     /// The place of the tip that is lowest above a node, and the height of its surface there.
