@@ -4,17 +4,21 @@ use crate::error::SurfaceError;
 use crate::surface::Scan;
 use ndarray::Array2;
 
-/// The most nodes along rows and columns that one place of the tip may bear so that it counts as a single contact. On a grid, a tip in a valley of
-/// radius `rho` moves over `rho / (rho - R)` nodes from one node to the next one, which is 2 for a valley of twice its own radius.
-const SINGLE: usize = 2;
+/// The least that the place of the tip moves for each node along the surface, in all directions, where it touches alone: by `(rho - R) / rho` in a valley of
+/// radius `rho`, so that valleys of less than twice its own radius count as not reached. Between two contacts the place does not move. Of rough maps
+/// below a tip, 95 % of the nodes with a larger move were within 0.1 rms heights of the truth, where a tenth of all nodes was more than 0.7 rms
+/// heights above it.
+const LEAST_MOVE: f64 = 0.5;
+/// The nodes to each side over which the move is found. With 2 it is that of nodes beside the contact, too.
+const REACH: usize = 1;
 
 /// Heights as an instrument with a ball-shaped tip measures them, and which of them the tip has reached.
 ///
 /// A tip of radius `R` measures the dilation of the surface `s`, `i(y) = max over u of s(y + u) - t(u)` with `t(u) = R - sqrt(R^2 - u^2)`: peaks of
 /// radius `r` come out with `r + R`, and valleys with less than `R` with the cusps of the tip between both flanks. The highest surface with this
 /// image is the erosion `r(x) = min over y of i(y) + t(x - y)`. A node of it is certain where the tip at the place `y` of the minimum touches
-/// there alone: the surface is at `r(x)`. Where the tip touches at several places at once, it may not have reached what lies between them, and the
-/// surface may be anywhere below `r(x)`.
+/// there alone: the surface is at `r(x)`. Where the tip touches at several nodes at once, it may not have reached what lies between them, and the
+/// surface may be anywhere below `r(x)`. On a grid these are the nodes between which the place of the tip hardly moves.
 ///
 /// The heights are to be free of noise: a tip with noise seems to touch on the lowest values of the noise alone.
 ///
@@ -43,9 +47,6 @@ pub struct TipReach {
     pub radius: f64,
 }
 
-/// How a place of the tip bears: the first and the last row and column of the nodes where it touches.
-type Touched = [[usize; 2]; 2];
-
 impl TipReach {
     /// The heights below an image by a tip of some radius.
     ///
@@ -55,20 +56,17 @@ impl TipReach {
         crate::surface::check_positive(&[("tip radius", radius)])?;
         let (tip, lowest) = (TipShape::new(image, radius), image.height.iter().copied().fold(f64::INFINITY, f64::min));
         let mut height = image.clone();
-        let mut touched: Array2<Option<Touched>> = Array2::from_elem(image.height.dim(), None);
-        let mut places = Array2::from_elem(image.height.dim(), (0, 0));
+        let mut places = Array2::from_elem(image.height.dim(), None);
         for (node, eroded) in height.height.indexed_iter_mut() {
             if eroded.is_nan() {
                 continue;
             }
             let (place, least) = tip.lowest_above(image, node, lowest);
             *eroded = least;
-            places[node] = place;
-            touched[place] = Some(touched[place].map_or([[node.0; 2], [node.1; 2]], |it| with(it, node)));
+            places[node] = Some(place);
         }
-        let is_single = |it: &Touched| it.iter().all(|[first, last]| last - first < SINGLE);
         let is_certain = Array2::from_shape_fn(image.height.dim(), |node| {
-            !image.height[node].is_nan() && touched[places[node]].as_ref().is_some_and(is_single)
+            places[node].is_some() && least_move(&places, node) > LEAST_MOVE
         });
         Ok(Self { height, is_certain, radius })
     }
@@ -101,9 +99,27 @@ impl TipReach {
     }
 }
 
-/// The range of nodes with one more node.
-fn with([rows, columns]: Touched, (y, x): (usize, usize)) -> Touched {
-    [[rows[0].min(y), rows[1].max(y)], [columns[0].min(x), columns[1].max(x)]]
+/// The places of the tip at which it is lowest above each node; none above voids.
+type TipPlaces = Array2<Option<(usize, usize)>>;
+
+/// The least move of the place of the tip about a node, in nodes for each node along the surface, of all directions: the smaller singular value of the
+/// derivatives of the place along rows and columns.
+fn least_move(places: &TipPlaces, (y, x): (usize, usize)) -> f64 {
+    let (ny, nx) = places.dim();
+    let nodes = |i: usize, n: usize| [i.saturating_sub(REACH), (i + REACH).min(n - 1)];
+    let along = |[first, last]: [(usize, usize); 2], nodes: usize| {
+        let (Some(from), Some(to)) = (places[first], places[last]) else { return [1.0, 0.0] };
+        let step = |a: usize, b: usize| (b as f64 - a as f64) / nodes.max(1) as f64;
+        [step(from.0, to.0), step(from.1, to.1)]
+    };
+    let ([top, bottom], [left, right]) = (nodes(y, ny), nodes(x, nx));
+    let [xy, xx] = along([(y, left), (y, right)], right - left);
+    if ny == 1 {
+        return xx.abs();
+    }
+    let [yy, yx] = along([(top, x), (bottom, x)], bottom - top);
+    let (square, determinant) = (xx * xx + xy * xy + yx * yx + yy * yy, xx * yy - xy * yx);
+    (0.5 * (square - (square * square - 4.0 * determinant * determinant).max(0.0).sqrt())).max(0.0).sqrt()
 }
 
 /// The tip on the grid.

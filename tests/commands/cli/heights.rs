@@ -186,7 +186,7 @@ fn a_tip_and_a_second_measurement_are_told_of() {
         text(&folder.run("surface whole.npy --size 48um --repeat second.npy --tip-radius 20um").stdout).to_owned();
     assert!(said.contains("By the repeated measurement the noise is") && said.contains("of radius 20 µm"), "{said}");
 
-    write_npy(folder.join("small.npy"), &noisy.slice(ndarray::s![..40, ..]).to_owned()).unwrap();
+    write_npy(folder.join("small.npy"), &Array2::from_shape_fn((40, 48), |node| noisy[node])).unwrap();
     let refused = folder.run("surface whole.npy --size 48 --repeat small.npy");
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("has 40 x 48 points"), "{}", text(&refused.stderr));
