@@ -1,5 +1,6 @@
 //! Pictures of contacts, and of load curves.
 
+use super::hatch::hatch;
 use super::units::Units;
 use asperity::Grid;
 use asperity::contact::{Contact, Load, Observables};
@@ -29,7 +30,9 @@ pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
             let grid = contact.problem.surface().grid();
             let map = |title: &str, field: &Field| NamedMap { title: title.into(), grid: *grid, field: field.clone() };
             let [pressure, gap] = [map("pressure", &contact.pressure), map("gap", &contact.gap)];
-            [pressures(&[pressure], units), gaps(&[gap], units)].concat()
+            let mut panels = [pressures(&[pressure], units), gaps(&[gap], units)].concat();
+            panels.iter_mut().for_each(|panel| hatch(panel, grid, contact.problem.surface().filled(), units));
+            panels
         }
     };
     Figure { title: title.into(), panels }

@@ -4,6 +4,8 @@ use super::choice::choice;
 use super::exit_status::{ExitStatus, usage};
 use super::figure_args::FigureArgs;
 use super::flags::{OfSurface, SceneArgs};
+use super::hatch::hatch;
+use super::measurement::MeasurementArgs;
 use super::output::write_json;
 use super::picture::title_of;
 use super::surface_statistics::Described;
@@ -62,6 +64,8 @@ pub struct Describe {
     #[arg(long, help_heading = "Output")]
     json: bool,
     #[command(flatten)]
+    measurement: MeasurementArgs,
+    #[command(flatten)]
     figure: FigureArgs,
 }
 
@@ -84,9 +88,11 @@ impl Describe {
         let style = self.figure.style(self.out.as_deref().is_some_and(is_figure))?;
         let table = self.scene.table()?;
         let written = self.out.iter().chain(&self.psd).chain(&self.record);
-        check_apart(written, self.scene.files(&table))?;
+        check_apart(written, self.scene.files(&table).into_iter().chain(self.measurement.files()))?;
         let units = self.scene.units();
-        let Described { recipe, grid, statistics, height } = Described::new(table.surface()?, units)?;
+        let (recipe, cell) = table.surface()?;
+        let Described { recipe, grid, mut statistics, height, filled } = Described::new((recipe, cell.clone()), units)?;
+        statistics.tell(self.measurement.report(&recipe, &cell)?);
         warnings::refuse_if_strict(&statistics.warnings, self.strict)?;
         let mut heights = self.out.iter().filter(|path| !is_figure(path));
         heights.try_for_each(|path| statistics.check_unit(&recipe, path))?;
@@ -101,7 +107,11 @@ impl Describe {
             Some(path) if is_figure(path) => {
                 let survey = statistics.survey.as_ref().expect("heights have a survey");
                 let title = title_of(&recipe, &grid);
-                write_figure(path, &of_survey(&title, &scan(height, &grid), survey, statistics.units), &style)?;
+                let mut figure = of_survey(&title, &scan(height, &grid), survey, statistics.units);
+                if !grid.is_line() {
+                    hatch(&mut figure.panels[0], &grid, filled.as_deref(), statistics.units);
+                }
+                write_figure(path, &figure, &style)?;
             }
             Some(path) => scan(height, &grid).write(path)?,
             None => {}
@@ -124,6 +134,11 @@ impl Describe {
         }
         if self.record.is_some() || self.psd.is_some() {
             return usage("--record and --psd are for one file of heights: give one file, and another --out than .csv");
+        }
+        if self.measurement.is_given() {
+            return usage(
+                "--repeat and --tip-radius are for one file of heights: give one file, and another --out than .csv",
+            );
         }
         let scenes: Vec<SceneArgs<OfSurface>> =
             self.more.iter().map(|file| self.scene.with_file(file.clone())).collect();

@@ -1,6 +1,7 @@
 //! The statistics of a surface, as they are printed.
 
 use super::exit_status::usage;
+use super::measurement::MeasurementReport;
 use super::output::write_rows;
 use super::problem_summary::along_axes;
 use super::survey;
@@ -50,6 +51,9 @@ pub struct Statistics {
     /// What is wrong with measured heights, and what an automatic preparation would do.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     verdict: Vec<String>,
+    /// What tip and repetition of the measurement tell.
+    #[serde(flatten)]
+    measurement: MeasurementReport,
     #[serde(skip)]
     pub units: Units,
 }
@@ -97,6 +101,8 @@ pub struct Described {
     pub grid: Grid,
     pub statistics: Statistics,
     pub height: Field,
+    /// Whether the height of each node was filled in, row by row; none if all were measured, or are void.
+    pub filled: Option<Vec<bool>>,
 }
 
 impl Described {
@@ -105,9 +111,9 @@ impl Described {
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
         Cost::from_fields(&grid, FIELDS).check("a surface")?;
-        let (mut statistics, height) = describe(&recipe, &grid, 2 - recipe.rank(&cell)?, units)?;
-        statistics.warnings.extend(uneven);
-        Ok(Self { recipe, grid, statistics, height })
+        let mut it = describe(recipe, grid, &cell, units)?;
+        it.statistics.warnings.extend(uneven);
+        Ok(it)
     }
 }
 
@@ -126,14 +132,15 @@ fn even(recipe: &mut Recipe) -> Result<Option<String>> {
     ))
 }
 
-/// The statistics of a surface from an axis on, and its heights, NaN where they are void.
-fn describe(recipe: &Recipe, grid: &Grid, outer: usize, units: Units) -> Result<(Statistics, Field)> {
-    let read = |file: &HeightFile| -> Result<_> { Ok((Origin::read(file, recipe)?, recipe.prepared(file, grid)?)) };
+/// The statistics of a surface, and its heights, NaN where they are void.
+fn describe(recipe: Recipe, grid: Grid, cell: &Cell, units: Units) -> Result<Described> {
+    let outer = 2 - recipe.rank(cell)?;
+    let read = |file: &HeightFile| -> Result<_> { Ok((Origin::read(file, &recipe)?, recipe.prepared(file, &grid)?)) };
     let (file, prepared) = recipe.height.as_ref().map(read).transpose()?.unzip();
     let voids = prepared.as_ref().map_or(0, |it| it.scan.voids());
     let mut statistics = Statistics {
         source: recipe.description(),
-        warnings: file.iter().filter_map(|it| it.unit_warning(recipe)).collect(),
+        warnings: file.iter().filter_map(|it| it.unit_warning(&recipe)).collect(),
         file,
         points: grid.shape()[outer..].to_vec(),
         size: grid.size()[outer..].to_vec(),
@@ -144,25 +151,27 @@ fn describe(recipe: &Recipe, grid: &Grid, outer: usize, units: Units) -> Result<
         seed: recipe.spectrum.as_ref().map(|_| recipe.seed()),
         whole: None,
         verdict: Vec::new(),
+        measurement: MeasurementReport::default(),
         units,
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
         let survey = Survey::new(&prepared.scan)?;
         statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, grid.len())));
-        statistics.verdict = verdict(recipe, &survey, &prepared.scan, grid, units)?;
+        statistics.verdict = verdict(&recipe, &survey, &prepared.scan, &grid, units)?;
         statistics.survey = Some(survey);
-        return Ok((statistics, prepared.scan.height));
+        return Ok(Described { recipe, grid, statistics, height: prepared.scan.height, filled: None });
     }
-    let surface = recipe.surface(*grid)?;
+    let surface = recipe.surface(grid)?;
     let scan = Scan::from_surface(&surface, 1);
     let survey = Survey::new(&scan)?;
-    statistics.verdict = verdict(recipe, &survey, &scan, grid, units)?;
+    statistics.verdict = verdict(&recipe, &survey, &scan, &grid, units)?;
     let is_sample = recipe.indenter.is_none() && (recipe.is_measured() || recipe.spectrum.is_some());
     statistics.whole = Some(HeightStatistics::new(&surface, outer, is_sample));
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
     statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));
     statistics.survey = Some(survey);
-    Ok((statistics, surface.heights_as_given()))
+    let filled = surface.filled().map(<[bool]>::to_vec);
+    Ok(Described { recipe, grid, statistics, height: surface.heights_as_given(), filled })
 }
 
 impl Origin {
@@ -294,6 +303,12 @@ impl Statistics {
         Err(FileError::Target { path: path.into(), reason: reason.into() })
     }
 
+    /// Adds what is known of the measurement beside its heights.
+    pub fn tell(&mut self, report: MeasurementReport) {
+        self.verdict.extend(report.sentences(self.units));
+        self.measurement = report;
+    }
+
     /// Writes what is wrong with the heights first, then their size, heights, texture and spectrum, and on request their differences at all scales.
     pub fn write(&self, has_scales: bool, out: &mut impl Write) -> io::Result<()> {
         let units = self.units;
@@ -331,7 +346,8 @@ impl Statistics {
 
 /// The sentence that ends each survey. A smoothed map, a map by a blunt tip and noise of a correlation length of a few nodes all look like a surface,
 /// so that no number can be given for their effect.
-const UNKNOWN: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes";
+const UNKNOWN: &str = "Heights alone do not tell the radius of the tip, smoothing by the instrument, or noise that is alike at neighbouring nodes: \
+     --tip-radius and --repeat tell more";
 
 /// What is wrong with measured heights, and what an automatic preparation would do.
 fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Units) -> Result<Vec<String>> {

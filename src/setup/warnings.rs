@@ -19,6 +19,8 @@ const LARGEST_GROWTH: f64 = 1.1;
 const UNEQUAL: f64 = 0.01;
 /// Spectra and distributions of heights that are farther than this from what was asked for give a warning.
 const LARGEST_MISFIT: f64 = 0.1;
+/// Relative errors of areas above this one, by heights that were filled in, give a warning.
+const LARGEST_FILL_ERROR: f64 = 0.02;
 /// Dundurs' constants above this one give a warning under friction.
 const LARGEST_BETA: f64 = 0.01;
 
@@ -82,7 +84,8 @@ impl Recipe {
         let measured = self.height.as_ref().map(|file| {
             let refined = refinement(self, file, surface);
             let raw = file.measurement(self.channel.as_deref()).ok();
-            let found = [spacing(surface), gradient(surface), spacing_of_file(self, file, surface, refined)];
+            let of_file_spacing = spacing_of_file(self, file, surface, refined);
+            let found = [spacing(surface), gradient(surface), of_file_spacing, smooth_fill(surface)];
             let artefacts = self.warnings_of_artefacts(&Scan::from_surface(surface, refined), raw.as_ref());
             let of_file = raw.map(|it| it.warnings).unwrap_or_default();
             of_file.into_iter().chain(found.into_iter().flatten()).chain(artefacts)
@@ -252,6 +255,18 @@ impl Survey {
             .with_remedy("surface.prepare.low-pass", None)
         })
     }
+}
+
+/// The warning that heights which were filled in are smoother than those that were measured.
+fn smooth_fill(surface: &Surface) -> Option<Warning> {
+    let error = surface.area_error_by_fill();
+    (error > LARGEST_FILL_ERROR).then(|| {
+        Warning::new(
+            format!("Filled heights are smooth: areas may be up to {:.1} % too large", 100.0 * error),
+            "Crop the heights to a part that was measured",
+        )
+        .with_remedy("surface.prepare.crop", None)
+    })
 }
 
 /// The warning that the lengths of a measured surface may have been swapped.

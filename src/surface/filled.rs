@@ -1,6 +1,6 @@
 //! Heights that were not measured but filled in.
 
-use super::Surface;
+use super::{Fill, Scan, Surface};
 use crate::error::SurfaceError;
 use crate::grid::Grid;
 use ndarray::Array2;
@@ -31,6 +31,17 @@ impl Surface {
     /// Whether the height of each node was filled in, row by row; none if all were measured.
     pub fn filled(&self) -> Option<&[bool]> {
         self.filled.as_deref()
+    }
+
+    /// How much larger areas may be since filled heights are smooth, as a part of them: by the rms gradients of all nodes and of the measured ones.
+    pub(crate) fn area_error_by_fill(&self) -> f64 {
+        let Some(filled) = &self.filled else { return 0.0 };
+        let full = Scan { height: self.height.clone(), spacing: self.grid.spacing() };
+        let mut measured = full.clone();
+        for (height, _) in measured.height.iter_mut().zip(filled.iter()).filter(|(_, is_filled)| **is_filled) {
+            *height = f64::NAN;
+        }
+        Fill::area_error(&measured, &full)
     }
 
     /// The nodes that are filled in one of two surfaces of a grid.

@@ -37,7 +37,9 @@ pub use random::{
 };
 pub use roughness::{PowerSpectrum, Roughness};
 pub use spectrum::Spectrum;
-pub use survey::{Artefact, Artefacts, Band, Noise, PowerLawFit, PreparationChoice, Scale, Scales, Survey};
+pub use survey::{
+    Artefact, Artefacts, Band, Noise, PowerLawFit, PreparationChoice, RepeatNoise, Scale, Scales, Survey, TipReach,
+};
 pub use texture::{
     AbbottCurve, Autocorrelation, CoreHeights, SurfaceParameter, SurfaceParameters, Texture, TextureParameter,
 };

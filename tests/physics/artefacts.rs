@@ -405,6 +405,12 @@ fn what_cannot_be_mended_is_named() {
     let mut rim = truth.clone();
     (0..3).for_each(|y| rim.row_mut(y).fill(0.0));
     assert_eq!(named(&rim), [Artefact::Border { lines: [3, 0, 0, 0] }]);
+    // a line at the rim, too, unless the surface opens from there, as a wave at its zero does
+    let mut column = truth.clone();
+    column.column_mut(0).fill(0.0);
+    assert_eq!(named(&column), [Artefact::Border { lines: [0, 0, 1, 0] }]);
+    let opens = Array2::from_shape_fn((N, N), |(y, x)| (TAU * x as f64 / N as f64).sin() * (1e-7 + truth[[y, 9]]));
+    assert_eq!(named(&opens), []);
     let steps = Array2::from_shape_fn((N, N), |(y, x)| truth[[y, x]] + if y > 40 { 3.0 * rms(&truth) } else { 0.0 });
     assert!(matches!(named(&steps)[..], [Artefact::Step { axis: "y", line: 40, .. }]), "{:?}", named(&steps));
     let chosen = PreparationChoice::new(&scan(&steps), true, [true; 2]).unwrap().preparation;

@@ -14,6 +14,7 @@ mod depth;
 mod direct_sum;
 mod flow;
 mod hardness;
+mod measurement;
 mod moments;
 mod paper;
 mod plastic;

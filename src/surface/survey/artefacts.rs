@@ -33,6 +33,17 @@ const MOST_ALIKE: f64 = 0.7;
 const FEWEST_ALIKE: usize = 40;
 /// The part of a line that is mended, if it is a wire and not a scar.
 const WIRE: f64 = 0.5;
+/// The least effect on areas of heights that are mended as single ones or scars: with less they stay. A worn or pitted surface has a few nodes that
+/// stand off all others, which no contact notices.
+const LEAST_EFFECT: f64 = 0.02;
+/// The part of the rms difference from a level line at the rim to the second line that the first one has at most, if the surface opens from there: a
+/// sine at its zero has a half, and rough heights beside a line that was not measured have about 1.
+const OPENS: f64 = 0.75;
+/// The least share of the mean square gradient that is told as left of scars and offsets.
+const LEAST_LEFT: f64 = 0.05;
+/// Offsets of lines are those of all lines where the usual one, by the median, is at least this part of their root mean square. That of normally
+/// distributed ones is 1; wires and grooves leave most lines without an offset.
+const OF_ALL_LINES: f64 = 0.5;
 
 /// The artefacts of some heights, and the heights without those that can be mended.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +64,7 @@ impl Artefact {
         let (rms, along) = (found.white().sqrt(), rms_along(scan, axis));
         let share = 2.0 * (rms / scan.spacing[axis]).powi(2) / (slopes[0].powi(2) + slopes[1].powi(2));
         let axis = ["y", "x"][axis];
-        if share.is_nan() || share < OFFSETS {
+        if share.is_nan() || share < OFFSETS || !are_of_all_lines(&found) {
             None
         } else if rms > GROOVES * along {
             // where heights hardly differ along the lines, these are the surface
@@ -80,6 +91,8 @@ impl Artefacts {
         let before = it.rest.clone();
         it.mend_scars();
         it.all.extend(alike(&before, &it.rest, true));
+        let left: Vec<Artefact> = [0, 1].into_iter().filter_map(|axis| it.left_across(axis)).collect();
+        it.all.extend(left);
         let found = clusters(&it.rest);
         if !found.is_empty() {
             it.all.push(Artefact::Clusters { count: found.len(), nodes: found.iter().map(Vec::len).sum() });
@@ -117,11 +130,15 @@ impl Artefacts {
         }
     }
 
-    /// Takes off the exponentials by which the levels of lines settle, if they are larger than the roughness along the lines.
+    /// Takes off the exponentials by which the levels of lines settle, or the heights of a profile, if they are larger than the roughness.
     fn mend_settling(&mut self) {
-        for axis in [0, 1] {
-            let Some(found) = LineOffsets::new(&self.rest, axis).and_then(|it| it.settling()) else { continue };
-            if found.height.abs() < SETTLING * rms_along(&self.rest, axis) {
+        for axis in self.rest.axes() {
+            let Some(found) = LineOffsets::of_levels(&self.rest, axis).and_then(|it| it.settling()) else { continue };
+            let roughness = match self.rest.is_line() {
+                true => rms_along(&LineLevel::Settling.apply(self.rest.clone(), axis), 0),
+                false => rms_along(&self.rest, axis),
+            };
+            if found.height.abs() < SETTLING * roughness {
                 continue;
             }
             self.all.push(Artefact::Settling {
@@ -143,9 +160,12 @@ impl Artefacts {
     fn mend_outliers(&mut self) {
         let nodes = Outliers::find(&self.rest).len();
         if nodes > 0 {
-            self.all.push(Artefact::Outliers { nodes });
-            self.steps.outliers = Some(Outliers::Void);
-            self.rest = Outliers::Void.apply(self.rest.clone());
+            let rest = Outliers::Void.apply(self.rest.clone());
+            if effect(&self.rest, &rest) >= LEAST_EFFECT {
+                self.all.push(Artefact::Outliers { nodes });
+                self.steps.outliers = Some(Outliers::Void);
+                self.rest = rest;
+            }
             return;
         }
         let share = Outliers::all(&self.rest).len() as f64 / self.rest.height.len() as f64;
@@ -189,12 +209,30 @@ impl Artefacts {
         let axis = if scars == Scars::Rows { "y" } else { "x" };
         let share = all as f64 / self.rest.height.len() as f64;
         if nodes > 0 {
-            self.all.push(Artefact::Scars { axis, nodes });
-            self.steps.scars = Some(scars);
-            self.rest = scars.apply(self.rest.clone());
+            let rest = scars.apply(self.rest.clone());
+            if effect(&self.rest, &rest) >= LEAST_EFFECT {
+                self.all.push(Artefact::Scars { axis, nodes });
+                self.steps.scars = Some(scars);
+                self.rest = rest;
+            }
         } else if share < MOST_SCARS {
             self.all.push(Artefact::ManyScars { axis, share });
         }
+    }
+
+    /// What is left of offsets and scars across an axis, if some were found: by how much more heights differ across the lines than along them.
+    fn left_across(&self, number: usize) -> Option<Artefact> {
+        let name = ["y", "x"][number];
+        let is_of_lines = |it: &Artefact| match it {
+            Artefact::Offsets { axis, .. } | Artefact::Scars { axis, .. } | Artefact::ManyScars { axis, .. } => {
+                *axis == name
+            }
+            _ => false,
+        };
+        let slopes = [0, 1].map(|axis| (self.rest.rms_step(axis) / self.rest.spacing[axis]).powi(2));
+        let share = (slopes[number] - slopes[1 - number]) / (slopes[0] + slopes[1]);
+        let is_told = share > LEAST_LEFT && self.all.iter().any(is_of_lines);
+        is_told.then_some(Artefact::LeftAcross { axis: name, share })
     }
 
     /// Levels of lines that wander, where they are not told already, and waves that stand alone.
@@ -210,8 +248,7 @@ impl Artefacts {
             found.map(|[rms, share]| (share, Artefact::Wander { axis: name, rms, share }))
         });
         let alone = waves
-            .alone()
-            .filter(|_| repeats == [false; 2])
+            .alone(repeats)
             .map(|Alone { count, wavelength, rms, share }| (share, Artefact::Waves { count, wavelength, rms, share }));
         wander.chain(alone).filter(|it| it.0 > TOLD).map(|it| it.1).collect()
     }
@@ -219,14 +256,23 @@ impl Artefacts {
     /// The largest relative error of areas that the artefacts which can be mended may cause, by the rms gradient with and without them; 1 where
     /// they are above all the rest, so that the contact begins at them.
     pub fn area_error(&self, scan: &Scan) -> f64 {
-        let highest = |it: &Scan| it.height.iter().copied().filter(|h| !h.is_nan()).fold(f64::NEG_INFINITY, f64::max);
-        let (before, after) = (scan.rms_gradient(), self.rest.rms_gradient());
-        match self.all.iter().any(Artefact::can_be_mended) {
-            false => 0.0,
-            true if highest(scan) > highest(&self.rest) => 1.0,
-            true => (1.0 - after / before).abs(),
-        }
+        if self.all.iter().any(Artefact::can_be_mended) { effect(scan, &self.rest) } else { 0.0 }
     }
+}
+
+/// The largest relative difference of areas between heights and what mending leaves of them, see [`Artefacts::area_error`].
+fn effect(scan: &Scan, rest: &Scan) -> f64 {
+    let highest = |it: &Scan| it.height.iter().copied().filter(|h| !h.is_nan()).fold(f64::NEG_INFINITY, f64::max);
+    let (before, after) = (scan.rms_gradient(), rest.rms_gradient());
+    if highest(scan) > highest(rest) { 1.0 } else { (1.0 - after / before).abs() }
+}
+
+/// Whether the offsets are those of all lines, and not of a few that stand off.
+fn are_of_all_lines(found: &LineOffsets) -> bool {
+    let offsets = found.independent();
+    let rms = (offsets.iter().map(|it| it * it).sum::<f64>() / offsets.len() as f64).sqrt();
+    let mut magnitudes: Vec<f64> = offsets.iter().map(|it| it.abs()).collect();
+    DEVIATION * median(&mut magnitudes).unwrap_or(0.0) >= OF_ALL_LINES * rms
 }
 
 /// The root mean square of the heights about the mean of their line, of the lines across an axis.
@@ -249,8 +295,16 @@ fn step(scan: &Scan, axis: usize) -> Vec<Artefact> {
     let usual = DEVIATION * median(&mut magnitudes).unwrap_or(0.0);
     let least = STEP * usual.max(0.1 * scan.rms_step(axis));
     let far: Vec<usize> = (0..steps.len()).filter(|i| steps[*i].abs() > least).collect();
-    let found = far.iter().filter(|_| far.len() <= MOST_STEPS);
-    found.map(|line| Artefact::Step { axis: ["y", "x"][axis], line: *line, height: steps[*line] }).collect()
+    if far.len() > MOST_STEPS {
+        return Vec::new();
+    }
+    let slopes = [0, 1].map(|axis| (scan.rms_step(axis) / scan.spacing[axis]).powi(2));
+    let of_step = |height: f64| {
+        let share = (height / scan.spacing[axis]).powi(2) / steps.len() as f64 / (slopes[0] + slopes[1]);
+        (height, share)
+    };
+    let found = far.into_iter().map(|line| (line, of_step(steps[line])));
+    found.map(|(line, (height, share))| Artefact::Step { axis: ["y", "x"][axis], line, height, share }).collect()
 }
 
 /// Lines of equal heights at the rim, unless lines inside are level as well.
@@ -263,12 +317,26 @@ fn border(scan: &Scan) -> Option<Artefact> {
     };
     let count = |axis: usize, is_first: bool| {
         let lines = scan.shape()[axis];
-        (0..lines).take_while(|i| level(axis, if is_first { *i } else { lines - 1 - i }, Some(edge))).count()
+        let count =
+            (0..lines).take_while(|i| level(axis, if is_first { *i } else { lines - 1 - i }, Some(edge))).count();
+        if count == 1 && opens_from(scan, axis, is_first) { 0 } else { count }
     };
     let lines = [count(0, true), count(0, false), count(1, true), count(1, false)];
     let all = [0, 1].map(|axis| (0..scan.shape()[axis]).filter(|place| level(axis, *place, None)).count());
     let is_rim = !scan.is_line() && all != [0, 0] && all == [lines[0] + lines[1], lines[2] + lines[3]];
     is_rim.then_some(Artefact::Border { lines })
+}
+
+/// Whether the surface opens from its first or last line across an axis, so that the level there is one of the surface, as that of a sine at its zero:
+/// the next line differs less from it than the one behind.
+fn opens_from(scan: &Scan, axis: usize, is_first: bool) -> bool {
+    let lines = scan.shape()[axis];
+    let line = |i: usize| scan.height.index_axis(ndarray::Axis(axis), if is_first { i } else { lines - 1 - i });
+    let square = |i: usize| -> f64 {
+        let off = &line(i) - &line(0);
+        off.iter().filter(|it| !it.is_nan()).map(|it| it * it).sum()
+    };
+    lines > 2 && square(1) < OPENS * OPENS * square(2)
 }
 
 /// Heights that are multiples of a step, where these are few.
@@ -304,6 +372,7 @@ fn alike(before: &Scan, after: &Scan, are_scars: bool) -> Option<Artefact> {
     let middle = median(&mut off)?;
     let is_alike = |it: &&f64| (**it - middle).abs() < ALIKE * middle;
     let nodes = off.iter().filter(is_alike).count();
+    let share = 1.0 - (full.rms_gradient() / before.rms_gradient()).powi(2);
     (off.len() >= FEWEST_ALIKE && middle > 0.0 && nodes as f64 > MOST_ALIKE * off.len() as f64)
-        .then_some(Artefact::AlikeMended { nodes })
+        .then_some(Artefact::AlikeMended { nodes, share })
 }

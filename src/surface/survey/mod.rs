@@ -7,10 +7,12 @@ mod choice;
 mod clip;
 mod jump;
 mod noise;
+mod repeat;
 mod scales;
 mod seam;
 mod shift;
 mod table;
+mod tip;
 mod waves;
 
 pub use artefact::Artefact;
@@ -18,7 +20,9 @@ pub use artefacts::Artefacts;
 pub use band::{Band, PowerLawFit};
 pub use choice::PreparationChoice;
 pub use noise::Noise;
+pub use repeat::RepeatNoise;
 pub use scales::{Scale, Scales};
+pub use tip::TipReach;
 
 use super::{Detrend, Fill, Scan, Surface};
 use crate::error::SurfaceError;

@@ -118,10 +118,13 @@ impl WavePower {
         (!is_grating && bends(0) > WANDER * usual).then_some([step.sqrt(), share])
     }
 
-    /// The waves that stand alone above those around them; none where they are most of the heights.
-    pub fn alone(&self) -> Option<Alone> {
+    /// The waves that stand alone above those around them; none where they are most of the heights. Where the levels of the lines across an axis
+    /// repeat, waves across these lines are the harmonics of that profile, and left out.
+    pub fn alone(&self, repeats: [bool; 2]) -> Option<Alone> {
         let (square, gradient) = (self.sum(|_| 1.0), self.sum(|k| self.gradient(k)));
-        let peaks: Vec<Peak> = self.half().filter_map(|k| self.peak(k, LEAST * gradient)).collect();
+        let is_harmonic = |k: &[isize; 2]| [0, 1].iter().any(|&axis| repeats[axis] && k[1 - axis].abs() <= REACH[0]);
+        let all = self.half().filter(|k| !is_harmonic(k));
+        let peaks: Vec<Peak> = all.filter_map(|k| self.peak(k, LEAST * gradient)).collect();
         let (strongest, _) = peaks.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let power: f64 = peaks.iter().map(|it| it.1).sum();
         let waves = [0, 1].map(|axis| strongest[axis] as f64 / (self.shape[axis] as f64 * self.spacing[axis]));

@@ -4,6 +4,7 @@ mod adhesion;
 mod below;
 mod command_style;
 mod flow;
+mod heights;
 mod in_vain;
 mod interruption;
 mod load_curves;
