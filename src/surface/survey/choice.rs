@@ -14,8 +14,8 @@ const ALL_NOISE: f64 = 0.98;
 
 /// The error of areas that is told at least after a filter of much noise, since what is left of the noise touches as the surface does not.
 const LEAST_ERROR: f64 = 0.15;
-/// The least error of areas by the filter of noise, over the share of the noise in the mean square gradient: of 20 maps with half to two thirds of noise,
-/// the largest was 0.53 of the share.
+/// The least error of areas by the filter of noise, over the share of the noise in the mean square gradient: of 20 maps with noise, four had an error
+/// up to 1.2 times what is told with it.
 const ERROR_PER_SHARE: f64 = 0.4;
 /// The difference of the rms gradients of a part and of the whole from which on it is told.
 const OTHER_PART: f64 = 0.05;
