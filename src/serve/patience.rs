@@ -76,9 +76,9 @@ mod tests {
     use std::future::poll_fn;
     use tokio::net::{TcpListener, TcpStream};
 
-    /// Writes until an error, and returns it; none while all is taken for a second.
+    /// Writes until an error, and returns it; none while all is taken for two seconds.
     async fn error_of(stream: TcpStream) -> Option<io::ErrorKind> {
-        let mut patient = PatientStream::new(stream, Duration::from_millis(100));
+        let mut patient = PatientStream::new(stream, Duration::from_millis(700));
         let bytes = vec![0; 1 << 16];
         let write = async {
             loop {
@@ -88,7 +88,7 @@ mod tests {
                 }
             }
         };
-        tokio::time::timeout(Duration::from_secs(1), write).await.ok()
+        tokio::time::timeout(Duration::from_secs(2), write).await.ok()
     }
 
     async fn pair() -> (TcpStream, TcpStream) {

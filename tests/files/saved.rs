@@ -112,7 +112,7 @@ fn damaged_and_cut_archives_are_refused_or_read_as_they_were() {
         }
     }
     assert!(refused > 300, "{refused}");
-    for number in 0..100 {
+    for number in 1..100 {
         let cut = bytes.len() * number / 100;
         std::fs::write(&path, &bytes[..cut]).unwrap();
         assert!(all_fields(&path, &names).is_err(), "cut at {cut}");
