@@ -183,15 +183,18 @@ fn read(path: &Path) -> Result<SetupTable> {
     }
     match SetupTable::read(path) {
         Ok(table) if table != SetupTable::default() || is_named_scene(path) => Ok(table),
-        Err(error) if !path.is_file() || is_named_scene(path) || has_field(path, SETUP).unwrap_or(false) => {
-            Err(error.into())
-        }
+        Err(error) if !path.is_file() || is_named_scene(path) || has_setup(path) => Err(error.into()),
         _ => {
             let mut table = SetupTable::default();
             table.lay("surface.height", path_in_text(path)?.into());
             Ok(table)
         }
     }
+}
+
+/// Whether a file is an archive with a setup. A result that is damaged is no file of heights.
+fn has_setup(path: &Path) -> bool {
+    has_field(path, SETUP).unwrap_or_else(|_| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz")))
 }
 
 /// Whether the name of a file is that of a scene, a summary or a recording, independent of its content. An archive may

@@ -117,8 +117,8 @@ impl TipReport {
         let [image, below] = self.rms_gradient;
         format!(
             "A ball-shaped tip of radius {radius} has not reached {:.1} % of the heights for certain: valleys there have its radius at least, and \
-             summits have it in addition to their own. Without the tip the rms gradient is at least {below:.4}, not {image:.4}, and areas may be \
-             up to {:.0} % too large",
+             summits have it in addition to their own. Without the tip the rms gradient is at least {below:.4}, not {image:.4}, and areas are \
+             at least {:.0} % too large",
             100.0 * self.unreached_share,
             100.0 * self.area_error
         )

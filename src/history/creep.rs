@@ -4,7 +4,7 @@ use super::apart::apart;
 use super::creep_state::{Carried, CreepEnergy, CreepState, ErrorBounds};
 use super::profile::{MeanStrain, StepProfile};
 use super::time_step::TimeStep;
-use super::warm_start::{signed_pressure, warm_start};
+use super::warm_start::{signed_pressure, warm_start, without_traces};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{Contact, Law, Load, Observer, Problem, Quantity, Solver, StateKind, StateValues, Stop, Work};
@@ -171,7 +171,7 @@ impl Creep {
                 Some(near) => Some(near - &hist),
                 None => warm_start(state, &hist, dt),
             };
-            solver.solve_from(start.as_ref(), &problem, stop, observer)
+            solver.solve_from(start.map(without_traces).as_ref(), &problem, stop, observer)
         });
         let solved = solved.transpose()?;
         let work =

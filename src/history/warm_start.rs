@@ -21,6 +21,18 @@ pub(super) fn warm_start(state: &CreepState, hist: &Field, dt: f64) -> Option<Fi
     })
 }
 
+/// A start without the traces of an earlier contact: values below [`LEAST_START`] of the largest one are zero.
+pub(super) fn without_traces(mut start: Field) -> Field {
+    let least = LEAST_START * start.iter().fold(0.0, |most: f64, p| most.max(*p));
+    start.mapv_inplace(|p| if p > 0.0 && p < least { 0.0 } else { p });
+    start
+}
+
+/// The least pressure of a node in a start, over the largest one. Where a contact recedes, what nodes remember decays, and the difference of what they
+/// remember at two times is positive. Once it is too small for the certificate, a solver that begins with it ends with it: all nodes of the largest earlier contact
+/// would be told to touch, with pressures up to 1e-6 of the largest one. Nodes at the edges of contacts carry more than 1e-3 of it.
+const LEAST_START: f64 = 1e-4;
+
 /// The effective pressure and, where a surface has a gap, that less the gap times a stiffness: the field goes on
 /// through zero where a contact grows, so that it tells which nodes will touch and about how much they will carry. On lines
 /// it is the effective pressure alone, since few nodes at a time come into contact.

@@ -6,6 +6,7 @@ mod energy;
 mod errors_in_time;
 mod grids;
 mod lee_radok;
+mod receding;
 mod relaxation;
 mod stability;
 mod turns;

@@ -19,6 +19,8 @@ const LEAST_ERROR: f64 = 0.15;
 const ERROR_PER_SHARE: f64 = 0.4;
 /// The difference of the rms gradients of a part and of the whole from which on it is told.
 const OTHER_PART: f64 = 0.05;
+/// The share of the mean square height from which on a plane is a tilt, though there is a step: the plane through a step in the middle makes three quarters.
+const TILTED: f64 = 0.9;
 /// Halvings of the range of cut-offs.
 const BISECTIONS: usize = 6;
 
@@ -63,13 +65,17 @@ impl PreparationChoice {
                  is on them"
             ));
         }
-        // a trend through a step would tilt both sides of it
+        // a trend through a step would tilt both sides of it, unless the heights are a tilt with a small step
         let has_step = artefacts.all.iter().any(|it| matches!(it, Artefact::Step { .. }));
         let mut full = Fill::Harmonic.apply(artefacts.rest.clone()).unwrap_or(artefacts.rest.clone());
         choice.tell_of_fill(&artefacts.rest, &full);
         let is_bent = [0, 1].into_iter().any(|axis| periodic[axis] && has_kink(&full, axis));
-        if !has_step && (is_bent || ends(&survey, periodic) != [false; 2] || periodic == [false; 2]) {
+        let needs_trend = is_bent || ends(&survey, periodic) != [false; 2] || periodic == [false; 2];
+        if needs_trend && !has_step {
             full = choice.detrended(full, periodic);
+            survey = Survey::new(&full)?;
+        } else if needs_trend && let Some(level) = choice.levelled(&full) {
+            full = level;
             survey = Survey::new(&full)?;
         }
         choice.mirror(&survey, periodic);
@@ -149,6 +155,18 @@ impl PreparationChoice {
         self.preparation.detrend = Some(trend);
         self.because(reason);
         trend.apply(scan)
+    }
+
+    /// The heights without their plane, where it makes most of them: more than that through any step over the whole width.
+    fn levelled(&mut self, scan: &Scan) -> Option<Scan> {
+        let level = Detrend::Plane.apply(scan.clone());
+        let about_mean = super::square(scan) - scan.height.mean().unwrap_or(0.0).powi(2);
+        let share = 1.0 - super::square(&level) / about_mean;
+        (share > TILTED).then(|| {
+            self.preparation.detrend = Some(Detrend::Plane);
+            self.because(format!("a plane makes {:.1} % of the mean square height: it is subtracted", 100.0 * share));
+            level
+        })
     }
 
     /// Mirrors along the axes on which heights end.
