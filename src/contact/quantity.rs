@@ -132,7 +132,7 @@ quantities! {
         ShiftPathError shift_path_error, "|ds|, path", "error of the shift by the steps", Length, Number, States,
             "Estimated error of the shift that the length of the steps of the path causes; 0 where steps are exact.";
         StickSharePathError stick_share_path_error, "|dn_s| / n_c, path", "error of the share that sticks by the steps", One, Number, None,
-            "Estimated error of the share of the nodes in contact that stick, that the length of the steps of the path causes.";
+            "Estimated error of the share of the nodes in contact that stick, that the length of the steps of the path causes; at least the share of those at the edge of what sticks.";
         Dissipated dissipated, "W_lost", "dissipated energy", EnergyPerArea, Number, States,
             "Energy dissipated since the beginning, per area of the cell.";
         DissipatedError dissipated_error, "|dW_lost|", "error of the loss", EnergyPerArea, Number, States,

@@ -107,6 +107,17 @@ impl SlipState {
         count(|zone| *zone == Zone::Stick) / count(|zone| *zone != Zone::Open)
     }
 
+    /// The share of the nodes in contact that stick beside one that slips: where sticking ends between two nodes is not known better than by one of them.
+    pub(super) fn stick_edge_share(&self) -> f64 {
+        let (grid, zones) = (self.contact.problem.surface().grid(), self.zones.as_slice().expect("standard layout"));
+        let slips = |node: usize| matches!(zones[node], Zone::Forward | Zone::Backward);
+        let beside = [[0, 1], [0, -1], [1, 0], [-1, 0]];
+        let is_edge =
+            |node: &usize| zones[*node] == Zone::Stick && beside.iter().any(|way| slips(grid.neighbour(*node, *way)));
+        let touching = zones.iter().filter(|zone| **zone != Zone::Open).count();
+        if touching > 0 { (0..grid.len()).filter(is_edge).count() as f64 / touching as f64 } else { 0.0 }
+    }
+
     /// The mean displacement by the traction, weighted with it, a length; 0 without traction.
     pub(super) fn displacement_by_traction(&self) -> f64 {
         let along = self.traction.iter().map(|tau| tau.abs()).sum::<f64>();

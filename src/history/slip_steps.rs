@@ -287,7 +287,7 @@ impl<'s> SlipSteps<'s> {
             *errors = SlipPathErrors {
                 shift: self.shift_apart.abs().max(FADING_ERROR * errors.shift),
                 dissipated: errors.dissipated + dissipated.abs(),
-                stick_share: stick_share.abs(),
+                stick_share: stick_share.abs().max(state.stick_edge_share()),
             };
         }
         state.claim = match (state.claim, self.totals.errors) {
