@@ -16,6 +16,8 @@ const MESSAGE_HEAD: usize = 16;
 /// Kinds of messages: the last one, and one with data.
 const LAST: u64 = 0;
 const DATA: u64 = 2;
+/// The largest number of a kind. The decoder takes a message of another kind for the end of the file, and leaves out all that follows.
+const LARGEST_KIND: u64 = 3;
 
 /// Bytes between the last message and the mark of a piece that follows it.
 const FOOT: usize = 32;
@@ -44,6 +46,9 @@ pub fn frames(bytes: &[u8], has_end: bool) -> Result<Frames, String> {
             last = at;
         }
         let Some((kind, length)) = head(&bytes[at..]) else { break at };
+        if kind > LARGEST_KIND && has_end {
+            return Err("a message is of no known kind".into());
+        }
         let message = usize::try_from(length).ok().and_then(|it| bytes[at + MESSAGE_HEAD..].get(..it));
         match (message, kind) {
             (Some(message), LAST) => {
