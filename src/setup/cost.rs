@@ -19,6 +19,8 @@ const CONTOUR_FIELDS: f64 = 3.5;
 const ARCHIVE_ONCE: [f64; 2] = [5.5, 2.0];
 /// Fields of a contact that is kept.
 const KEPT_FIELDS: f64 = 3.0;
+/// The part of all memory that the contacts of a history take, from which on fewer states are the remedy: their tractions and their archive come on top.
+const MOSTLY_STATES: f64 = 0.25;
 /// Fields of a state of a history that is kept: those of its contact, and further ones such as traction and slip.
 const STATE_FIELDS: f64 = KEPT_FIELDS + 2.0;
 /// Fields that a diagnosis adds to a solve: lines, surfaces.
@@ -186,7 +188,7 @@ impl Cost {
     pub fn check(&self, what: &str) -> Result<(), SetupError> {
         let needed = self.bytes;
         let of_states = bytes(&self.grid, self.states as f64 * STATE_FIELDS);
-        let states = if of_states > 0.5 * needed { self.states } else { 0 };
+        let states = if of_states > MOSTLY_STATES * needed { self.states } else { 0 };
         let refuse = |free| SetupError::Memory { shape: self.grid.shape(), states, what: what.into(), needed, free };
         check_bytes(needed).map_err(|missing| refuse(missing.free))
     }
