@@ -123,7 +123,7 @@ fn a_file_without_channels_has_none_to_choose() {
 fn as_many_states_as_no_memory_holds_are_refused_by_their_number() {
     let folder = Folder::new();
     for (rest, number) in [
-        ("--creep 9,1 --path-time 1 --path-steps 100000000", "100 000 000 states of 512 points need 2.0 TB"),
+        ("--creep 9,1 --path-time 1 --path-steps 100000000", "100 000 000 states of 512 points need 4.5 TB"),
         ("--creep 9,1 --path-time 0,1 --path-steps 9000000000000000000", "states of 512 points need"),
     ] {
         let error = refused(&folder, &format!("{ROUGH} {rest}"));

@@ -138,6 +138,9 @@ fn a_solve_above_the_memory_that_is_given_is_refused() {
     let refused = folder.run(&format!("{solve} --memory 4MB --out a.npz"));
     let said = text(&refused.stderr);
     assert_eq!(refused.status.code(), Some(2), "{said}");
-    assert!(said.contains("--memory is 4.0 MB") && said.lines().count() == 1 && !folder.join("a.npz").exists(), "{said}");
+    assert!(
+        said.contains("--memory is 4.0 MB") && said.lines().count() == 1 && !folder.join("a.npz").exists(),
+        "{said}"
+    );
     assert!(folder.run(&format!("{solve} --memory 1GB")).status.success());
 }
