@@ -22,11 +22,8 @@ const DECAY_STEP: f64 = 1.25;
 /// The largest part of the mean square of the levels about their polynomial of third order that an exponential leaves. The levels of 150 random maps
 /// left 0.12 to 1, half of them more than 0.76.
 const LEFT_BY_SETTLING: f64 = 0.1;
-/// The same of a profile, of which short exponentials take less: the heights of 600 random profiles, Gaussian, worn and with long tails, left 0.3 to 1.
-const LEFT_OF_PROFILE: f64 = 0.25;
 
-/// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays but for the
-/// exponential by which its heights settle.
+/// What is subtracted from each scan line of a map, so that all of them are on one level. A profile has one scan line, which stays.
 ///
 /// The offset of a line is the sum of the medians of the differences between neighbouring lines up to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumIter, EnumMessage, IntoStaticStr)]
@@ -69,8 +66,6 @@ pub struct LineOffsets {
     pub offsets: Vec<f64>,
     /// The mean squares of their bends at one, two, four, ... lines.
     bends: Vec<f64>,
-    /// Whether they are the heights of a profile.
-    is_profile: bool,
 }
 
 impl LineOffsets {
@@ -88,17 +83,7 @@ impl LineOffsets {
             level += median(&mut steps).unwrap_or(0.0);
             *offset = level;
         }
-        Some(Self { bends: bends(&offsets), offsets, is_profile: false })
-    }
-
-    /// The levels that may settle: the offsets of the lines of a map, or the heights of a profile without voids.
-    pub(in crate::surface) fn of_levels(scan: &Scan, axis: usize) -> Option<Self> {
-        if !scan.is_line() {
-            return Self::new(scan, axis);
-        }
-        let heights = scan.height.row(0).to_vec();
-        let is_whole = axis == 1 && heights.len() >= 16 && scan.voids() == 0;
-        is_whole.then(|| Self { bends: bends(&heights), offsets: heights, is_profile: true })
+        Some(Self { bends: bends(&offsets), offsets })
     }
 
     /// The mean square of the offsets that are independent from line to line; 0 if they are not independent.
@@ -127,7 +112,7 @@ impl LineOffsets {
     }
 
     /// The exponential `d exp(-i / decay)`, from the first line or the last one on, that explains the levels beside a polynomial of third order; none where it
-    /// leaves more than a tenth of their mean square, or a quarter of that of a profile.
+    /// leaves more than a tenth of their mean square.
     pub fn settling(&self) -> Option<Settling> {
         let lines = self.offsets.len();
         let place = |i: usize| 2.0 * i as f64 / (lines - 1) as f64 - 1.0;
@@ -138,8 +123,7 @@ impl LineOffsets {
             ((0..lines).map(|i| (self.offsets[i] - sum(i)).powi(2)).sum::<f64>(), factors[4])
         };
         let (before, _) = fit(&vec![0.0; lines]);
-        let most_left = if self.is_profile { LEFT_OF_PROFILE } else { LEFT_BY_SETTLING };
-        let (mut best, mut least) = (None, most_left * before);
+        let (mut best, mut least) = (None, LEFT_BY_SETTLING * before);
         let mut decay = 1.0;
         while decay < LONGEST_DECAY * lines as f64 {
             let falling: Vec<f64> = (0..lines).map(|i| (-(i as f64) / decay).exp()).collect();
@@ -174,9 +158,7 @@ impl LineOffsets {
 impl LineLevel {
     /// The heights without the level of each line across an axis, 0 for rows and 1 for columns.
     pub fn apply(self, mut scan: Scan, axis: usize) -> Scan {
-        let found =
-            if self == Self::Settling { LineOffsets::of_levels(&scan, axis) } else { LineOffsets::new(&scan, axis) };
-        match (self, found) {
+        match (self, LineOffsets::new(&scan, axis)) {
             (_, None) => scan,
             (Self::Offsets, Some(found)) => less(scan, axis, &found.independent()),
             (Self::Median, Some(found)) => less(scan, axis, &found.offsets),

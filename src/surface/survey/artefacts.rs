@@ -130,15 +130,12 @@ impl Artefacts {
         }
     }
 
-    /// Takes off the exponentials by which the levels of lines settle, or the heights of a profile, if they are larger than the roughness.
+    /// Takes off the exponentials by which the levels of lines settle, if they are larger than the roughness along the lines. A profile is left alone: half a
+    /// wave of it looks the same.
     fn mend_settling(&mut self) {
-        for axis in self.rest.axes() {
-            let Some(found) = LineOffsets::of_levels(&self.rest, axis).and_then(|it| it.settling()) else { continue };
-            let roughness = match self.rest.is_line() {
-                true => rms_along(&LineLevel::Settling.apply(self.rest.clone(), axis), 0),
-                false => rms_along(&self.rest, axis),
-            };
-            if found.height.abs() < SETTLING * roughness {
+        for axis in [0, 1] {
+            let Some(found) = LineOffsets::new(&self.rest, axis).and_then(|it| it.settling()) else { continue };
+            if found.height.abs() < SETTLING * rms_along(&self.rest, axis) {
                 continue;
             }
             self.all.push(Artefact::Settling {
