@@ -97,7 +97,7 @@ impl Open {
 }
 
 /// A name that cannot be guessed: 128 bits from random keys of the system.
-pub(super) fn unguessable() -> String {
+fn unguessable() -> String {
     let keys = RandomState::new();
     format!("{:016x}{:016x}", keys.hash_one(0), keys.hash_one(1))
 }
