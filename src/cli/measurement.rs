@@ -1,4 +1,4 @@
-//! What is known of a measurement beside its heights: the tip of the instrument, and a second measurement of the same place.
+//! Flags that tell more of measured heights than the heights do: the radius of the instrument's tip, and a second measurement of the same place.
 
 use super::exit_status::usage;
 use super::units::Units;
@@ -14,9 +14,9 @@ use std::path::{Path, PathBuf};
 const SAME_SIZE: f64 = 1e-3;
 
 /// The part of the heights that may be sharper than the tip by chance; with more the tip has not measured these heights.
-const SHARPER: f64 = 0.05;
+const MOST_SHARPER: f64 = 0.05;
 
-/// What is known of a measurement beside its heights.
+/// The flags of a measurement: the radius of its tip, and its repetition.
 #[derive(Args)]
 pub struct MeasurementArgs {
     /// A second measurement of the same place: tell the noise by their difference, and what it does to rms gradient and areas
@@ -27,7 +27,7 @@ pub struct MeasurementArgs {
     tip_radius: Option<f64>,
 }
 
-/// What tip and repetition tell.
+/// The findings about heights by the radius of the tip and by a second measurement; each is absent where its flag is not given.
 #[derive(Serialize, Default)]
 pub struct MeasurementReport {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -36,7 +36,7 @@ pub struct MeasurementReport {
     repeat: Option<RepeatNoise>,
 }
 
-/// What the tip has not reached.
+/// The heights that a ball-shaped tip has not reached, and what that does to gradient and areas.
 #[derive(Serialize)]
 struct TipReport {
     /// The radius of the tip, which is the least radius of curvature of valleys in its image.
@@ -47,7 +47,8 @@ struct TipReport {
     sharper_share: f64,
     /// The rms gradient of the image, and of the highest heights with this image.
     rms_gradient: [f64; 2],
-    /// The relative error of areas by their ratio.
+    /// The least relative error of areas: one minus the ratio of these gradients. On maps that were dilated by a ball the true error was several times as
+    /// large.
     area_error: f64,
 }
 
@@ -62,7 +63,7 @@ impl MeasurementArgs {
         self.repeat.iter().cloned()
     }
 
-    /// What is known of the prepared heights of a recipe.
+    /// The findings about the prepared heights of a recipe.
     ///
     /// # Errors
     /// For a surface that was not measured, and a second measurement of another shape or size.
@@ -84,7 +85,7 @@ impl MeasurementArgs {
 }
 
 impl MeasurementReport {
-    /// What it says, in sentences.
+    /// The findings in sentences, for people.
     pub fn sentences(&self, units: Units) -> Vec<String> {
         let words = |length: f64| units.length(length);
         let mut lines: Vec<String> = self.tip.iter().map(|tip| tip.sentence(units)).collect();
@@ -107,7 +108,7 @@ impl TipReport {
 
     fn sentence(&self, units: Units) -> String {
         let radius = units.length(self.radius);
-        if self.sharper_share > SHARPER {
+        if self.sharper_share > MOST_SHARPER {
             return format!(
                 "A ball-shaped tip of radius {radius} cannot have measured {:.0} % of the heights, which are sharper: they are noise, to be filtered \
                  out first, or the tip is smaller",
