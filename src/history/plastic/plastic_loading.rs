@@ -32,8 +32,10 @@ use std::collections::VecDeque;
 ///     work.extend(state.point.map(|_| state.value(Quantity::WorkDone)));
 ///     Ok(())
 /// })?;
-/// // a part of the work comes back
-/// assert!(0.0 < work[0] && work[0] < work[2] && work[2] < work[1]);
+/// // four steps are too few to tell the work up to the first load within 1 %
+/// assert!(work[0].is_nan());
+/// // a part of the work up to the second load comes back
+/// assert!(0.0 < work[2] && work[2] < work[1]);
 /// let (imprint, errors) = (loading.plastic().state().imprint_depth(), loading.errors().expect("asked for"));
 /// assert!(errors.steps.imprint_depth < 0.1 * imprint && errors.layers.imprint_depth < 0.1 * imprint);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
