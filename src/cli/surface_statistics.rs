@@ -156,7 +156,7 @@ fn describe(recipe: Recipe, grid: Grid, cell: &Cell, units: Units) -> Result<Des
     };
     if let Some(prepared) = prepared.filter(|_| voids > 0) {
         let survey = Survey::new(&prepared.scan)?;
-        statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, grid.len())));
+        statistics.warnings.extend(in_flags(&recipe.warnings_of_voids(&survey, &prepared.scan, grid.periodic())));
         statistics.verdict = verdict(&recipe, &survey, &prepared.scan, &grid, units)?;
         statistics.survey = Some(survey);
         return Ok(Described { recipe, grid, statistics, height: prepared.scan.height, filled: None });

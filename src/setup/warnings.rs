@@ -4,10 +4,11 @@ use super::{Recipe, Setup, Solid};
 use crate::elastic::stress::USUAL_POISSON;
 use crate::seen::capital;
 use crate::surface::{
-    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Measurement, Mirror, Noise, Roughness, Scan,
-    Surface, Survey,
+    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Measurement, Mirror, Noise, Preparation,
+    PreparationChoice, Roughness, Scan, Surface, Survey,
 };
 use crate::warning::Warning;
+use std::cell::LazyCell;
 
 /// Rms gradients of measured heights above this one come from a wrong unit, as they differ by thousands.
 const STEEPEST: f64 = 10.0;
@@ -86,7 +87,8 @@ impl Recipe {
             let raw = file.measurement(self.channel.as_deref()).ok();
             let of_file_spacing = spacing_of_file(self, file, surface, refined);
             let found = [spacing(surface), gradient(surface), of_file_spacing, smooth_fill(surface)];
-            let artefacts = self.warnings_of_artefacts(&Scan::from_surface(surface, refined), raw.as_ref());
+            let periodic = surface.grid().periodic();
+            let artefacts = self.warnings_of_artefacts(&Scan::from_surface(surface, refined), raw.as_ref(), periodic);
             let of_file = raw.map(|it| it.warnings).unwrap_or_default();
             of_file.into_iter().chain(found.into_iter().flatten()).chain(artefacts)
         });
@@ -95,16 +97,25 @@ impl Recipe {
     }
 
     /// Warnings about artefacts in heights without their mirror images and in those of their file, and about noise in the rest of them.
-    fn warnings_of_artefacts(&self, scan: &Scan, raw: Option<&Measurement>) -> Vec<Warning> {
+    fn warnings_of_artefacts(&self, scan: &Scan, raw: Option<&Measurement>, periodic: [bool; 2]) -> Vec<Warning> {
         let scan = self.prepare.mirror.map_or_else(|| scan.clone(), |mirror| mirror.original(scan));
         let artefacts = Artefacts::new(&scan);
-        let error = artefacts.area_error(&scan);
-        let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| self.warning_of_noise(&it));
-        let as_read = raw.filter(|_| !self.prepare.is_none() && self.prepare.crop.is_none());
-        let hidden = as_read.map(|it| Artefacts::of_equal_heights(&Scan { height: it.height.clone(), ..scan }));
+        let spacing = scan.spacing;
+        let as_read = |it: &Measurement| Scan { height: it.height.clone(), spacing };
+        let auto = LazyCell::new(|| raw.map_or_else(Preparation::default, |it| self.auto(as_read(it), periodic)));
+        let noise = Noise::from_scan(&artefacts.rest).ok().and_then(|it| self.warning_of_noise(&it, || &auto));
+        let raw = raw.filter(|_| !self.prepare.is_none() && self.prepare.crop.is_none());
+        let hidden = raw.map(|it| Artefacts::of_equal_heights(&as_read(it)));
         let hidden = hidden.unwrap_or_default().into_iter().filter(|it| !artefacts.all.contains(it));
         let all: Vec<Artefact> = artefacts.all.iter().copied().chain(hidden).collect();
-        all.iter().filter_map(|it| self.warning_of(it, error)).chain(noise).collect()
+        all.iter().filter_map(|it| self.warning_of(it, artefacts.area_error, || &auto)).chain(noise).collect()
+    }
+
+    /// The steps that an automatic preparation takes on the heights of a file. A survey of prepared heights may find what that of the file did not, and an
+    /// automatic preparation is advised only for what it would really mend.
+    fn auto(&self, file: Scan, periodic: [bool; 2]) -> Preparation {
+        let part = self.prepare.crop.as_ref().map_or(Some(file.clone()), |crop| crop.apply(&file)).unwrap_or(file);
+        PreparationChoice::new(&part, true, periodic).map(|it| it.preparation).unwrap_or_default()
     }
 
     /// Warnings about random heights whose distribution and spectrum are far from what was asked for.
@@ -137,10 +148,12 @@ impl Recipe {
         apart.into_iter().chain(tails).collect()
     }
 
-    /// Warnings about heights with voids, of which there are some among `points` heights.
-    pub fn warnings_of_voids(&self, survey: &Survey, points: usize) -> Vec<Warning> {
+    /// Warnings about heights with voids, on a cell that is periodic along y and x or not.
+    pub fn warnings_of_voids(&self, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Vec<Warning> {
+        let auto =
+            LazyCell::new(|| PreparationChoice::new(scan, true, periodic).map(|it| it.preparation).unwrap_or_default());
         let voids = Warning::new(
-            format!("{} of {points} heights are void, so no contact can be solved", survey.voids),
+            format!("{} of {} heights are void, so no contact can be solved", survey.voids, scan.height.len()),
             "Fill them, or crop the heights",
         )
         .with_remedy("surface.prepare.fill", Some("harmonic"))
@@ -149,8 +162,8 @@ impl Recipe {
         [voids]
             .into_iter()
             .chain(jumps)
-            .chain(survey.artefacts.iter().filter_map(|it| self.warning_of(it, survey.area_error)))
-            .chain(self.warning_of_noise(&survey.noise))
+            .chain(survey.artefacts.iter().filter_map(|it| self.warning_of(it, survey.area_error, || &auto)))
+            .chain(self.warning_of_noise(&survey.noise, || &auto))
             .chain(survey.warning_of_growth())
             .collect()
     }
@@ -163,7 +176,7 @@ impl Recipe {
                  artefact"
             );
             let warning = match self.prepare.detrend {
-                Some(Detrend::Plane | Detrend::Curvature) => {
+                Some(Detrend::Plane | Detrend::Curvature | Detrend::Cubic) => {
                     Warning::new(statement, "Mirror the heights, or use a free boundary")
                         .with_remedy("surface.prepare.mirror", None)
                 }
@@ -184,41 +197,34 @@ impl Recipe {
         axes.map(|axis| jump((["y", "x"][axis], jumps[axis]))).collect()
     }
 
-    /// Whether a step of the preparation has mended an artefact as far as it can.
-    fn has_mended(&self, artefact: &Artefact) -> bool {
-        let level = |axis: &str| if axis == "y" { self.prepare.level_rows } else { self.prepare.level_columns };
-        match artefact {
-            Artefact::Offsets { axis, .. } | Artefact::Settling { axis, .. } => level(axis).is_some(),
-            Artefact::Outliers { .. } => self.prepare.outliers.is_some(),
-            Artefact::Scars { .. } => self.prepare.scars.is_some(),
-            Artefact::Repeated { .. } => self.prepare.resample.is_some(),
-            _ => false,
-        }
-    }
-
     /// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended. A step that
-    /// was done is not advised again.
-    fn warning_of(&self, artefact: &Artefact, error: f64) -> Option<Warning> {
+    /// was done is not advised again, and an automatic preparation only where it has that step.
+    fn warning_of<'p>(&self, artefact: &Artefact, error: f64, auto: impl Fn() -> &'p Preparation) -> Option<Warning> {
         let what = capital(&artefact.sentence());
+        if let Some((key, value)) = step_against(artefact) {
+            let error = Some(error).filter(|it| *it >= Artefacts::TOLD)?;
+            let may_be_off = format!("The area may be off by up to {:.0} %", 100.0 * error);
+            if has_step_against(&self.prepare, artefact) {
+                let left = format!("{what}, which the preparation has left. {may_be_off}");
+                return Some(
+                    Warning::new(left, "Look at the heights, or crop them").with_remedy("surface.prepare.crop", None),
+                );
+            }
+            let (key, value) = match has_step_against(auto(), artefact) {
+                true => ("surface.prepare.steps", "auto"),
+                false => (key, value),
+            };
+            return Some(Warning::new(format!("{what}. {may_be_off}"), "Mend it").with_remedy(key, Some(value)));
+        }
         Some(match artefact {
             Artefact::Clipped { is_top: false, .. } => return None,
-            it if it.can_be_mended() && error < Artefacts::TOLD => return None,
-            it if self.has_mended(it) => Warning::new(
-                format!("{what}, which the preparation has left. The area may be off by up to {:.0} %", 100.0 * error),
-                "Look at the heights, or crop them",
-            )
-            .with_remedy("surface.prepare.crop", None),
-            it if it.can_be_mended() => {
-                Warning::new(format!("{what}. The area may be off by up to {:.0} %", 100.0 * error), "Mend it")
-                    .with_remedy("surface.prepare.steps", Some("auto"))
-            }
             Artefact::Border { .. } => Warning::new(what, "Crop the heights").with_remedy("surface.prepare.crop", None),
             _ => Warning::new(what, "Look at the heights: no step of a preparation mends it"),
         })
     }
 
     /// The warning that much of the gradient is noise, so that the area has no limit for small spacings.
-    fn warning_of_noise(&self, noise: &Noise) -> Option<Warning> {
+    fn warning_of_noise<'p>(&self, noise: &Noise, auto: impl Fn() -> &'p Preparation) -> Option<Warning> {
         if noise.area_error() <= Noise::TOLD {
             return None;
         }
@@ -233,10 +239,38 @@ impl Recipe {
                 format!("{statement}, after the filter that was used"),
                 "Use a longer cut-off, or compare with a second measurement",
             ),
-            None => Warning::new(statement, "Filter the noise out")
-                .with_remedy("surface.prepare.low-pass", None)
-                .with_remedy("surface.prepare.steps", Some("auto")),
+            None => {
+                let filter =
+                    Warning::new(statement, "Filter the noise out").with_remedy("surface.prepare.low-pass", None);
+                let is_automatic = auto().low_pass.is_some();
+                if is_automatic { filter.with_remedy("surface.prepare.steps", Some("auto")) } else { filter }
+            }
         })
+    }
+}
+
+/// The key and the value of the step of a preparation that mends an artefact, if there is one.
+fn step_against(artefact: &Artefact) -> Option<(&'static str, &'static str)> {
+    let level = |axis: &str| if axis == "y" { "surface.prepare.level-rows" } else { "surface.prepare.level-columns" };
+    Some(match artefact {
+        Artefact::Offsets { axis, .. } => (level(axis), "offsets"),
+        Artefact::Settling { axis, .. } => (level(axis), "settling"),
+        Artefact::Outliers { .. } => ("surface.prepare.outliers", "void"),
+        Artefact::Scars { axis, .. } => ("surface.prepare.scars", if *axis == "y" { "rows" } else { "columns" }),
+        Artefact::Repeated { .. } => ("surface.prepare.resample", "repeats"),
+        _ => return None,
+    })
+}
+
+/// Whether a preparation has a step against an artefact, of which some may be left all the same.
+fn has_step_against(prepare: &Preparation, artefact: &Artefact) -> bool {
+    let level = |axis: &str| if axis == "y" { prepare.level_rows } else { prepare.level_columns };
+    match artefact {
+        Artefact::Offsets { axis, .. } | Artefact::Settling { axis, .. } => level(axis).is_some(),
+        Artefact::Outliers { .. } => prepare.outliers.is_some(),
+        Artefact::Scars { .. } => prepare.scars.is_some(),
+        Artefact::Repeated { .. } => prepare.resample.is_some(),
+        _ => false,
     }
 }
 

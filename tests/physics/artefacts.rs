@@ -566,3 +566,30 @@ fn contact_on_filled_heights_is_counted() {
     let more = contact.resolution().relative_area_error - plain.resolution().relative_area_error;
     assert!((more - counted.filled_area_share).abs() < 1e-12);
 }
+
+/// The slope of a tilted map is larger than the steps of its artefacts, and hides none of them.
+#[test]
+fn a_tilt_hides_no_artefact() {
+    let truth = rough(0.8, 6.0, 900);
+    let mut it = Spoiler { random: ChaCha8Rng::seed_from_u64(9) };
+    let settling = with_form(&truth, 20.0, |y, _| (-0.5 * N as f64 * (y + 1.0) / 8.0).exp());
+    let spiked = it.spikes(&truth, 40, 1.0);
+    let all = [it.scars(&truth, 15), it.offsets(&truth, 0.3), it.spikes(&settling, 30, 1.0), settling, spiked];
+    for (number, measured) in all.into_iter().enumerate() {
+        let level = Artefacts::new(&scan(&measured));
+        assert!(!level.steps.is_none(), "map {number} has artefacts");
+        for slopes in [[300.0, 0.0], [0.0, -300.0], [40.0, 70.0]] {
+            let plane = |(y, x): (usize, usize)| rms(&truth) * (slopes[0] * y as f64 + slopes[1] * x as f64) / N as f64;
+            let tilted = Artefacts::new(&scan(&Array2::from_shape_fn((N, N), |node| measured[node] + plane(node))));
+            assert_eq!(tilted.steps, level.steps, "map {number}, slopes {slopes:?}");
+            assert!((tilted.area_error - level.area_error).abs() < 0.02, "map {number}, slopes {slopes:?}");
+            // what is left is the same on the plane, but for the nodes that are just at a limit
+            let off = |(node, h): ((usize, usize), &f64)| {
+                let there = level.rest.height[node];
+                (h.is_nan() != there.is_nan()) || (h - plane(node) - there).abs() > 0.05 * rms(&truth)
+            };
+            let other = tilted.rest.height.indexed_iter().filter(|it| off(*it)).count();
+            assert!(other <= 8, "map {number}, slopes {slopes:?}: {other} nodes");
+        }
+    }
+}

@@ -72,6 +72,8 @@ mod tiff;
 mod tiff_image;
 #[cfg(feature = "microscopes")]
 mod tmd;
+#[cfg(feature = "microscopes")]
+mod triangles;
 mod unit;
 #[cfg(feature = "microscopes")]
 mod vk4;
@@ -141,6 +143,8 @@ const INSTRUMENTS: &[Instrument] = &[
     sdf::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     tmd::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    triangles::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     vk4::INSTRUMENT,
     #[cfg(feature = "instruments")]

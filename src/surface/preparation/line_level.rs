@@ -4,6 +4,7 @@ use super::Scan;
 use super::least_squares::linear;
 use crate::surface::bends::{bends, median};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// White offsets over the bends of the offsets, at the shortest distance that counts as above the white ones.
@@ -158,7 +159,9 @@ impl LineOffsets {
 impl LineLevel {
     /// The heights without the level of each line across an axis, 0 for rows and 1 for columns.
     pub fn apply(self, mut scan: Scan, axis: usize) -> Scan {
-        match (self, LineOffsets::new(&scan, axis)) {
+        let level = if self == Self::Median { Cow::Borrowed(&scan) } else { scan.without_tilt() };
+        let offsets = LineOffsets::new(&level, axis);
+        match (self, offsets) {
             (_, None) => scan,
             (Self::Offsets, Some(found)) => less(scan, axis, &found.independent()),
             (Self::Median, Some(found)) => less(scan, axis, &found.offsets),

@@ -52,7 +52,7 @@ impl Outliers {
 
     /// The nodes that stand off all their neighbours, also where they are too many to be outliers.
     pub(in crate::surface) fn all(scan: &Scan) -> Vec<[usize; 2]> {
-        let (mut left, mut all) = (scan.clone(), Vec::new());
+        let (mut left, mut all) = (scan.without_tilt().into_owned(), Vec::new());
         for _ in 0..PASSES {
             let found = standing_off(&left);
             if found.is_empty() {

@@ -44,6 +44,8 @@ impl Scars {
     /// The nodes of stretches that stand off the lines beside them, also where they are too many to be scars.
     pub(in crate::surface) fn all(self, scan: &Scan) -> Vec<[usize; 2]> {
         let step = if self == Self::Rows { [1, 0] } else { [0, 1] };
+        // on a slope, no node is above both of its neighbours
+        let scan = &*scan.without_tilt();
         let Some(off) = StandOff::new(scan, step, [1, 1], rounding(scan)).filter(|_| !scan.is_line()) else {
             return Vec::new();
         };

@@ -9,6 +9,7 @@ use super::waves::{Alone, WavePower};
 use crate::surface::bends::{DEVIATION, median};
 use crate::surface::preparation::clusters;
 use crate::surface::{Fill, LineLevel, LineOffsets, Outliers, Preparation, Resample, Scan, Scars};
+use std::borrow::Cow;
 
 /// Offsets of lines are an artefact where those that are independent make this share of the mean square gradient.
 const OFFSETS: f64 = 0.01;
@@ -54,6 +55,9 @@ pub struct Artefacts {
     pub steps: Preparation,
     /// The heights after these steps.
     pub rest: Scan,
+    /// The largest relative error of areas that the artefacts which can be mended may cause, by the rms gradient with and without them; 1 where
+    /// they are above all the rest, so that the contact begins at them.
+    pub area_error: f64,
 }
 
 impl Artefact {
@@ -81,7 +85,20 @@ impl Artefacts {
 
     /// The artefacts of some heights, some of which may be void.
     pub fn new(scan: &Scan) -> Self {
-        let mut it = Self { all: Vec::new(), steps: Preparation::default(), rest: scan.clone() };
+        // beside the slope of a tilted map, everything else is small, so that artefacts are looked for without it
+        let level = scan.without_tilt();
+        let mut it = Self::mended(&level);
+        it.tell_of_rest();
+        it.all.extend(Self::of_equal_heights(if it.steps.resample.is_some() { &it.rest } else { scan }));
+        if let (Cow::Owned(_), Ok(prepared)) = (&level, it.steps.apply(scan.clone())) {
+            it.rest = prepared.scan;
+        }
+        it
+    }
+
+    /// The artefacts of heights without a tilt that can be mended, and how.
+    fn mended(scan: &Scan) -> Self {
+        let mut it = Self { all: Vec::new(), steps: Preparation::default(), rest: scan.clone(), area_error: 0.0 };
         it.mend_repeats();
         it.mend_settling();
         it.mend_offsets();
@@ -91,22 +108,28 @@ impl Artefacts {
         let before = it.rest.clone();
         it.mend_scars();
         it.all.extend(alike(&before, &it.rest, true));
-        let left: Vec<Artefact> = [0, 1].into_iter().filter_map(|axis| it.left_across(axis)).collect();
-        it.all.extend(left);
-        let found = clusters(&it.rest);
-        if !found.is_empty() {
-            it.all.push(Artefact::Clusters { count: found.len(), nodes: found.iter().map(Vec::len).sum() });
+        if it.all.iter().any(Artefact::can_be_mended) {
+            it.area_error = effect(scan, &it.rest);
         }
-        it.all.extend(jump_of_parts(&it.rest).map(|height| Artefact::RaisedParts { height }));
-        it.all.extend([0, 1].into_iter().filter_map(|axis| {
-            let LineShift { nodes, share } = LineShift::new(&it.rest, axis)?;
+        it
+    }
+
+    /// Adds the artefacts of what is left that no step mends.
+    fn tell_of_rest(&mut self) {
+        let left: Vec<Artefact> = [0, 1].into_iter().filter_map(|axis| self.left_across(axis)).collect();
+        self.all.extend(left);
+        let found = clusters(&self.rest);
+        if !found.is_empty() {
+            self.all.push(Artefact::Clusters { count: found.len(), nodes: found.iter().map(Vec::len).sum() });
+        }
+        self.all.extend(jump_of_parts(&self.rest).map(|height| Artefact::RaisedParts { height }));
+        self.all.extend([0, 1].into_iter().filter_map(|axis| {
+            let LineShift { nodes, share } = LineShift::new(&self.rest, axis)?;
             Some(Artefact::Shifted { axis: ["y", "x"][axis], nodes, share })
         }));
-        let steps: Vec<Artefact> = [0, 1].into_iter().flat_map(|axis| step(&it.rest, axis)).collect();
-        it.all.extend(steps);
-        it.all.extend(it.waves());
-        it.all.extend(Self::of_equal_heights(if it.steps.resample.is_some() { &it.rest } else { scan }));
-        it
+        let steps: Vec<Artefact> = [0, 1].into_iter().flat_map(|axis| step(&self.rest, axis)).collect();
+        self.all.extend(steps);
+        self.all.extend(self.waves());
     }
 
     /// Artefacts by which heights are equal. A preparation hides them, so that they are looked for in the heights of the file.
@@ -249,15 +272,9 @@ impl Artefacts {
             .map(|Alone { count, wavelength, rms, share }| (share, Artefact::Waves { count, wavelength, rms, share }));
         wander.chain(alone).filter(|it| it.0 > TOLD).map(|it| it.1).collect()
     }
-
-    /// The largest relative error of areas that the artefacts which can be mended may cause, by the rms gradient with and without them; 1 where
-    /// they are above all the rest, so that the contact begins at them.
-    pub fn area_error(&self, scan: &Scan) -> f64 {
-        if self.all.iter().any(Artefact::can_be_mended) { effect(scan, &self.rest) } else { 0.0 }
-    }
 }
 
-/// The largest relative difference of areas between heights and what mending leaves of them, see [`Artefacts::area_error`].
+/// The largest relative difference of areas between heights and what mending leaves of them, see [`Artefacts`].
 fn effect(scan: &Scan, rest: &Scan) -> f64 {
     let highest = |it: &Scan| it.height.iter().copied().filter(|h| !h.is_nan()).fold(f64::NEG_INFINITY, f64::max);
     let (before, after) = (scan.rms_gradient(), rest.rms_gradient());

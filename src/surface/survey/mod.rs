@@ -57,7 +57,7 @@ pub struct Survey {
     pub ends: [bool; 2],
     /// Artefacts. Scales, noise and spectrum are those of the heights without the ones that can be mended.
     pub artefacts: Vec<Artefact>,
-    /// The largest relative error of areas that the artefacts which can be mended may cause, see [`Artefacts::area_error`].
+    /// The largest relative error of areas that the artefacts which can be mended may cause, see [`Artefacts`].
     pub area_error: f64,
     /// Scales, noise and resolution along y and x, of a profile along x; an axis of less than 9 nodes is left out.
     pub axes: Vec<Scales>,
@@ -96,7 +96,7 @@ impl Survey {
         Ok(Self {
             voids: raw.voids(),
             artefacts: artefacts.all.clone(),
-            area_error: artefacts.area_error(raw),
+            area_error: artefacts.area_error,
             noise: Noise::new(&axes, &spectrum, &flat),
             tilt: Detrend::tilt(&full),
             curvature_share: if total > 0.0 { 1.0 - rest / total } else { 0.0 },

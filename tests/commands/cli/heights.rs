@@ -211,3 +211,39 @@ fn a_wave_that_begins_at_zero_was_measured() {
     assert!(!text(&run.stdout).contains("were not measured"), "{}", text(&run.stdout));
     assert!(!warnings(&run).iter().any(|it| it.contains("were not measured")), "{}", text(&run.stderr));
 }
+
+/// Warnings never advise what was done: an automatic preparation is advised for what it mends, and not once it was made.
+#[test]
+fn an_automatic_preparation_is_not_advised_after_itself() {
+    let folder = Folder::new();
+    let make = "surface --hurst 0.8 --rolloff 16 --short-cutoff 5 --rms-gradient 0.1 --points 64,64 --size 64";
+    folder.run(&format!("{make} --out rough.npy"));
+    let rough: Array2<f64> = read_npy(folder.join("rough.npy")).unwrap();
+    let rms = rough.std(0.0);
+    // numbers between -1 and 1 that follow no pattern
+    let random = |(y, x): (usize, usize)| (((y * 64 + x) as f64 * 12.9898).sin() * 43758.5453).fract();
+    let spikes = |share: f64, node| if random(node) > 1.0 - 2.0 * share { 6.0 * rms } else { 0.0 };
+    let settling = |y: usize| 40.0 * rms * (-(y as f64) / 3.0).exp();
+    let edge = |x: usize| if x % 16 < 8 { 30.0 * rms } else { 0.0 };
+    type Height<'a> = Box<dyn Fn((usize, usize)) -> f64 + 'a>;
+    let maps: [(&str, Height); 6] = [
+        ("spikes", Box::new(|node| rough[node] + spikes(0.02, node))),
+        ("deep.spikes", Box::new(|node| rough[node] - spikes(0.001, node))),
+        ("tilt.with.settling", Box::new(|(y, x)| rough[[y, x]] + settling(y) + 20.0 * rms * y as f64)),
+        ("noise", Box::new(|node| rough[node] + 0.2 * rms * random(node))),
+        ("noise.between.edges", Box::new(|(y, x)| rough[[y, x]] + 0.1 * rms * random((y, x)) + edge(x))),
+        ("all", Box::new(|(y, x)| rough[[y, x]] + settling(y) + 0.2 * rms * random((x, y)) + spikes(0.02, (y, x)))),
+    ];
+    let (auto, mut advised) = ("--prepare auto", 0);
+    for (name, height) in maps {
+        write_npy(folder.join(format!("{name}.npy")), &Array2::from_shape_fn((64, 64), height)).unwrap();
+        let solve = format!("solve {name}.npy --size 64 --modulus 1 --reduced-pressure 0.2");
+        let before = folder.run(&solve);
+        advised += usize::from(warnings(&before).iter().any(|it| it.contains(auto)));
+        let after = folder.run(&format!("{solve} {auto}"));
+        assert_eq!(after.status.code(), Some(0), "{}", text(&after.stderr));
+        let again: Vec<String> = warnings(&after).into_iter().filter(|it| it.contains(auto)).collect();
+        assert!(again.is_empty(), "{name}: {again:?}");
+    }
+    assert!(advised >= 3, "an automatic preparation is advised for {advised} maps");
+}

@@ -178,3 +178,64 @@ fn blocks_are_watertight() {
         reason(&profile(), "line.stl").contains("this is a profile") && reason(&profile(), "line.gwy").contains("maps")
     );
 }
+
+/// The block of a map is read again with its units; single precision of millimetres is left.
+#[test]
+fn a_block_is_read_again() {
+    let height = Field::from_shape_fn((37, 61), |(y, x)| 1e-6 * (0.7 * (3 * y + x) as f64).sin());
+    let scan = Scan { height, spacing: [2e-6, 3e-6] };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("block.stl");
+    scan.write(&path).unwrap();
+    let read = Measurement::read(&path, None).unwrap();
+    let mean = scan.height.mean().unwrap();
+    assert_eq!((read.height.dim(), read.is_in_metres), ((37, 61), true));
+    let spacing = read.spacing.unwrap();
+    assert!((spacing[0] / 2e-6 - 1.0).abs() < 1e-6 && (spacing[1] / 3e-6 - 1.0).abs() < 1e-6, "{spacing:?}");
+    let off = read.height.iter().zip(&scan.height).map(|(read, h)| (read - (h - mean)).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-12, "{off}");
+}
+
+/// A pyramid on a base of 2 x 4 with its apex at a height of 1 above the middle, as text: `min(1 - |x|, 1 - |y|/2)` at each node, whatever its unit.
+#[test]
+fn a_tool_of_triangles_has_the_heights_of_its_upper_side() {
+    let corners = [[-1.0, -2.0], [1.0, -2.0], [1.0, 2.0], [-1.0, 2.0]];
+    let facet = |points: [[f64; 3]; 3]| {
+        let vertices: String = points.iter().map(|[x, y, z]| format!("vertex {x} {y} {z:e}\n")).collect();
+        format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let mut body = String::from("solid pyramid\n");
+    for (i, [x, y]) in corners.into_iter().enumerate() {
+        let [next_x, next_y] = corners[(i + 1) % 4];
+        body += &facet([[x, y, 0.0], [next_x, next_y, 0.0], [0.0, 0.0, 1.0]]);
+        // the flat bottom, seen from below, is not of the upper side
+        body += &facet([[next_x, next_y, 0.0], [x, y, 0.0], [0.0, 0.0, 0.0]]);
+    }
+    body += "endsolid pyramid\n";
+    let folder = tempfile::tempdir().unwrap();
+    let read = |text: &str| {
+        let path = folder.path().join("tool.stl");
+        std::fs::write(&path, text).unwrap();
+        Measurement::read(&path, None)
+    };
+    let tool = read(&body).unwrap();
+    let (ny, nx) = tool.height.dim();
+    assert_eq!((ny, nx, tool.is_in_metres), (512, 256, false));
+    for ((row, column), height) in tool.height.indexed_iter() {
+        let [y, x] = [4.0 * row as f64 / 511.0 - 2.0, 4.0 * column as f64 / 511.0 - 1.0];
+        let told = (1.0 - x.abs()).min(1.0 - y.abs() / 2.0);
+        assert!((height - told).abs() < 1e-9, "{row}, {column}: {height} for {told}");
+    }
+    for (damaged, reason) in [
+        (body.replacen("vertex -1 -2 0e0", "vertex -1 x 0", 1), "corner 1 has \"x\" in place of a number"),
+        (body.replacen("vertex -1 -2 0e0", "vertex -1 nan 0", 1), "triangle 1 has a corner that is not finite"),
+        (body.replacen("vertex -1 -2 0e0", "", 1), "its last triangle has no three corners"),
+        (
+            format!("solid wall {}", facet([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0]])),
+            "none of its triangles faces along z",
+        ),
+    ] {
+        let told = read(&damaged).unwrap_err().to_string();
+        assert!(told.contains(reason), "{told}");
+    }
+}

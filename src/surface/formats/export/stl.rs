@@ -9,6 +9,9 @@ const MILLIMETRES: f64 = 1e3;
 /// Thickness of the solid below the deepest height, over its shorter side.
 const THICKNESS: f64 = 0.1;
 
+/// What a file begins with.
+pub(in super::super) const TITLE: &[u8] = b"surface of asperity in millimetres";
+
 /// Writes a block in millimetres as binary STL: heights about their mean on top, each cell of four nodes as two triangles, upright sides, and a
 /// flat bottom. The block is watertight: each edge belongs to two triangles that run along it in opposite directions, and all normals point
 /// outwards. It spans from the first to the last node along each axis. Heights must not be void.
@@ -24,8 +27,7 @@ pub(super) fn write(scan: &Scan, file: &mut FileWriter) -> io::Result<()> {
     let count =
         u32::try_from(count).map_err(|_| io::Error::other("it has more triangles than the format can count"))?;
     let mut header = [b' '; 80];
-    let title = b"surface of asperity in millimetres";
-    header[..title.len()].copy_from_slice(title);
+    header[..TITLE.len()].copy_from_slice(TITLE);
     file.write_all(&header)?;
     file.write_all(&count.to_le_bytes())?;
     for (y, x) in (0..ny - 1).flat_map(|y| (0..nx - 1).map(move |x| (y, x))) {
