@@ -16,6 +16,9 @@ const SAME_SIZE: f64 = 1e-3;
 /// The part of the heights that may be sharper than the tip by chance; with more the tip has not measured these heights.
 const MOST_SHARPER: f64 = 0.05;
 
+/// The share of the highest heights of which it is told how many the tip has reached: about as many touch at the loads of most contacts.
+const HIGHEST: f64 = 0.1;
+
 /// The flags of a measurement: the radius of its tip, and its repetition.
 #[derive(Args)]
 pub struct MeasurementArgs {
@@ -43,6 +46,8 @@ struct TipReport {
     radius: f64,
     /// The part of the nodes that it has not reached for certain.
     unreached_share: f64,
+    /// The same of the highest tenth of the nodes.
+    unreached_share_of_highest: f64,
     /// The part of the nodes that are sharper than the tip, so that it cannot have measured them.
     sharper_share: f64,
     /// The rms gradient of the image, and of the highest heights with this image.
@@ -100,6 +105,7 @@ impl TipReport {
         Ok(Self {
             radius,
             unreached_share: found.unreached_share(),
+            unreached_share_of_highest: found.unreached_share_of_highest(HIGHEST),
             sharper_share: found.sharper_share(heights),
             rms_gradient: [heights.rms_gradient(), found.height.rms_gradient()],
             area_error: found.area_error(heights),
@@ -117,10 +123,11 @@ impl TipReport {
         }
         let [image, below] = self.rms_gradient;
         format!(
-            "A ball-shaped tip of radius {radius} has not reached {:.1} % of the heights for certain: valleys there have its radius at least, and \
-             summits have it in addition to their own. Without the tip the rms gradient is at least {below:.4}, not {image:.4}, and areas are \
-             at least {:.0} % too large",
+            "A ball-shaped tip of radius {radius} has not reached {:.1} % of the heights for certain, and {:.1} % of the highest tenth, where contacts \
+             begin: valleys there have its radius at least, and summits have it in addition to their own. Without the tip the rms gradient is at \
+             least {below:.4}, not {image:.4}, and areas are at least {:.0} % too large",
             100.0 * self.unreached_share,
+            100.0 * self.unreached_share_of_highest,
             100.0 * self.area_error
         )
     }

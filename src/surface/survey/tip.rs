@@ -78,6 +78,21 @@ impl TipReach {
         1.0 - certain as f64 / measured.max(1) as f64
     }
 
+    /// The same of the highest measured nodes, a share of all: a rigid surface is touched there first.
+    pub fn unreached_share_of_highest(&self, share: f64) -> f64 {
+        let mut nodes: Vec<(f64, bool)> = self
+            .height
+            .height
+            .iter()
+            .copied()
+            .zip(self.is_certain.iter().copied())
+            .filter(|it| !it.0.is_nan())
+            .collect();
+        nodes.sort_unstable_by(|one, other| other.0.total_cmp(&one.0));
+        nodes.truncate(((share * nodes.len() as f64).ceil() as usize).max(1));
+        nodes.iter().filter(|it| !it.1).count() as f64 / nodes.len().max(1) as f64
+    }
+
     /// The part of the measured nodes that stand above what the tip measures of the reconstructed heights: they are sharper than the tip, by noise or
     /// since the tip is smaller. Differences below the height of the tip one spacing from its lowest point are those of the grid.
     pub fn sharper_share(&self, image: &Scan) -> f64 {
