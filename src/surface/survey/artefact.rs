@@ -34,6 +34,8 @@ pub enum Artefact {
     Border { lines: [usize; 4] },
     /// Heights each of which is there `times` times one after the other along an axis.
     Repeated { axis: &'static str, times: usize },
+    /// Heights of which only every `times`-th one along an axis was measured: those between are linear interpolations.
+    Interpolated { axis: &'static str, times: usize },
     /// Levels of lines that settle exponentially: by `height`, a length, within `lines` lines.
     Settling { axis: &'static str, height: f64, lines: f64 },
     /// Single heights that stand off all their neighbours, a share `share` of all, which are too many to be mended.
@@ -128,7 +130,13 @@ impl Artefact {
         match *self {
             Self::Repeated { axis, times } => format!(
                 "every height is there {times} times along {axis}, so the file has fewer heights than nodes, and areas may be off by up to {:.0} %",
-                100.0 * (OFF_BY_REPEATS * ((times - 1) as f64).powf(1.5)).min(1.0)
+                100.0 * error_of_repeats(times)
+            ),
+            Self::Interpolated { axis, times } => format!(
+                "{} of {times} heights along {axis} are linear interpolations, so the file has fewer heights than nodes, and areas may be off by up to \
+                 {:.0} %",
+                times - 1,
+                100.0 * error_of_repeats(times)
             ),
             Self::Settling { axis, height, lines } => {
                 let line = line_of(axis);
@@ -192,6 +200,11 @@ impl Artefact {
 /// What lies across an axis.
 fn line_of(axis: &str) -> &'static str {
     if axis == "y" { "row" } else { "column" }
+}
+
+/// The relative error of areas of heights of which only every second, third, ... one is a measured one.
+fn error_of_repeats(times: usize) -> f64 {
+    (OFF_BY_REPEATS * ((times - 1) as f64).powf(1.5)).min(1.0)
 }
 
 /// The relative error of areas by what makes a share of the mean square gradient: that share.

@@ -2,6 +2,7 @@
 
 use super::Artefact;
 use super::clip::Clip;
+use super::interpolated::interpolated;
 use super::jump::jump_of_parts;
 use super::scales::sample;
 use super::shift::LineShift;
@@ -127,6 +128,12 @@ impl Artefacts {
             let LineShift { nodes, share } = LineShift::new(&self.rest, axis)?;
             Some(Artefact::Shifted { axis: ["y", "x"][axis], nodes, share })
         }));
+        if self.steps.resample.is_none() {
+            self.all.extend([0, 1].into_iter().filter_map(|axis| {
+                let times = interpolated(&self.rest, axis)?;
+                Some(Artefact::Interpolated { axis: ["y", "x"][axis], times })
+            }));
+        }
         let steps: Vec<Artefact> = [0, 1].into_iter().flat_map(|axis| step(&self.rest, axis)).collect();
         self.all.extend(steps);
         self.all.extend(self.waves());

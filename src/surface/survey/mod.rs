@@ -5,6 +5,7 @@ mod artefacts;
 mod band;
 mod choice;
 mod clip;
+mod interpolated;
 mod jump;
 mod noise;
 mod repeat;
