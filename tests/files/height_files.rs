@@ -1,5 +1,6 @@
 //! Height files and archives: round trips, and why unusable ones are refused.
 
+use crate::real_files::real_files;
 use asperity::error::FileError;
 use asperity::surface::{Measurement, read_heights, read_shape, write_heights};
 use ndarray::{Array2, ShapeBuilder, arr1, arr2};
@@ -141,14 +142,11 @@ fn two_columns_or_rows_are_positions_and_heights() {
     assert!(reason(&path).contains("positions, is 1.0 everywhere: give the heights alone"));
 }
 
-/// Real files, those of the tests of SurfaceTopography, where they are beside the project.
+/// Real files, those of the tests of SurfaceTopography.
 #[test]
+#[ignore = "needs files of instruments"]
 fn measured_profiles_and_matrices_are_read() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/surfaces");
-    if !folder.is_dir() {
-        eprintln!("skipped: there are no measured files in {}", folder.display());
-        return;
-    }
+    let folder = real_files();
     let read = |name: &str| read_heights(folder.join(name)).unwrap();
     let matrix = read("matrix-3.txt");
     assert_eq!((matrix.shape(), matrix[[0, 255]], matrix[[131, 121]]), (&[256, 256][..], 1.7899e-7, 3.3094e-10));

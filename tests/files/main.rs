@@ -13,6 +13,8 @@ mod kinds;
 #[cfg(feature = "instruments")]
 mod measured;
 mod named_files;
+#[path = "../common/real_files.rs"]
+mod real_files;
 #[cfg(all(feature = "cli", feature = "record"))]
 mod recording;
 mod saved;

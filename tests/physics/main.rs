@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/real_files.rs"]
+mod real_files;
 
 mod adhesion;
 mod adhesion_loops;

@@ -1,11 +1,10 @@
 //! Parameters of surface texture against closed forms and a peer.
 
+use crate::real_files::real_files;
 use asperity::surface::{AbbottCurve, Autocorrelation, Measurement, SpectralMoments, Spectrum, Texture};
 use asperity::{Grid, Surface};
 use ndarray::Array2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, PI, TAU};
-use std::io::Write;
-use std::path::Path;
 
 fn assert_near(found: f64, expected: f64, within: f64, what: &str) {
     assert!((found - expected).abs() <= within * expected.abs(), "{what}: {found} against {expected}");
@@ -322,16 +321,11 @@ const PEER_SPECTRUM: [(&str, [f64; 6]); 3] = [
     ("di-3.di", [5.08301909e-14, 1.22026461, 9.48458495e-1, 3.27194374e15, 2.53267937e15, 5.82746858e15]),
 ];
 
-/// A real map; none where it is not here.
-fn measured(name: &str) -> Option<(Array2<f64>, [f64; 2])> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/surfaces").join(name);
-    if !path.exists() {
-        writeln!(std::io::stderr(), "skipped: {name} is not here").ok();
-        return None;
-    }
-    let it = Measurement::read(&path, None).unwrap();
+/// A real map.
+fn measured(name: &str) -> (Array2<f64>, [f64; 2]) {
+    let it = Measurement::read(real_files().join(name), None).unwrap();
     assert!(it.is_in_metres, "{name}");
-    Some((it.height, it.spacing.unwrap()))
+    (it.height, it.spacing.unwrap())
 }
 
 /// Heights of a spacing on a grid that is periodic or free.
@@ -342,9 +336,10 @@ fn map(height: Array2<f64>, spacing: [f64; 2], is_periodic: bool) -> Surface {
 }
 
 #[test]
+#[ignore = "needs files of instruments"]
 fn real_maps_have_the_parameters_that_a_peer_finds() {
     for (name, told) in PEER {
-        let Some((height, spacing)) = measured(name) else { continue };
+        let (height, spacing) = measured(name);
         let map = map(height, spacing, false);
         let [ly, lx] = map.grid().size();
         let (texture, reach) = (Texture::new(&map), 0.5 * ly.hypot(lx));
@@ -377,9 +372,10 @@ fn real_maps_have_the_parameters_that_a_peer_finds() {
 }
 
 #[test]
+#[ignore = "needs files of instruments"]
 fn real_maps_have_the_moments_of_a_peers_derivatives() {
     for (name, told) in PEER_SPECTRUM {
-        let Some((height, spacing)) = measured(name) else { continue };
+        let (height, spacing) = measured(name);
         let [rows, columns] = <[usize; 2]>::from(height.dim()).map(|n| n - 1 + n % 2);
         let odd = Array2::from_shape_fn((rows, columns), |node| height[node]);
         let it = SpectralMoments::new(&map(odd, spacing, true));

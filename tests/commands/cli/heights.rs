@@ -226,7 +226,7 @@ fn an_automatic_preparation_is_not_advised_after_itself() {
     let settling = |y: usize| 40.0 * rms * (-(y as f64) / 3.0).exp();
     let edge = |x: usize| if x % 16 < 8 { 30.0 * rms } else { 0.0 };
     type Height<'a> = Box<dyn Fn((usize, usize)) -> f64 + 'a>;
-    let maps: [(&str, Height); 6] = [
+    let maps: [(&str, Height<'_>); 6] = [
         ("spikes", Box::new(|node| rough[node] + spikes(0.02, node))),
         ("deep.spikes", Box::new(|node| rough[node] - spikes(0.001, node))),
         ("tilt.with.settling", Box::new(|(y, x)| rough[[y, x]] + settling(y) + 20.0 * rms * y as f64)),
@@ -236,13 +236,13 @@ fn an_automatic_preparation_is_not_advised_after_itself() {
     ];
     let (auto, mut advised) = ("--prepare auto", 0);
     for (name, height) in maps {
-        write_npy(folder.join(format!("{name}.npy")), &Array2::from_shape_fn((64, 64), height)).unwrap();
+        write_npy(folder.join(&format!("{name}.npy")), &Array2::from_shape_fn((64, 64), height)).unwrap();
         let solve = format!("solve {name}.npy --size 64 --modulus 1 --reduced-pressure 0.2");
         let before = folder.run(&solve);
         advised += usize::from(warnings(&before).iter().any(|it| it.contains(auto)));
         let after = folder.run(&format!("{solve} {auto}"));
         assert_eq!(after.status.code(), Some(0), "{}", text(&after.stderr));
-        let again: Vec<String> = warnings(&after).into_iter().filter(|it| it.contains(auto)).collect();
+        let again: Vec<&str> = warnings(&after).into_iter().filter(|it| it.contains(auto)).collect();
         assert!(again.is_empty(), "{name}: {again:?}");
     }
     assert!(advised >= 3, "an automatic preparation is advised for {advised} maps");

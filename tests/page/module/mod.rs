@@ -2,6 +2,7 @@
 //! skipped. `MODULE` names another module than that of the page: `browser/build --check` names what it has built.
 
 use asperity::explore::{Answer, Request, Session, Start, Stock};
+use asperity::surface::{Field, Scan};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use ndarray::Array1;
 use ndarray_npy::NpzReader;
@@ -291,12 +292,14 @@ fn the_module_has_limits_of_its_own() {
 /// solved, and is about as large as it can be.
 #[test]
 fn a_large_map_is_cut_to_what_a_browser_solves() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/surfaces/plu-1.plu");
-    let Ok(bytes) = std::fs::read(&file) else {
-        writeln!(std::io::stderr(), "skipped: there is no {}", file.display()).ok();
-        return;
-    };
-    let open: Asked = ("POST", "heights?name=map.plu".into(), json!({"base64": BASE64_STANDARD.encode(bytes)}));
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("map.sdf");
+    // waves that fit the map along neither axis
+    let height = |(y, x): (usize, usize)| 1e-6 * ((0.071 * x as f64).sin() + (0.043 * (x + 2 * y) as f64).cos());
+    let scan = Scan { height: Field::from_shape_fn((576, 768), height), spacing: [1.66e-6; 2] };
+    scan.write(&file).unwrap();
+    let bytes = std::fs::read(&file).unwrap();
+    let open: Asked = ("POST", "heights?name=map.sdf".into(), json!({"base64": BASE64_STANDARD.encode(bytes)}));
     let Some(found) = answers(&[open]) else { return };
     let told: Value = serde_json::from_str(&found[0].1).unwrap();
     assert_eq!(told["fault"], Value::Null);
