@@ -47,7 +47,6 @@ pub(super) const STRIPS: usize = 1 << 16;
 
 /// The most nodes below the triangles of a body, summed over the triangles: their heights take some ten seconds then. A map of 2048 x 2048 corners has
 /// 2^26 of them.
-#[cfg(feature = "microscopes")]
 pub(super) const STEPS_OVER_TRIANGLES: f64 = (1_u64 << 31) as f64;
 
 /// Bytes at the start of a file of NumPy that must hold the whole header; NumPy writes 128.

@@ -72,7 +72,6 @@ mod tiff;
 mod tiff_image;
 #[cfg(feature = "microscopes")]
 mod tmd;
-#[cfg(feature = "microscopes")]
 mod triangles;
 mod unit;
 #[cfg(feature = "microscopes")]
@@ -143,7 +142,6 @@ const INSTRUMENTS: &[Instrument] = &[
     sdf::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     tmd::INSTRUMENT,
-    #[cfg(feature = "microscopes")]
     triangles::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     vk4::INSTRUMENT,

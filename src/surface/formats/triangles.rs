@@ -2,7 +2,6 @@
 
 use super::bytes::{ByteReader, latin};
 use super::channel::Channel;
-use super::export::STL_TITLE;
 use super::format::malformed;
 use super::instrument::Instrument;
 use super::limits::{STEPS_OVER_TRIANGLES, check_points};
@@ -18,6 +17,8 @@ use std::io;
 /// "SLC/STL file specification" of 3D Systems, 1989.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "STL", is_it, channels };
 
+/// What files of this program begin with.
+pub(super) const TITLE: &[u8] = b"surface of asperity in millimetres";
 /// The nodes along the longer side of a body whose corners are no grid.
 const LONGER_SIDE: usize = 512;
 /// Bytes of the text before the number of triangles, and of a triangle: its normal, its corners and two bytes more.
@@ -55,7 +56,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let triangles = if is_binary(bytes) { of_binary(bytes)? } else { of_text(&latin(bytes))? };
     let upper = upper_side(triangles)?;
     let grid = TriangleGrid::new(&upper)?;
-    let is_own = bytes.starts_with(STL_TITLE);
+    let is_own = bytes.starts_with(TITLE);
     Ok(vec![Channel {
         spacing: Some(grid.spacing),
         lateral_unit: is_own.then_some(MILLIMETRE),

@@ -4,10 +4,14 @@ use super::Scan;
 use super::least_squares::linear;
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Heights below this fraction of those before the trend was subtracted are rounding errors, and become 0.
 const ROUNDING: f64 = 1e-13;
+/// The share of the mean square gradient from which on the plane of least squares is a tilt. That of rough maps is below .01, and that of a sine .18; of both,
+/// what stands off is the same without their plane.
+const TILTED: f64 = 0.05;
 
 /// The trend to subtract from measured heights: the least-squares polynomial through all heights that are not void.
 ///
@@ -30,6 +34,16 @@ pub enum Detrend {
     Curvature,
     /// The least-squares polynomial of third order, as tube scanners bend maps in the shape of an S.
     Cubic,
+}
+
+impl Scan {
+    /// The heights without their plane, if it makes much of the mean square gradient: what stands off, settles or is offset is small beside the slope of a
+    /// tilted map.
+    pub(in crate::surface) fn without_tilt(&self) -> Cow<'_, Self> {
+        let [y, x] = Detrend::tilt(self);
+        let is_tilted = y * y + x * x > TILTED * self.rms_gradient().powi(2);
+        if is_tilted { Cow::Owned(Detrend::Plane.apply(self.clone())) } else { Cow::Borrowed(self) }
+    }
 }
 
 impl Detrend {

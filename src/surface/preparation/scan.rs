@@ -2,13 +2,8 @@
 
 use crate::error::GridError;
 use crate::grid::Grid;
-use crate::surface::{Detrend, Field, Surface};
+use crate::surface::{Field, Surface};
 use ndarray::Axis;
-use std::borrow::Cow;
-
-/// The share of the mean square gradient from which on the plane of least squares is a tilt. That of rough maps is below .01, and that of a sine .18; of both,
-/// what stands off is the same without their plane.
-const TILTED: f64 = 0.05;
 
 /// Heights on an even grid, some of which may be void.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,14 +63,6 @@ impl Scan {
     /// The root mean square of the slope between neighbours that are not void.
     pub fn rms_gradient(&self) -> f64 {
         self.axes().map(|axis| (self.rms_step(axis) / self.spacing[axis]).powi(2)).sum::<f64>().sqrt()
-    }
-
-    /// The heights without their plane, if it makes much of the mean square gradient: what stands off, settles or is offset is small beside the slope of a
-    /// tilted map.
-    pub(in crate::surface) fn without_tilt(&self) -> Cow<'_, Self> {
-        let [y, x] = Detrend::tilt(self);
-        let is_tilted = y * y + x * x > TILTED * self.rms_gradient().powi(2);
-        if is_tilted { Cow::Owned(Detrend::Plane.apply(self.clone())) } else { Cow::Borrowed(self) }
     }
 
     /// Places of the nodes that are there from the middle of the map, `(y, x)`, over half of its longer side, and their heights.

@@ -1,8 +1,7 @@
 //! Heights between which a program has interpolated.
 
 use crate::surface::Scan;
-use crate::surface::bends::median;
-use ndarray::Axis;
+use ndarray::{ArrayView1, Axis};
 
 /// The factors by which maps are enlarged, the largest first: every sixth of the heights of a map that is enlarged three times would be one of two as well.
 const FACTORS: [usize; 4] = [5, 4, 3, 2];
@@ -10,9 +9,11 @@ const FACTORS: [usize; 4] = [5, 4, 3, 2];
 const FEWEST: usize = 32;
 /// The most lines whose bends are looked at.
 const LINES: usize = 64;
-/// The usual bend between the heights that were measured, over that at them, up to which it is rounding: linear interpolation has no bends there, and
+/// Bends between the heights that were measured, over the usual one at them, up to which they are rounding: linear interpolation has no bends there, and
 /// heights in single precision have some. Of rough heights the usual bends at all nodes are the same but for chance.
 const NO_BEND: f64 = 0.02;
+/// The part of the nodes between measured heights that have no bend: in a map that was enlarged by another factor it is at most four fifths.
+const NEARLY_ALL: f64 = 0.9;
 
 /// By how many times a map or a profile was enlarged along an axis by linear interpolation: it bends at every second, third, ... node only.
 pub(super) fn interpolated(scan: &Scan, axis: usize) -> Option<usize> {
@@ -24,20 +25,28 @@ pub(super) fn interpolated(scan: &Scan, axis: usize) -> Option<usize> {
     let every = (scan.height.len() / nodes).div_ceil(LINES);
     let lines: Vec<_> = lanes.step_by(every).collect();
     FACTORS.into_iter().find(|factor| {
-        let usual: Vec<f64> = (0..*factor)
-            .map(|first| {
-                let inner = (1..nodes - 1).filter(|i| i % factor == first);
-                let bend =
-                    |(line, i): (&ndarray::ArrayView1<f64>, usize)| (line[i - 1] - 2.0 * line[i] + line[i + 1]).abs();
-                let mut bends: Vec<f64> = inner
-                    .flat_map(|i| lines.iter().map(move |line| (line, i)))
-                    .map(bend)
-                    .filter(|it| !it.is_nan())
-                    .collect();
-                median(&mut bends).unwrap_or(0.0)
-            })
-            .collect();
+        let all: Vec<Vec<f64>> =
+            (0..*factor).map(|first| bends(&lines, (1..nodes - 1).filter(|i| i % factor == first))).collect();
+        let usual: Vec<f64> = all.iter().map(|it| quantile(it, 0.5)).collect();
         let most = usual.iter().copied().fold(0.0, f64::max);
-        usual.iter().filter(|it| **it > NO_BEND * most).count() == 1
+        let between = all.iter().filter(|it| quantile(it, NEARLY_ALL) < NO_BEND * most).count();
+        between == factor - 1
     })
+}
+
+/// The magnitudes of the bends of some lines at some nodes, rising.
+fn bends(lines: &[ArrayView1<'_, f64>], nodes: impl Iterator<Item = usize>) -> Vec<f64> {
+    let mut all = Vec::new();
+    for i in nodes {
+        all.extend(
+            lines.iter().map(|line| (line[i - 1] - 2.0 * line[i] + line[i + 1]).abs()).filter(|it| !it.is_nan()),
+        );
+    }
+    all.sort_unstable_by(f64::total_cmp);
+    all
+}
+
+/// The value that a part of some rising ones does not exceed; 0 without any.
+fn quantile(rising: &[f64], part: f64) -> f64 {
+    rising.get((part * rising.len() as f64) as usize).copied().unwrap_or(0.0)
 }

@@ -8,9 +8,6 @@ mod stl;
 mod x3p;
 mod xyz;
 
-#[cfg(feature = "microscopes")]
-pub(super) use stl::TITLE as STL_TITLE;
-
 use super::npy;
 use crate::error::FileError;
 use crate::files::{check_named, write_beside};

@@ -1,5 +1,6 @@
 //! The triangles of a solid with the surface on top.
 
+use super::super::triangles::TITLE;
 use super::file_writer::FileWriter;
 use crate::surface::Scan;
 use std::io::{self, Write};
@@ -8,9 +9,6 @@ use std::io::{self, Write};
 const MILLIMETRES: f64 = 1e3;
 /// Thickness of the solid below the deepest height, over its shorter side.
 const THICKNESS: f64 = 0.1;
-
-/// What a file begins with.
-pub(in super::super) const TITLE: &[u8] = b"surface of asperity in millimetres";
 
 /// Writes a block in millimetres as binary STL: heights about their mean on top, each cell of four nodes as two triangles, upright sides, and a
 /// flat bottom. The block is watertight: each edge belongs to two triangles that run along it in opposite directions, and all normals point
