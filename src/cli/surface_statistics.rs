@@ -168,7 +168,9 @@ fn describe(recipe: Recipe, grid: Grid, cell: &Cell, units: Units) -> Result<Des
     let is_sample = recipe.indenter.is_none() && (recipe.is_measured() || recipe.spectrum.is_some());
     statistics.whole = Some(HeightStatistics::new(&surface, outer, is_sample));
     let growth = recipe.is_measured().then(|| survey.warning_of_growth()).flatten();
-    statistics.warnings.extend(in_flags(&recipe.warnings(&surface).into_iter().chain(growth).collect::<Vec<_>>()));
+    statistics.warnings.extend(in_flags(
+        &recipe.warnings_of_surveyed(&surface, &survey).into_iter().chain(growth).collect::<Vec<_>>(),
+    ));
     statistics.survey = Some(survey);
     let filled = surface.filled().map(<[bool]>::to_vec);
     Ok(Described { recipe, grid, statistics, height: surface.heights_as_given(), filled })
@@ -362,7 +364,7 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Un
             false => format!("Areas may be off by up to {:.0} % by what the preparation has left", 100.0 * error),
         });
     let mut lines: Vec<String> = found.chain(error).collect();
-    let choice = PreparationChoice::new(scan, true, grid.periodic())?;
+    let choice = PreparationChoice::of_survey(survey, scan, grid.periodic())?;
     if lines.is_empty() && choice.reasons.is_empty() {
         lines.push("No artefacts were found".into());
     }

@@ -82,13 +82,25 @@ impl Recipe {
     /// Warnings about the surface that was made: jumps across the period, unequal spacings, gradients of a wrong unit, noise,
     /// and what the file contradicts.
     pub fn warnings(&self, surface: &Surface) -> Vec<Warning> {
+        self.warnings_of(surface, None)
+    }
+
+    /// The warnings about a surface whose survey is known, see [`Recipe::warnings`].
+    pub fn warnings_of_surveyed(&self, surface: &Surface, survey: &Survey) -> Vec<Warning> {
+        self.warnings_of(surface, Some(survey))
+    }
+
+    fn warnings_of(&self, surface: &Surface, survey: Option<&Survey>) -> Vec<Warning> {
         let measured = self.height.as_ref().map(|file| {
             let refined = refinement(self, file, surface);
             let raw = file.measurement(self.channel.as_deref()).ok();
             let of_file_spacing = spacing_of_file(self, file, surface, refined);
             let found = [spacing(surface), gradient(surface), of_file_spacing, smooth_fill(surface)];
             let periodic = surface.grid().periodic();
-            let artefacts = self.warnings_of_artefacts(&Scan::from_surface(surface, refined), raw.as_ref(), periodic);
+            // a survey is that of all nodes, with mirror images
+            let known = survey.filter(|_| refined == 1 && self.prepare.mirror.is_none()).map(|it| it.found.clone());
+            let scan = Scan::from_surface(surface, refined);
+            let artefacts = self.warnings_of_artefacts(&scan, known, raw.as_ref(), periodic);
             let of_file = raw.map(|it| it.warnings).unwrap_or_default();
             of_file.into_iter().chain(found.into_iter().flatten()).chain(artefacts)
         });
@@ -96,10 +108,16 @@ impl Recipe {
         jumps.chain(self.warnings_of_distribution(surface)).chain(measured.into_iter().flatten()).collect()
     }
 
-    /// Warnings about artefacts in heights without their mirror images and in those of their file, and about noise in the rest of them.
-    fn warnings_of_artefacts(&self, scan: &Scan, raw: Option<&Measurement>, periodic: [bool; 2]) -> Vec<Warning> {
+    /// Warnings about artefacts in heights without their mirror images, which may be known, and in those of their file, and about noise in the rest.
+    fn warnings_of_artefacts(
+        &self,
+        scan: &Scan,
+        known: Option<Artefacts>,
+        raw: Option<&Measurement>,
+        periodic: [bool; 2],
+    ) -> Vec<Warning> {
         let scan = self.prepare.mirror.map_or_else(|| scan.clone(), |mirror| mirror.original(scan));
-        let artefacts = Artefacts::new(&scan);
+        let artefacts = known.unwrap_or_else(|| Artefacts::new(&scan));
         let spacing = scan.spacing;
         let as_read = |it: &Measurement| Scan { height: it.height.clone(), spacing };
         let auto = LazyCell::new(|| raw.map_or_else(Preparation::default, |it| self.auto(as_read(it), periodic)));
@@ -150,8 +168,9 @@ impl Recipe {
 
     /// Warnings about heights with voids, on a cell that is periodic along y and x or not.
     pub fn warnings_of_voids(&self, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Vec<Warning> {
-        let auto =
-            LazyCell::new(|| PreparationChoice::new(scan, true, periodic).map(|it| it.preparation).unwrap_or_default());
+        let auto = LazyCell::new(|| {
+            PreparationChoice::of_survey(survey, scan, periodic).map(|it| it.preparation).unwrap_or_default()
+        });
         let voids = Warning::new(
             format!("{} of {} heights are void, so no contact can be solved", survey.voids, scan.height.len()),
             "Fill them, or crop the heights",

@@ -9,8 +9,8 @@ use strum::{EnumIter, EnumMessage, IntoStaticStr};
 
 /// Heights below this fraction of those before the trend was subtracted are rounding errors, and become 0.
 const ROUNDING: f64 = 1e-13;
-/// The share of the mean square gradient from which on the plane of least squares is a tilt. That of rough maps is below .01, and that of a sine .18; of both,
-/// what stands off is the same without their plane.
+/// The share of the mean square gradient from which on the plane of least squares is a tilt. That of 154 maps without a tilt was at
+/// most .017; what stands off is the same without a plane.
 const TILTED: f64 = 0.05;
 
 /// The trend to subtract from measured heights: the least-squares polynomial through all heights that are not void.

@@ -52,35 +52,53 @@ impl PreparationChoice {
         }
         let part = choice.cropped(scan);
         let scan = part.as_ref().unwrap_or(scan);
-        let artefacts = Artefacts::new(scan);
-        choice.mend(&artefacts, scan);
-        let mut survey = Survey::without(&artefacts, scan)?;
+        choice.made_of(&Survey::new(scan)?, scan, periodic)?;
+        Ok(choice)
+    }
+
+    /// The preparation of heights at even positions whose survey is known, on a cell that is periodic along y and x or free.
+    ///
+    /// # Errors
+    /// The errors of [`Survey::new`].
+    pub fn of_survey(survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Result<Self, SurfaceError> {
+        if Crop::to_measured(scan).is_some() {
+            return Self::new(scan, true, periodic);
+        }
+        let mut choice = Self { preparation: Preparation::default(), reasons: Vec::new() };
+        choice.made_of(survey, scan, periodic)?;
+        Ok(choice)
+    }
+
+    /// Adds the steps after resampling and cropping, of some heights and their survey.
+    fn made_of(&mut self, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Result<(), SurfaceError> {
+        let artefacts = &survey.found;
+        self.mend(artefacts, scan);
         let voids = artefacts.rest.voids();
         if voids > 0 {
-            choice.preparation.fill = Some(Fill::Harmonic);
+            self.preparation.fill = Some(Fill::Harmonic);
             let all = scan.height.len();
             let share = 100.0 * voids as f64 / all as f64;
-            choice.because(format!(
+            self.because(format!(
                 "{voids} of {all} heights ({share:.1} %) are void: they are filled with the smoothest heights, and each contact says how much of it \
                  is on them"
             ));
         }
         // a trend through a step would tilt both sides of it, unless the heights are a tilt with a small step
         let has_step = artefacts.all.iter().any(|it| matches!(it, Artefact::Step { .. }));
-        let mut full = Fill::Harmonic.apply(artefacts.rest.clone()).unwrap_or(artefacts.rest.clone());
-        choice.tell_of_fill(&artefacts.rest, &full);
+        let full = Fill::Harmonic.apply(artefacts.rest.clone()).unwrap_or(artefacts.rest.clone());
+        self.tell_of_fill(&artefacts.rest, &full);
         let is_bent = [0, 1].into_iter().any(|axis| periodic[axis] && has_kink(&full, axis));
-        let needs_trend = is_bent || ends(&survey, periodic) != [false; 2] || periodic == [false; 2];
-        if needs_trend && !has_step {
-            full = choice.detrended(full, periodic);
-            survey = Survey::new(&full)?;
-        } else if needs_trend && let Some(level) = choice.levelled(&full) {
-            full = level;
-            survey = Survey::new(&full)?;
-        }
-        choice.mirror(&survey, periodic);
-        choice.filter(&survey, &full);
-        Ok(choice)
+        let needs_trend = is_bent || ends(survey, periodic) != [false; 2] || periodic == [false; 2];
+        let flat = match (needs_trend, has_step) {
+            (false, _) => None,
+            (true, false) => Some(self.detrended(full.clone(), periodic)),
+            (true, true) => self.levelled(&full),
+        };
+        let of_flat = flat.as_ref().map(Survey::new).transpose()?;
+        let (survey, full) = (of_flat.as_ref().unwrap_or(survey), flat.as_ref().unwrap_or(&full));
+        self.mirror(survey, periodic);
+        self.filter(survey, full);
+        Ok(())
     }
 
     /// Mends artefacts, and tells of those that cannot be mended.

@@ -68,6 +68,9 @@ pub struct Survey {
     pub power_law: Option<PowerLawFit>,
     /// The power spectrum of the heights minus their plane, with a Hann window of mean square 1.
     pub spectrum: Vec<Band>,
+    /// The artefacts with what mends them, of which `artefacts` and `area_error` are a part.
+    #[serde(skip)]
+    pub(crate) found: Artefacts,
 }
 
 impl Survey {
@@ -76,11 +79,11 @@ impl Survey {
     /// # Errors
     /// [`SurfaceError::NonFinite`] for heights that are all void; [`SurfaceError::Grid`] for less nodes than a grid has.
     pub fn new(scan: &Scan) -> Result<Self, SurfaceError> {
-        Self::without(&Artefacts::new(scan), scan)
+        Self::without(Artefacts::new(scan), scan)
     }
 
     /// The survey of some heights whose artefacts are known.
-    pub(super) fn without(artefacts: &Artefacts, raw: &Scan) -> Result<Self, SurfaceError> {
+    pub(super) fn without(artefacts: Artefacts, raw: &Scan) -> Result<Self, SurfaceError> {
         let scan = &artefacts.rest;
         let full =
             if scan.voids() > 0 { Fill::Harmonic.apply(scan.clone()).unwrap_or(scan.clone()) } else { scan.clone() };
@@ -106,6 +109,7 @@ impl Survey {
             power_law: PowerLawFit::new(&spectrum, grid.is_line(), shortest),
             axes,
             spectrum,
+            found: artefacts,
         })
     }
 
