@@ -15,16 +15,10 @@ use std::io;
 /// `add_offset` turn numbers into values.
 ///
 /// # Source
-/// "NetCDF Classic Format Specification" (Unidata), and the layout that contact.engineering describes for the files that it writes. NetCDF-4
-/// and variables along an unlimited dimension are refused.
+/// "NetCDF Classic Format Specification" (Unidata), and the layout that contact.engineering describes for the files that it writes. Variables
+/// along an unlimited dimension are refused; NetCDF-4 is another format.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "NetCDF (classic)", is_it, channels };
 
-/// What NetCDF-4 and all files of HDF5 begin with.
-const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
-/// Names in files of NetCDF-4.
-const OF_NETCDF4: [&[u8]; 3] = [b"_NCProperties", b"_Netcdf4Dimid", b"_Netcdf4Coordinates"];
-/// A name in files of Zygo Mx.
-const OF_ZYGO: &[u8] = b"Z Converter";
 /// The variable of heights in files of contact.engineering.
 const HEIGHTS: &str = "heights";
 /// The variable that marks void points.
@@ -33,37 +27,14 @@ const MASK: &str = "mask";
 const TOLERANCE: f64 = 1e-4;
 
 fn is_it(bytes: &[u8]) -> bool {
-    bytes.starts_with(HDF5) || [1, 2, 5].iter().any(|version| bytes.starts_with(&[b'C', b'D', b'F', *version]))
+    [1, 2, 5].iter().any(|version| bytes.starts_with(&[b'C', b'D', b'F', *version]))
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    if bytes.starts_with(HDF5) {
-        return Err(malformed(of_hdf5(bytes)));
-    }
     let file = File::new(bytes)?;
     let mut candidates: Vec<_> = file.variables.iter().filter(|it| file.may_be_heights(it)).collect();
     candidates.sort_by_key(|it| (it.name != HEIGHTS, it.dimensions.len() == 1));
     Ok(candidates.into_iter().map(|it| Channel::or_unreadable(&it.name, file.channel(it))).collect())
-}
-
-/// How to convert a file of HDF5 to one that is read, by the names in it, which stand in it as text.
-fn of_hdf5(bytes: &[u8]) -> String {
-    let has = |name: &[u8]| bytes.windows(name.len()).any(|part| part == name);
-    if OF_NETCDF4.iter().any(|name| has(name)) {
-        return "it is a NetCDF-4 file: convert it with `nccopy -k classic OLD.nc NEW.nc`".to_owned();
-    }
-    let peer = "`from SurfaceTopography import read_topography; read_topography('FILE').to_netcdf('NEW.nc')`";
-    let list = "`h5py.File('FILE').visit(print)` lists the arrays in it";
-    let save = "`numpy.save('NEW.npy', h5py.File('FILE')['ARRAY'][()])` writes one of them, without its units and its mark of voids";
-    if has(OF_ZYGO) {
-        return format!(
-            "it is a .datx file of Zygo Mx, which is HDF5 and not read: in Python, {peer} writes its heights with their units"
-        );
-    }
-    format!(
-        "it is an HDF5 file (as .h5, .datx and .h5-jpk are), which is not read: in Python, {peer} writes the heights of a .datx file or of the \
-         Contact Mechanics Challenge; of others {list}, and {save}"
-    )
 }
 
 impl<'a> File<'a> {
