@@ -2,7 +2,7 @@
 
 use super::channel::{Channel, listed};
 use super::format::malformed;
-use super::hdf5::{arrays, channel};
+use super::hdf5::{ArraysBeside, arrays, channel};
 use super::hdf5_file::{AttributeValue, File, MAGIC, NumberArray};
 use super::instrument::Instrument;
 use super::unit::metres;
@@ -51,7 +51,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
             let name = if all.is_empty() { "Surface".to_owned() } else { format!("Surface ({})", all.len() + 1) };
             all.push((name.clone(), array.and_then(|it| surface(&it, name))));
         } else {
-            all.push((path, array.map(|it| Channel { is_height: false, ..channel(&it) })));
+            all.push((path, array.and_then(|it| other(&it))));
         }
     }
     if !all.iter().any(|it| it.0 == "Surface") {
@@ -74,6 +74,11 @@ fn linked(file: &File) -> io::Result<Vec<String>> {
     Ok(places)
 }
 
+/// The channel of what is no surface.
+fn other(array: &NumberArray) -> io::Result<Channel<'static>> {
+    Ok(Channel { is_height: false, ..channel(array, &ArraysBeside::default())? })
+}
+
 /// The channel of a surface.
 fn surface(array: &NumberArray, name: String) -> io::Result<Channel<'static>> {
     let converter = array.attribute("Z Converter");
@@ -94,7 +99,7 @@ fn surface(array: &NumberArray, name: String) -> io::Result<Channel<'static>> {
         spacing: y.zip(x).map(|(y, x)| [y, x]),
         lateral_unit: Some(1.0),
         unit,
-        ..channel(array)
+        ..channel(array, &ArraysBeside::default())?
     })
 }
 

@@ -9,7 +9,9 @@ use hdf5_reader::error::Result;
 use hdf5_reader::group::Group;
 use hdf5_reader::io::Cursor;
 use hdf5_reader::messages::HdfMessage;
-use hdf5_reader::{ByteOrder, Dataset, Datatype, Hdf5File, OpenOptions, StringSize, VarLenKind, dtype_element_size};
+use hdf5_reader::{
+    ByteOrder, Dataset, Datatype, Hdf5File, OpenOptions, ReferenceType, StringSize, VarLenKind, dtype_element_size,
+};
 use std::io;
 
 /// What a file of HDF5 begins with.
@@ -45,11 +47,17 @@ impl File {
             .with_max_chunk_bytes(largest)
             .with_max_read_bytes(largest)
             .with_max_object_header_bytes(HDF5_OBJECT_HEADER);
-        Ok(Self { file: Hdf5File::from_bytes_with_options(bytes, options).map_err(damaged)?, length: bytes.len() })
+        let file = Hdf5File::from_bytes_with_options(bytes, options).map_err(damaged)?;
+        // Without its end, a file may lose units and voids only, which nobody would notice.
+        let end = file.superblock().eof_address;
+        if end > bytes.len() as u64 {
+            return Err(malformed(format!("it states {end} bytes, but has only {}: it is incomplete", bytes.len())));
+        }
+        Ok(Self { file, length: bytes.len() })
     }
 
-    /// All datasets by their paths, such as `group/name`, those of the first groups first. A group that is damaged is listed as one fault.
-    /// Each dataset is listed once, whatever leads to it.
+    /// All datasets by their paths, such as `group/name`, in each group by name, and those of a group before those of groups in it. A group
+    /// that is damaged is listed as one fault. Each dataset is listed once, whatever leads to it.
     ///
     /// # Errors
     /// For groups in too many groups, and for too many links.
@@ -59,13 +67,16 @@ impl File {
         let (mut groups, mut found) = (vec![(String::new(), 0, root)], Vec::new());
         while let Some((path, depth, group)) = groups.pop() {
             let members = self.members(&group, &mut links)?;
-            let (inner, datasets) = match members {
+            let (mut inner, mut datasets) = match members {
                 Ok(names) => names,
                 Err(error) => {
                     found.push((path, Err(damaged(error))));
                     continue;
                 }
             };
+            // In the file, names follow each other as the version of the library has put them.
+            inner.sort();
+            datasets.sort();
             for name in datasets {
                 let dataset = group.dataset(&name).map_err(damaged);
                 if dataset.as_ref().map_or(true, |it| is_new(&mut known, it.address())) {
@@ -124,7 +135,7 @@ impl File {
     pub fn records(&self, dataset: &Dataset) -> io::Result<Vec<AttributeValue>> {
         let size = dataset.raw_element_size().map_err(damaged)?.max(1);
         let bytes = dataset.read_raw_bytes().map_err(damaged)?;
-        Ok(bytes.chunks(size).map(|row| AttributeValue::new(dataset, dataset.dtype(), row)).collect())
+        bytes.chunks(size).map(|row| AttributeValue::new(dataset, dataset.dtype(), row)).collect()
     }
 
     /// The array of numbers in a dataset, none for one of another rank or of something else than numbers.
@@ -134,10 +145,10 @@ impl File {
     pub fn array(&self, path: &str, dataset: Dataset) -> io::Result<Option<NumberArray>> {
         let is_number = matches!(dataset.dtype(), Datatype::FixedPoint { .. } | Datatype::FloatingPoint { .. });
         // Axes of one point are no axes of a map: NetCDF and NeXus write a map as one of a series in time.
-        let axes: Vec<u64> = dataset.shape().iter().copied().filter(|count| *count != 1).collect();
+        let axes: Vec<usize> = (0..dataset.ndim()).filter(|axis| dataset.shape()[*axis] != 1).collect();
         let (rows, columns) = match axes[..] {
-            [columns] => (1, columns),
-            [rows, columns] => (rows, columns),
+            [along] => (1, dataset.shape()[along]),
+            [across, along] => (dataset.shape()[across], dataset.shape()[along]),
             _ => return Ok(None),
         };
         if !is_number || rows == 0 || columns == 0 {
@@ -154,7 +165,7 @@ impl File {
             )));
         }
         let attributes = attributes(&dataset)?;
-        Ok(Some(NumberArray { path: path.to_owned(), shape, is_profile: axes.len() == 1, kind, attributes, dataset }))
+        Ok(Some(NumberArray { path: path.to_owned(), shape, axes, kind, attributes, dataset }))
     }
 }
 
@@ -182,10 +193,10 @@ fn attributes(dataset: &Dataset) -> io::Result<Vec<Attribute>> {
     let all = dataset.raw_attributes().map_err(damaged)?;
     let read = all.into_iter().take(ATTRIBUTES).map(|it| {
         let (message, _) = it.into_parts();
-        let value = AttributeValue::new(dataset, &message.datatype, &message.raw_data);
-        Attribute { name: message.name, value }
+        let value = AttributeValue::new(dataset, &message.datatype, &message.raw_data)?;
+        Ok(Attribute { name: message.name, value })
     });
-    Ok(read.collect())
+    read.collect()
 }
 
 /// An attribute of a dataset.
@@ -194,33 +205,38 @@ pub(super) struct Attribute {
     pub value: AttributeValue,
 }
 
-/// The texts and the numbers of an attribute or a record, in the order in which they are stored.
+/// The texts, the numbers and the references of an attribute or a record, each in the order in which they are stored.
 #[derive(Default)]
 pub(super) struct AttributeValue {
     pub texts: Vec<String>,
     pub numbers: Vec<f64>,
+    /// Addresses of datasets and groups.
+    pub references: Vec<u64>,
 }
 
 impl AttributeValue {
-    /// The value in the bytes of one or several elements.
-    fn new(dataset: &Dataset, kind: &Datatype, bytes: &[u8]) -> Self {
+    /// The value in the bytes of one or several elements. What is of another type is left out.
+    ///
+    /// # Errors
+    /// For a reference to a text or a list that is not there: without a unit, heights would be taken for others.
+    fn new(dataset: &Dataset, kind: &Datatype, bytes: &[u8]) -> io::Result<Self> {
         let mut value = Self::default();
-        value.add_all(dataset, kind, bytes);
-        value
+        value.add_all(dataset, kind, bytes)?;
+        Ok(value)
     }
 
     /// Adds all elements of a type.
-    fn add_all(&mut self, dataset: &Dataset, kind: &Datatype, bytes: &[u8]) {
-        let size = dtype_element_size(kind).unwrap_or(0);
-        if size > 0 {
-            bytes.chunks_exact(size).take(ITEMS).for_each(|element| self.add(dataset, kind, element));
+    fn add_all(&mut self, dataset: &Dataset, kind: &Datatype, bytes: &[u8]) -> io::Result<()> {
+        match dtype_element_size(kind).unwrap_or(0) {
+            0 => Ok(()),
+            size => bytes.chunks_exact(size).take(ITEMS).try_for_each(|element| self.add(dataset, kind, element)),
         }
     }
 
-    /// Adds what an element holds. What has another type, or refers to something that is not there, is left out.
-    fn add(&mut self, dataset: &Dataset, kind: &Datatype, bytes: &[u8]) {
-        if self.texts.len() + self.numbers.len() >= ITEMS {
-            return;
+    /// Adds what an element holds.
+    fn add(&mut self, dataset: &Dataset, kind: &Datatype, bytes: &[u8]) -> io::Result<()> {
+        if self.texts.len() + self.numbers.len() + self.references.len() >= ITEMS {
+            return Ok(());
         }
         match kind {
             Datatype::Compound { fields, .. } => {
@@ -228,28 +244,30 @@ impl AttributeValue {
                     let size = dtype_element_size(&field.datatype).unwrap_or(0);
                     let start = field.byte_offset as usize;
                     if let Some(part) = bytes.get(start..start.saturating_add(size)) {
-                        self.add(dataset, &field.datatype, part);
+                        self.add(dataset, &field.datatype, part)?;
                     }
                 }
             }
-            Datatype::Array { base, .. } => self.add_all(dataset, base, bytes),
+            Datatype::Array { base, .. } => self.add_all(dataset, base, bytes)?,
             Datatype::String { size: StringSize::Fixed(_), .. } => self.add_text(bytes),
             Datatype::String { .. } | Datatype::VarLen { kind: VarLenKind::String, .. } => {
-                if let Ok(text) = dataset.resolve_vlen_reference_bytes(bytes, 1) {
-                    self.add_text(&text);
-                }
+                self.add_text(&dataset.resolve_vlen_reference_bytes(bytes, 1).map_err(damaged)?);
             }
             Datatype::VarLen { base, .. } => {
-                let size = dtype_element_size(base).unwrap_or(0);
-                if let Ok(inner) = dataset.resolve_vlen_reference_bytes(bytes, size) {
-                    self.add_all(dataset, base, &inner);
+                let size = dtype_element_size(base).map_err(damaged)?;
+                let inner = dataset.resolve_vlen_reference_bytes(bytes, size).map_err(damaged)?;
+                self.add_all(dataset, base, &inner)?;
+            }
+            Datatype::Reference { ref_type: ReferenceType::Object, size: 8 } => {
+                self.references.push(ByteReader::new(bytes).u64()?);
+            }
+            _ => {
+                if let Some((number, is_big)) = number_type(kind) {
+                    self.numbers.push(number.read(&mut ByteReader::new(bytes).big_endian(is_big))?);
                 }
             }
-            _ => self.numbers.extend(
-                number_type(kind)
-                    .and_then(|(number, is_big)| number.read(&mut ByteReader::new(bytes).big_endian(is_big)).ok()),
-            ),
         }
+        Ok(())
     }
 
     fn add_text(&mut self, bytes: &[u8]) {
@@ -325,16 +343,43 @@ pub(super) struct NumberArray {
     pub path: String,
     /// Rows and columns; an array along one axis has one row.
     pub shape: [usize; 2],
-    pub is_profile: bool,
+    /// Which of the axes of the dataset have more than one point.
+    axes: Vec<usize>,
     kind: NumberKind,
     pub attributes: Vec<Attribute>,
     dataset: Dataset,
 }
 
 impl NumberArray {
+    pub fn is_profile(&self) -> bool {
+        self.axes.len() == 1
+    }
+
+    /// Its place in the file, by which others refer to it.
+    pub fn address(&self) -> u64 {
+        self.dataset.address()
+    }
+
+    /// The addresses of the coordinates along its axes of more than one point, the slow one first; none if it does not state them all.
+    pub fn coordinates(&self) -> Option<Vec<u64>> {
+        let scales = &self.attribute("DIMENSION_LIST")?.references;
+        // With several scales for an axis, the list does not say where those of the next one begin once it is flat.
+        (scales.len() == self.dataset.ndim()).then(|| self.axes.iter().map(|axis| scales[*axis]).collect())
+    }
+
     /// The value of an attribute.
     pub fn attribute(&self, name: &str) -> Option<&AttributeValue> {
         self.attributes.iter().find(|it| it.name == name).map(|it| &it.value)
+    }
+
+    /// The last part of its path.
+    pub fn name(&self) -> &str {
+        self.path.rsplit('/').next().unwrap_or_default()
+    }
+
+    /// The first text of an attribute, empty if it has none.
+    pub fn text(&self, name: &str) -> &str {
+        self.attribute(name).map_or("", AttributeValue::text)
     }
 
     /// The first number of an attribute.
@@ -348,14 +393,18 @@ impl NumberArray {
         shown.filter(|(_, words)| !words.is_empty()).collect()
     }
 
-    /// What is read of its numbers on request: row by row, NaN where they are void.
-    pub fn values(&self, voids: &[&str]) -> impl FnOnce() -> io::Result<Vec<f64>> + use<> {
+    /// What is read of its numbers on request: row by row, NaN where they have the value of one of these attributes or another one.
+    pub fn values(&self, voids: &[&str], void: Option<f64>) -> impl FnOnce() -> io::Result<Vec<f64>> + use<> {
         let (dataset, NumberKind { number, is_big }) = (self.dataset.clone(), self.kind);
+        let length = self.shape[0] * self.shape[1] * number.size();
         // The mark of a void may be a double where the points are single.
         let rounded = move |value: f64| if number == NumberType::F32 { f64::from(value as f32) } else { value };
-        let voids: Vec<f64> = voids.iter().filter_map(|name| self.number(name)).map(rounded).collect();
+        let voids: Vec<f64> = voids.iter().filter_map(|name| self.number(name)).chain(void).map(rounded).collect();
         move || {
             let bytes = dataset.read_raw_bytes().map_err(damaged)?;
+            if bytes.len() != length {
+                return Err(malformed(format!("its points have {} bytes, not {length}", bytes.len())));
+            }
             let value = |bytes: &[u8]| {
                 let value = number.read(&mut ByteReader::new(bytes).big_endian(is_big))?;
                 Ok(if voids.contains(&value) { f64::NAN } else { value })

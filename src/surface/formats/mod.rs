@@ -14,6 +14,7 @@ mod channel;
 mod columns;
 #[cfg(feature = "microscopes")]
 mod compound;
+mod coordinates;
 #[cfg(feature = "microscopes")]
 mod datx;
 #[cfg(feature = "microscopes")]
