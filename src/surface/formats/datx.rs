@@ -3,7 +3,7 @@
 use super::channel::{Channel, listed};
 use super::format::malformed;
 use super::hdf5::{ArraysBeside, arrays, channel};
-use super::hdf5_file::{AttributeValue, File, MAGIC, NumberArray};
+use super::hdf5_file::{AttributeValue, HdfFile, MAGIC, NumberArray};
 use super::instrument::Instrument;
 use super::unit::metres;
 use std::io;
@@ -37,13 +37,14 @@ fn is_it(bytes: &[u8]) -> bool {
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    let file = File::new(bytes)?;
-    let linked = linked(&file)?;
-    let is_surface = |path: &str| match &linked[..] {
-        [] => PLACES.iter().any(|place| path.starts_with(place)),
-        paths => paths.iter().any(|it| it.trim_matches('/') == path),
+    let file = HdfFile::new(bytes)?;
+    let (mut found, linked) = (arrays(&file)?, linked(&file)?);
+    let is_linked = |path: &str| linked.iter().any(|it| it.trim_matches('/') == path);
+    let has_links = found.iter().any(|it| is_linked(&it.0));
+    let is_surface = |path: &str| match has_links {
+        true => is_linked(path),
+        false => PLACES.iter().any(|place| path.starts_with(place)),
     };
-    let mut found = arrays(&file)?;
     found.sort_by_key(|(path, _)| !is_surface(path));
     let mut all: Vec<(String, io::Result<Channel>)> = Vec::new();
     for (path, array) in found {
@@ -61,10 +62,10 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 /// The paths of all surfaces to which links lead.
-fn linked(file: &File) -> io::Result<Vec<String>> {
+fn linked(file: &HdfFile) -> io::Result<Vec<String>> {
     let links = file.datasets()?.into_iter().find(|it| it.0 == LINKS);
     let Some((_, Ok(links))) = links else { return Ok(Vec::new()) };
-    let rows = file.records(&links)?;
+    let rows = HdfFile::records(&links)?;
     let mut places = vec!["Root".to_owned()];
     for link in ["Measurement", "Surface", "Path"] {
         let is_next =

@@ -4,7 +4,7 @@ use super::cdf::FILL;
 use super::channel::{Channel, listed};
 use super::coordinates::{AxisCoordinates, GridAxes};
 use super::format::malformed;
-use super::hdf5_file::{File, MAGIC, NumberArray};
+use super::hdf5_file::{HdfFile, MAGIC, NumberArray};
 use super::instrument::Instrument;
 use super::limits::check_channels;
 use super::unit::metres;
@@ -46,7 +46,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
     let is_netcdf = OF_NETCDF4.iter().any(|name| bytes.windows(name.len()).any(|part| part == *name));
     let mut beside = ArraysBeside { void: is_netcdf.then_some(FILL), ..ArraysBeside::default() };
     let mut found = Vec::new();
-    for (path, array) in arrays(&File::new(bytes)?)? {
+    for (path, array) in arrays(&HdfFile::new(bytes)?)? {
         match array {
             Ok(scale) if scale.text("CLASS") == "DIMENSION_SCALE" => beside.scales.push(scale),
             Ok(mask) if mask.name() == MASK => beside.masks.push(mask),
@@ -67,7 +67,7 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 ///
 /// # Errors
 /// For more arrays than are read.
-pub(super) fn arrays(file: &File) -> io::Result<Vec<(String, io::Result<NumberArray>)>> {
+pub(super) fn arrays(file: &HdfFile) -> io::Result<Vec<(String, io::Result<NumberArray>)>> {
     let mut found = Vec::new();
     for (path, dataset) in file.datasets()? {
         let array = dataset.and_then(|it| file.array(&path, it)).transpose();

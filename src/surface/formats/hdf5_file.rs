@@ -4,6 +4,7 @@ use super::bytes::{ByteReader, latin};
 use super::format::malformed;
 use super::limits::{HDF5_DEPTH, HDF5_LINKS, HDF5_OBJECT_HEADER, LARGEST_RATIO, TAG_TEXT, check_points};
 use super::number_type::NumberType;
+use hdf5_reader::btree_v1::collect_btree_v1_leaves_storage;
 use hdf5_reader::btree_v2::BTreeV2Header;
 use hdf5_reader::error::Result;
 use hdf5_reader::group::Group;
@@ -20,6 +21,10 @@ pub(super) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 const ATTRIBUTES: usize = 128;
 /// The most texts and numbers of an attribute that are read: those that say what heights mean have a few.
 const ITEMS: usize = 16;
+/// The most bytes of a dataset of records: the links of Zygo Mx have a few thousand.
+const RECORDS: usize = 1 << 20;
+/// Where the number of symbols is in a node of symbols.
+const SYMBOLS: u64 = 6;
 /// Where sign, exponent and fraction of single and double precision are in the description of a type, the least significant byte first: offset
 /// and number of bits, place and bits of the exponent and of the fraction, and the bias of the exponent. Other formats of floating point exist.
 const IEEE_SINGLE: [u8; 12] = [0, 0, 32, 0, 23, 8, 0, 23, 127, 0, 0, 0];
@@ -30,13 +35,13 @@ const IEEE_DOUBLE: [u8; 12] = [0, 0, 64, 0, 52, 11, 0, 52, 0xff, 3, 0, 0];
 /// # Source
 /// "HDF5 File Format Specification Version 3.0" (The HDF Group), as the crate `hdf5-reader` reads it: chunks that are packed with deflate,
 /// shuffle, szip, nbit and scale-offset, check sums, and all versions of headers and indices. External files are not opened.
-pub(super) struct File {
+pub(super) struct HdfFile {
     file: Hdf5File,
     /// Its bytes.
     length: usize,
 }
 
-impl File {
+impl HdfFile {
     /// # Errors
     /// For a file that is damaged at its start.
     pub fn new(bytes: &[u8]) -> io::Result<Self> {
@@ -109,21 +114,29 @@ impl File {
         Ok(stated.and_then(|_| group.member_names()))
     }
 
-    /// The number of links in a group of the newer kind, by its header; groups of the older kind do not say it.
+    /// The number of links in a group, as its header, its index or, for groups of the older kind, the nodes of its symbols say it.
     fn links(&self, group: &Group) -> Result<u64> {
-        let header = self.file.get_or_parse_header(group.address())?;
+        let (storage, offset_size, length_size) = (self.file.storage(), group.offset_size(), group.length_size());
         let mut count: u64 = 0;
-        for message in &header.messages {
-            count = count.saturating_add(match message {
-                HdfMessage::Link(_) => 1,
-                HdfMessage::LinkInfo(info)
-                    if !Cursor::is_undefined_offset(info.fractal_heap_address, group.offset_size()) =>
-                {
-                    let (place, sizes) = (info.btree_name_index_address, [group.offset_size(), group.length_size()]);
-                    BTreeV2Header::parse_at_storage(self.file.storage(), place, sizes[0], sizes[1])?.total_records
+        for message in &self.file.get_or_parse_header(group.address())?.messages {
+            match message {
+                HdfMessage::Link(_) => count += 1,
+                HdfMessage::LinkInfo(info) if !Cursor::is_undefined_offset(info.fractal_heap_address, offset_size) => {
+                    let index = info.btree_name_index_address;
+                    let index = BTreeV2Header::parse_at_storage(storage, index, offset_size, length_size)?;
+                    count = count.saturating_add(index.total_records);
                 }
-                _ => 0,
-            });
+                HdfMessage::SymbolTable(table) => {
+                    let tree = table.btree_address;
+                    let nodes =
+                        collect_btree_v1_leaves_storage(storage, tree, offset_size, length_size, None, &[], None)?;
+                    for (_, node) in nodes {
+                        let symbols = storage.read_range(node.saturating_add(SYMBOLS), 2)?;
+                        count += u64::from(Cursor::new(&symbols).read_u16_le()?);
+                    }
+                }
+                _ => (),
+            }
         }
         Ok(count)
     }
@@ -131,8 +144,12 @@ impl File {
     /// The rows of a dataset of records, each with the texts and the numbers in it.
     ///
     /// # Errors
-    /// For a dataset that is damaged.
-    pub fn records(&self, dataset: &Dataset) -> io::Result<Vec<AttributeValue>> {
+    /// For a dataset that is damaged, and for one that is too long.
+    pub fn records(dataset: &Dataset) -> io::Result<Vec<AttributeValue>> {
+        let length = dataset.raw_byte_len().map_err(damaged)?;
+        if length > RECORDS {
+            return Err(malformed(format!("its dataset of links has {length} bytes, but at most {RECORDS} are read")));
+        }
         let size = dataset.raw_element_size().map_err(damaged)?.max(1);
         let bytes = dataset.read_raw_bytes().map_err(damaged)?;
         bytes.chunks(size).map(|row| AttributeValue::new(dataset, dataset.dtype(), row)).collect()
@@ -189,18 +206,18 @@ fn damaged(error: hdf5_reader::error::Error) -> io::Error {
 }
 
 /// The attributes of a dataset.
-fn attributes(dataset: &Dataset) -> io::Result<Vec<Attribute>> {
+fn attributes(dataset: &Dataset) -> io::Result<Vec<HdfAttribute>> {
     let all = dataset.raw_attributes().map_err(damaged)?;
     let read = all.into_iter().take(ATTRIBUTES).map(|it| {
         let (message, _) = it.into_parts();
         let value = AttributeValue::new(dataset, &message.datatype, &message.raw_data)?;
-        Ok(Attribute { name: message.name, value })
+        Ok(HdfAttribute { name: message.name, value })
     });
     read.collect()
 }
 
 /// An attribute of a dataset.
-pub(super) struct Attribute {
+pub(super) struct HdfAttribute {
     pub name: String,
     pub value: AttributeValue,
 }
@@ -346,7 +363,7 @@ pub(super) struct NumberArray {
     /// Which of the axes of the dataset have more than one point.
     axes: Vec<usize>,
     kind: NumberKind,
-    pub attributes: Vec<Attribute>,
+    pub attributes: Vec<HdfAttribute>,
     dataset: Dataset,
 }
 
