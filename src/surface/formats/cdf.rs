@@ -9,7 +9,7 @@ const MOST: u64 = 128;
 /// Numbers of an attribute that are shown.
 const SHOWN: usize = 8;
 /// What the format fills in for floating point numbers where nothing is written.
-const FILL: f64 = 9.969_209_968_386_869e36;
+pub(super) const FILL: f64 = 9.969_209_968_386_869e36;
 
 /// A file whose values are not read before they are asked for.
 pub(super) struct File<'a> {

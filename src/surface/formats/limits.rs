@@ -35,6 +35,17 @@ pub(super) const XML_ATTRIBUTES: usize = 1024;
 #[cfg(feature = "microscopes")]
 const CHANNELS: usize = 64;
 
+/// The most groups within each other in a file of HDF5: paths of all its datasets then have at most as many times the bytes of the file.
+#[cfg(feature = "microscopes")]
+pub(super) const HDF5_DEPTH: usize = 32;
+/// The most links of the groups of a file of HDF5, which lead to groups and datasets. A soft link may lead through a thousand others: the worst
+/// file with so many of them (17 kB) takes two seconds.
+#[cfg(feature = "microscopes")]
+pub(super) const HDF5_LINKS: u64 = 256;
+/// The most bytes of the header of a dataset or group of HDF5. Attributes of more than 64 kB are stored elsewhere.
+#[cfg(feature = "microscopes")]
+pub(super) const HDF5_OBJECT_HEADER: usize = 1 << 20;
+
 /// The most bytes of the text of a tag. Many tags of a file may share one text, so that a short file would hold any number of long ones.
 #[cfg(feature = "microscopes")]
 pub(super) const TAG_TEXT: usize = 1 << 14;

@@ -14,6 +14,9 @@ mod channel;
 mod columns;
 #[cfg(feature = "microscopes")]
 mod compound;
+mod coordinates;
+#[cfg(feature = "microscopes")]
+mod datx;
 #[cfg(feature = "microscopes")]
 mod entries;
 mod export;
@@ -21,6 +24,10 @@ mod format;
 #[cfg(feature = "microscopes")]
 mod frt;
 mod gwy;
+#[cfg(feature = "microscopes")]
+mod hdf5;
+#[cfg(feature = "microscopes")]
+mod hdf5_file;
 mod height_file;
 #[cfg(feature = "microscopes")]
 mod hfm;
@@ -131,6 +138,10 @@ const INSTRUMENTS: &[Instrument] = &[
     mnt::INSTRUMENT,
     nanoscope::INSTRUMENT,
     netcdf::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    datx::INSTRUMENT,
+    #[cfg(feature = "microscopes")]
+    hdf5::INSTRUMENT,
     #[cfg(feature = "microscopes")]
     nid::INSTRUMENT,
     opd::INSTRUMENT,

@@ -2,9 +2,9 @@
 
 use super::cdf::{File, ValueType, Variable};
 use super::channel::Channel;
-use super::format::malformed;
+use super::coordinates::{AxisCoordinates, GridAxes};
 use super::instrument::Instrument;
-use super::unit::{lateral, metres, ratio};
+use super::unit::metres;
 use std::io;
 
 /// A header of dimensions, attributes and variables, and the values of each variable at a place that the header says, the most significant
@@ -15,55 +15,24 @@ use std::io;
 /// `add_offset` turn numbers into values.
 ///
 /// # Source
-/// "NetCDF Classic Format Specification" (Unidata), and the layout that contact.engineering describes for the files that it writes. NetCDF-4
-/// and variables along an unlimited dimension are refused.
+/// "NetCDF Classic Format Specification" (Unidata), and the layout that contact.engineering describes for the files that it writes. Variables
+/// along an unlimited dimension are refused; NetCDF-4 is another format.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "NetCDF (classic)", is_it, channels };
 
-/// What NetCDF-4 and all files of HDF5 begin with.
-const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
-/// Names in files of NetCDF-4.
-const OF_NETCDF4: [&[u8]; 3] = [b"_NCProperties", b"_Netcdf4Dimid", b"_Netcdf4Coordinates"];
-/// A name in files of Zygo Mx.
-const OF_ZYGO: &[u8] = b"Z Converter";
 /// The variable of heights in files of contact.engineering.
 const HEIGHTS: &str = "heights";
 /// The variable that marks void points.
 const MASK: &str = "mask";
-/// Relative deviation of coordinates that are called evenly spaced.
-const TOLERANCE: f64 = 1e-4;
 
 fn is_it(bytes: &[u8]) -> bool {
-    bytes.starts_with(HDF5) || [1, 2, 5].iter().any(|version| bytes.starts_with(&[b'C', b'D', b'F', *version]))
+    [1, 2, 5].iter().any(|version| bytes.starts_with(&[b'C', b'D', b'F', *version]))
 }
 
 fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
-    if bytes.starts_with(HDF5) {
-        return Err(malformed(of_hdf5(bytes)));
-    }
     let file = File::new(bytes)?;
     let mut candidates: Vec<_> = file.variables.iter().filter(|it| file.may_be_heights(it)).collect();
     candidates.sort_by_key(|it| (it.name != HEIGHTS, it.dimensions.len() == 1));
     Ok(candidates.into_iter().map(|it| Channel::or_unreadable(&it.name, file.channel(it))).collect())
-}
-
-/// How to convert a file of HDF5 to one that is read, by the names in it, which stand in it as text.
-fn of_hdf5(bytes: &[u8]) -> String {
-    let has = |name: &[u8]| bytes.windows(name.len()).any(|part| part == name);
-    if OF_NETCDF4.iter().any(|name| has(name)) {
-        return "it is a NetCDF-4 file: convert it with `nccopy -k classic OLD.nc NEW.nc`".to_owned();
-    }
-    let peer = "`from SurfaceTopography import read_topography; read_topography('FILE').to_netcdf('NEW.nc')`";
-    let list = "`h5py.File('FILE').visit(print)` lists the arrays in it";
-    let save = "`numpy.save('NEW.npy', h5py.File('FILE')['ARRAY'][()])` writes one of them, without its units and its mark of voids";
-    if has(OF_ZYGO) {
-        return format!(
-            "it is a .datx file of Zygo Mx, which is HDF5 and not read: in Python, {peer} writes its heights with their units"
-        );
-    }
-    format!(
-        "it is an HDF5 file (as .h5, .datx and .h5-jpk are), which is not read: in Python, {peer} writes the heights of a .datx file or of the \
-         Contact Mechanics Challenge; of others {list}, and {save}"
-    )
 }
 
 impl<'a> File<'a> {
@@ -82,35 +51,23 @@ impl<'a> File<'a> {
 
     /// The channel of a variable.
     fn channel(&self, variable: &Variable) -> io::Result<Channel<'a>> {
-        let [rows, columns] = self.data(variable)?.0;
+        let in_file = self.data(variable)?.0;
         let is_profile = variable.dimensions.len() == 1;
-        let is_turned = self.names(variable) == ["x", "y"];
-        let [y, x] = if is_turned || is_profile { [1, 0] } else { [0, 1] }.map(|place| self.axis(variable, place));
-        let [y, x] = [y?, x?];
-        if !is_profile && (x.uneven.is_some() || y.uneven.is_some()) {
-            return Err(malformed("its map has coordinates that are not evenly spaced"));
-        }
-        let [ny, nx] = if is_turned { [columns, rows] } else { [rows, columns] };
-        let (number, is_back) = (self.numbers(variable)?, [y.is_back(), x.is_back()]);
-        let place = move |i: usize| {
-            let [iy, ix] = [i / nx, i % nx];
-            let [iy, ix] = [if is_back[0] { ny - 1 - iy } else { iy }, if is_back[1] { nx - 1 - ix } else { ix }];
-            if is_turned { ix * ny + iy } else { iy * nx + ix }
+        let axes = match is_profile {
+            true => [AxisCoordinates::default(), self.axis(variable, 0)?],
+            false => [self.axis(variable, 0)?, self.axis(variable, 1)?],
         };
-        let values = move || Ok((0..ny * nx).map(|i| number(place(i))).collect());
-        let across = if is_profile { x.step } else { y.step.map(|it| it * ratio(y.unit, x.unit)) };
-        let along = if is_profile { x.unit } else { lateral(y.unit, x.unit) };
-        let unit = variable.unit();
-        Ok(Channel {
+        let axes = GridAxes::new(axes, is_profile, self.names(variable) == ["x", "y"])?;
+        let (number, places) = (self.numbers(variable)?, axes.places(in_file));
+        let (unit, along) = (variable.unit(), axes.unit());
+        let map = Channel::map(&variable.name, axes.shape(in_file), move || Ok(places.map(number).collect()));
+        Ok(axes.spaced(Channel {
             is_height: unit.is_empty() || metres(unit).is_some(),
             is_profile,
-            spacing: across.zip(x.step).map(|(y, x)| [y.abs(), x.abs()]),
-            positions: x.uneven.filter(|_| is_profile),
-            lateral_unit: along,
             unit: metres(unit).or(along.filter(|_| unit.is_empty() && variable.name == HEIGHTS)),
             header: self.header(variable),
-            ..Channel::map(&variable.name, [ny, nx], values)
-        })
+            ..map
+        }))
     }
 
     /// The values of a variable by their places, NaN where they are void or masked.
@@ -131,51 +88,14 @@ impl<'a> File<'a> {
             return Ok(AxisCoordinates::default());
         };
         let ([_, count], data) = self.data(coordinates)?;
-        let axis = AxisCoordinates { unit: metres(coordinates.unit()), ..AxisCoordinates::default() };
-        if let Some(length) = coordinates.number("length") {
-            if length.is_nan() || length <= 0.0 {
-                return Err(malformed(format!("its {:?} has the length {length:?}", coordinates.name)));
-            }
-            return Ok(AxisCoordinates { step: Some(length / count as f64), ..axis });
-        }
         let value = coordinates.values();
-        let positions: Vec<f64> = (0..count).map(|i| value(data, i).unwrap_or(f64::NAN)).collect();
-        Ok(match step(&positions) {
-            Some(step) => AxisCoordinates { step: Some(step), ..axis },
-            None if count > 1 => AxisCoordinates { uneven: Some(positions), ..axis },
-            None => axis,
-        })
+        let positions = (0..count).map(|i| value(data, i).unwrap_or(f64::NAN)).collect();
+        AxisCoordinates::new(&coordinates.name, positions, metres(coordinates.unit()), coordinates.number("length"))
     }
 
     /// The attributes of the file and of a variable.
     fn header(&self, variable: &Variable) -> Vec<(String, String)> {
         let attributes = self.attributes.iter().chain(&variable.attributes);
         attributes.map(|it| (it.name.clone(), it.text.clone())).collect()
-    }
-}
-
-/// The distance of positions that are evenly spaced, at least two.
-fn step(positions: &[f64]) -> Option<f64> {
-    let (first, last) = (positions.first()?, positions.last()?);
-    let step = (last - first) / (positions.len() as f64 - 1.0);
-    let is_even = |(i, x): (usize, &f64)| (x - first - step * i as f64).abs() <= TOLERANCE * step.abs();
-    positions.iter().enumerate().all(is_even).then_some(step)
-}
-
-/// An axis of a map or a profile.
-#[derive(Default)]
-struct AxisCoordinates {
-    /// The distance of points that are evenly spaced, negative where coordinates fall.
-    step: Option<f64>,
-    /// Metres in its unit.
-    unit: Option<f64>,
-    /// Coordinates that are not evenly spaced.
-    uneven: Option<Vec<f64>>,
-}
-
-impl AxisCoordinates {
-    /// Whether its coordinates fall from point to point.
-    fn is_back(&self) -> bool {
-        self.step.is_some_and(|step| step < 0.0)
     }
 }

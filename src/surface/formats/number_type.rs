@@ -12,6 +12,8 @@ pub(super) enum NumberType {
     I16,
     U32,
     I32,
+    U64,
+    I64,
     F32,
     F64,
 }
@@ -23,7 +25,7 @@ impl NumberType {
             Self::U8 | Self::I8 => 1,
             Self::U16 | Self::I16 => 2,
             Self::U32 | Self::I32 | Self::F32 => 4,
-            Self::F64 => 8,
+            Self::U64 | Self::I64 | Self::F64 => 8,
         }
     }
 
@@ -36,6 +38,8 @@ impl NumberType {
             Self::I16 => at.i16()?.into(),
             Self::U32 => at.u32()?.into(),
             Self::I32 => at.i32()?.into(),
+            Self::U64 => at.u64()? as f64,
+            Self::I64 => at.i64()? as f64,
             Self::F32 => at.f32()?.into(),
             Self::F64 => at.f64()?,
         })

@@ -4,7 +4,7 @@ use super::{Folder, LOAD, OUTPUTS, folder, refuse_in_one_sentence, text};
 use crate::measured::binaries::{
     self, al3d, bcr, frt, ibw, jpk, metropro, mi, nanoscope, nid, opd, opdx, plu, sdf, tmd, vk4, wsxm,
 };
-use crate::measured::containers::{self, gwy, netcdf, plux, sur, x3p};
+use crate::measured::containers::{self, gwy, hdf5, netcdf, plux, sur, x3p};
 use asperity::surface::Measurement;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -68,6 +68,7 @@ fn files_of_absurd_sizes_are_refused() {
     refuse_files(&[
         ("a.al3d", changed(al3d::file(), &in_tag("5\0\0\0\0\0\0\0\0"), &in_tag("999999999")), "999999999"),
         ("a.gwy", changed(gwy::file(), b"xres\0i\x05\0\0\0", &[&b"xres\0i"[..], &many].concat()), "2147483647"),
+        ("a.h5", hdf5::huge(), "1000000 x 1000000"),
         ("a.spm", changed(samples, b"line: 5\r\n", b"line: 2147483647\r\n"), "2147483647"),
         ("a.nc", changed(netcdf::file(), b"x\0\0\0\0\0\0\x05", b"x\0\0\0\x7f\xff\xff\xff"), "2147483647"),
         ("a.opd", changed(opd::file(), b"\x05\0\x04\0\x04\0", b"\xff\xff\xff\xff\x04\0"), "65535"),

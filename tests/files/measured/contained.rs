@@ -206,14 +206,69 @@ fn netcdf_has_attributes_and_profiles() {
     is_uneven("netcdf", &read(&containers::netcdf::profile(), None));
 }
 
+/// Compares the heights of a map without distances with what was written.
+fn has_heights(name: &str, measured: &Measurement) {
+    assert!(measured.spacing.is_none() && measured.is_in_metres && !measured.is_profile, "{name}");
+    assert_eq!(measured.height.dim(), SHAPE.into(), "{name}");
+    for ((iy, ix), &found) in measured.height.indexed_iter() {
+        let told = if [iy, ix] == VOID { f64::NAN } else { height(ix, iy) * 1e-9 };
+        assert!(is_same(found, told), "{name}: {found} at {ix}, {iy}, not {told}");
+    }
+}
+
 #[test]
-fn files_of_hdf5_say_how_to_convert_them() {
-    let reason =
-        |rest: &[u8]| Measurement::from_bytes(&[b"\x89HDF\r\n\x1a\n", rest].concat(), None).unwrap_err().to_string();
-    assert!(reason(b"....\0_NCProperties\0").contains("nccopy -k classic"));
-    for (rest, file) in [(&b"...."[..], "an HDF5 file"), (b"..Z Converter..", "a .datx file of Zygo Mx")] {
-        let told = reason(rest);
-        assert!(told.contains(file) && told.contains("read_topography('FILE').to_netcdf('NEW.nc')"), "{told}");
-        assert!(!told.contains("nccopy"), "{told}");
+fn arrays_of_hdf5_are_listed_once_by_their_paths() {
+    let file = containers::hdf5::plain();
+    let measured = read(&file, None);
+    assert_eq!((measured.format, measured.channel.as_str()), ("HDF5 (NetCDF-4)", "alias"));
+    assert_eq!(measured.channels, ["alias", "scan/line"]);
+    has_heights("integers", &measured);
+    assert_eq!([entry(&measured, "operator"), entry(&measured, "_FillValue")], ["me", "-32768"]);
+    let line = read(&file, Some("scan/line"));
+    assert!(line.is_profile && line.is_in_metres);
+    assert!(line.height.iter().zip([3e-6, 1e-6, 4e-6]).all(|(found, told)| is_same(*found, told)));
+    let amplitude = Measurement::from_bytes(&file, Some("scan/amplitude")).unwrap_err().to_string();
+    assert!(amplitude.contains("contains no heights: choose one of \"alias\", \"scan/line\""), "{amplitude}");
+}
+
+#[test]
+fn packed_chunks_of_hdf5_are_unpacked() {
+    let file = containers::hdf5::packed();
+    let measured = read(&file, None);
+    assert_eq!(measured.channels, ["z", "series"], "a length before values without a unit");
+    has_heights("chunks", &measured);
+    let series = read(&file, Some("series"));
+    assert!(!series.is_in_metres && !series.is_profile);
+    assert_eq!(series.height[[2, 4]], 32.0, "288 in one byte");
+}
+
+#[test]
+fn scales_of_hdf5_say_where_points_are() {
+    let file = containers::hdf5::scales();
+    assert_eq!(read(&file, None).channels, ["heights", "profile"]);
+    is_uneven("netcdf 4", &read(&file, Some("profile")));
+}
+
+#[test]
+fn surfaces_of_datx_come_before_other_arrays() {
+    let measured = read(&containers::hdf5::zygo(), None);
+    assert_eq!((measured.format, &measured.channels[..]), ("Zygo Mx (DATX)", &["Surface".to_owned()][..]));
+    assert_eq!(entry(&measured, "Z Converter"), "HeightCat NanoMeters 0 0.5 0.0000005 1.25");
+    let other = Measurement::from_bytes(&containers::hdf5::zygo(), Some("Data/Intensity/{8}")).unwrap_err().to_string();
+    assert!(other.contains("contains no heights: choose one of \"Surface\""), "{other}");
+}
+
+#[test]
+fn hdf5_that_is_refused() {
+    let reason = |file: &[u8]| Measurement::from_bytes(file, None).unwrap_err().to_string();
+    let start = b"\x89HDF\r\n\x1a\n";
+    assert!(reason(&[start, &[0; 100][..]].concat()).starts_with("it is damaged or not supported HDF5: "));
+    let huge = containers::hdf5::huge();
+    assert!(reason(&huge).starts_with("its 1000000 x 1000000 points do not fit in memory"), "{}", reason(&huge));
+    for file in [containers::hdf5::plain(), containers::hdf5::packed(), containers::hdf5::zygo()] {
+        for length in [8, 48, 100, file.len() / 2, file.len() - 1] {
+            let read = Measurement::from_bytes(&file[..length], None);
+            assert!(read.as_ref().map_or(true, |it| !it.unreadable.is_empty()), "{length}: {read:?}");
+        }
     }
 }

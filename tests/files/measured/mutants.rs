@@ -1,7 +1,7 @@
 //! Files with errors in them: whatever they are, they are read or refused, in little memory, and what is read can be prepared or not.
 
 use super::binaries::{self, ibw};
-use super::containers::{self, SHAPE, plux, x3p, xlsx};
+use super::containers::{self, SHAPE, hdf5, plux, x3p, xlsx};
 use super::texts;
 use asperity::error::{SetupError, SurfaceError};
 use asperity::setup::{Cell, Recipe};
@@ -164,6 +164,13 @@ fn files_with_errors_do_no_harm() {
         let file = file();
         assert!(Measurement::from_bytes(&file, None).is_ok(), "{name}");
         survive(name, seed as u64, |random| mutant(&file, random));
+    }
+}
+
+#[test]
+fn arrays_of_hdf5_with_errors_do_no_harm() {
+    for (seed, file) in [hdf5::plain(), hdf5::packed(), hdf5::huge()].iter().enumerate() {
+        survive("hdf5", 110 + seed as u64, |random| mutant(file, random));
     }
 }
 

@@ -1,6 +1,7 @@
-//! Small files of instruments, written here after the formats' descriptions.
+//! Small files of instruments, written here after the formats' descriptions, but for those of HDF5.
 
 pub mod gwy;
+pub mod hdf5;
 pub mod mnt;
 pub mod netcdf;
 pub mod plux;
@@ -21,6 +22,9 @@ pub const VOID: [usize; 2] = [1, 3];
 pub type Writer = fn() -> Vec<u8>;
 /// All files, by names for people.
 pub const ALL: &[(&str, Writer)] = &[
+    ("datx", hdf5::zygo),
+    ("datx in fringes", hdf5::fringes),
+    ("netcdf 4", hdf5::scales),
     ("gwy", gwy::file),
     ("mnt", mnt::file),
     ("mnt of 16 bits", mnt::short),
