@@ -53,7 +53,7 @@ def test_the_distribution_says_what_it_is() -> None:
     assert found.version == asp.__version__ == said.split()[1]
     assert found.metadata["License-Expression"] == "MIT OR Apache-2.0"
     licences = {file.name: file.read_text() for file in found.files or [] if "licenses" in file.parts}
-    assert set(licences) == {"LICENSE-APACHE", "LICENSE-MIT"} and all(len(text) > 1000 for text in licences.values())
+    assert set(licences) == {"LICENSE-APACHE", "LICENSE-MIT", "licences.txt"} and all(len(text) > 1000 for text in licences.values())
     classifiers = found.metadata.get_all("Classifier") or []
     assert {"Intended Audience :: Science/Research", "Programming Language :: Python :: 3.10", "Typing :: Typed"} <= set(classifiers)
     assert set(found.metadata.get_all("Provides-Extra") or []) == {"notebook", "study", "test"}

@@ -29,6 +29,7 @@ mod imprint;
 mod inspect;
 mod interrupt;
 mod iteration;
+mod licences;
 mod load_curve;
 mod man;
 mod measurement;
@@ -127,6 +128,8 @@ enum Command {
     /// Every step gets a certificate, and is recorded and compared with the solution, like the steps of asperity's own
     /// solvers.
     Inspect(Box<inspect::Inspect>),
+    /// Print the licences of all libraries and fonts in the program
+    Licences(licences::Licences),
     /// Write the manual pages
     ///
     /// All pages are written to standard output, or to a new folder with one page per command.
@@ -239,6 +242,7 @@ fn carry_out(Cli { command, style }: Cli) -> anyhow::Result<ExitStatus> {
         Command::Demo(demo) => demo.run(),
         Command::Explore(explore) => explore.run(),
         Command::Inspect(inspect) => inspect.run(),
+        Command::Licences(licences) => licences.run(),
         Command::Man(man) => man.run(Cli::command()),
         Command::Merge(merge) => merge.run(),
         Command::Paper(paper) => paper.run(),

@@ -171,7 +171,7 @@ fn pipes_get_neither_colours_nor_bars_and_no_color_is_heeded() {
 #[cfg(unix)]
 #[test]
 fn a_reader_may_go_before_the_end() {
-    for words in [&["man"][..], &["completions", "bash"]] {
+    for words in [&["man"][..], &["completions", "bash"], &["licences"]] {
         let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_asperity"));
         let program = program.args(words).stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
         let mut child = program.spawn().unwrap();

@@ -7,6 +7,7 @@ mod flow;
 mod heights;
 mod in_vain;
 mod interruption;
+mod licences;
 mod load_curves;
 mod measured;
 mod memory;
