@@ -571,6 +571,7 @@ fn contact_on_filled_heights_is_counted() {
 #[test]
 fn a_tilt_hides_no_artefact() {
     let truth = rough(0.8, 6.0, 900);
+    let rms = rms(&truth);
     let mut it = Spoiler { random: ChaCha8Rng::seed_from_u64(9) };
     let settling = with_form(&truth, 20.0, |y, _| (-0.5 * N as f64 * (y + 1.0) / 8.0).exp());
     let spiked = it.spikes(&truth, 40, 1.0);
@@ -579,14 +580,14 @@ fn a_tilt_hides_no_artefact() {
         let level = Artefacts::new(&scan(&measured));
         assert!(!level.steps.is_none(), "map {number} has artefacts");
         for slopes in [[300.0, 0.0], [0.0, -300.0], [40.0, 70.0]] {
-            let plane = |(y, x): (usize, usize)| rms(&truth) * (slopes[0] * y as f64 + slopes[1] * x as f64) / N as f64;
+            let plane = |(y, x): (usize, usize)| rms * (slopes[0] * y as f64 + slopes[1] * x as f64) / N as f64;
             let tilted = Artefacts::new(&scan(&Array2::from_shape_fn((N, N), |node| measured[node] + plane(node))));
             assert_eq!(tilted.steps, level.steps, "map {number}, slopes {slopes:?}");
             assert!((tilted.area_error - level.area_error).abs() < 0.02, "map {number}, slopes {slopes:?}");
             // what is left is the same on the plane, but for the nodes that are just at a limit
             let off = |(node, h): ((usize, usize), &f64)| {
                 let there = level.rest.height[node];
-                (h.is_nan() != there.is_nan()) || (h - plane(node) - there).abs() > 0.05 * rms(&truth)
+                (h.is_nan() != there.is_nan()) || (h - plane(node) - there).abs() > 0.05 * rms
             };
             let other = tilted.rest.height.indexed_iter().filter(|it| off(*it)).count();
             assert!(other <= 8, "map {number}, slopes {slopes:?}: {other} nodes");
