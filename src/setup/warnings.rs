@@ -221,10 +221,10 @@ impl Recipe {
     fn warning_of<'p>(&self, artefact: &Artefact, error: f64, auto: impl Fn() -> &'p Preparation) -> Option<Warning> {
         let what = capital(&artefact.sentence());
         if let Some((key, value)) = step_against(artefact) {
-            let error = Some(error).filter(|it| *it >= Artefacts::TOLD)?;
-            let may_be_off = format!("The area may be off by up to {:.0} %", 100.0 * error);
+            let percent = Some(100.0 * error).filter(|_| error >= Artefacts::TOLD)?;
             if has_step_against(&self.prepare, artefact) {
-                let left = format!("{what}, which the preparation has left. {may_be_off}");
+                let left =
+                    format!("{what}, which the preparation has left. The area may be off by up to {percent:.0} %");
                 return Some(
                     Warning::new(left, "Look at the heights, or crop them").with_remedy("surface.prepare.crop", None),
                 );
@@ -233,7 +233,8 @@ impl Recipe {
                 true => ("surface.prepare.steps", "auto"),
                 false => (key, value),
             };
-            return Some(Warning::new(format!("{what}. {may_be_off}"), "Mend it").with_remedy(key, Some(value)));
+            let statement = format!("{what}. The area may be off by up to {percent:.0} %");
+            return Some(Warning::new(statement, "Mend it").with_remedy(key, Some(value)));
         }
         Some(match artefact {
             Artefact::Clipped { is_top: false, .. } => return None,
