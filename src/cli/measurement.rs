@@ -16,8 +16,8 @@ const SAME_SIZE: f64 = 1e-3;
 /// The part of the heights that may be sharper than the tip by chance; with more the tip has not measured these heights.
 const MOST_SHARPER: f64 = 0.05;
 
-/// The share of the highest heights of which it is told how many the tip has reached: about as many touch at the loads of most contacts.
-const HIGHEST: f64 = 0.1;
+/// The highest part of the nodes, of which the verdict says how much the tip has not reached. Elastic contacts of rough surfaces mostly cover less than a tenth.
+const HIGHEST_SHARE: f64 = 0.1;
 
 /// The flags of a measurement: the radius of its tip, and its repetition.
 #[derive(Args)]
@@ -46,7 +46,7 @@ struct TipReport {
     radius: f64,
     /// The part of the nodes that it has not reached for certain.
     unreached_share: f64,
-    /// The same of the highest tenth of the nodes.
+    /// The part of the highest tenth of the nodes that the tip has not reached for certain.
     unreached_share_of_highest: f64,
     /// The part of the nodes that are sharper than the tip, so that it cannot have measured them.
     sharper_share: f64,
@@ -105,7 +105,7 @@ impl TipReport {
         Ok(Self {
             radius,
             unreached_share: found.unreached_share(),
-            unreached_share_of_highest: found.unreached_share_of_highest(HIGHEST),
+            unreached_share_of_highest: found.unreached_share_of_highest(HIGHEST_SHARE),
             sharper_share: found.sharper_share(heights),
             rms_gradient: [heights.rms_gradient(), found.height.rms_gradient()],
             area_error: found.area_error(heights),

@@ -5,8 +5,8 @@ use super::format::malformed;
 use super::unit::{lateral, ratio};
 use std::io;
 
-/// Relative deviation of coordinates that are called evenly spaced.
-const TOLERANCE: f64 = 1e-4;
+/// Deviations of coordinates from even places, over their step, from which on they are uneven: texts and single precision round by less.
+const UNEVEN: f64 = 1e-4;
 
 /// An axis of a map or a profile.
 #[derive(Default)]
@@ -20,7 +20,7 @@ pub(super) struct AxisCoordinates {
 }
 
 impl AxisCoordinates {
-    /// An axis of a name with these coordinates in a unit of so many metres, or of some length, by which its points are periods apart.
+    /// The axis `name` with coordinates in a unit of `unit` metres. A `length` in the same unit is the length of the whole axis, which its points divide evenly.
     ///
     /// # Errors
     /// For a length that is not positive.
@@ -38,7 +38,7 @@ impl AxisCoordinates {
         })
     }
 
-    /// Whether its coordinates fall from point to point.
+    /// Whether the coordinates of the axis fall from point to point.
     fn is_back(&self) -> bool {
         self.step.is_some_and(|step| step < 0.0)
     }
@@ -48,7 +48,7 @@ impl AxisCoordinates {
 fn step(positions: &[f64]) -> Option<f64> {
     let (first, last) = (positions.first()?, positions.last()?);
     let step = (last - first) / (positions.len() as f64 - 1.0);
-    let is_even = |(i, x): (usize, &f64)| (x - first - step * i as f64).abs() <= TOLERANCE * step.abs();
+    let is_even = |(i, x): (usize, &f64)| (x - first - step * i as f64).abs() <= UNEVEN * step.abs();
     positions.iter().enumerate().all(is_even).then_some(step)
 }
 
@@ -74,7 +74,7 @@ impl GridAxes {
         Ok(Self { y, x, is_profile, is_turned })
     }
 
-    /// Rows and columns of an array that has so many of them in the file.
+    /// Rows and columns of a map, from the numbers of points along the slow and the fast axis of its array.
     pub fn shape(&self, [slow, fast]: [usize; 2]) -> [usize; 2] {
         if self.is_turned { [fast, slow] } else { [slow, fast] }
     }

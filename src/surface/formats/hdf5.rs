@@ -35,7 +35,7 @@ const VOIDS: [&str; 3] = ["_FillValue", "missing_value", "No Data"];
 const HEIGHTS: &str = "heights";
 /// The array that marks void points.
 const MASK: &str = "mask";
-/// What the attribute `NAME` of a dimension without coordinates begins with.
+/// The begin of the attribute `NAME` of a dimension without coordinates.
 const NO_COORDINATES: &str = "This is a netCDF dimension but not a netCDF variable";
 
 fn is_it(bytes: &[u8]) -> bool {
@@ -82,7 +82,7 @@ pub(super) fn arrays(file: &HdfFile) -> io::Result<Vec<(String, io::Result<Numbe
 pub(super) struct ArraysBeside {
     scales: Vec<NumberArray>,
     masks: Vec<NumberArray>,
-    /// What is filled in where nothing is written.
+    /// The number that stands where nothing was written.
     void: Option<f64>,
 }
 
@@ -109,7 +109,7 @@ impl ArraysBeside {
     }
 }
 
-/// The coordinates of so many points that a scale states.
+/// The coordinates that a scale states, for a number of points.
 fn axis(scale: &NumberArray, count: usize) -> io::Result<AxisCoordinates> {
     if scale.text("NAME").starts_with(NO_COORDINATES) {
         return Ok(AxisCoordinates::default());
@@ -127,7 +127,7 @@ fn unit(array: &NumberArray) -> &str {
     UNITS.iter().map(|name| array.text(name)).find(|unit| !unit.is_empty()).unwrap_or_default()
 }
 
-/// What is read of the values of an array on request, NaN where they are void.
+/// A function that reads the values of an array, NaN where they are void.
 fn values(array: &NumberArray, void: Option<f64>) -> impl FnOnce() -> io::Result<Vec<f64>> + use<> {
     let [scale, offset] = [array.number("scale_factor").unwrap_or(1.0), array.number("add_offset").unwrap_or(0.0)];
     let numbers = array.values(&VOIDS, void);

@@ -15,14 +15,14 @@ use hdf5_reader::{
 };
 use std::io;
 
-/// What a file of HDF5 begins with.
+/// The first bytes of a file of HDF5.
 pub(super) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 /// The most attributes of a dataset that are read.
 const ATTRIBUTES: usize = 128;
 /// The most texts and numbers of an attribute that are read: those that say what heights mean have a few.
-const ITEMS: usize = 16;
+const MOST_ITEMS: usize = 16;
 /// The most bytes of a dataset of records: the links of Zygo Mx have a few thousand.
-const RECORDS: usize = 1 << 20;
+const MOST_RECORD_BYTES: usize = 1 << 20;
 /// Where the number of symbols is in a node of symbols.
 const SYMBOLS: u64 = 6;
 /// Where sign, exponent and fraction of single and double precision are in the description of a type, the least significant byte first: offset
@@ -147,8 +147,10 @@ impl HdfFile {
     /// For a dataset that is damaged, and for one that is too long.
     pub fn records(dataset: &Dataset) -> io::Result<Vec<AttributeValue>> {
         let length = dataset.raw_byte_len().map_err(damaged)?;
-        if length > RECORDS {
-            return Err(malformed(format!("its dataset of links has {length} bytes, but at most {RECORDS} are read")));
+        if length > MOST_RECORD_BYTES {
+            return Err(malformed(format!(
+                "its dataset of links has {length} bytes, but at most {MOST_RECORD_BYTES} are read"
+            )));
         }
         let size = dataset.raw_element_size().map_err(damaged)?.max(1);
         let bytes = dataset.read_raw_bytes().map_err(damaged)?;
@@ -200,7 +202,7 @@ fn joined(group: &str, name: &str) -> String {
     if group.is_empty() { name.to_owned() } else { format!("{group}/{name}") }
 }
 
-/// What is wrong with a file, as the library says it.
+/// The error of a damaged file, in the words of the library.
 fn damaged(error: hdf5_reader::error::Error) -> io::Error {
     malformed(format!("it is damaged or not supported HDF5: {error}"))
 }
@@ -246,13 +248,13 @@ impl AttributeValue {
     fn add_all(&mut self, dataset: &Dataset, kind: &Datatype, bytes: &[u8]) -> io::Result<()> {
         match dtype_element_size(kind).unwrap_or(0) {
             0 => Ok(()),
-            size => bytes.chunks_exact(size).take(ITEMS).try_for_each(|element| self.add(dataset, kind, element)),
+            size => bytes.chunks_exact(size).take(MOST_ITEMS).try_for_each(|element| self.add(dataset, kind, element)),
         }
     }
 
     /// Adds what an element holds.
     fn add(&mut self, dataset: &Dataset, kind: &Datatype, bytes: &[u8]) -> io::Result<()> {
-        if self.texts.len() + self.numbers.len() + self.references.len() >= ITEMS {
+        if self.texts.len() + self.numbers.len() + self.references.len() >= MOST_ITEMS {
             return Ok(());
         }
         match kind {
@@ -410,7 +412,7 @@ impl NumberArray {
         shown.filter(|(_, words)| !words.is_empty()).collect()
     }
 
-    /// What is read of its numbers on request: row by row, NaN where they have the value of one of these attributes or another one.
+    /// A function that reads the numbers row by row, NaN where a number is equal to `void` or to the value of an attribute of the names `voids`.
     pub fn values(&self, voids: &[&str], void: Option<f64>) -> impl FnOnce() -> io::Result<Vec<f64>> + use<> {
         let (dataset, NumberKind { number, is_big }) = (self.dataset.clone(), self.kind);
         let length = self.shape[0] * self.shape[1] * number.size();

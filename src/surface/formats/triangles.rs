@@ -17,15 +17,15 @@ use std::io;
 /// "SLC/STL file specification" of 3D Systems, 1989.
 pub(super) const INSTRUMENT: Instrument = Instrument { name: "STL", is_it, channels };
 
-/// What files of this program begin with.
+/// The text with which files of this program begin.
 pub(super) const TITLE: &[u8] = b"surface of asperity in millimetres";
 /// The nodes along the longer side of a body whose corners are no grid.
 const LONGER_SIDE: usize = 512;
 /// Bytes of the text before the number of triangles, and of a triangle: its normal, its corners and two bytes more.
-const TEXT: usize = 80;
-const TRIANGLE: usize = 50;
+const TEXT_BYTES: usize = 80;
+const TRIANGLE_BYTES: usize = 50;
 /// Bytes among which a file in text has its first triangle.
-const FIRST: usize = 1024;
+const FIRST_FACET_WITHIN: usize = 1024;
 /// Places of corners that differ by less than this part of the longer side are the same: they have single precision.
 const SAME_PLACE: f64 = 2e-6;
 /// How far beyond its edges a triangle covers nodes, over its size: nodes on a common edge of two triangles are covered by both.
@@ -42,13 +42,13 @@ fn is_it(bytes: &[u8]) -> bool {
 
 /// Whether a file has the length that its number of triangles says.
 fn is_binary(bytes: &[u8]) -> bool {
-    let Some(count) = bytes.get(TEXT..TEXT + 4).and_then(|it| it.try_into().ok()) else { return false };
+    let Some(count) = bytes.get(TEXT_BYTES..TEXT_BYTES + 4).and_then(|it| it.try_into().ok()) else { return false };
     let count = u32::from_le_bytes(count) as usize;
-    count > 0 && count.checked_mul(TRIANGLE).is_some_and(|length| bytes.len() - TEXT - 4 == length)
+    count > 0 && count.checked_mul(TRIANGLE_BYTES).is_some_and(|length| bytes.len() - TEXT_BYTES - 4 == length)
 }
 
 fn is_text(bytes: &[u8]) -> bool {
-    let head = &bytes[..bytes.len().min(FIRST)];
+    let head = &bytes[..bytes.len().min(FIRST_FACET_WITHIN)];
     head.trim_ascii_start().starts_with(b"solid") && head.windows(5).any(|word| word == b"facet")
 }
 
@@ -66,8 +66,8 @@ fn channels(bytes: &[u8]) -> io::Result<Vec<Channel<'_>>> {
 }
 
 fn of_binary(bytes: &[u8]) -> io::Result<Vec<Triangle>> {
-    let mut at = ByteReader::new(bytes).seek(TEXT + 4)?;
-    let mut triangles = Vec::with_capacity(at.rest().len() / TRIANGLE);
+    let mut at = ByteReader::new(bytes).seek(TEXT_BYTES + 4)?;
+    let mut triangles = Vec::with_capacity(at.rest().len() / TRIANGLE_BYTES);
     while !at.rest().is_empty() {
         at.take(12)?;
         let mut corners = Triangle::default();

@@ -52,7 +52,7 @@ impl PreparationChoice {
         }
         let part = choice.cropped(scan);
         let scan = part.as_ref().unwrap_or(scan);
-        choice.made_of(&Survey::new(scan)?, scan, periodic)?;
+        choice.add_steps(&Survey::new(scan)?, scan, periodic)?;
         Ok(choice)
     }
 
@@ -65,12 +65,12 @@ impl PreparationChoice {
             return Self::new(scan, true, periodic);
         }
         let mut choice = Self { preparation: Preparation::default(), reasons: Vec::new() };
-        choice.made_of(survey, scan, periodic)?;
+        choice.add_steps(survey, scan, periodic)?;
         Ok(choice)
     }
 
     /// Adds the steps after resampling and cropping, of some heights and their survey.
-    fn made_of(&mut self, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Result<(), SurfaceError> {
+    fn add_steps(&mut self, survey: &Survey, scan: &Scan, periodic: [bool; 2]) -> Result<(), SurfaceError> {
         let artefacts = &survey.found;
         self.mend(artefacts, scan);
         let voids = artefacts.rest.voids();

@@ -3,12 +3,12 @@
 use crate::surface::Scan;
 use ndarray::{ArrayView1, Axis};
 
-/// The factors by which maps are enlarged, the largest first: every sixth of the heights of a map that is enlarged three times would be one of two as well.
+/// The factors by which maps are enlarged, the largest first: a map that is enlarged four times has bends at every second node at most, as well.
 const FACTORS: [usize; 4] = [5, 4, 3, 2];
 /// The fewest nodes along an axis.
-const FEWEST: usize = 32;
+const FEWEST_NODES: usize = 32;
 /// The most lines whose bends are looked at.
-const LINES: usize = 64;
+const MOST_LINES: usize = 64;
 /// Bends between the heights that were measured, over the usual one at them, up to which they are rounding: linear interpolation has no bends there, and
 /// heights in single precision have some. Of rough heights the usual bends at all nodes are the same but for chance.
 const NO_BEND: f64 = 0.02;
@@ -18,11 +18,11 @@ const NEARLY_ALL: f64 = 0.9;
 /// By how many times a map or a profile was enlarged along an axis by linear interpolation: it bends at every second, third, ... node only.
 pub(super) fn interpolated(scan: &Scan, axis: usize) -> Option<usize> {
     let nodes = scan.shape()[axis];
-    if nodes < FEWEST {
+    if nodes < FEWEST_NODES {
         return None;
     }
     let lanes = scan.height.lanes(Axis(axis)).into_iter();
-    let every = (scan.height.len() / nodes).div_ceil(LINES);
+    let every = (scan.height.len() / nodes).div_ceil(MOST_LINES);
     let lines: Vec<_> = lanes.step_by(every).collect();
     FACTORS.into_iter().find(|factor| {
         let all: Vec<Vec<f64>> =

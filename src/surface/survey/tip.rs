@@ -78,7 +78,7 @@ impl TipReach {
         1.0 - certain as f64 / measured.max(1) as f64
     }
 
-    /// The same of the highest measured nodes, a share of all: a rigid surface is touched there first.
+    /// The part of the highest measured nodes, a share `share` of all, that the tip has not reached for certain. A contact begins at the highest nodes.
     pub fn unreached_share_of_highest(&self, share: f64) -> f64 {
         let mut nodes: Vec<(f64, bool)> = self
             .height
