@@ -87,7 +87,7 @@ async function startViewer() {
   byId("viewer").append(canvas);
   const focused = document.activeElement;
   const handle = new wasm_bindgen.WebHandle({
-    url: isView ? [nextTo("recording.rrd")] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
+    url: isView ? [nextTo(document.body.dataset.recording)] : null, hide_welcome_screen: true, enable_history: false, notebook: !isView,
     render_backend: query.get("renderer"), on_viewer_event: heardViewer,
     panel_state_overrides: isView ? {} : { top: "Hidden", blueprint: "Hidden", selection: "Hidden", time: "Hidden" },
   });

@@ -76,7 +76,7 @@ impl SiteExport {
     /// # Errors
     /// For a folder that cannot be created, for a run that cannot be solved, and for an interruption.
     pub fn write(&self, folder: &Path, goes_on: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Result<(), Failure> {
-        let page = Page::new("explore")?;
+        let page = Page::new("explore", String::new())?;
         let (session, solver) = worker::start(Stock { every: Some(EVERY), ..Stock::default() }, 0);
         let written = fill_folder(folder, |draft| {
             let (site, section) = self.site(&session, draft, goes_on)?;

@@ -6,7 +6,8 @@
 //!   +----(Report)-----+<---(Turn)------------+
 //! ```
 //!
-//! Page, viewer, state and growing recordings all use one port of the loopback interface. Each tab has its own session
+//! Page, viewer, state and growing recordings all use one port of the loopback interface, and are for those who have the key in the address that is
+//! printed. Each tab has its own session
 //! in [`Sessions`], and a request changes only this session. Saved files are downloads of the browser.
 
 mod export;
@@ -18,6 +19,7 @@ mod patience;
 mod policy;
 mod route;
 mod server;
+mod server_key;
 mod sessions;
 mod site;
 mod stream;

@@ -2,6 +2,7 @@
 
 use super::language;
 use super::policy::IN_PAGE;
+use super::sessions::unguessable;
 use super::site::{Reply, Site};
 use super::stream::RecordingBytes;
 use crate::explore::{self, Request};
@@ -83,6 +84,8 @@ pub struct Page {
     module: Bytes,
     /// `explore` for controls and viewer, `view` for the viewer alone.
     mode: &'static str,
+    /// The path of the recording that the viewer alone shows.
+    recording: String,
 }
 
 /// A file of the viewer, which stays where it is.
@@ -102,7 +105,7 @@ fn written(path: &str) -> Option<Reply> {
 
 impl Page {
     /// The page; fails if the viewer is not in the binary, as builds for special purposes leave it out.
-    pub fn new(mode: &'static str) -> io::Result<Self> {
+    pub fn new(mode: &'static str, recording: String) -> io::Result<Self> {
         let viewer = Arc::new(WebViewerData::load(None).map_err(io::Error::other)?);
         let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
         Ok(Self {
@@ -111,6 +114,7 @@ impl Page {
             viewer: file(WebViewerData::viewer_js),
             module: file(WebViewerData::viewer_wasm),
             mode,
+            recording,
         })
     }
 
@@ -156,13 +160,16 @@ impl Page {
 
     fn html(&self) -> String {
         let html = include_str!("../../assets/explore/explore.html");
-        html.replace("{mode}", self.mode).replace("{version}", env!("CARGO_PKG_VERSION"))
+        let html = html.replace("{mode}", self.mode).replace("{recording}", &self.recording);
+        html.replace("{version}", env!("CARGO_PKG_VERSION"))
     }
 }
 
-/// The viewer, and the one recording that it shows.
+/// The viewer, and the one recording that it shows, at a path that nobody can guess.
 pub struct Viewing {
     page: Page,
+    /// The path below `/`.
+    recording: String,
     file: PathBuf,
 }
 
@@ -172,15 +179,24 @@ impl Viewing {
     /// # Errors
     /// If the viewer is not in the binary.
     pub fn new(file: PathBuf) -> io::Result<Self> {
-        Ok(Self { page: Page::new("view")?, file })
+        let recording = format!("{}/recording.rrd", unguessable());
+        Ok(Self { page: Page::new("view", recording.clone())?, recording, file })
+    }
+
+    fn is_recording(&self, path: &str) -> bool {
+        path.strip_prefix('/') == Some(&self.recording)
     }
 }
 
 impl Site for Viewing {
+    fn is_secret(&self, path: &str) -> bool {
+        self.is_recording(path)
+    }
+
     fn reply(&self, request: &Request<'_>) -> Reply {
         match request.path {
             _ if request.method != "GET" => Reply::wrong_method("GET"),
-            "/recording.rrd" => match File::open(&self.file) {
+            path if self.is_recording(path) => match File::open(&self.file) {
                 Ok(file) => Reply::Recording(RecordingBytes::File(file), None),
                 Err(error) => Reply::Error(404, error.to_string().into()),
             },

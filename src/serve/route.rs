@@ -45,7 +45,7 @@ impl Explorer {
     /// # Errors
     /// If the viewer is not in the binary.
     pub fn new(sessions: Arc<Sessions>, start: Knobs, lessons: Vec<Lesson>) -> io::Result<Self> {
-        Ok(Self { page: Page::new("explore")?, sessions, start, lessons })
+        Ok(Self { page: Page::new("explore", String::new())?, sessions, start, lessons })
     }
 
     /// A file of the page, or a new session.
@@ -129,6 +129,10 @@ impl Site for Explorer {
             Some((_, "/api/heights")) => Intake { kind: "application/octet-stream", most: MOST_HEIGHTS },
             _ => Intake::JSON,
         }
+    }
+
+    fn is_secret(&self, path: &str) -> bool {
+        split(path).is_some_and(|(name, below)| below.starts_with("/run/") && self.sessions.has(name))
     }
 
     fn reply(&self, request: &Request<'_>) -> Reply {

@@ -3,14 +3,15 @@
 use super::guard;
 use super::patience::PatientStream;
 use super::policy::IN_HEADER;
+use super::server_key::ServerKey;
 use super::site::{Intake, Reply, Site};
 use crate::explore::{RefusalRule, Request};
 use axum::Router;
 use axum::body::{Body, HttpBody, to_bytes};
 use axum::extract::{Request as Incoming, State};
 use axum::http::header::{
-    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, REFERRER_POLICY,
-    X_CONTENT_TYPE_OPTIONS,
+    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderValue, LOCATION, REFERRER_POLICY,
+    SET_COOKIE, X_CONTENT_TYPE_OPTIONS,
 };
 use axum::http::{Method, Response, StatusCode};
 use hyper::server::conn::http1;
@@ -39,10 +40,11 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Longest time that open connections go on at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
 
-/// A port of the loopback interface, taken.
+/// A port of the loopback interface, taken, and the key to what is served there.
 pub struct Server {
     listener: TcpListener,
     port: u16,
+    key: ServerKey,
 }
 
 impl Server {
@@ -62,7 +64,7 @@ impl Server {
         let listener = bound?;
         listener.set_nonblocking(true)?;
         let port = listener.local_addr()?.port();
-        Ok(Self { listener, port })
+        Ok(Self { listener, port, key: ServerKey::for_login() })
     }
 
     /// The port.
@@ -70,9 +72,16 @@ impl Server {
         self.port
     }
 
-    /// Where the page is.
+    /// Where the page is, with the key.
     pub fn address(&self) -> String {
-        format!("http://127.0.0.1:{}/", self.port)
+        format!("http://127.0.0.1:{}/?{}", self.port, self.key.query())
+    }
+
+    /// Where the page is, for a browser that is started with this address: it leads there once, since other users of the machine can read the
+    /// command lines of programs.
+    pub fn address_for_once(&self) -> String {
+        let query = self.key.query_for_once().unwrap_or_default();
+        format!("http://127.0.0.1:{}/?{query}", self.port)
     }
 
     /// Serves `site` until the process is interrupted or asked to end.
@@ -92,7 +101,7 @@ impl Server {
 
     async fn serve(self, site: impl Site) -> io::Result<()> {
         let listener = tokio::net::TcpListener::from_std(self.listener)?;
-        let served = Served { site, port: self.port, taken: Arc::default() };
+        let served = Served { site, port: self.port, key: self.key, taken: Arc::default() };
         let router = Router::new().fallback(answer).with_state(Arc::new(served));
         tokio::select! {
             served = accept(listener, router) => served,
@@ -160,6 +169,7 @@ impl Drop for Delivery {
 struct Served<S> {
     site: S,
     port: u16,
+    key: ServerKey,
     /// Whether a request has the right of [`Delivery`].
     taken: Arc<AtomicBool>,
 }
@@ -170,6 +180,12 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
         if head.method == Method::POST { served.site.intake(head.uri.path()) } else { Intake::JSON };
     if let Some((status, sentence)) = guard::refuse(&head.method, &head.headers, served.port, kind) {
         return response(Reply::Error(status, sentence.into()));
+    }
+    if !served.site.is_secret(head.uri.path()) && !served.key.is_in(&head.headers, served.port) {
+        return match served.key.entrance(&head.uri) {
+            Some(address) => entered(&address, &served.key.cookie(served.port)),
+            None => response(Reply::Error(403, NO_KEY.into())),
+        };
     }
     if guard::announced(&head.headers) > most as u64 {
         return response(too_large(most));
@@ -191,6 +207,21 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
     };
     let replied = tokio::task::spawn_blocking(reply).await;
     response(replied.unwrap_or_else(|_| Reply::Error(500, RefusalRule::NoAnswer.into())))
+}
+
+/// What is said to a request without the key.
+const NO_KEY: &str = "other users of this machine may not use this server: open the address that asperity printed when it began, with its key";
+
+/// Sends a browser that has the key on to the page, with a cookie.
+fn entered(address: &str, cookie: &str) -> Response<Body> {
+    let mut response = response(Reply::Page("text/plain", "go on to the page".into()));
+    *response.status_mut() = StatusCode::SEE_OTHER;
+    for (name, value) in [(LOCATION, address), (SET_COOKIE, cookie)] {
+        if let Ok(value) = value.parse() {
+            response.headers_mut().insert(name, value);
+        }
+    }
+    response
 }
 
 /// Reads and discards at most `most` bytes of a body: a sender who is refused before everything is sent would see a

@@ -63,6 +63,11 @@ impl Sessions {
         Ok(name)
     }
 
+    /// Whether a session has this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.lock().iter().any(|it| it.name == name)
+    }
+
     /// The session with this name. This counts as a request.
     pub(super) fn session(&self, name: &str) -> Option<Arc<Session>> {
         let mut open = self.lock();
@@ -97,7 +102,7 @@ impl Open {
 }
 
 /// A name that cannot be guessed: 128 bits from random keys of the system.
-fn unguessable() -> String {
+pub(super) fn unguessable() -> String {
     let keys = RandomState::new();
     format!("{:016x}{:016x}", keys.hash_one(0), keys.hash_one(1))
 }

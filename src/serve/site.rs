@@ -63,6 +63,10 @@ pub trait Site: Send + Sync + 'static {
         Intake::JSON
     }
 
+    /// Whether a path has a part that nobody can guess. Who knows it has had the key, so it is served without the cookie: the viewer in the page
+    /// asks for recordings without cookies.
+    fn is_secret(&self, path: &str) -> bool;
+
     /// Answers a request; it may take its time.
     fn reply(&self, request: &Request<'_>) -> Reply;
 }

@@ -2,6 +2,7 @@
 
 use super::chromium::Chromium;
 use super::page::Page;
+use crate::explore::port_and_key;
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -12,6 +13,8 @@ use std::process::{Child, Command, Stdio};
 pub struct Explorer {
     process: Child,
     pub port: u16,
+    /// The key in its address.
+    key: String,
     /// The session whose state it tells.
     pub session: String,
 }
@@ -25,13 +28,14 @@ impl Explorer {
     pub fn start_at(port: u16) -> Self {
         let mut process = Command::new(env!("CARGO_BIN_EXE_asperity"))
             .args(["explore", "--no-open", "--port", &port.to_string()])
+            .env("XDG_RUNTIME_DIR", env!("CARGO_TARGET_TMPDIR")) // where the key is kept for one that is started again
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
         let mut said = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut said).unwrap();
-        let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
-        Self { process, port, session: String::new() }
+        let (port, key) = port_and_key(&said);
+        Self { process, port, key, session: String::new() }
     }
 
     /// Ends it without a word.
@@ -49,11 +53,19 @@ impl Explorer {
         format!("http://127.0.0.1:{}", self.port)
     }
 
+    /// The address of the page with the key, and with more in its query, which may end with a part after #.
+    pub fn address(&self, more: &str) -> String {
+        format!("{}/?key={}{more}", self.origin(), self.key)
+    }
+
     /// The state that the server reports of the session, asked without a browser.
     pub fn state(&self) -> Value {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
         let path = format!("/session/{}/api/state", self.session);
-        write!(stream, "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port).unwrap();
+        let (port, key) = (self.port, &self.key);
+        let cookie = format!("Cookie: asperity-{port}={key}");
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n{cookie}\r\nConnection: close\r\n\r\n")
+            .unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
         serde_json::from_str(answer.split_once("\r\n\r\n").unwrap().1).unwrap()
@@ -85,7 +97,7 @@ pub fn opened_in(chromium: Chromium, more: &str) -> (Explorer, Page) {
     let mut explorer = Explorer::start();
     let mut page = Page { chromium };
     page.resize(ROOMY);
-    page.follow(&format!("{}/?renderer=webgl&theme=dark{more}", explorer.origin()));
+    page.follow(&explorer.address(&format!("&renderer=webgl&theme=dark{more}")));
     page.until(
         "document.body.dataset.view === 'picture' || ['started', 'failed'].includes(document.body.dataset.viewer)",
     );

@@ -30,7 +30,7 @@ fn elsewhere(program: &Path, link: &str) -> Value {
     let explorer = Explorer::start();
     let mut page = Page { chromium: Chromium::without_graphics(program) };
     let (_, state) = link.split_once('#').unwrap();
-    page.follow(&format!("{}/?renderer=webgl&theme=dark&language=de#{state}", explorer.origin()));
+    page.follow(&explorer.address(&format!("&renderer=webgl&theme=dark&language=de#{state}")));
     page.until("isOpened");
     rested(&mut page);
     assert_eq!(page.text("document.documentElement.lang"), "de", "the reader's language stays");
@@ -74,7 +74,7 @@ fn a_link_shows_the_same_numbers_elsewhere() {
     let state = address.split_once('#').unwrap().1;
     let explorer = Explorer::start();
     let mut page = Page { chromium: Chromium::without_graphics(&program) };
-    page.follow(&format!("{}/?renderer=webgl&theme=dark#{state}", explorer.origin()));
+    page.follow(&explorer.address(&format!("&renderer=webgl&theme=dark#{state}")));
     page.until("document.body.dataset.lesson === '1'");
     page.click("answer-2");
     rested(&mut page);
@@ -125,7 +125,7 @@ fn addresses_that_are_none_do_no_harm() {
     assert_eq!(seen(&mut page), before, "an address that was refused has changed something");
     let hash = page.text("encodeURIComponent(JSON.stringify({ knobs: { ...knobs, load: 1e99 } }))");
     page.open("about:blank");
-    page.follow(&format!("{}/?renderer=webgl&theme=dark#{hash}", explorer.origin()));
+    page.follow(&explorer.address(&format!("&renderer=webgl&theme=dark#{hash}")));
     page.until("isOpened && byId('fault').innerText.includes('p* cannot be 1e+99')");
     page.click("dice");
     page.until("byId('fault').hidden");

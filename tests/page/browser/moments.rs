@@ -64,11 +64,11 @@ fn a_link_to_the_start_has_a_picture() {
     let explorer = Explorer::start();
     let mut page = Page { chromium: Chromium::without_graphics(&program) };
     page.resize([1440, 900]);
-    page.follow(&format!("{}/?theme=dark&view=picture", explorer.origin()));
+    page.follow(&explorer.address("&theme=dark&view=picture"));
     rested(&mut page);
     let state = page.text("encodeURIComponent(JSON.stringify({ knobs }))");
     page.chromium.open_tab();
-    page.follow(&format!("{}/?theme=dark&view=picture#{state}", explorer.origin()));
+    page.follow(&explorer.address(&format!("&theme=dark&view=picture#{state}")));
     rested(&mut page);
     assert_eq!(page.value("isWhole"), true);
 }

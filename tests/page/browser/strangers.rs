@@ -71,6 +71,8 @@ fn pages_of_others_get_nothing() {
     let mut explorer = Explorer::start();
     let rebound = format!("http://rebound.test:{}/", explorer.port);
     let mut page = Page { chromium: Chromium::start(&program) };
+    page.follow(&explorer.address(""));
+    page.until("document.readyState === 'complete'");
     page.open(&format!("{}/favicon.svg", explorer.origin()));
     let sent =
         |body: &str| format!("{{ method: 'POST', headers: {{ 'Content-Type': 'application/json' }}, body: {body} }}");

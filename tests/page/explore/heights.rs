@@ -16,9 +16,10 @@ const KIND: &str = "Content-Type: application/octet-stream\r\n";
 impl Page {
     fn head(&self, path: &str, headers: &str, length: usize) -> String {
         format!(
-            "POST {} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\nContent-Length: {length}\r\n{headers}\r\n",
+            "POST {} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\nContent-Length: {length}\r\n{}{headers}\r\n",
             self.full(path),
-            self.port
+            self.port,
+            self.cookie()
         )
     }
 
@@ -374,7 +375,7 @@ fn the_command_starts_with_a_file() {
     let mut said = [0; 256];
     let read = child.stdout.take().unwrap().read(&mut said).unwrap();
     let said = String::from_utf8_lossy(&said[..read]).into_owned();
-    let page = Page::new(said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap());
+    let page = Page::at(&said);
     let told = page.get("/api/heights").json();
     assert_eq!((told["name"].as_str(), &told["is_profile"]), (path.to_str(), &json!(true)));
     child.kill().unwrap();

@@ -21,7 +21,7 @@ mod yielding;
 use asperity::Stop;
 use asperity::contact::{Multilevel, Quantity, Solver};
 use asperity::explore::{Knobs, Lesson, Start};
-use asperity::serve::{Explorer, Server, Sessions};
+use asperity::serve::{Explorer, Server, Sessions, Viewing};
 use asperity::setup::Setup;
 use assert_cmd::Command;
 use rerun::components::Color;
@@ -36,6 +36,8 @@ use std::time::{Duration, Instant};
 /// An explorer on a port of its own.
 struct Page {
     port: u16,
+    /// The key in the address that is printed.
+    key: String,
     session: String,
 }
 
@@ -65,14 +67,20 @@ impl Page {
     /// A page of an explorer on a port of its own.
     fn serve(explorer: Explorer) -> Self {
         let server = Server::bind(0).unwrap();
-        let port = server.port();
+        let address = server.address();
         std::thread::spawn(move || server.run(explorer).unwrap());
-        Self::new(port)
+        Self::at(&address)
+    }
+
+    /// A page of the server whose address is in a text, with a session of its own.
+    fn at(text: &str) -> Self {
+        let (port, key) = port_and_key(text);
+        Self::new(port, key)
     }
 
     /// A page of the server on a port, with a session of its own.
-    fn new(port: u16) -> Self {
-        let page = Self { port, session: String::new() };
+    fn new(port: u16, key: String) -> Self {
+        let page = Self { port, key, session: String::new() };
         let begun = page.post("/api/session", "0");
         assert_eq!(begun.status, 200, "{}", begun.text());
         Self { session: begun.json()["session"].as_str().unwrap().into(), ..page }
@@ -84,6 +92,11 @@ impl Page {
         if is_below && path != "/api/session" { format!("/session/{}{path}", self.session) } else { path.into() }
     }
 
+    /// The line of a head with the cookie that a browser has, once it was at the address with the key.
+    fn cookie(&self) -> String {
+        format!("Cookie: asperity-{}={}\r\n", self.port, self.key)
+    }
+
     /// Sends `request` as it is and reads the answer.
     fn send(&self, request: &[u8]) -> Answer {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
@@ -93,11 +106,11 @@ impl Page {
     }
 
     fn ask(&self, method: &str, path: &str, headers: &str, body: &str) -> Answer {
-        let (port, length, path) = (self.port, body.len(), self.full(path));
+        let (port, length, path, cookie) = (self.port, body.len(), self.full(path), self.cookie());
         self.send(
             format!(
                 "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\nContent-Length: {length}\r\n\
-                 {headers}\r\n{body}"
+                 {cookie}{headers}\r\n{body}"
             )
             .as_bytes(),
         )
@@ -135,6 +148,12 @@ impl Page {
         }
         panic!("it never came");
     }
+}
+
+/// Port and key in what the program prints: `http://127.0.0.1:PORT/?key=KEY  (...)`.
+pub fn port_and_key(said: &str) -> (u16, String) {
+    let (port, rest) = said.split_once("127.0.0.1:").and_then(|(_, rest)| rest.split_once("/?key=")).unwrap();
+    (port.parse().unwrap(), rest.split_whitespace().next().unwrap().into())
 }
 
 fn answer(stream: TcpStream) -> Answer {
@@ -227,12 +246,86 @@ fn pages_of_others_are_refused() {
 fn own_pages_may_ask() {
     let page = Page::open();
     let port = page.port;
-    let local = format!("GET / HTTP/1.1\r\nHost: localhost:{port}\r\nConnection: close\r\n\r\n");
+    let local = format!("GET / HTTP/1.1\r\nHost: localhost:{port}\r\n{}Connection: close\r\n\r\n", page.cookie());
     assert_eq!(page.send(local.as_bytes()).status, 200);
     let own = format!("Origin: http://127.0.0.1:{port}\r\nSec-Fetch-Site: same-origin\r\n");
     assert_eq!(page.ask("GET", "/", &own, "").status, 200);
     let json = format!("{own}Content-Type: application/json\r\n");
     assert_eq!(page.ask("POST", "/api/cancel", &json, "{}").status, 200);
+}
+
+/// Other users of the machine reach the port as well. What they do not have is the key; the page of its address gives a cookie and leads on to an
+/// address that can be shared.
+#[test]
+fn those_without_the_key_are_refused() {
+    let page = Page::open();
+    let (port, key) = (page.port, &page.key);
+    let ask = |path: &str, cookie: &str| {
+        page.send(
+            format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n{cookie}Connection: close\r\n\r\n").as_bytes(),
+        )
+    };
+    let other = "0".repeat(key.len());
+    let state = page.full("/api/state");
+    for path in
+        ["/", "/explore.js", "/re_viewer_bg.wasm", &state, &format!("/?key={other}"), &format!("{state}?key={key}")]
+    {
+        for cookie in
+            [String::new(), page.cookie().replace(key, &other), page.cookie().replace("asperity-", "asperity")]
+        {
+            let refused = ask(path, &cookie);
+            assert_eq!(refused.status, 403, "{path}, {cookie}");
+            assert!(refused.text().contains("open the address that asperity printed"), "{}", refused.text());
+        }
+    }
+    let led = ask(&format!("/?language=de&key={key}"), "");
+    assert_eq!(led.status, 303);
+    assert!(led.headers.contains("location: /?language=de\r\n"), "{}", led.headers);
+    let cookie = format!("set-cookie: asperity-{port}={key}; path=/; httponly; samesite=strict");
+    assert!(led.headers.contains(&cookie), "{}", led.headers);
+    assert_eq!(ask("/", &page.cookie()).status, 200);
+    assert_eq!(ask(&state, &format!("Cookie: a=b; asperity-{port}={key}; c=d\r\n")).status, 200);
+}
+
+/// The viewer in the page asks for recordings without cookies. The name of the session in their paths is what others do not have.
+#[test]
+fn recordings_need_the_name_of_their_session() {
+    let page = Page::open();
+    let own = json!(Start::HertzLine.knobs());
+    page.solve(&own);
+    let ask = |path: &str| {
+        let head = format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", page.port);
+        page.send(head.as_bytes())
+    };
+    assert_eq!(ask(&page.full("/run/run-1.rrd")).status, 200);
+    for path in ["/save/run-1.rrd", "/api/state", "/run"] {
+        assert_eq!(ask(&page.full(path)).status, 403, "{path}");
+    }
+    for name in ["", "1", &page.key, &"0".repeat(page.session.len())] {
+        assert_eq!(ask(&format!("/session/{name}/run/run-1.rrd")).status, 403, "{name}");
+    }
+}
+
+/// A recording that is viewed has a path that nobody can guess, which the page alone tells.
+#[test]
+fn a_viewed_recording_has_a_secret_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.rrd");
+    std::fs::write(&file, "bytes of a recording").unwrap();
+    let server = Server::bind(0).unwrap();
+    let (port, key) = port_and_key(&server.address());
+    let viewing = Viewing::new(file).unwrap();
+    std::thread::spawn(move || server.run(viewing).unwrap());
+    let page = Page { port, key, session: String::new() };
+    let ask = |path: &str| {
+        page.send(format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n").as_bytes())
+    };
+    assert_eq!([ask("/").status, ask("/recording.rrd").status], [403, 403]);
+    let html = page.get("/").text().to_owned();
+    let path = html.split_once("data-recording=\"").unwrap().1.split('"').next().unwrap();
+    assert!(path.len() > 32, "{path}");
+    assert_eq!(ask(&format!("/{path}")).text(), "bytes of a recording");
+    assert_eq!(page.get("/recording.rrd").status, 404);
 }
 
 #[test]
@@ -395,7 +488,8 @@ fn hostile_requests_leave_it_running() {
     let large = "x".repeat(1 << 17);
     assert_eq!(page.post("/api/solve", &large).status, 413);
     let claim = format!(
-        "POST /api/session HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Type: application/json\r\nContent-Length: 99999999999999999\r\n\r\n{{"
+        "POST /api/session HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n{}Content-Type: application/json\r\nContent-Length: 99999999999999999\r\n\r\n{{",
+        page.cookie()
     );
     assert_eq!(page.send(claim.as_bytes()).status, 413);
     let endless_header = format!("GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nX: {}", "y".repeat(1 << 20));
@@ -410,7 +504,7 @@ fn hostile_requests_leave_it_running() {
 #[test]
 fn requests_that_stop_halfway_are_closed() {
     let page = Page::open();
-    let head = format!("GET / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n", page.port);
+    let head = format!("GET / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}", page.port, page.cookie());
     let open = |_| {
         let mut stream = TcpStream::connect(("127.0.0.1", page.port)).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(50))).unwrap();
@@ -710,7 +804,7 @@ fn a_recording_can_be_read_while_it_grows() {
     let id = page.wait(|state| state["run"]["numbers"]["status"] == "running")["run"]["id"].clone();
     let mut stream = TcpStream::connect(("127.0.0.1", page.port)).unwrap();
     let path = page.full(&format!("/run/{}.rrd", id.as_str().unwrap()));
-    write!(stream, "GET {path} HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", page.port).unwrap();
+    write!(stream, "GET {path} HTTP/1.1\r\nHost: localhost:{}\r\n{}\r\n", page.port, page.cookie()).unwrap();
     let mut first = [0; 1 << 12];
     stream.read_exact(&mut first).unwrap();
     assert_eq!(page.get("/api/state").json()["busy"], true);
@@ -779,8 +873,7 @@ fn ends_at(signal: &str) {
     let mut said = String::new();
     let mut out = BufReader::new(child.stdout.take().unwrap());
     out.read_line(&mut said).unwrap();
-    let port = said.split(':').nth(2).and_then(|rest| rest.split('/').next()).unwrap().parse().unwrap();
-    let page = Page::new(port);
+    let page = Page::at(&said);
     page.order("/api/solve", &endless());
     page.wait(|state| state["run"]["numbers"]["status"] == "running");
     std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 /// Another tab on the same server.
 fn beside(page: &Page) -> Page {
-    Page::new(page.port)
+    Page::new(page.port, page.key.clone())
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn the_session_of_a_tab_that_was_killed_makes_room() {
 fn names_that_are_none_are_refused() {
     let page = Page::open();
     for session in ["", "x", "..", &"0".repeat(32), &"9".repeat(4000), "%00", "session/session"] {
-        let other = Page { port: page.port, session: session.into() };
+        let other = Page { session: session.into(), key: page.key.clone(), port: page.port };
         for answer in [other.get("/api/state"), other.post("/api/solve", "{}"), other.get("/run/run-1.rrd")] {
             assert_eq!(answer.status, 410, "{session}: {}", answer.text());
         }
