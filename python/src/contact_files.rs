@@ -63,7 +63,7 @@ impl Contact {
 impl Contact {
     /// Writes fields, distributions, spectra, numbers and setup.
     fn write_archive(&self, path: &Path) -> Result<(), BoxedError> {
-        let text = Setup::new(self.setup.clone()).with_full_path().to_toml();
+        let text = Setup::new(self.setup.clone()).to_saved_table().to_toml();
         let bytes = match &self.slip {
             Some(slip) => archive_of_slip(slip, self.rank, Some(&text)),
             None => archive_of_state(&with_flow(self)?, self.rank, Some(&text)),

@@ -55,7 +55,7 @@ impl History {
 
     /// Writes the fields and numbers of all states.
     fn write_archive(&self, path: &Path, setup: &Setup) -> Result<(), BoxedError> {
-        let bytes = archive_of_states(&self.outcome.states, self.rank, &setup.with_full_path().to_toml());
+        let bytes = archive_of_states(&self.outcome.states, self.rank, &setup.to_saved_table().to_toml());
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
 }

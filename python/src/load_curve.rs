@@ -127,7 +127,7 @@ fn write_archive(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result
     let rank = contacts.first().map_or(1, |it| it.get().rank);
     let mut states = contacts.iter().map(|it| with_flow(it.get())).collect::<Result<Vec<_>, _>>()?;
     (0..).zip(&mut states).for_each(|(number, state)| state.point = Some(number));
-    let bytes = archive_of_states(&states, rank, &setup.with_full_path().to_toml());
+    let bytes = archive_of_states(&states, rank, &setup.to_saved_table().to_toml());
     Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
 }
 

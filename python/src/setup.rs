@@ -59,17 +59,18 @@ impl Setup {
         Self::from_table(table_from_sections(sections)?).map_err(py_error)
     }
 
-    /// The setup whose files are named by their full paths. An array of heights has none.
-    pub fn with_full_path(&self) -> Self {
-        let mut full = self.clone();
-        let files = full.setup.files_mut().filter(|file| file.path() != Path::new(ARRAY));
-        files.for_each(InputFile::make_absolute);
-        full
+    /// The table as it is saved: with the digests of its files.
+    pub fn to_saved_table(&self) -> SetupTable {
+        self.with_lists(self.setup.to_saved_table())
     }
 
     /// The table with its list of loads and its request for a grid.
     fn table(&self) -> SetupTable {
-        let mut table = self.setup.to_table();
+        self.with_lists(self.setup.to_table())
+    }
+
+    /// A table of this setup with what the setup alone does not have: the list of loads and the request for a grid.
+    fn with_lists(&self, mut table: SetupTable) -> SetupTable {
         table.lay_loads(self.loads.as_deref().unwrap_or_default());
         if let Some(Auto { tolerance, axes }) = self.refinement {
             table.lay("grid.area-tolerance", tolerance.into());
@@ -137,10 +138,10 @@ impl Setup {
         to_python(py, &self.sections())
     }
 
-    /// Writes the setup as a scene with the full paths of its files, to a file whose name ends in .toml.
+    /// Writes the setup as a scene with the digests of its files, to a file whose name ends in .toml.
     fn write(&self, path: PathBuf) -> PyResult<()> {
         check_output(&path, &["toml"], &self.setup)?;
-        self.with_full_path().table().write(&path).map_err(py_error)
+        self.to_saved_table().write_scene(&path).map_err(py_error)
     }
 
     /// The command that repeats the solve under the first load, without a recording.

@@ -116,7 +116,7 @@ impl Certify {
                 units: self.scene.units(),
                 mean: claim.mean(),
                 mean_pressure: problem.mean_pressure(),
-                setup: setup.with_full_path(),
+                setup,
                 grid,
             },
         )?;
@@ -164,7 +164,7 @@ impl Certify {
             (Some(path), "csv") => write_nodes(path, contact)?,
             (Some(path), _) if is_figure(path) => write_figure(path, &figure(), &self.style()?)?,
             (Some(path), _) => {
-                let bytes = archive(contact, setup.surface.rank(&setup.grid)?, Some(&setup.to_toml()));
+                let bytes = archive(contact, setup.surface.rank(&setup.grid)?, Some(&setup.to_saved_toml()));
                 write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
             }
             (None, _) => {}

@@ -37,6 +37,7 @@ pub struct ClaimReport {
     /// Common mistakes that explain why it does not hold.
     pub findings: Vec<Mistake>,
     pub warnings: Vec<String>,
+    #[serde(serialize_with = "Setup::serialize_saved")]
     pub setup: Setup,
     #[serde(skip)]
     pub grid: Grid,

@@ -90,7 +90,7 @@ impl Explore {
             (Begin::Scene(_), Some(_)) => return usage("a scene already has heights: leave --height out"),
             (Begin::Scene(path), None) => with_scene(path)?,
             (Begin::Start(start), Some(path)) => {
-                let heights = HeightFile::from(path.clone()).with_full_path();
+                let heights = HeightFile::from(path.clone());
                 let sessions = Sessions::with_heights(heights).map_err(|refusal| Usage(refusal.sentence))?;
                 (sessions, start.knobs())
             }
@@ -133,7 +133,7 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
         return usage("the page cannot use refine = auto or points = auto: give numbers");
     }
     let refused = |refusal: Refusal| Usage(refusal.sentence);
-    let setup = table.setup()?.with_full_path();
+    let setup = table.setup()?;
     setup.problem()?;
     let scene = SceneFile::new(setup).map_err(refused)?;
     let knobs = Knobs::from_scene(&scene).map_err(refused)?;
@@ -186,7 +186,7 @@ impl PageArgs {
         }
         writeln!(out, "{}  (press Ctrl-C to stop)", server.address())?;
         out.flush()?;
-        if !self.no_open && !open(&server.address()) {
+        if !self.no_open && !open(&server.address_for_once()) {
             writeln!(out, "No browser could be opened. Open the address above yourself.")?;
         }
         Ok(server)

@@ -175,7 +175,7 @@ impl<E: Extent> SceneArgs<E> {
 fn read(path: &Path) -> Result<SetupTable> {
     if let Some(setups) = asperity::record::setups(path)? {
         return match setups.as_slice() {
-            [setup] => Ok(SetupTable::from_toml(setup)?),
+            [setup] => Ok(SetupTable::from_toml(setup)?.with_files_of_result(path)?),
             more => {
                 usage(format!("{} contains {} setups: give a recording of one contact", path.display(), more.len()))
             }

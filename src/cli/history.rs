@@ -47,6 +47,7 @@ struct HistorySummary {
     #[serde(skip_serializing_if = "Option::is_none")]
     ended: Option<String>,
     warnings: Vec<String>,
+    #[serde(serialize_with = "Setup::serialize_saved")]
     setup: Setup,
 }
 
@@ -91,7 +92,7 @@ fn write_files(
     (outputs, units): (&Outputs, Units),
     warnings: Vec<String>,
 ) -> Result<()> {
-    let (subject, full) = (ProblemSummary::new(setup, problem)?, setup.clone().with_full_path());
+    let subject = ProblemSummary::new(setup, problem)?;
     let has_claims = outcome.kind.row().has_claims;
     if let Some(path) = outputs.table() {
         outcome.write_table(path)?;
@@ -118,7 +119,7 @@ fn write_files(
         energy_per_cycle_error: cycles.iter().map(|it| it.error).collect(),
         ended: outcome.ended.as_ref().map(HistoryError::to_string),
         warnings,
-        setup: full,
+        setup: setup.clone(),
         subject,
     };
     if outputs.json {
@@ -128,7 +129,7 @@ fn write_files(
     }
     warnings::print(&summary.warnings);
     if let Some(path) = outputs.archive() {
-        let bytes = archive_of_states(&outcome.states, summary.subject.rank, &summary.setup.to_toml());
+        let bytes = archive_of_states(&outcome.states, summary.subject.rank, &setup.to_saved_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     Ok(())

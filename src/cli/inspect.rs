@@ -163,7 +163,7 @@ impl Inspect {
             reference_certificate: reference.certificate.eta,
             last: Finding::new(setup, &contact),
             diagnosis: diagnosis.map(|diagnosis| diagnosis.findings()),
-            setup: setup.clone().with_full_path(),
+            setup: setup.clone(),
             grid: *problem.surface().grid(),
             units: self.scene.units(),
         };

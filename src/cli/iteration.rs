@@ -29,6 +29,7 @@ pub struct Iteration {
     /// Findings of `--diagnose`: why the iteration was slow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
+    #[serde(serialize_with = "Setup::serialize_saved")]
     pub setup: Setup,
     #[serde(skip)]
     pub grid: Grid,

@@ -25,6 +25,7 @@ pub struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Findings>,
     pub warnings: Vec<String>,
+    #[serde(serialize_with = "Setup::serialize_saved")]
     pub setup: Setup,
     #[serde(skip)]
     pub units: Units,

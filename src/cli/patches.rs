@@ -57,6 +57,7 @@ struct PatchSummary<'a> {
     states: Vec<PatchStateSummary<'a>>,
     events: &'a [PatchEvent],
     warnings: Vec<String>,
+    #[serde(serialize_with = "Setup::serialize_saved")]
     setup: Setup,
 }
 
@@ -85,7 +86,7 @@ impl PatchesCommand {
         let (subject, units) = (ProblemSummary::new(&setup, &problem)?, self.scene.units());
         if self.json {
             let states = patches.states.iter().map(|state| PatchStateSummary { state, sizes: state.sizes() }).collect();
-            let (events, setup) = (patches.events.as_slice(), setup.with_full_path());
+            let events = patches.events.as_slice();
             write_json(&PatchSummary { subject, states, events, warnings: warnings.clone(), setup }, &mut stdout())?;
         } else {
             let images = if setup.surface.prepare.mirror.is_some() { ", without mirror images" } else { "" };

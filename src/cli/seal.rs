@@ -45,6 +45,7 @@ struct SealSummary {
     subject: ProblemSummary,
     sealing: Vec<PercolationLoad>,
     warnings: Vec<String>,
+    #[serde(serialize_with = "Setup::serialize_saved")]
     setup: Setup,
     #[serde(skip)]
     units: Units,
@@ -68,7 +69,7 @@ impl Seal {
         };
         let sealing = axes.map(find).collect::<Result<_, _>>()?;
         let (subject, units) = (ProblemSummary::new(&setup, &problem)?, self.scene.units());
-        let summary = SealSummary { subject, sealing, warnings, setup: setup.with_full_path(), units };
+        let summary = SealSummary { subject, sealing, warnings, setup, units };
         if self.json {
             write_json(&summary, &mut stdout())?;
         } else {

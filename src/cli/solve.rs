@@ -228,7 +228,7 @@ impl Solve {
 
     /// Writes and prints what came out.
     fn write(&self, solved: Solved, diagnosis: Option<Findings>) -> Result<ExitStatus> {
-        let (outputs, full) = (&self.outputs, solved.setup.clone().with_full_path());
+        let outputs = &self.outputs;
         let mut warnings = solved.warnings();
         let Solved { setup, contact, slip, .. } = solved;
         let (subject, finding) = (ProblemSummary::new(&setup, &contact.problem)?, Finding::new(&setup, &contact));
@@ -245,7 +245,7 @@ impl Solve {
         let contacts = || [contact].into_iter().chain(slip.as_ref().map(|it| &it.stuck));
         warnings.extend(contacts().filter_map(shortfall));
         if let Some(path) = outputs.archive() {
-            let text = full.to_toml();
+            let text = setup.to_saved_toml();
             let bytes = match &slip {
                 Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
                 None => archive_of_state(&state, subject.rank, Some(&text)),
@@ -261,7 +261,7 @@ impl Solve {
             write_figure(path, &picture::of_contact(&title, contact, units), &outputs.style()?)?;
         }
         if let Some(path) = &outputs.stress {
-            stress::write(path, &full, contact, outputs.stress_row)?;
+            stress::write(path, &setup, contact, outputs.stress_row)?;
         }
         if let Some(path) = &outputs.save_setup {
             setup.write(path)?;
@@ -272,7 +272,7 @@ impl Solve {
             slip: slip.as_ref().map(SlipFinding::from),
             diagnosis,
             warnings,
-            setup: full,
+            setup,
             units,
             is_verbose: outputs.verbose,
         };

@@ -25,7 +25,7 @@ pub fn check(grid: &Grid, row: Option<usize>) -> Result<()> {
 pub fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) -> Result<()> {
     let row = row.unwrap_or_else(|| contact.highest_row());
     let stress = contact.stress(row, setup.poisson().unwrap_or(USUAL_POISSON), &contact.usual_depths())?;
-    let bytes = archive_of_stress((contact, row), &stress, setup.poisson().is_none(), &setup.to_toml());
+    let bytes = archive_of_stress((contact, row), &stress, setup.poisson().is_none(), &setup.to_saved_toml());
     write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     let (confined, highest) = (contact.confined_stress(stress.poisson), contact.max_pressure());
     if confined != 0.0 {

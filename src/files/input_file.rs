@@ -61,14 +61,6 @@ impl InputFile {
             Some(bytes) => Ok(Cow::Borrowed(bytes)),
         }
     }
-
-    /// Names it by its full path; one in memory has none, and one whose full path is not text keeps its own.
-    pub fn make_absolute(&mut self) {
-        match std::path::absolute(&self.path) {
-            Ok(full) if self.is_on_disk() && full.to_str().is_some() => self.path = full,
-            _ => {}
-        }
-    }
 }
 
 impl From<PathBuf> for InputFile {

@@ -65,13 +65,17 @@ impl SavedResult {
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let reader = ArchiveReader::open(path)?;
         let in_file = |error: SetupError| error.in_file(path);
-        let mut table = SetupTable::from_toml(reader.setup()).map_err(in_file)?;
+        let table = SetupTable::from_toml(reader.setup()).map_err(in_file)?;
+        let table = table.with_files_of_result(path)?;
+        let has_files = table.has_files_of_surface();
+        let mut table = table.without_digests();
+        let text = table.to_toml();
         let loads = table.take_loads().map_err(in_file)?;
         table.take_auto().map_err(in_file)?;
         let setup = table.setup().map_err(in_file)?;
         let name = path.display().to_string();
         let mut doubts = Doubts::new(&name, reader.count());
-        let surface = surface(&reader, &setup, &mut doubts)?;
+        let surface = surface(&reader, &setup, has_files, &mut doubts)?;
         let archive = SavedArchive { reader: &reader, setup: &setup, surface: &surface };
         let found = match (reader.is_list(), setup.is_history()?) {
             (false, false) => archive.contact(&mut doubts)?,
@@ -82,7 +86,7 @@ impl SavedResult {
             (true, false) => archive.curve(loads.unwrap_or_default(), &mut doubts)?,
             (true, true) => archive.history(&mut doubts)?,
         };
-        let (text, rank, doubts) = (reader.setup().to_owned(), reader.rank(), doubts.in_words());
+        let (rank, doubts) = (reader.rank(), doubts.in_words());
         Ok(Self { text, setup, surface, rank, found, doubts })
     }
 }
@@ -92,7 +96,12 @@ fn unfit(path: &Path, reason: String) -> FileError {
 }
 
 /// The surface of a result: made again, or that of the heights in the file where other files or an array gave them.
-fn surface(reader: &ArchiveReader, setup: &Setup, doubts: &mut Doubts<'_>) -> Result<Arc<Surface>, StudyError> {
+fn surface(
+    reader: &ArchiveReader,
+    setup: &Setup,
+    has_files: bool,
+    doubts: &mut Doubts<'_>,
+) -> Result<Arc<Surface>, StudyError> {
     let saved = reader.height()?;
     if !setup.surface.is_measured() {
         let (found, expected) = (saved.dim(), setup.surface.grid(&setup.grid)?.shape());
@@ -116,17 +125,21 @@ fn surface(reader: &ArchiveReader, setup: &Setup, doubts: &mut Doubts<'_>) -> Re
     let surface = Surface::from_parts(grid, plain.height().clone(), plain.mean_height(), None, plateaus);
     let filled = reader.filled()?.filter(|nodes| nodes.dim() == grid.shape().into());
     let surface = surface.map_err(SetupError::from)?.with_filled(filled.as_ref());
-    doubts.add(None, measured_doubt(setup, &surface, &saved)?.into_iter().collect());
+    doubts.add(None, measured_doubt(setup, &surface, &saved, has_files)?.into_iter().collect());
     Ok(surface.into())
 }
 
-/// Whether the heights of files that are still there are those of the result. Heights that were given as an array have no full path.
-fn measured_doubt(setup: &Setup, surface: &Surface, saved: &Field) -> Result<Option<SavedDoubt>, StudyError> {
-    for file in setup.files().filter(|file| file.path().is_absolute() && file.path().exists()) {
+/// Whether the heights of files, if these are still there, are those of the result.
+fn measured_doubt(
+    setup: &Setup,
+    surface: &Surface,
+    saved: &Field,
+    has_files: bool,
+) -> Result<Option<SavedDoubt>, StudyError> {
+    for file in setup.files().filter(|file| file.is_on_disk() && file.path().exists()) {
         open_regular(file.path()).map_err(|source| FileError::Read { path: file.path().into(), source })?;
     }
-    let mut heights = setup.surface.files();
-    if !heights.all(|file| file.path().is_absolute() && file.path().is_file()) {
+    if !has_files {
         return Ok(None);
     }
     Ok(match setup.surface() {

@@ -24,7 +24,7 @@ pub fn name(scenes: &[Scene<'_>]) -> String {
 /// another one.
 pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
     let describe = |scene: &Scene<'_>| {
-        let setup = scene.setup.as_ref().map_or_else(String::new, |setup| setup.clone().with_full_path().to_toml());
+        let setup = scene.setup.as_ref().map_or_else(String::new, |setup| setup.to_toml());
         format!(
             "{}\n{}\n{}\n{setup}",
             scene.name,

@@ -6,7 +6,7 @@ use super::played::Played;
 use super::setups::{SETUP, is_recording};
 use super::stores;
 use crate::error::FileError;
-use crate::setup::{Setup, SetupTable};
+use crate::setup::SetupTable;
 use rerun::log::Chunk;
 use rerun::{ChunkStore, Scalars, SeriesLines, StoreKind, TextDocument};
 use std::collections::{BTreeMap, BTreeSet};
@@ -143,7 +143,8 @@ impl Playback {
     /// The setup of a scene, if the recording carries it; that of a list of loads is a table only.
     pub fn setup(&self, root: &str) -> Option<SetupTable> {
         let text = self.text(format!("{root}/{SETUP}"))?;
-        Setup::from_toml(&text).map(|setup| setup.to_table()).or_else(|_| SetupTable::from_toml(&text)).ok()
+        let table = SetupTable::from_toml(&text).ok()?.without_digests();
+        Some(table.clone().setup().map(|setup| setup.to_table()).unwrap_or(table))
     }
 
     /// The text of an entity.

@@ -27,7 +27,7 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
         .with_component::<Scalar>("points", along(grid.shape().map(|n| n as f64)))
         .with_component::<Scalar>("size", along(grid.size()));
     let known = match setup {
-        Some(setup) => known.with_component::<Text>("setup", [setup.clone().with_full_path().to_toml()]),
+        Some(setup) => known.with_component::<Text>("setup", [setup.to_saved_toml()]),
         None => known,
     };
     with_numbers(known, numbers.into_iter().filter_map(|(name, value)| Some((name, value?))))

@@ -1,14 +1,14 @@
 //! The files that a setup names.
 
 use super::{Setup, SetupTable};
-use crate::error::{FileError, SetupError};
-use crate::files::{InputFile, path_in_text};
-use std::path::{Path, PathBuf};
+use crate::error::SetupError;
+use crate::files::InputFile;
+use std::path::PathBuf;
 
 /// The keys of a scene whose values are files, in the order of [`Setup::files`].
 ///
 /// What a setup reads follows from this list: files are found beside their scene, belong to the fingerprint of a study by their content, are
-/// named by their full paths in saved setups, and are never overwritten.
+/// have digests in saved setups, and are never overwritten.
 pub const FILE_KEYS: [&str; 8] = [
     "surface.height",
     "surface.against",
@@ -47,12 +47,6 @@ impl Setup {
         self.surface.files_mut().chain(adhesion).chain(path)
     }
 
-    /// The setup whose files are named by their full paths.
-    pub fn with_full_path(mut self) -> Self {
-        self.files_mut().for_each(InputFile::make_absolute);
-        self
-    }
-
     /// The setup whose files have names that their contents alone decide.
     ///
     /// # Errors
@@ -70,33 +64,15 @@ impl Setup {
 }
 
 impl SetupTable {
-    /// The sections and keys with the files that lie in the folder of the file `path`.
-    ///
-    /// # Errors
-    /// For a folder whose path is not UTF-8.
-    pub fn beside(mut self, path: &Path) -> Result<Self, FileError> {
-        for key in FILE_KEYS {
-            for file in self.find_mut(key).map(list_mut).unwrap_or_default() {
-                if let toml::Value::String(file) = file {
-                    *file = path_in_text(&path.with_file_name(&*file))?;
-                }
-            }
-        }
-        Ok(self)
-    }
-
     /// The paths of all files that the sections and keys name, those in lists as well.
     pub fn files(&self) -> Vec<PathBuf> {
-        let values = FILE_KEYS.iter().filter_map(|key| self.find(key));
-        let names = values.flat_map(|value| value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice));
-        names.filter_map(|name| name.as_str().map(PathBuf::from)).collect()
+        FILE_KEYS.iter().flat_map(|key| self.names_at(key)).map(PathBuf::from).collect()
     }
-}
 
-/// The values of a list, or a single one.
-fn list_mut(value: &mut toml::Value) -> &mut [toml::Value] {
-    match value {
-        toml::Value::Array(values) => values,
-        one => std::slice::from_mut(one),
+    /// The names of files at a path of keys, those in a list as well.
+    pub(super) fn names_at(&self, key: &str) -> impl Iterator<Item = &str> {
+        let value = self.find(key);
+        let values = value.map_or(&[][..], |value| value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice));
+        values.iter().filter_map(toml::Value::as_str)
     }
 }

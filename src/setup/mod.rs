@@ -41,6 +41,7 @@ mod conflicts;
 mod cost;
 mod expected_area;
 mod fault;
+mod file_digests;
 mod files;
 mod flag;
 mod flow;
@@ -377,6 +378,13 @@ impl Setup {
 
 /// The hash FNV-1a of some bytes, the same on every machine.
 pub(crate) fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a [u8]>) -> u64 {
-    let next = |hash: u64, &byte: &u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    bytes.into_iter().flatten().fold(0xcbf2_9ce4_8422_2325, next)
+    bytes.into_iter().fold(FNV1A_OF_NOTHING, fnv1a_after)
+}
+
+/// The hash FNV-1a of no bytes.
+pub(crate) const FNV1A_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// The hash FNV-1a of bytes whose first ones have the hash `hash`.
+pub(crate) fn fnv1a_after(hash: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }

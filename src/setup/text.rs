@@ -35,6 +35,11 @@ impl SetupTable {
         })
     }
 
+    /// The sections and keys of a setup.
+    pub(super) fn from_value(setup: &impl Serialize) -> Self {
+        Self(toml::Table::try_from(setup).expect("a setup has a form in TOML"))
+    }
+
     /// The sections and keys of a JSON text: a setup, or a result that carries one as `setup`.
     ///
     /// # Errors
@@ -59,7 +64,10 @@ impl SetupTable {
     pub fn read(path: &Path) -> Result<Self, SetupError> {
         let path = &*first_archive(path);
         match read_text(path, "setup") {
-            Ok(Some(text)) => Ok(Self::from_toml(&text).map_err(|error| error.in_file(path))?.with_heights_of(path)?),
+            Ok(Some(text)) => Ok(Self::from_toml(&text)
+                .map_err(|error| error.in_file(path))?
+                .with_files_of_result(path)?
+                .with_heights_of(path)?),
             Ok(None) => Self::read_scene(path),
             Err(FileError::Format { reason, .. }) => {
                 Err(SetupError::text("", format!("it contains no setup: {reason}")).in_file(path))
@@ -192,6 +200,7 @@ impl SetupTable {
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known;
     /// [`SetupError::UnitWithoutModulus`] for a hardness, yield stress or work of adhesion with a unit on no modulus.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
+        self.check_digests()?;
         self.check_surface()?;
         self.check_sections()?;
         self.choose_preparation()?;
@@ -318,14 +327,15 @@ impl Setup {
 
     /// The setup with its sections and keys apart.
     pub fn to_table(&self) -> SetupTable {
-        SetupTable(toml::Table::try_from(self).expect("a setup has a form in TOML"))
+        SetupTable::from_value(self)
     }
 
-    /// Writes the setup as a scene, whose files are named by their full paths.
+    /// Writes the setup as a scene, with the digests of its files. These keep the names that were given; where the scene is given by a path
+    /// below the working folder, they are named as seen from there.
     ///
     /// # Errors
     /// The errors of [`write_beside`].
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
-        self.clone().with_full_path().to_table().write(path)
+        self.to_saved_table().write_scene(path)
     }
 }

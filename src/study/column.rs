@@ -69,7 +69,7 @@ impl Plan {
         for (&row, point) in rows.iter().zip(points) {
             let setup = match last.take() {
                 Some((realisation, setup)) if realisation == row.realisation => setup,
-                _ => self.realisation(row.realisation)?.setup.with_full_path(),
+                _ => self.realisation(row.realisation)?.setup,
             };
             let setup = Setup { load: self.loads()[row.load], ..setup };
             sources.push(RowSource { row, point, setup: setup.to_table() });

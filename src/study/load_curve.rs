@@ -48,7 +48,7 @@ impl LoadCurve {
 
     /// The setup with its list of loads.
     pub fn to_table(&self) -> SetupTable {
-        let mut table = self.setup.clone().with_full_path().to_table();
+        let mut table = self.setup.to_saved_table();
         table.lay_loads(&self.loads);
         table
     }
@@ -56,7 +56,7 @@ impl LoadCurve {
     /// The text of the setup that repeats the run; without loads that of the setup alone.
     pub fn to_toml(&self) -> String {
         match self.loads.as_slice() {
-            [] => self.setup.clone().with_full_path().to_toml(),
+            [] => self.setup.to_saved_toml(),
             _ => self.to_table().to_toml(),
         }
     }

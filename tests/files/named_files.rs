@@ -1,5 +1,6 @@
 //! The files that a setup names: one list of them, of which all that a setup reads follows.
 
+use crate::command::{Folder, text};
 use crate::height_files::directory;
 use asperity::setup::{FILE_KEYS, FLAGS, Setup, SetupTable};
 use asperity::surface::write_heights;
@@ -77,7 +78,7 @@ fn every_key_and_every_flag_whose_value_is_a_file_is_in_the_list() {
 }
 
 #[test]
-fn a_setup_lists_the_files_of_all_its_keys_and_names_them_by_their_full_paths() {
+fn a_setup_lists_the_files_of_all_its_keys_and_is_saved_with_their_digests() {
     let folder = tempfile::tempdir().unwrap();
     write_files(folder.path());
     let scene = "surface.height = \"h.npy\"
@@ -94,11 +95,60 @@ path = { file = \"path.csv\" }
     let setup = table.clone().setup().unwrap();
     let listed: Vec<_> = setup.files().map(|file| file.path().to_path_buf()).collect();
     assert_eq!(listed, table.files());
-    let full = Setup::from_toml(&setup.with_full_path().to_toml()).unwrap();
+    let saved = setup.to_saved_toml();
+    let digests = saved.split_once("[files]").unwrap().1;
+    for name in ["h.npy", "psd.txt", "like.txt", "att.csv"] {
+        assert!(digests.lines().any(|line| line.contains(name) && line.contains("\"fnv1a-")), "{name}: {digests}");
+    }
+    let again = Setup::from_toml(&saved).unwrap();
     // the lists of the path are in the setup, and its file is not needed again
-    assert_eq!(full.files().count(), FILE_KEYS.len() - 1);
-    assert!(full.files().all(|file| file.path().is_absolute() && file.bytes().is_ok()));
-    assert_eq!(full.path.unwrap().load, [0.002, -0.001]);
+    assert_eq!(again.files().count(), FILE_KEYS.len() - 1);
+    assert_eq!(again.path.unwrap().load, [0.002, -0.001]);
+}
+
+/// Results are given to others: the folders of a person stay at home, and the file that the result was made from is found by what is in it.
+#[test]
+fn saved_results_tell_no_folder_and_find_their_files_by_digests() {
+    let home = Folder::new();
+    let run = |line: &str| home.run(line);
+    let refused = |line: &str, why: &str| {
+        let output = home.run(line);
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        assert!(text(&output.stderr).contains(why), "{line}: {}", text(&output.stderr));
+    };
+    std::fs::create_dir(home.join("maps")).unwrap();
+    std::fs::create_dir(home.join("out")).unwrap();
+    let solve = "solve --height maps/h.npy --size 1 --reduced-pressure 0.05";
+    for (seed, name) in [(1, "h"), (2, "other")] {
+        let rough = format!(
+            "surface --points 64 --size 1 --hurst 0.8 --rms-gradient 0.1 --rolloff 0.25 --short-cutoff 0.05 --seed {seed}"
+        );
+        assert!(run(&format!("{rough} --out maps/{name}.npy")).status.success());
+    }
+    let made = run(&format!("{solve} --out out/r.npz --record out/r.rrd --save-setup out/s.toml --json"));
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    std::fs::write(home.join("out/r.json"), &made.stdout).unwrap();
+    let folder = home.join("").to_str().unwrap().to_owned();
+    for name in ["out/r.npz", "out/r.rrd", "out/s.toml", "out/r.json"] {
+        let bytes = std::fs::read(home.join(name)).unwrap();
+        assert!(!bytes.windows(folder.len()).any(|part| part == folder.as_bytes()), "{name}");
+    }
+    for setup in ["--setup-of out/r.rrd", "--setup-of out/r.json", "--setup-of out/r.npz", "out/s.toml"] {
+        let again = run(&format!("solve {setup} --json"));
+        assert!(again.status.success(), "{setup}: {}", text(&again.stderr));
+        let area = |bytes: &[u8]| -> serde_json::Value { serde_json::from_slice(bytes).unwrap() };
+        assert_eq!(area(&again.stdout)["relative_area"], area(&made.stdout)["relative_area"], "{setup}");
+    }
+    // another file of the same name is not taken for it, and the right one is found beside the result
+    std::fs::rename(home.join("maps/h.npy"), home.join("h.npy")).unwrap();
+    refused("solve --setup-of out/r.rrd", "maps/h.npy is not there");
+    std::fs::rename(home.join("maps/other.npy"), home.join("maps/h.npy")).unwrap();
+    refused("solve --setup-of out/r.rrd", "maps/h.npy is another file now");
+    refused("solve out/s.toml", "maps/h.npy is another file now");
+    assert!(run("solve --setup-of out/r.rrd --height h.npy").status.success());
+    std::fs::rename(home.join("h.npy"), home.join("out/h.npy")).unwrap();
+    assert!(run("solve --setup-of out/r.rrd").status.success());
+    assert!(run("solve --setup-of out/r.npz").status.success());
 }
 
 #[test]

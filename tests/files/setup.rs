@@ -139,7 +139,7 @@ fn heights_indenter_and_roughness_add_up() {
 }
 
 #[test]
-fn a_scene_names_its_height_file_by_its_full_path() {
+fn a_scene_that_was_written_elsewhere_finds_its_height_file() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("sub")).unwrap();
     let heights = ndarray::Array1::from_shape_fn(64, |i| (i as f64).sin());

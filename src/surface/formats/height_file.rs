@@ -106,12 +106,6 @@ impl HeightFile {
     pub fn bytes(&self) -> Result<Cow<'_, [u8]>, FileError> {
         self.file.bytes()
     }
-
-    /// The same file by its full path; one in memory has none.
-    pub fn with_full_path(mut self) -> Self {
-        self.file.make_absolute();
-        self
-    }
 }
 
 impl From<PathBuf> for HeightFile {

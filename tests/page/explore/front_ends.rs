@@ -4,7 +4,7 @@ use super::Page;
 use asperity::explore::{Knobs, Lesson, SceneFile};
 use asperity::job::Job;
 use asperity::serve::{Explorer, Sessions};
-use asperity::setup::Setup;
+use asperity::setup::SetupTable;
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
@@ -61,7 +61,7 @@ fn one_setup_gives_the_same_numbers_and_warnings_everywhere() {
 
     let command_line: Value =
         serde_json::from_slice(&run(folder, "solve scene.toml --json --save-setup saved.toml")).unwrap();
-    let setup = Setup::from_toml(&std::fs::read_to_string(folder.join("saved.toml")).unwrap()).unwrap();
+    let setup = SetupTable::read(&folder.join("saved.toml")).unwrap().setup().unwrap();
     let solved = Job::new(setup.clone()).run(&mut ()).unwrap().solved.swap_remove(0);
     let observables = serde_json::to_value(asperity::contact::Observables::new(&solved.contact)).unwrap();
 

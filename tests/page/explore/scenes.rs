@@ -3,7 +3,7 @@
 use super::{Page, with};
 use asperity::explore::{Knobs, Lesson, SceneFile};
 use asperity::serve::{Explorer, Sessions};
-use asperity::setup::Setup;
+use asperity::setup::{Setup, SetupTable};
 use assert_cmd::Command;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -30,7 +30,7 @@ fn scene(folder: &Path, flags: &str) -> Setup {
         .output()
         .unwrap();
     assert!(output.status.success(), "{flags}: {}", String::from_utf8_lossy(&output.stderr));
-    Setup::from_toml(&std::fs::read_to_string(folder.join("scene.toml")).unwrap()).unwrap()
+    SetupTable::read(&folder.join("scene.toml")).unwrap().setup().unwrap()
 }
 
 /// A page that starts with a scene.
