@@ -3,11 +3,9 @@
 use super::exit_status::ExitStatus;
 use super::terminal::stdout;
 use anyhow::Result;
+use asperity::serve::LICENCES;
 use clap::Args;
 use std::io::Write;
-
-/// The texts that these licences ask to hand on with the program. `.ci/licences` makes the file.
-const LICENCES: &str = include_str!("../../assets/licences.txt");
 
 const EXAMPLES: &str = "\
 Examples:

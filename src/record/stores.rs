@@ -43,7 +43,7 @@ pub fn read(path: &Path) -> Result<BTreeMap<StoreId, ChunkStore>, FileError> {
     let decoded = caught(|| {
         let frames = lengths::frames(&bytes, has_end(&bytes))?;
         let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut &bytes[..frames.end]);
-        let stores = stores.map_err(|error| error.to_string())?;
+        let stores = stores.map_err(|error| reason(&error.to_string()))?;
         digest::check(&bytes, &frames.before_last, &stores.values().collect::<Vec<_>>())?;
         let mut chunks = stores.values().flat_map(ChunkStore::iter_physical_chunks);
         chunks.try_for_each(|chunk| check(chunk))?;
@@ -51,6 +51,14 @@ pub fn read(path: &Path) -> Result<BTreeMap<StoreId, ChunkStore>, FileError> {
         Ok(stores)
     });
     decoded.map_err(|reason| unreadable(io::Error::other(format!("the recording is damaged: {reason}"))))
+}
+
+/// Why the decoder refuses a recording. It writes the identity of a store as a structure of its own language.
+fn reason(error: &str) -> String {
+    match error.contains("StoreId(") {
+        true => "one of its messages belongs to no recording that the file begins".into(),
+        false => error.into(),
+    }
 }
 
 /// Refuses a chunk with arrays that are not valid.

@@ -15,6 +15,9 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
 
+/// The texts that the licences of all libraries and fonts in the program ask to hand on with it. `.ci/licences` makes the file.
+pub const LICENCES: &str = include_str!("../../assets/licences.txt");
+
 /// The most recordings of a site.
 const MOST_RUNS: usize = 1024;
 /// Longest time between two questions whether to go on.
@@ -87,6 +90,7 @@ impl SiteExport {
             let own = [("site.js", site.into()), ("section.js", section.into()), ("lessons.js", lessons.into())];
             let files: Vec<_> = files.chain(own).collect();
             files.iter().try_for_each(|(name, bytes)| write(draft.join(name), bytes))?;
+            write(draft.join("licences.txt"), LICENCES)?;
             let mark = format!("{:016x}", fnv1a(files.iter().map(|(_, bytes)| bytes.as_ref())));
             Ok(write(draft.join("offline.js"), page.offline(&mark, files.iter().map(|(name, _)| *name)))?)
         });

@@ -25,7 +25,7 @@ mod site;
 mod stream;
 mod worker;
 
-pub use export::SiteExport;
+pub use export::{LICENCES, SiteExport};
 pub use page::Viewing;
 pub use route::Explorer;
 pub use server::Server;

@@ -61,7 +61,7 @@ fn compressed(site: &Path, script: &str) -> Value {
 }
 
 /// What every site has.
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "index.html",
     "explore.js",
     "en.js",
@@ -73,6 +73,7 @@ const FILES: [&str; 11] = [
     "section.js",
     "lessons.js",
     "offline.js",
+    "licences.txt",
 ];
 
 #[test]
