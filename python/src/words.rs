@@ -1,7 +1,7 @@
 //! Sentences of the library in the words of Python: keywords in place of flags and of the keys of scenes, and values as Python writes them.
 
 use asperity::error::{ExpectedValue, FoundValue, TextFault, TextPlace};
-use asperity::setup::{FLAGS, Flag, FlagValue};
+use asperity::setup::{FlagValue, Key};
 
 /// Sections and tables whose keys are keywords of functions; keys of all other sections stand in dictionaries.
 const KEYWORDS: [&str; 6] = ["grid", "stop", "load", "surface", "surface.spectrum", "surface.indenter"];
@@ -34,7 +34,7 @@ pub fn in_python(sentence: &str) -> String {
 /// A sentence on a fault of what stands at some keys. A fault in a file or a line of a text, which has other keys, keeps its words.
 pub fn at_place(place: &TextPlace, fault: &TextFault) -> String {
     let keys = &place.keys;
-    let is_of_setup = FLAGS.iter().any(|flag| Some(flag.section()) == keys.split('.').next());
+    let is_of_setup = Key::with_flags().any(|key| Some(key.section()) == keys.split('.').next());
     if place.path.is_some() || place.line.is_some() || !is_of_setup {
         return without_flags(&format!("{place}{fault}"));
     }
@@ -101,8 +101,8 @@ pub fn given_as(keys: &str, value: &str) -> Option<String> {
 /// The keyword that gives what a flag of the command line gives.
 pub fn keyword_of_flag(name: &str) -> Option<String> {
     let name = name.replace('_', "-");
-    let flag = FLAGS.iter().find(|flag| flag.name == name)?;
-    given_as(flag.path, "...")
+    let flag = Key::with_flags().find(|key| key.flag == name)?;
+    given_as(key.path, "...")
 }
 
 /// A sentence without the flags of the command line in brackets, such as " (--size)".
@@ -117,9 +117,9 @@ pub fn without_flags(sentence: &str) -> String {
 
 /// What stands in backticks: a key with `_` for `-`, keys with dots as a keyword, and anything else as it is.
 fn in_quotes(word: &str) -> String {
-    let is_key = |flag: &Flag| flag.path.split('.').any(|key| key == word);
+    let is_key = |key: &Key| key.path.split('.').any(|key| key == word);
     match word {
-        _ if FLAGS.iter().any(is_key) => word.replace('-', "_"),
+        _ if Key::with_flags().any(is_key) => word.replace('-', "_"),
         // keys without a flag
         "second-spectrum" | "uniform-stiffness" => word.replace('-', "_"),
         _ => word.to_owned(),
@@ -145,8 +145,8 @@ fn value(found: &FoundValue) -> String {
 
 /// What is expected at some keys.
 fn wanted(keys: &str, expected: &ExpectedValue) -> String {
-    let at = |flag: &&Flag| flag.path == keys;
-    match (expected, FLAGS.iter().find(at).map(|flag| flag.value)) {
+    let at = |key: &&Key| key.path == keys;
+    match (expected, Key::with_flags().find(at).map(|key| key.value)) {
         (ExpectedValue::Section(_), _) => dictionary(keys),
         (ExpectedValue::Map, _) if !keys.contains('.') => dictionary(keys),
         (
@@ -164,10 +164,10 @@ fn wanted(keys: &str, expected: &ExpectedValue) -> String {
 
 /// The dictionary that a section is, with its keys.
 fn dictionary(keys: &str) -> String {
-    let key = |flag: &Flag| {
-        Some(flag.path.strip_prefix(keys)?.strip_prefix('.')?.replace('-', "_")).filter(|it| !it.contains('.'))
+    let key = |key: &Key| {
+        Some(key.path.strip_prefix(keys)?.strip_prefix('.')?.replace('-', "_")).filter(|it| !it.contains('.'))
     };
-    let names: Vec<String> = FLAGS.iter().filter_map(key).collect();
+    let names: Vec<String> = Key::with_flags().filter_map(key).collect();
     let dictionary = format!("a dictionary of {}", names.join(", "));
     match keys {
         "solid" => format!("a number, or {dictionary}"),

@@ -4,7 +4,7 @@ use super::terminal::stderr;
 use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
 use asperity::error::{ClaimError, Failure, FileError, SetupError, is_input};
-use asperity::setup::FLAGS;
+use asperity::setup::Key;
 use asperity::warning::Remedy;
 use std::io::Write;
 
@@ -86,9 +86,9 @@ pub fn remedy(error: &anyhow::Error) -> String {
 }
 
 /// The flag of a remedy, such as `--resample linear` or `--size`.
-fn flag(Remedy { key, value }: &Remedy) -> Option<String> {
-    let flag = FLAGS.iter().find(|flag| flag.path == *key)?;
-    Some(value.as_ref().map_or(format!("--{}", flag.name), |value| format!("--{} {value}", flag.name)))
+fn flag(Remedy { key: path, value }: &Remedy) -> Option<String> {
+    let key = Key::with_flags().find(|key| key.path == *path)?;
+    Some(value.as_ref().map_or(format!("--{}", key.flag), |value| format!("--{} {value}", key.flag)))
 }
 
 /// 2 for wrong input, 130 for Ctrl-C, 1 for other failures.

@@ -8,7 +8,7 @@ use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::contact::first_archive;
 use asperity::files::path_in_text;
-use asperity::setup::{FLAGS, Flag, FlagValue, SetupTable, lay};
+use asperity::setup::{FlagValue, Key, SetupTable, lay};
 use asperity::surface::has_field;
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
@@ -23,11 +23,11 @@ pub trait Extent {
     const LOAD: &'static str;
 
     /// Whether a flag is one of the command.
-    fn takes(flag: &Flag) -> bool;
+    fn takes(key: &Key) -> bool;
 
     /// The name of a flag.
-    fn name(flag: &'static Flag) -> &'static str {
-        flag.name
+    fn name(key: &'static Key) -> &'static str {
+        key.flag
     }
 
     /// The argument for a scene.
@@ -49,7 +49,7 @@ pub struct OfProblem;
 impl Extent for OfSetup {
     const LOAD: &'static str = LOAD;
 
-    fn takes(_: &Flag) -> bool {
+    fn takes(_: &Key) -> bool {
         true
     }
 }
@@ -57,21 +57,21 @@ impl Extent for OfSetup {
 impl Extent for OfSurface {
     const LOAD: &'static str = LOAD;
 
-    fn takes(flag: &Flag) -> bool {
-        ["surface", "grid"].contains(&flag.section())
+    fn takes(key: &Key) -> bool {
+        ["surface", "grid"].contains(&key.section())
     }
 }
 
 impl Extent for OfProblem {
     const LOAD: &'static str = "Load (one of --mean-pressure, --reduced-pressure, --mean-gap)";
 
-    fn takes(flag: &Flag) -> bool {
-        let is_goal = ["tolerance", "pressure-tolerance"].contains(&flag.name);
-        is_goal || !OF_A_SOLVE.contains(&flag.section()) && !flag.is_of_yielding()
+    fn takes(key: &Key) -> bool {
+        let is_goal = ["tolerance", "pressure-tolerance"].contains(&key.flag);
+        is_goal || !OF_A_SOLVE.contains(&key.section()) && !key.is_of_yielding()
     }
 
-    fn name(flag: &'static Flag) -> &'static str {
-        if flag.name == "pressure" { "mean-pressure" } else { flag.name }
+    fn name(key: &'static Key) -> &'static str {
+        if key.flag == "pressure" { "mean-pressure" } else { key.flag }
     }
 
     fn scene() -> Arg {
@@ -85,8 +85,8 @@ pub struct OfSealing;
 impl Extent for OfSealing {
     const LOAD: &'static str = LOAD;
 
-    fn takes(flag: &Flag) -> bool {
-        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&flag.section()) && !flag.is_of_yielding()
+    fn takes(key: &Key) -> bool {
+        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&key.section()) && !key.is_of_yielding()
     }
 }
 
@@ -96,8 +96,8 @@ pub struct OfPatches;
 impl Extent for OfPatches {
     const LOAD: &'static str = LOAD;
 
-    fn takes(flag: &Flag) -> bool {
-        !["record", "flow"].contains(&flag.section())
+    fn takes(key: &Key) -> bool {
+        !["record", "flow"].contains(&key.section())
     }
 }
 
@@ -109,7 +109,7 @@ const OF_A_SOLVE: [&str; 9] =
 pub struct SceneArgs<E> {
     /// A scene, or a result that carries one.
     file: Option<PathBuf>,
-    given: Vec<(&'static Flag, Vec<String>)>,
+    given: Vec<(&'static Key, Vec<String>)>,
     extent: PhantomData<E>,
 }
 
@@ -166,8 +166,8 @@ impl<E: Extent> SceneArgs<E> {
         Units::new(&table)
     }
 
-    fn flags() -> impl Iterator<Item = &'static Flag> {
-        FLAGS.iter().filter(|flag| E::takes(flag))
+    fn flags() -> impl Iterator<Item = &'static Key> {
+        Key::with_flags().filter(|key| E::takes(key))
     }
 }
 
@@ -206,12 +206,12 @@ fn is_named_scene(path: &Path) -> bool {
 
 impl<E: Extent> FromArgMatches for SceneArgs<E> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        let words = |flag: &'static Flag| {
-            if matches!(flag.value, FlagValue::Switch) {
-                return matches.get_flag(E::name(flag)).then(|| (flag, Vec::new()));
+        let words = |key: &'static Key| {
+            if matches!(key.value, FlagValue::Switch) {
+                return matches.get_flag(E::name(key)).then(|| (key, Vec::new()));
             }
-            let words = matches.get_many::<String>(E::name(flag))?;
-            Some((flag, words.cloned().collect()))
+            let words = matches.get_many::<String>(E::name(key))?;
+            Some((key, words.cloned().collect()))
         };
         let file = ["scene", "setup-of"].iter().find_map(|name| matches.get_one::<PathBuf>(name).cloned());
         Ok(Self { file, given: Self::flags().filter_map(words).collect(), extent: PhantomData })
@@ -235,7 +235,7 @@ impl<E: Extent> clap::Args for SceneArgs<E> {
                     .conflicts_with("scene"),
             )
             .args(Self::flags().map(arg::<E>));
-        let loads = Self::flags().filter(|flag| flag.section() == "load").map(E::name);
+        let loads = Self::flags().filter(|key| key.section() == "load").map(E::name);
         command.group(ArgGroup::new("load").args(loads))
     }
 
@@ -248,11 +248,11 @@ impl<E: Extent> clap::Args for SceneArgs<E> {
 pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several loads: 1e5,1e6, or 1e-3..1e-1:13 for 13 loads with equal ratios)";
 
 /// A flag as the parser takes it.
-fn arg<E: Extent>(flag: &'static Flag) -> Arg {
-    let arg = Arg::new(E::name(flag)).long(E::name(flag)).value_name(flag.placeholder).help(flag.help);
-    let arg = arg.help_heading(heading::<E>(flag));
-    let arg = if flag.section() == "record" { arg.requires("recorded") } else { arg };
-    match flag.value {
+fn arg<E: Extent>(key: &'static Key) -> Arg {
+    let arg = Arg::new(E::name(key)).long(E::name(key)).value_name(key.placeholder).help(key.help);
+    let arg = arg.help_heading(heading::<E>(key));
+    let arg = if key.section() == "record" { arg.requires("recorded") } else { arg };
+    match key.value {
         FlagValue::One => arg,
         FlagValue::List => arg.value_delimiter(','),
         FlagValue::Switch => arg.action(ArgAction::SetTrue),
@@ -261,11 +261,11 @@ fn arg<E: Extent>(flag: &'static Flag) -> Arg {
     }
 }
 
-fn heading<E: Extent>(flag: &Flag) -> &'static str {
-    match flag.section() {
-        "surface" if flag.path.starts_with("surface.indenter.") => "Indenter",
-        "surface" if flag.path.starts_with("surface.prepare.") => "Preparation of measured heights, in this order",
-        "surface" if flag.path.starts_with("surface.spectrum.") || flag.name == "seed" => "Roughness",
+fn heading<E: Extent>(key: &Key) -> &'static str {
+    match key.section() {
+        "surface" if key.path.starts_with("surface.indenter.") => "Indenter",
+        "surface" if key.path.starts_with("surface.prepare.") => "Preparation of measured heights, in this order",
+        "surface" if key.path.starts_with("surface.spectrum.") || key.flag == "seed" => "Roughness",
         "surface" | "grid" => "Surface (a height file, an indenter, roughness, or a sum of them) and its cell",
         "load" => E::LOAD,
         "solid" | "law" => "Solid (contact modulus, or elastic constants; required with a mean pressure)",

@@ -4,7 +4,7 @@ use super::command_style::remark;
 use super::exit_status::usage;
 use super::terminal::stderr;
 use anyhow::Result;
-use asperity::setup::FLAGS;
+use asperity::setup::Key;
 use asperity::warning::{Remedy, Warning};
 use std::io::Write;
 use std::path::Path;
@@ -16,9 +16,9 @@ pub fn in_flags(warnings: &[Warning]) -> Vec<String> {
 
 /// The flag of a remedy, such as `--refine auto`.
 fn flag(remedy: &Remedy) -> Option<String> {
-    let flag = FLAGS.iter().find(|flag| flag.path == remedy.key)?;
-    let value = remedy.value.as_deref().unwrap_or(flag.placeholder);
-    Some(format!("--{} {value}", flag.name))
+    let key = Key::with_flags().find(|key| key.path == remedy.key)?;
+    let value = remedy.value.as_deref().unwrap_or(key.placeholder);
+    Some(format!("--{} {value}", key.flag))
 }
 
 /// Prints warnings on standard error.

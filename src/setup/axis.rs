@@ -3,7 +3,7 @@
 use super::idle::{is_list_of_section, list_of_section};
 use super::text::SetupTable;
 use super::words::plain;
-use super::{FLAGS, Flag, FlagValue};
+use super::{FlagValue, KEYS, Key};
 use crate::error::SetupError;
 use std::collections::BTreeSet;
 
@@ -55,7 +55,7 @@ impl ParameterAxis {
 
     /// The name of the quantity: that of its flag, or its keys where it has none.
     pub fn name(&self) -> &str {
-        FLAGS.iter().find(|flag| flag.path == self.path).map_or(&self.path, |flag| flag.name)
+        Key::find(&self.path).map(|key| key.flag).filter(|flag| !flag.is_empty()).unwrap_or(&self.path)
     }
 
     /// The number of values, at least one.
@@ -110,7 +110,7 @@ fn wrong(path: &str, reason: String) -> SetupError {
 impl SetupTable {
     /// Removes the lists of values and keeps the first value of each, so that a setup remains. Loads are handled by
     /// [`SetupTable::take_loads`]. A quantity that is a list itself, such as the points of a surface, needs a list of
-    /// lists. The lists are in the order of [`FLAGS`], the seeds last.
+    /// lists. The lists are in the order of [`KEYS`], the seeds last.
     ///
     /// # Errors
     /// [`SetupError::Text`] for an empty list and for an invalid range.
@@ -136,8 +136,8 @@ impl SetupTable {
 
 /// The position of a list among the others.
 fn place(path: &str) -> (bool, usize) {
-    let is_at = |flag: &Flag| flag.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    (path == ParameterAxis::SEED, FLAGS.iter().position(is_at).unwrap_or(FLAGS.len()))
+    let is_at = |key: &Key| key.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    (path == ParameterAxis::SEED, KEYS.iter().position(is_at).unwrap_or(KEYS.len()))
 }
 
 /// Adds the lists at and below a path.
@@ -167,8 +167,8 @@ fn find(path: &str, value: &toml::Value, axes: &mut Vec<ParameterAxis>) -> Resul
 
 /// Whether an array is a single value of a setup, not a list of values.
 fn is_one(path: &str, values: &[toml::Value]) -> bool {
-    let takes_list = |flag: &Flag| flag.path == path && matches!(flag.value, FlagValue::List | FlagValue::Choices(_));
-    FLAGS.iter().any(takes_list) && !values.iter().all(toml::Value::is_array)
+    let takes_list = |key: &Key| key.path == path && matches!(key.value, FlagValue::List | FlagValue::Choices(_));
+    Key::with_flags().any(takes_list) && !values.iter().all(toml::Value::is_array)
 }
 
 /// A value of a list, or a range of whole numbers.

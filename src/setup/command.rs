@@ -1,24 +1,24 @@
 //! Setups as command lines: flags laid over a setup, and the line that repeats one.
 
-use super::{FLAGS, Flag, FlagValue, Setup, SetupTable, Solid};
+use super::{FlagValue, Key, Setup, SetupTable, Solid};
 
 /// The place of the contact modulus in a setup.
 const CONTACT_MODULUS: &str = "solid.contact-modulus";
 
-/// Lays flags with their words over a setup, in the order of [`FLAGS`].
-pub fn lay(given: &[(&Flag, Vec<String>)], over: &mut SetupTable) {
-    if given.iter().any(|(flag, _)| flag.section() == "load") {
+/// Lays flags with their words over a setup, in the order of [`KEYS`](super::KEYS).
+pub fn lay(given: &[(&Key, Vec<String>)], over: &mut SetupTable) {
+    if given.iter().any(|(key, _)| key.section() == "load") {
         over.remove("load");
     }
     // a contact modulus and elastic constants take the place of one another
-    for (flag, _) in given.iter().filter(|(flag, _)| flag.section() == "solid") {
-        over.remove(if flag.path == CONTACT_MODULUS { "solid" } else { CONTACT_MODULUS });
+    for (key, _) in given.iter().filter(|(key, _)| key.section() == "solid") {
+        over.remove(if key.path == CONTACT_MODULUS { "solid" } else { CONTACT_MODULUS });
     }
-    for (flag, words) in given {
-        if let (FlagValue::Variant(_), Some((beside, _))) = (flag.value, flag.path.rsplit_once('.')) {
+    for (key, words) in given {
+        if let (FlagValue::Variant(_), Some((beside, _))) = (key.value, key.path.rsplit_once('.')) {
             over.remove(beside);
         }
-        over.lay(flag.path, read(flag, words));
+        over.lay(key.path, read(key, words));
     }
 }
 
@@ -38,12 +38,12 @@ pub fn command(setup: &Setup) -> String {
         return "asperity solve scene.toml".into();
     }
     let table = setup.to_table();
-    let flags = FLAGS.iter().filter(|flag| flag.section() != "record");
-    let written = |flag: &Flag| {
-        let value = table.find(flag.path)?;
-        Some(match flag.value {
-            FlagValue::Switch => format!(" --{}", flag.name),
-            _ => format!(" --{}{}", flag.name, after_name(&word(value))),
+    let flags = Key::with_flags().filter(|key| key.section() != "record");
+    let written = |key: &Key| {
+        let value = table.find(key.path)?;
+        Some(match key.value {
+            FlagValue::Switch => format!(" --{}", key.flag),
+            _ => format!(" --{}{}", key.flag, after_name(&word(value))),
         })
     };
     format!("asperity solve{}", flags.filter_map(written).collect::<String>())
@@ -76,10 +76,10 @@ fn quoted(text: &str) -> String {
 }
 
 /// The value of the words of a flag.
-fn read(flag: &Flag, words: &[String]) -> toml::Value {
-    let is_list = matches!(flag.value, FlagValue::Choices(_));
+fn read(key: &Key, words: &[String]) -> toml::Value {
+    let is_list = matches!(key.value, FlagValue::Choices(_));
     match words {
-        _ if matches!(flag.value, FlagValue::Switch) => toml::Value::Boolean(true),
+        _ if matches!(key.value, FlagValue::Switch) => toml::Value::Boolean(true),
         [one] if !is_list => value(one),
         more => toml::Value::Array(more.iter().map(|word| value(word)).collect()),
     }

@@ -139,19 +139,16 @@ impl Setup {
 #[cfg(test)]
 mod tests {
     use crate::error::ConflictRule;
-    use crate::setup::FLAGS;
+    use crate::setup::KEYS;
     use strum::IntoEnumIterator;
-
-    /// Sections and keys that no flag sets.
-    const WITHOUT_FLAG: [&str; 2] = ["surface.joined", "surface.second-spectrum"];
 
     #[test]
     fn rules_concern_sections_and_keys_of_setups() {
         for rule in ConflictRule::iter() {
-            for key in rule.keys().filter(|key| !WITHOUT_FLAG.contains(key)) {
+            for key in rule.keys() {
                 let is_in =
                     |path: &str| path == key || path.strip_prefix(key).is_some_and(|rest| rest.starts_with('.'));
-                assert!(FLAGS.iter().any(|flag| is_in(flag.path)), "{rule:?}: {key}");
+                assert!(KEYS.iter().any(|key| is_in(key.path)), "{rule:?}: {key}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Messages of the readers of TOML as faults: the only place that reads their English.
 
-use super::{FLAGS, Flag};
+use super::Key;
 use crate::error::{ExpectedValue, FoundValue, TextFault, flags_in_words};
 use serde::de::Unexpected;
 
@@ -105,8 +105,8 @@ const SYMBOLS: [(&str, &str); 4] = [("nu", "poisson"), ("E", "young"), ("H", "hu
 
 /// The key below other keys whose flag, or whose symbol, is given in its place.
 fn meant(given: &str, keys: &str) -> Option<&'static str> {
-    let of_flag = FLAGS.iter().filter(|flag| flag.name == given);
-    let key = of_flag.filter_map(|flag| flag.path.strip_prefix(keys)?.strip_prefix('.')).next();
+    let of_flag = Key::with_flags().filter(|key| key.flag == given);
+    let key = of_flag.filter_map(|key| key.path.strip_prefix(keys)?.strip_prefix('.')).next();
     key.or_else(|| SYMBOLS.iter().find(|(symbol, _)| *symbol == given).map(|(_, key)| *key))
 }
 
@@ -119,8 +119,8 @@ fn names(unknown: &str, known: &str) -> (String, Vec<String>, Option<String>) {
 
 /// The flags of keys below other keys.
 fn flags(names: &[&str], keys: &str) -> Vec<&'static str> {
-    let is_of = |flag: &Flag, name: &str| flag.path.strip_prefix(keys) == Some(&format!(".{name}"));
-    names.iter().filter_map(|name| FLAGS.iter().find(|flag| is_of(flag, name))).map(|flag| flag.name).collect()
+    let is_of = |key: &Key, name: &str| key.path.strip_prefix(keys) == Some(&format!(".{name}"));
+    names.iter().filter_map(|name| Key::with_flags().find(|key| is_of(key, name))).map(|key| key.flag).collect()
 }
 
 fn found_value(words: &str) -> FoundValue {

@@ -4,7 +4,7 @@
 //! `files` has the digest of each: with it the file is found again beside the result or in the working folder, and another file of the same
 //! name is not taken for it.
 
-use super::{FILE_KEYS, FNV1A_OF_NOTHING, Setup, SetupTable, fnv1a_after};
+use super::{Dimension, FNV1A_OF_NOTHING, Key, Setup, SetupTable, fnv1a_after};
 use crate::error::{FileError, SetupError};
 use crate::files::{InputFile, open_regular, path_in_text};
 use serde::{Serialize, Serializer};
@@ -129,8 +129,8 @@ impl SetupTable {
     fn with_names(mut self, choose: impl Fn(&str, Option<&String>) -> Option<PathBuf>) -> Result<Self, FileError> {
         let old = self.digests();
         let mut new = toml::Table::new();
-        for key in FILE_KEYS {
-            for value in self.find_mut(key).map(list_mut).unwrap_or_default() {
+        for key in Key::of_dimension(Dimension::File) {
+            for value in self.find_mut(key.path).map(list_mut).unwrap_or_default() {
                 let toml::Value::String(name) = value else { continue };
                 let digest = old.get(name);
                 if let Some(path) = choose(name, digest) {
@@ -151,8 +151,8 @@ impl SetupTable {
     /// Whether the files that the surface is made from are there with their digests. Results of earlier versions have none, but full paths.
     pub fn has_files_of_surface(&self) -> bool {
         let digests = self.digests();
-        let keys = FILE_KEYS.iter().filter(|key| key.starts_with("surface."));
-        let mut names = keys.flat_map(|key| self.names_at(key));
+        let keys = Key::of_dimension(Dimension::File).filter(|key| key.section() == "surface");
+        let mut names = keys.flat_map(|key| self.names_at(key.path));
         names.all(|name| match digests.get(name) {
             Some(digest) => has_digest(Path::new(name), digest),
             None => Path::new(name).is_absolute() && Path::new(name).is_file(),
@@ -166,8 +166,8 @@ impl SetupTable {
     pub(super) fn check_digests(&mut self) -> Result<(), SetupError> {
         let digests = self.digests();
         self.remove(SECTION);
-        for key in FILE_KEYS {
-            for value in self.find_mut(key).map(list_mut).unwrap_or_default() {
+        for key in Key::of_dimension(Dimension::File) {
+            for value in self.find_mut(key.path).map(list_mut).unwrap_or_default() {
                 let toml::Value::String(name) = value else { continue };
                 let Some(digest) = digests.get(name) else { continue };
                 let path = Path::new(name.as_str());
@@ -176,7 +176,7 @@ impl SetupTable {
                     let reason = format!(
                         "{name} {what}: give the file that the result was made from, beside the result or under this key"
                     );
-                    return Err(SetupError::text(key, reason));
+                    return Err(SetupError::text(key.path, reason));
                 }
             }
         }

@@ -1,24 +1,12 @@
 //! The files that a setup names.
+//!
+//! What a setup reads follows from the keys of [`Dimension::File`], in the order of [`Setup::files`]: files are found beside their scene, belong to the
+//! fingerprint of a study by their content, have digests in saved setups, and are never overwritten.
 
-use super::{Setup, SetupTable};
+use super::{Dimension, Key, Setup, SetupTable};
 use crate::error::SetupError;
 use crate::files::InputFile;
 use std::path::PathBuf;
-
-/// The keys of a scene whose values are files, in the order of [`Setup::files`].
-///
-/// What a setup reads follows from this list: files are found beside their scene, belong to the fingerprint of a study by their content, are
-/// have digests in saved setups, and are never overwritten.
-pub const FILE_KEYS: [&str; 8] = [
-    "surface.height",
-    "surface.against",
-    "surface.spectrum.table",
-    "surface.spectrum.heights-like",
-    "surface.second-spectrum.table",
-    "surface.second-spectrum.heights-like",
-    "adhesion.table",
-    "path.file",
-];
 
 impl Setup {
     /// All files that the setup names, those in memory as well.
@@ -66,7 +54,7 @@ impl Setup {
 impl SetupTable {
     /// The paths of all files that the sections and keys name, those in lists as well.
     pub fn files(&self) -> Vec<PathBuf> {
-        FILE_KEYS.iter().flat_map(|key| self.names_at(key)).map(PathBuf::from).collect()
+        Key::of_dimension(Dimension::File).flat_map(|key| self.names_at(key.path)).map(PathBuf::from).collect()
     }
 
     /// The names of files at a path of keys, those in a list as well.

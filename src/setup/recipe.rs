@@ -1,6 +1,6 @@
 //! The recipe of a surface.
 
-use super::Cell;
+use super::{Cell, Dimension, Key};
 use crate::error::{ConflictRule, SetupError, SurfaceError};
 use crate::files::InputFile;
 use crate::grid::Grid;
@@ -353,7 +353,7 @@ impl Recipe {
         let file = self.height.as_ref().map(|file| format!("heights from {}{steps}", file.display()));
         let against = self.against.as_ref().map(|file| format!("pressed on heights from {}{steps}", file.display()));
         let smooth = self.indenter.map(|indenter| {
-            let number = |name: &str, value: f64| match in_words.filter(|_| Indenter::LENGTHS.contains(&name)) {
+            let number = |name: &str, value: f64| match in_words.filter(|_| is_length_of_indenter(name)) {
                 Some(in_words) => in_words(value),
                 None => format!("{value:?}"),
             };
@@ -398,4 +398,10 @@ fn name_or_number<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, 
         NameOrNumber::Name(name) => name,
         NameOrNumber::Number(number) => number.to_string(),
     }))
+}
+
+/// Whether a parameter of an indenter is a length.
+fn is_length_of_indenter(name: &str) -> bool {
+    let path = format!("surface.indenter.{}", name.replace('_', "-"));
+    Key::find(&path).is_some_and(|key| key.dimension == Dimension::Length)
 }

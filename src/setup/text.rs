@@ -1,7 +1,7 @@
 //! Setups as text.
 
 use super::fault::{found_in, keys_of};
-use super::{Cell, FLAGS, Method, Recipe, Setup};
+use super::{Cell, Key, Method, Recipe, Setup};
 use crate::contact::first_archive;
 use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
 use crate::files::{path_in_text, read_text_bytes, write_beside};
@@ -222,7 +222,7 @@ impl SetupTable {
     fn complete_solver(&mut self) -> Result<(), SetupError> {
         let Some(toml::Value::Table(solver)) = self.0.get_mut("solver") else { return Ok(()) };
         let method = solver.entry("method").or_insert(Method::default().name().into()).clone();
-        let is_setting = |key: &&String| FLAGS.iter().any(|it| it.path == format!("solver.{key}")) && *key != "method";
+        let is_setting = |key: &&String| Key::find(&format!("solver.{key}")).is_some() && *key != "method";
         match (solver.keys().find(is_setting), method.as_str()) {
             (Some(key), Some(method)) if method != GFMD => {
                 let reason = format!(

@@ -1,97 +1,21 @@
 //! Units that are given for some quantities and not for others.
 
-use super::SetupTable;
 use super::range::has_unit;
+use super::{Dimension, KEYS, Key, SetupTable};
 use crate::error::SetupError;
 use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit};
 use toml::Value;
 
-/// The kinds of quantities, each with its keys. Numbers alone of one kind are in the same unit, so either all of them have a unit or none has.
-const KINDS: [(&str, &[&str]); 7] = [
-    (
-        PRESSURE,
-        &[
-            "solid.contact-modulus",
-            "solid.young",
-            "solid.yield-stress",
-            "solid.hardening-modulus",
-            "solid.kinematic-hardening",
-            "law.hardness",
-            "load.mean-pressure",
-        ],
-    ),
-    (
-        LENGTH,
-        &[
-            "surface.bumps",
-            "surface.indenter.radius",
-            "surface.indenter.amplitude",
-            "surface.indenter.half-width",
-            "surface.indenter.depth",
-            "surface.spectrum.rolloff-wavelength",
-            "surface.spectrum.short-cutoff",
-            "surface.spectrum.rms-height",
-            "surface.second-spectrum.rolloff-wavelength",
-            "surface.second-spectrum.short-cutoff",
-            "surface.second-spectrum.rms-height",
-            "surface.prepare.high-pass",
-            "surface.prepare.low-pass",
-            "grid.size",
-            "grid.datum",
-            "solid.layer",
-            "solid.yield-depth",
-            "load.mean-gap",
-            "load.approach",
-            "adhesion.range",
-            "rolling.step",
-        ],
-    ),
-    ("force", &[FORCE]),
-    ("energy per area", &["adhesion.work"]),
-    ("time", &["viscoelastic.creep", "viscoelastic.relaxation", "path.time"]),
-    ("speed", &["sliding.speed"]),
-    // They are of the kind of the normal load. Numbers alone are in SI beside one with a unit, since a path is often a table of numbers.
-    ("load of a path", &LOADS),
-];
-const PRESSURE: &str = "pressure";
-const LENGTH: &str = "length";
-
-/// The loads of a path and the tangential loads: they are of the same kind as the normal load.
-const LOADS: [&str; 4] = ["friction.tangential", "path.load", "path.tangential", "rolling.tangential"];
-
 /// The keys of a contact modulus. Each of them alone says which modulus pressures are compared with.
 const MODULI: [&str; 3] = ["solid.contact-modulus", "solid.young", "solid.stiffness"];
-
-/// The keys of what a contact divides by its modulus, where it may be given without one: then it is a number over the modulus, and a unit
-/// contradicts that. Mean pressures and forces are refused without a modulus in any case.
-const OVER_MODULUS: [&str; 5] =
-    ["law.hardness", "solid.yield-stress", "solid.hardening-modulus", "solid.kinematic-hardening", "adhesion.work"];
 
 /// The section whose lists are pairs of a ratio, which has no unit, and a time.
 const OF_PAIRS: &str = "viscoelastic.";
 
-/// Names of quantities that differ from their keys.
-const NAMES: [(&str, &str); 13] = [
-    ("solid.young", "Young's modulus"),
-    ("surface.bumps", "length of a bump"),
-    ("surface.prepare.high-pass", "high-pass wavelength"),
-    ("surface.prepare.low-pass", "low-pass wavelength"),
-    ("friction.tangential", "tangential load"),
-    ("path.load", "load of the path"),
-    ("path.tangential", "tangential load of the path"),
-    ("rolling.tangential", "tangential load of rolling"),
-    ("rolling.step", "step of rolling"),
-    ("adhesion.work", "work of adhesion"),
-    ("path.time", "time of the path"),
-    ("viscoelastic.creep", "retardation time"),
-    ("viscoelastic.relaxation", "relaxation time"),
-];
-
 /// The key of the force.
 const FORCE: &str = "load.force";
 
-/// The keys of values that are electrical or thermal, and the letter of the unit that only thermal ones have.
-const CONDUCTION: [&str; 2] = ["flow.resistivity", "flow.conductivity"];
+/// The letter of units that only thermal resistivities and conductivities have.
 const KELVIN: char = 'K';
 
 /// The keys of the units of lengths and pressures in a recording, and the unit of pressures that are given with theirs.
@@ -151,25 +75,24 @@ impl SetupTable {
     /// # Errors
     /// [`SetupError::MixedUnits`].
     pub fn check_numbers(&self) -> Result<(), SetupError> {
-        for (kind, keys) in KINDS {
-            self.check_kind(kind, keys)?;
+        for dimension in Dimension::WITH_UNITS {
+            self.check_dimension(dimension)?;
         }
         // a force belongs to a pressure times an area
-        let force = self.words_of(FORCE).into_iter().find(|word| is_with_unit(word));
+        let force = self.given(Dimension::Force).into_iter().find(|(_, word)| is_with_unit(word));
         let number = self.pressures_and_lengths().into_iter().find(|(_, word)| !is_with_unit(word));
         match (force, number) {
             (Some(force), Some(number)) => {
-                let kind = if KINDS[0].1.contains(&number.0) { PRESSURE } else { LENGTH };
-                Err(SetupError::MixedUnits { kind, without: named(&number), with: named(&(FORCE, force)) })
+                let kind = number.0.dimension.name();
+                Err(SetupError::MixedUnits { kind, without: named(&number), with: named(&force) })
             }
             _ => Ok(()),
         }
     }
 
     /// The pressures and lengths that are given, each with its key.
-    fn pressures_and_lengths(&self) -> Vec<(&'static str, String)> {
-        let kinds = KINDS.iter().filter(|(kind, _)| [PRESSURE, LENGTH].contains(kind));
-        kinds.flat_map(|(_, keys)| self.given(keys)).collect()
+    fn pressures_and_lengths(&self) -> Vec<(&'static Key, String)> {
+        [self.given(Dimension::Pressure), self.given(Dimension::Length)].concat()
     }
 
     /// Refuses a hardness, a yield stress or a work of adhesion with a unit where no modulus is given: the modulus would be 1 Pa.
@@ -180,25 +103,36 @@ impl SetupTable {
         if MODULI.iter().any(|key| self.find(key).is_some()) {
             return Ok(());
         }
-        match self.given(&OVER_MODULUS).iter().find(|(_, word)| is_with_unit(word)) {
-            Some(given) => Err(SetupError::UnitWithoutModulus { given: named(given) }),
-            None => Ok(()),
+        // Without a modulus these are numbers over it, which a unit contradicts. Mean pressures and forces are refused without a modulus in any case.
+        for key in KEYS.iter().filter(|key| key.is_over_modulus) {
+            if let Some(word) = self.words_of(key.path).into_iter().find(|word| is_with_unit(word)) {
+                return Err(SetupError::UnitWithoutModulus { given: named(&(key, word)) });
+            }
         }
+        Ok(())
     }
 
-    fn check_kind(&self, kind: &'static str, keys: &[&'static str]) -> Result<(), SetupError> {
-        let (with, without): (Vec<_>, Vec<_>) = self.given(keys).into_iter().partition(|(_, word)| is_with_unit(word));
+    /// Refuses a number alone beside a quantity of the same dimension with a unit. Loads of a path are apart from the normal load: numbers alone are in SI
+    /// beside one with a unit, since a path is often a table of numbers.
+    fn check_dimension(&self, dimension: Dimension) -> Result<(), SetupError> {
+        let given = self.given(dimension).into_iter();
+        let (with, without): (Vec<_>, Vec<_>) = given.partition(|(_, word)| is_with_unit(word));
         match (with.first(), without.first()) {
             (Some(with), Some(without)) => {
+                let kind = dimension.name();
                 Err(SetupError::MixedUnits { kind, without: named(without), with: named(with) })
             }
             _ => Ok(()),
         }
     }
 
-    /// The quantities at some keys, each with its key.
-    fn given(&self, keys: &[&'static str]) -> Vec<(&'static str, String)> {
-        keys.iter().flat_map(|key| self.words_of(key).into_iter().map(move |word| (*key, word))).collect()
+    /// The quantities of a dimension, each with its key.
+    fn given(&self, dimension: Dimension) -> Vec<(&'static Key, String)> {
+        let mut given = Vec::new();
+        for key in Key::of_dimension(dimension) {
+            given.extend(self.words_of(key.path).into_iter().map(|word| (key, word)));
+        }
+        given
     }
 
     /// Refuses a number alone as the force beside pressures or lengths with units.
@@ -223,9 +157,9 @@ impl SetupTable {
     /// [`SetupError::ForceUnit`].
     pub fn check_force_units(&self) -> Result<(), SetupError> {
         let is_force = self.find(FORCE).is_some();
-        let keys = [FORCE].into_iter().chain(LOADS);
-        let words: Vec<String> = keys.filter(|_| is_force).flat_map(|key| self.words_of(key)).collect();
-        let ends = words.iter().flat_map(|word| ends(word));
+        let words =
+            if is_force { [self.given(Dimension::Force), self.given(Dimension::Load)].concat() } else { Vec::new() };
+        let ends = words.iter().flat_map(|(_, word)| ends(word));
         let forces: Vec<(&str, ForceUnit)> = ends.filter_map(|word| Some((word, force_unit(word)?))).collect();
         let Some(axes) = forces.first().and_then(|_| self.axes()) else { return Ok(()) };
         let (expected, is_line) = if axes == 1 { (ForceUnit::Line, true) } else { (ForceUnit::Surface, false) };
@@ -256,8 +190,8 @@ impl SetupTable {
 
     /// Refuses bodies of which one conducts electricity and the other one heat.
     fn check_conduction(&self) -> Result<(), SetupError> {
-        for key in CONDUCTION {
-            let words = words(self.find(key));
+        for key in Key::of_dimension(Dimension::Conduction) {
+            let words = words(self.find(key.path));
             let (thermal, electrical): (Vec<_>, Vec<_>) =
                 words.into_iter().filter(|word| is_with_unit(word)).partition(|word| word.contains(KELVIN));
             if let (Some(electrical), Some(thermal)) = (electrical.first(), thermal.first()) {
@@ -270,15 +204,8 @@ impl SetupTable {
 }
 
 /// A quantity with its name.
-fn named((key, word): &(&str, String)) -> String {
-    format!("{} {word}", name(key))
-}
-
-/// The name of the quantity at some keys, with its article where it has one.
-fn name(key: &str) -> String {
-    let plain = || key.rsplit('.').next().unwrap_or(key).replace('-', " ");
-    let name = NAMES.iter().find(|(path, _)| *path == key).map_or_else(plain, |(_, name)| (*name).to_owned());
-    if name.starts_with(char::is_uppercase) { name } else { format!("the {name}") }
+fn named((key, word): &(&Key, String)) -> String {
+    format!("{} {word}", key.quantity())
 }
 
 /// The numbers and quantities of a value, as they are written; zero needs no unit.

@@ -1,6 +1,6 @@
 //! Setups in a few words.
 
-use super::{FLAGS, Flag, FlagValue, Setup, SetupTable};
+use super::{FlagValue, Key, Setup, SetupTable};
 
 /// The values of some sections of a setup under the names of their flags, such as `reduced-pressure 0.02, gfmd, damping 0.5`.
 ///
@@ -14,7 +14,7 @@ use super::{FLAGS, Flag, FlagValue, Setup, SetupTable};
 /// ```
 pub fn in_words(setup: &Setup, sections: &[&str]) -> String {
     let table = setup.to_table();
-    words(&table, FLAGS.iter().filter(|flag| sections.contains(&flag.section())))
+    words(&table, Key::with_flags().filter(|key| sections.contains(&key.section())))
 }
 
 /// The differences of setups, without their recordings: for each setup, the values that are not the same in all of
@@ -36,36 +36,36 @@ pub fn differences(setups: &[Setup]) -> Vec<String> {
 
 /// The settings in which setups differ that are given as tables, such as those of lists of loads: see [`differences`].
 pub fn differences_of_tables(tables: &[SetupTable]) -> Vec<String> {
-    let differ = |flag: &Flag| tables.iter().any(|table| table.find(flag.path) != tables[0].find(flag.path));
-    let differ_where_they_are = |flag: &Flag| {
-        let mut values = tables.iter().filter_map(|table| table.find(flag.path));
+    let differ = |key: &Key| tables.iter().any(|table| table.find(key.path) != tables[0].find(key.path));
+    let differ_where_they_are = |key: &Key| {
+        let mut values = tables.iter().filter_map(|table| table.find(key.path));
         values.next().is_some_and(|first| values.any(|value| value != first))
     };
-    let is_written = |flag: &&Flag| {
+    let is_written = |key: &&Key| {
         let is_setting =
-            FLAGS.iter().any(|it| it.name != flag.name && is_variant(it) && differ(it) && beside(it, flag));
-        flag.section() != "record" && if is_setting { differ_where_they_are(flag) } else { differ(flag) }
+            Key::with_flags().any(|it| it.flag != key.flag && is_variant(it) && differ(it) && beside(it, key));
+        key.section() != "record" && if is_setting { differ_where_they_are(key) } else { differ(key) }
     };
-    tables.iter().map(|table| words(table, FLAGS.iter().filter(is_written))).collect()
+    tables.iter().map(|table| words(table, Key::with_flags().filter(is_written))).collect()
 }
 
-fn is_variant(flag: &Flag) -> bool {
-    matches!(flag.value, FlagValue::Variant(_))
+fn is_variant(key: &Key) -> bool {
+    matches!(key.value, FlagValue::Variant(_))
 }
 
 /// Whether two flags set values of the same table.
-fn beside(one: &Flag, other: &Flag) -> bool {
+fn beside(one: &Key, other: &Key) -> bool {
     one.path.rsplit_once('.').map(|(table, _)| table) == other.path.rsplit_once('.').map(|(table, _)| table)
 }
 
 /// The values of flags under their names; that of a method or a shape needs no name.
-fn words<'a>(table: &SetupTable, flags: impl Iterator<Item = &'a Flag>) -> String {
-    let word = |flag: &Flag| {
-        let value = plain(table.find(flag.path)?);
-        Some(match flag.value {
+fn words<'a>(table: &SetupTable, flags: impl Iterator<Item = &'a Key>) -> String {
+    let word = |key: &Key| {
+        let value = plain(table.find(key.path)?);
+        Some(match key.value {
             FlagValue::Variant(_) => value,
-            FlagValue::Switch => flag.name.into(),
-            _ => format!("{} {value}", flag.name),
+            FlagValue::Switch => key.flag.into(),
+            _ => format!("{} {value}", key.flag),
         })
     };
     flags.filter_map(word).collect::<Vec<_>>().join(", ")

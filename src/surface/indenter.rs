@@ -112,9 +112,6 @@ pub enum Indenter {
 }
 
 impl Indenter {
-    /// The names of its parameters that are lengths.
-    pub const LENGTHS: [&'static str; 6] = ["radius", "radius_x", "radius_y", "amplitude", "half_width", "depth"];
-
     /// Its name.
     pub fn name(&self) -> &'static str {
         match self {

@@ -19,6 +19,7 @@ mod real_files;
 mod recording;
 mod saved;
 mod setup;
+mod setup_keys;
 mod study;
 #[cfg(all(unix, feature = "cli", feature = "record"))]
 mod viewers;

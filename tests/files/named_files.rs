@@ -2,7 +2,7 @@
 
 use crate::command::{Folder, text};
 use crate::height_files::directory;
-use asperity::setup::{FILE_KEYS, FLAGS, Setup, SetupTable};
+use asperity::setup::{Dimension, Key, Setup, SetupTable};
 use asperity::surface::write_heights;
 use std::collections::BTreeSet;
 use std::fs;
@@ -40,15 +40,20 @@ fn write_files(folder: &Path) {
     write_heights(folder.join("h.npy"), ndarray::Array1::from(heights).into_dyn().view()).unwrap();
 }
 
+/// The keys of files, as they are declared.
+fn file_keys() -> impl Iterator<Item = &'static str> {
+    Key::of_dimension(Dimension::File).map(|key| key.path)
+}
+
 /// The sentence about a value at a path of keys.
-fn sentence(path: &str, value: toml::Value) -> String {
+pub fn sentence(path: &str, value: toml::Value) -> String {
     let mut table = SetupTable::from_toml(ROUGH).unwrap();
     table.lay(path, value);
     table.setup().map_or_else(|error| error.to_string(), |_| String::new())
 }
 
 /// The keys of a section, as its refusal of an unknown one lists them; none where it is no section.
-fn keys_in(section: &str) -> Vec<String> {
+pub fn keys_in(section: &str) -> Vec<String> {
     let unknown = if section.is_empty() { "no-such".to_owned() } else { format!("{section}.no-such") };
     let refused = sentence(&unknown, 1.into());
     let Some((_, known)) = refused.split_once("unknown key `no-such`, expected ") else { return Vec::new() };
@@ -72,9 +77,10 @@ fn keys_of_files(section: &str, depth: usize, found: &mut BTreeSet<String>) {
 fn every_key_and_every_flag_whose_value_is_a_file_is_in_the_list() {
     let mut found = BTreeSet::new();
     keys_of_files("", 3, &mut found);
-    let flags = FLAGS.iter().filter(|flag| flag.placeholder.starts_with("FILE")).map(|flag| flag.path.to_owned());
-    assert!(flags.clone().count() >= 6 && flags.clone().all(|key| found.contains(&key)), "{found:?}");
-    assert_eq!(found, FILE_KEYS.iter().map(|key| (*key).to_owned()).collect());
+    let flags: Vec<&str> =
+        Key::with_flags().filter(|key| key.placeholder.starts_with("FILE")).map(|key| key.path).collect();
+    assert!(flags.len() >= 6 && flags.iter().all(|key| found.contains(*key)), "{found:?}");
+    assert_eq!(found, file_keys().map(str::to_owned).collect());
 }
 
 #[test]
@@ -91,7 +97,7 @@ adhesion = { table = \"att.csv\" }
 path = { file = \"path.csv\" }
 ";
     let table = SetupTable::from_toml(scene).unwrap().beside(&folder.path().join("scene.toml")).unwrap();
-    assert_eq!(table.files().len(), FILE_KEYS.len());
+    assert_eq!(table.files().len(), file_keys().count());
     let setup = table.clone().setup().unwrap();
     let listed: Vec<_> = setup.files().map(|file| file.path().to_path_buf()).collect();
     assert_eq!(listed, table.files());
@@ -102,7 +108,7 @@ path = { file = \"path.csv\" }
     }
     let again = Setup::from_toml(&saved).unwrap();
     // the lists of the path are in the setup, and its file is not needed again
-    assert_eq!(again.files().count(), FILE_KEYS.len() - 1);
+    assert_eq!(again.files().count(), file_keys().count() - 1);
     assert_eq!(again.path.unwrap().load, [0.002, -0.001]);
 }
 
@@ -229,7 +235,7 @@ fn a_setup_in_a_result_has_an_end() {
 /// Each key of a file refuses it, for a reason.
 #[cfg(unix)]
 fn refuse_everywhere(folder: &Path, file: &str, reason: &str) {
-    for key in FILE_KEYS {
+    for key in file_keys() {
         let base = match key.split('.').next() {
             Some("adhesion" | "path") => STICKY,
             _ => SPECTRUM,

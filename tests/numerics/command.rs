@@ -1,18 +1,17 @@
 //! Command lines that repeat setups, and the names that can be chosen on them.
 
 use asperity::contact::{Dynamics, Gfmd, Load, Masses};
-use asperity::setup::{Cell, FLAGS, Flag, FlagValue, Method, Recipe, Setup, SetupTable, command, lay};
+use asperity::setup::{Cell, FlagValue, Key, Method, Recipe, Setup, SetupTable, command, lay};
 use asperity::surface::{Indenter, Spectrum};
 
 /// The setup that a command line describes, its flags laid over nothing.
 fn parsed(command: &str) -> Setup {
     let words: Vec<&str> = command.split_whitespace().skip(2).collect();
     let mut table = SetupTable::default();
-    let given: Vec<_> = FLAGS
-        .iter()
-        .filter_map(|flag| {
-            let at = words.iter().position(|word| word.strip_prefix("--") == Some(flag.name))?;
-            Some((flag, words[at + 1].split(',').map(str::to_owned).collect()))
+    let given: Vec<_> = Key::with_flags()
+        .filter_map(|key| {
+            let at = words.iter().position(|word| word.strip_prefix("--") == Some(key.flag))?;
+            Some((key, words[at + 1].split(',').map(str::to_owned).collect()))
         })
         .collect();
     lay(&given, &mut table);
@@ -42,22 +41,18 @@ fn every_name_that_can_be_chosen_can_be_read() {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.2, short_cutoff: 0.1, rms_gradient: 0.1 };
     let setup = Setup::new(Recipe::rough(spectrum, 1), Cell::line(64, 1.0), Load::MeanGap(1.0));
     let setup = Setup { solver: Method::Gfmd(Gfmd::default()), ..setup };
-    let is_unknown = |flag: &Flag, name: &str| {
+    let is_unknown = |key: &Key, name: &str| {
         let mut table = setup.to_table();
-        lay(&[(flag, vec![name.into()])], &mut table);
+        lay(&[(key, vec![name.into()])], &mut table);
         let says = |error: String| error.contains("unknown value") || error.contains("is not a preparation");
         table.setup().is_err_and(|error| says(error.to_string()))
     };
     let mut chosen = 0;
-    for flag in FLAGS {
-        let (FlagValue::Choice(names) | FlagValue::Variant(names) | FlagValue::Choices(names)) = flag.value else {
+    for key in Key::with_flags() {
+        let (FlagValue::Choice(names) | FlagValue::Variant(names) | FlagValue::Choices(names)) = key.value else {
             continue;
         };
-        assert!(
-            is_unknown(flag, "nothing") && !names().iter().any(|(name, _)| is_unknown(flag, name)),
-            "{}",
-            flag.name
-        );
+        assert!(is_unknown(key, "nothing") && !names().iter().any(|(name, _)| is_unknown(key, name)), "{}", key.flag);
         chosen += 1;
     }
     assert_eq!(chosen, 23);

@@ -1,7 +1,7 @@
 //! Negative numbers after flags.
 
 use crate::command::{Folder, text};
-use asperity::setup::{FLAGS, FlagValue};
+use asperity::setup::{FlagValue, Key};
 
 const WHEEL: &str = "solve --indenter cylinder --radius 1 --points 64 --size 0.5 --boundary free --modulus 1 --force 0.01 --friction 0.3";
 
@@ -11,13 +11,13 @@ const OF_THE_PARSER: &str = "try '--help'";
 #[test]
 fn every_flag_of_a_setup_takes_negative_numbers_lists_and_units() {
     let folder = Folder::new();
-    let takes_numbers = FLAGS.iter().filter(|flag| matches!(flag.value, FlagValue::One | FlagValue::List));
-    for flag in takes_numbers.filter(|flag| flag.section() != "record") {
+    let takes_numbers = Key::with_flags().filter(|key| matches!(key.value, FlagValue::One | FlagValue::List));
+    for key in takes_numbers.filter(|key| key.section() != "record") {
         for value in ["-1", "-1e-4", "-.5", "-150,150", "-3kPa", "-8E-1", "-inf"] {
-            let output = folder.run(&format!("solve --{} {value}", flag.name));
+            let output = folder.run(&format!("solve --{} {value}", key.flag));
             let error = text(&output.stderr);
-            assert_eq!(output.status.code(), Some(2), "--{} {value}: {error}", flag.name);
-            assert!(!error.contains(OF_THE_PARSER), "--{} {value}: {error}", flag.name);
+            assert_eq!(output.status.code(), Some(2), "--{} {value}: {error}", key.flag);
+            assert!(!error.contains(OF_THE_PARSER), "--{} {value}: {error}", key.flag);
         }
     }
 }

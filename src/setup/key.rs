@@ -1,0 +1,326 @@
+//! The keys of a scene, and the flags of the command line that set them.
+//!
+//! A new key is one row of [`KEYS`]: the flag and its help, the units that its value takes, whether it is a file, and where it would have no effect are read
+//! from there.
+
+use super::idle::{GIVEN_STEPS, Idle, NO_CREEP, NO_FRICTION_PATH, NO_HALF_SPACE, NO_RASTER, NO_YIELDING, YIELDING};
+use super::{Boundary, Method, Part, Theme};
+use crate::adhesion::{AdhesiveMethod, AttractionForm};
+use crate::contact::{Dynamics, Masses};
+use crate::elastic::Base;
+use crate::surface::{
+    Detrend, ExactPart, Fill, Form, Indenter, LineLevel, Mirror, Outliers, Preparation, Resample, RolloffForm, Scars,
+    SpectrumConvention,
+};
+use strum::{EnumMessage, IntoEnumIterator};
+
+/// A key of a scene.
+pub struct Key {
+    /// Its sections and its name, separated by dots.
+    pub path: &'static str,
+    /// The name of the flag that sets it, without the dashes; empty where a scene alone can.
+    pub flag: &'static str,
+    /// The form of the value of the flag.
+    pub value: FlagValue,
+    /// What its numbers measure.
+    pub dimension: Dimension,
+    /// The placeholder of its value in the help.
+    pub placeholder: &'static str,
+    /// One sentence.
+    pub help: &'static str,
+    /// The name of its quantity in sentences, where that is not the last word of the path.
+    quantity: Option<&'static str>,
+    /// Whether its numbers are over the contact modulus where there is none.
+    pub(super) is_over_modulus: bool,
+    /// Where it would have no effect.
+    pub(super) idle: &'static [Idle],
+}
+
+/// What the value of a key is: the units that its numbers take follow from it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// A number without a unit.
+    One,
+    /// A length.
+    Length,
+    /// A pressure, a modulus or a stress.
+    Pressure,
+    /// A force; on a line, a force per length.
+    Force,
+    /// An energy per area.
+    EnergyPerArea,
+    /// A time.
+    Time,
+    /// A speed.
+    Speed,
+    /// A load of the same kind as the normal load.
+    Load,
+    /// An electrical or thermal resistivity or conductivity.
+    Conduction,
+    /// A slope or an angle.
+    Slope,
+    /// The coefficient A of a power law A r^n, whose unit depends on n.
+    PowerLaw,
+    /// A unit.
+    Unit,
+    /// A name.
+    Word,
+    /// A file that is read.
+    File,
+    /// Yes or no.
+    Switch,
+}
+
+impl Dimension {
+    /// The dimensions of which numbers alone are in the same unit throughout a scene: either all of them have a unit, or none has.
+    pub(super) const WITH_UNITS: [Self; 7] =
+        [Self::Pressure, Self::Length, Self::Force, Self::EnergyPerArea, Self::Time, Self::Speed, Self::Load];
+
+    /// Its name in sentences.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::One => "number",
+            Self::Length => "length",
+            Self::Pressure => "pressure",
+            Self::Force => "force",
+            Self::EnergyPerArea => "energy per area",
+            Self::Time => "time",
+            Self::Speed => "speed",
+            Self::Load => "load of a path",
+            Self::Conduction => "resistivity or conductivity",
+            Self::Slope => "slope",
+            Self::PowerLaw => "coefficient",
+            Self::Unit => "unit",
+            Self::Word => "name",
+            Self::File => "file",
+            Self::Switch => "choice",
+        }
+    }
+}
+
+/// The value of a flag.
+#[derive(Clone, Copy)]
+pub enum FlagValue {
+    /// A number, a quantity with a unit, or a name.
+    One,
+    /// One of them, or several separated by commas.
+    List,
+    /// One of some names, with a short description each.
+    Choice(Choices),
+    /// One of some names that each have their own keys: it replaces all keys of its section or table.
+    Variant(Choices),
+    /// Several of some names.
+    Choices(Choices),
+    /// Nothing: the flag alone means yes.
+    Switch,
+}
+
+/// Names to choose from, with a short description each.
+pub type Choices = fn() -> Vec<(&'static str, &'static str)>;
+
+/// The names of the variants of an enum, with a short description each: its message, or the first line of its documentation.
+///
+/// ```
+/// use asperity::setup::{Theme, choices};
+/// assert_eq!(choices::<Theme>()[0], ("dark", "Light lines on a dark background"));
+/// ```
+pub fn choices<T: IntoEnumIterator + EnumMessage + Into<&'static str>>() -> Vec<(&'static str, &'static str)> {
+    let choice = |it: T| {
+        let line = it.get_documentation().and_then(|text| text.lines().next()).unwrap_or_default();
+        let words = it.get_message().unwrap_or(line.trim_end_matches('.'));
+        (it.into(), words)
+    };
+    T::iter().map(choice).collect()
+}
+
+/// All keys. Those with flags are in the order of a command line.
+#[rustfmt::skip]
+pub const KEYS: &[Key] = &[
+    key("surface.height", "height", FlagValue::One, Dimension::File, "FILE", "File of heights of a line or a surface: an instrument's format, .npy, .npz or text; peaks towards the solid are positive"),
+    key("surface.against", "against", FlagValue::One, Dimension::File, "FILE", "File of heights of the second body, of the same shape; peaks towards the first body are positive; both heights are added"),
+    key("surface.channel", "channel", FlagValue::One, Dimension::Word, "NAME", "Channel of a file with several channels, by name or number"),
+    key("surface.file-unit", "file-unit", FlagValue::One, Dimension::Unit, "L", "Unit of all lengths in a file without units, heights and distances, such as 1um"),
+    key("surface.height-unit", "height-unit", FlagValue::One, Dimension::Unit, "L", "Unit of the heights alone in a file without units, such as 1nm, where that of the distances is another one"),
+    key("surface.prepare.steps", "prepare", FlagValue::Choice(|| Preparation::WAYS.to_vec()), Dimension::Word, "WAY", "auto: choose the preparation steps from the heights, and print the reasons; steps that you give are kept"),
+    key("surface.prepare.resample", "resample", FlagValue::Choice(choices::<Resample>), Dimension::Word, "WAY", "Interpolate heights at uneven positions to even spacing"),
+    key("surface.prepare.crop", "crop", FlagValue::List, Dimension::One, "A,B[,C,D]", "Part to keep: first node and last node + 1; of a map, first for the rows and then for the columns"),
+    key("surface.prepare.level-rows", "level-rows", FlagValue::Choice(choices::<LineLevel>), Dimension::Word, "WAY", "Level the rows of a map, each for itself: offsets takes off what differs independently from row to row, the others more"),
+    key("surface.prepare.level-columns", "level-columns", FlagValue::Choice(choices::<LineLevel>), Dimension::Word, "WAY", "Level the columns of a map, each for itself"),
+    key("surface.prepare.outliers", "outliers", FlagValue::Choice(choices::<Outliers>), Dimension::Word, "WAY", "Single heights that stand off all their neighbours (dead pixels, spikes): make them voids, for --fill"),
+    key("surface.prepare.scars", "scars", FlagValue::Choice(choices::<Scars>), Dimension::Word, "LINES", "Stretches of rows or columns that stand off the lines beside them: make them voids, for --fill"),
+    key("surface.prepare.fill", "fill", FlagValue::Choice(choices::<Fill>), Dimension::Word, "WAY", "Fill voids"),
+    key("surface.prepare.detrend", "detrend", FlagValue::Choice(choices::<Detrend>), Dimension::Word, "TREND", "Trend to subtract from the heights"),
+    key("surface.prepare.remove-form", "remove-form", FlagValue::Choice(choices::<Form>), Dimension::Word, "FORM", "Shape to fit and subtract"),
+    key("surface.prepare.high-pass", "high-pass", FlagValue::One, Dimension::Length, "LAMBDA", "Remove longer wavelengths (Gaussian filter, ISO 16610)").named("high-pass wavelength"),
+    key("surface.prepare.low-pass", "low-pass", FlagValue::One, Dimension::Length, "LAMBDA", "Remove shorter wavelengths (Gaussian filter, ISO 16610)").named("low-pass wavelength"),
+    key("surface.prepare.taper", "taper", FlagValue::One, Dimension::One, "SHARE", "Fraction of each side within which the heights go to their mean smoothly, at most 0.5"),
+    key("surface.prepare.mirror", "mirror", FlagValue::Choice(choices::<Mirror>), Dimension::Word, "AXES", "Axes along which the heights are mirrored, which makes them periodic without a jump"),
+    key("surface.indenter.shape", "indenter", FlagValue::Variant(choices::<Indenter>), Dimension::Word, "SHAPE", "A smooth indenter, centred in the cell"),
+    key("surface.indenter.radius", "radius", FlagValue::One, Dimension::Length, "R", "Radius of the cylinder or sphere"),
+    key("surface.indenter.radius-x", "radius-x", FlagValue::One, Dimension::Length, "R", "Radius of curvature along x of the elliptic paraboloid"),
+    key("surface.indenter.radius-y", "radius-y", FlagValue::One, Dimension::Length, "R", "Radius of curvature along y of the elliptic paraboloid"),
+    key("surface.indenter.amplitude", "amplitude", FlagValue::One, Dimension::Length, "D", "Amplitude of the sine or crossed sine (half of its peak-to-valley height)"),
+    key("surface.indenter.slope", "slope", FlagValue::One, Dimension::Slope, "M", "Slope of the wedge, cone or pyramid, or the angle of its flanks, such as 5deg"),
+    key("surface.indenter.coefficient", "coefficient", FlagValue::One, Dimension::PowerLaw, "A", "Coefficient A of the power law A r^n"),
+    key("surface.indenter.exponent", "exponent", FlagValue::One, Dimension::One, "n", "Exponent n of the power law A r^n"),
+    key("surface.indenter.half-width", "half-width", FlagValue::One, Dimension::Length, "B", "Half-width or radius of the punch"),
+    key("surface.indenter.depth", "depth", FlagValue::One, Dimension::Length, "D", "Height of the step at the rim of the punch"),
+    key("surface.spectrum.hurst", "hurst", FlagValue::One, Dimension::One, "H", "Self-affine roughness with this Hurst exponent, in (0, 1]; it is added to the indenter or heights"),
+    key("surface.spectrum.rolloff-wavelength", "rolloff", FlagValue::One, Dimension::Length, "LAMBDA", "Roll-off wavelength, above which the spectrum is flat (see --rolloff-form)"),
+    key("surface.spectrum.short-cutoff", "short-cutoff", FlagValue::One, Dimension::Length, "LAMBDA", "Wavelength below which the spectrum is zero"),
+    key("surface.spectrum.rms-gradient", "rms-gradient", FlagValue::One, Dimension::One, "G", "Root-mean-square gradient of the roughness; each realisation is scaled to it exactly"),
+    key("surface.spectrum.rms-height", "rms-height", FlagValue::One, Dimension::Length, "L", "Root-mean-square height of the roughness, instead of --rms-gradient"),
+    key("surface.spectrum.rolloff-form", "rolloff-form", FlagValue::Choice(choices::<RolloffForm>), Dimension::Word, "FORM", "What the spectrum does above the roll-off wavelength [default: plateau]"),
+    key("surface.spectrum.table", "spectrum", FlagValue::One, Dimension::File, "FILE", "Roughness by a table of its spectrum, instead of --hurst and the wavelengths: two columns (wavenumber, density), or a CSV file of contact.engineering"),
+    key("surface.spectrum.convention", "convention", FlagValue::Choice(choices::<SpectrumConvention>), Dimension::Word, "NAME", "Convention of the density in two columns [default: surface]"),
+    key("surface.spectrum.peklenik", "peklenik", FlagValue::One, Dimension::One, "GAMMA", "Peklenik number of a surface with a lay: correlation length along the lay over that across it [default: 1]"),
+    key("surface.spectrum.lay-angle", "lay-angle", FlagValue::One, Dimension::One, "DEGREES", "Angle from the x axis to the lay [default: 0]"),
+    key("surface.spectrum.skewness", "skewness", FlagValue::One, Dimension::One, "SSK", "Skewness of heights that are not Gaussian; needs --kurtosis"),
+    key("surface.spectrum.kurtosis", "kurtosis", FlagValue::One, Dimension::One, "SKU", "Kurtosis of heights that are not Gaussian (3 for Gaussian ones), above the square of the skewness + 1; needs --skewness"),
+    key("surface.spectrum.weibull", "weibull", FlagValue::One, Dimension::One, "K", "Heights with Weibull's distribution of this shape"),
+    key("surface.spectrum.beta", "beta", FlagValue::List, Dimension::One, "A,B", "Heights with the beta distribution of these shapes"),
+    key("surface.spectrum.heights-like", "heights-like", FlagValue::One, Dimension::File, "FILE", "Heights with the distribution of those in a file"),
+    key("surface.spectrum.exact", "exact", FlagValue::Choice(choices::<ExactPart>), Dimension::Word, "PART", "What is exact if heights are not Gaussian: their distribution, or the spectrum of the realisation [default: heights]"),
+    without_flag("surface.joined", Dimension::Word),
+    without_flag("surface.second-spectrum.hurst", Dimension::One),
+    without_flag("surface.second-spectrum.rolloff-wavelength", Dimension::Length),
+    without_flag("surface.second-spectrum.short-cutoff", Dimension::Length),
+    without_flag("surface.second-spectrum.rms-gradient", Dimension::One),
+    without_flag("surface.second-spectrum.rms-height", Dimension::Length),
+    without_flag("surface.second-spectrum.rolloff-form", Dimension::Word),
+    without_flag("surface.second-spectrum.table", Dimension::File),
+    without_flag("surface.second-spectrum.convention", Dimension::Word),
+    without_flag("surface.second-spectrum.peklenik", Dimension::One),
+    without_flag("surface.second-spectrum.lay-angle", Dimension::One),
+    without_flag("surface.second-spectrum.skewness", Dimension::One),
+    without_flag("surface.second-spectrum.kurtosis", Dimension::One),
+    without_flag("surface.second-spectrum.weibull", Dimension::One),
+    without_flag("surface.second-spectrum.beta", Dimension::One),
+    without_flag("surface.second-spectrum.heights-like", Dimension::File),
+    without_flag("surface.second-spectrum.exact", Dimension::Word),
+    key("surface.seed", "seed", FlagValue::One, Dimension::One, "SEED", "Seed of the random numbers [default: 1]"),
+    key("surface.bumps", "bumps", FlagValue::List, Dimension::Length, "X,H,W[,...]", "Bumps on a line, three lengths each: position, height (negative for a hollow) and width").named("length of a bump"),
+    key("grid.points", "points", FlagValue::List, Dimension::One, "N[,N]", "Grid points along the array's axes: one number for a line, two (rows, columns) for a surface; for roughness also auto or auto,auto"),
+    key("grid.size", "size", FlagValue::List, Dimension::Length, "L[,L]", "Lengths of the cell along the array's axes (rows, columns); one value holds for all axes; not needed if the height file has them"),
+    key("grid.refine", "refine", FlagValue::One, Dimension::One, "N", "Refinement factor of the file's grid (interpolated) or of --points, along each axis; auto: refine until area and kappa_r are accurate"),
+    key("grid.area-tolerance", "area-tolerance", FlagValue::One, Dimension::One, "ERROR", "Estimated relative error of area and kappa_r at which --refine auto or --points auto stops [default: 0.01]"),
+    key("grid.boundary", "boundary", FlagValue::Choices(choices::<Boundary>), Dimension::Word, "B[,B]", "Boundary along the array's axes (rows, columns); one value holds for all axes [default: periodic]"),
+    key("grid.datum", "datum", FlagValue::One, Dimension::Length, "D", "If only one axis is free: distance from a line load at which the displacement is zero [default: the length of the cell along it]").idle_where(&[NO_HALF_SPACE]),
+    key("solid.contact-modulus", "modulus", FlagValue::One, Dimension::Pressure, "E*", "Contact modulus E* = E / (1 - nu^2), with a unit such as 1GPa, or a number in your units"),
+    key("solid.young", "young", FlagValue::List, Dimension::Pressure, "E[,E]", "Young's modulus of the elastic body, or of both bodies: 1/E* = sum (1 - nu^2)/E; needs --poisson").named("Young's modulus"),
+    key("solid.poisson", "poisson", FlagValue::List, Dimension::One, "NU[,NU]", "Poisson's ratio of the elastic body, or of both bodies"),
+    key("solid.layer", "layer", FlagValue::One, Dimension::Length, "T", "Thickness of an elastic layer on a rigid base, instead of a half-space; needs --poisson"),
+    key("solid.base", "base", FlagValue::Choice(choices::<Base>), Dimension::Word, "BASE", "How the layer is held on its base [default: bonded]"),
+    key("solid.yield-stress", "yield-stress", FlagValue::One, Dimension::Pressure, "Y", "Yield stress in tension of a body that yields below its surface (J2 plasticity) and keeps an imprint; needs --young, --poisson and --hardening-modulus; loads, up and down, follow each other").over_modulus(),
+    key("solid.hardening-modulus", "hardening-modulus", FlagValue::One, Dimension::Pressure, "H", "Modulus of isotropic hardening: after a plastic strain alpha the body yields at Y + H alpha; a millionth of Young's modulus hardly differs from none").over_modulus(),
+    key("solid.kinematic-hardening", "kinematic-hardening", FlagValue::One, Dimension::Pressure, "C", "Modulus of linear kinematic hardening besides, which moves the yield limits [default: 0]").over_modulus(),
+    key("solid.yield-depth", "yield-depth", FlagValue::One, Dimension::Length, "D", "Depth at which the layers end in which the body may yield [default: half the longest side of the cell, and deeper where the body yields down to there]"),
+    key("solid.yield-layers", "yield-layers", FlagValue::One, Dimension::One, "N", "Number of layers, all of equal thickness [default: the first is half as thick as the spacing of the grid, each further one thicker by a tenth]"),
+    key("solid.yield-errors", "yield-errors", FlagValue::Switch, Dimension::Switch, "", "Estimate the errors of imprint and area by the load steps, by the layers and by the grid, from the same loads solved in finer steps, in coarser layers and on a coarser grid; takes about four times as long"),
+    key("law.hardness", "hardness", FlagValue::One, Dimension::Pressure, "H_C", "Hardness of the softer body: it yields at this pressure, and no pressure is higher; with a unit, or in the unit of the modulus; without a modulus, divided by E*").over_modulus(),
+    key("load.mean-pressure", "pressure", FlagValue::List, Dimension::Pressure, "P[,P]", "Mean pressure, with a unit, or in the unit of the modulus; needs a modulus; several values are solved one after the other"),
+    key("load.reduced-pressure", "reduced-pressure", FlagValue::List, Dimension::One, "P*[,P*]", "Reduced pressure p* = p / (rms gradient x modulus); without a modulus, pressures are divided by E*"),
+    key("load.mean-gap", "mean-gap", FlagValue::List, Dimension::Length, "G[,G]", "Mean gap: distance between the mean planes of both surfaces, less than the height of the highest peak; not with --solver gfmd"),
+    key("friction.coefficient", "friction", FlagValue::One, Dimension::One, "MU", "Coefficient of friction; needs --tangential, --path-tangential, --creepage or --rolling"),
+    key("friction.tangential", "tangential", FlagValue::One, Dimension::Load, "Q", "Tangential load along x, less than MU times the normal load, and of the same kind as it: a mean traction, a reduced traction or a force").named("tangential load"),
+    key("adhesion.work", "adhesion", FlagValue::One, Dimension::EnergyPerArea, "W", "Work of adhesion, an energy per area such as 50mJ/m^2; needs --adhesion-range").named("work of adhesion").over_modulus(),
+    key("adhesion.range", "adhesion-range", FlagValue::One, Dimension::Length, "RHO", "Range of the attraction: the work of adhesion over its largest traction, a length"),
+    key("adhesion.form", "adhesion-form", FlagValue::Choice(choices::<AttractionForm>), Dimension::Word, "FORM", "How the attraction falls with the gap [default: exponential]"),
+    key("adhesion.table", "adhesion-table", FlagValue::One, Dimension::File, "FILE.csv", "Table of the attraction with the columns gap and traction, instead of the three flags above"),
+    key("adhesion.method", "adhesion-method", FlagValue::Choice(choices::<AdhesiveMethod>), Dimension::Word, "METHOD", "Method that finds states with adhesion; gfmd is a motion, in which jumps can be watched [default: fast]"),
+    key("viscoelastic.creep", "creep", FlagValue::List, Dimension::Time, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is the one at once after loading; needs --path-time, --path or --speed").named("retardation time"),
+    key("viscoelastic.relaxation", "relaxation", FlagValue::List, Dimension::Time, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time").named("relaxation time"),
+    key("sliding.speed", "speed", FlagValue::List, Dimension::Speed, "V[,V]", "Speed at which the surface slides steadily over a viscoelastic solid along x; 1e-3..1e3:13 for 13 speeds with equal ratios"),
+    key("rolling.creepage", "creepage", FlagValue::List, Dimension::One, "XI[,XI]", "Steady rolling along x of a line with friction, at this creepage; a negative creepage pulls the solid towards +x; needs --friction"),
+    key("rolling.tangential", "rolling", FlagValue::List, Dimension::Load, "Q[,Q]", "Steady rolling under this tangential load, of the same kind as the normal one; 0 for free rolling; needs --friction").named("tangential load of rolling"),
+    key("rolling.step", "rolling-step", FlagValue::One, Dimension::Length, "L", "Length of a step of rolling [default: the spacing of the grid]").named("step of rolling"),
+    key("path.file", "path", FlagValue::One, Dimension::File, "FILE.csv", "Path of a history: a table with columns time, load and tangential, of which some may be missing; loads change linearly between rows"),
+    key("path.time", "path-time", FlagValue::List, Dimension::Time, "T[,T]", "Times of the path; with a single time, the load is held until then; needs --creep or --relaxation").named("time of the path"),
+    key("path.load", "path-load", FlagValue::List, Dimension::Load, "P[,P]", "Normal loads of the path, of the same kind as the load; 1..8:4 for 4 loads with equal ratios [default: the load at all points]").named("load of the path"),
+    key("path.tangential", "path-tangential", FlagValue::List, Dimension::Load, "Q[,Q]", "Tangential loads of the path, of the same kind as the load and of any sign; needs --friction").named("tangential load of the path"),
+    key("path.steps", "path-steps", FlagValue::One, Dimension::One, "N", "Number of equal steps between two points of the path [default: with a yield stress 1; with adhesion 20; in time as many as --time-tolerance needs, with friction as many as --path-tolerance needs]"),
+    key("path.tolerance", "path-tolerance", FlagValue::One, Dimension::One, "ERROR", "With friction, largest estimated relative error of shift and lost energy by the steps of the path [default: 1e-2]").idle_where(&[GIVEN_STEPS, NO_FRICTION_PATH]),
+    key("path.time-tolerance", "time-tolerance", FlagValue::One, Dimension::One, "ERROR", "Largest estimated relative error in time, of pressure, mean gap and lost energy [default: 1e-2]").idle_where(&[GIVEN_STEPS, NO_CREEP]),
+    key("load.force", "force", FlagValue::List, Dimension::Force, "F[,F]", "Force on the cell (for a line, force per length), with a unit, or in the units of modulus and size"),
+    key("load.approach", "approach", FlagValue::List, Dimension::Length, "D[,D]", "Approach of the bodies after the first contact, for a layer or a free boundary; not with --solver gfmd"),
+    key("flow.leakage", "flow", FlagValue::Switch, Dimension::Switch, "", "Also compute what leaks through the gap along each axis, with bounds, and whether the contact seals; a recording shows the flux"),
+    key("flow.resistivity", "resistivity", FlagValue::List, Dimension::Conduction, "RHO[,RHO]", "Also compute the conductance per area between bodies of these resistivities, such as 17nohm*m; one value is for both bodies; for heat 'm K/W'"),
+    key("flow.conductivity", "conductivity", FlagValue::List, Dimension::Conduction, "SIGMA[,SIGMA]", "Conductivities in place of the resistivities, such as 58MS/m, or for heat '400W/(m K)'"),
+    key("solver.method", "solver", FlagValue::Variant(choices::<Method>), Dimension::Word, "METHOD", "The method [default: multilevel]"),
+    key("solver.masses", "masses", FlagValue::Choice(choices::<Masses>), Dimension::Word, "MASSES", "GFMD: masses of the surface modes [default: uniform]"),
+    key("solver.dynamics", "dynamics", FlagValue::Choice(choices::<Dynamics>), Dimension::Word, "DYNAMICS", "GFMD: damping of the motion [default: damped]"),
+    key("solver.time-step", "time-step", FlagValue::One, Dimension::One, "DT", "GFMD: time step divided by the stability limit, in (0, 1) [default: 0.5]"),
+    key("solver.damping", "damping", FlagValue::One, Dimension::One, "C", "GFMD: damping divided by the critical damping of the slowest mode [default: 1]"),
+    key("stop.tolerance", "tolerance", FlagValue::One, Dimension::One, "ETA", "Stop at this certificate eta, a bound of the energy error divided by load times rms height [default: 1e-8]"),
+    key("stop.pressure-tolerance", "pressure-tolerance", FlagValue::One, Dimension::One, "E", "Stop only if the bound of the relative error of the pressure (energy norm) is also below this; use it for indenters that are narrow in their cell").idle_where(&[YIELDING]),
+    key("stop.max-iterations", "max-iterations", FlagValue::One, Dimension::One, "N", "Largest number of iterations [default: 100000]"),
+    key("record.what", "record-what", FlagValue::Choices(choices::<Part>), Dimension::Word, "PART[,PART]", "Parts to record [default: traces, profile or mesh, fields, mask]"),
+    key("record.raster-at", "raster-at", FlagValue::List, Dimension::One, "ROW,COLUMN", "Row and column of a surface, counted from 0, that the raster shows [default: through the highest peak]").idle_where(&[NO_RASTER]),
+    key("record.every", "record-every", FlagValue::One, Dimension::One, "N", "Record the fields of every N-th step [default: all early steps, later ones less often]"),
+    key("record.iterations", "record-iterations", FlagValue::Switch, Dimension::Switch, "", "Of a body that yields below its surface, also keep each iteration of flow as a state, on the way from load to load").idle_where(&[NO_YIELDING]),
+    key("record.length-unit", "length-unit", FlagValue::One, Dimension::Unit, "UNIT", "Unit of the given lengths, for the recording; metres are shown as mm, um or nm [default: m]"),
+    key("record.pressure-unit", "pressure-unit", FlagValue::One, Dimension::Unit, "UNIT", "Unit of the given pressures, for the recording; pascals are shown as kPa, MPa or GPa [default: Pa if a pressure has a unit]"),
+    key("record.theme", "theme", FlagValue::Choice(choices::<Theme>), Dimension::Word, "THEME", "Background of the pictures in the recording [default: dark]"),
+];
+
+const fn key(
+    path: &'static str,
+    flag: &'static str,
+    value: FlagValue,
+    dimension: Dimension,
+    placeholder: &'static str,
+    help: &'static str,
+) -> Key {
+    Key { path, flag, value, dimension, placeholder, help, quantity: None, is_over_modulus: false, idle: &[] }
+}
+
+/// A key that no flag sets.
+const fn without_flag(path: &'static str, dimension: Dimension) -> Key {
+    key(path, "", FlagValue::One, dimension, "", "")
+}
+
+impl Key {
+    const fn named(self, quantity: &'static str) -> Self {
+        Self { quantity: Some(quantity), ..self }
+    }
+
+    const fn over_modulus(self) -> Self {
+        Self { is_over_modulus: true, ..self }
+    }
+
+    const fn idle_where(self, idle: &'static [Idle]) -> Self {
+        Self { idle, ..self }
+    }
+
+    /// The keys that flags set, in the order of a command line.
+    pub fn with_flags() -> impl Iterator<Item = &'static Self> {
+        KEYS.iter().filter(|key| !key.flag.is_empty())
+    }
+
+    /// The keys of a dimension.
+    pub fn of_dimension(dimension: Dimension) -> impl Iterator<Item = &'static Self> {
+        KEYS.iter().filter(move |key| key.dimension == dimension)
+    }
+
+    /// The key at a path.
+    pub fn find(path: &str) -> Option<&'static Self> {
+        KEYS.iter().find(|key| key.path == path)
+    }
+
+    /// Whether it belongs to a body that yields below its surface.
+    pub fn is_of_yielding(&self) -> bool {
+        ["solid.yield", "solid.hardening", "solid.kinematic"].iter().any(|start| self.path.starts_with(start))
+    }
+
+    /// The section of the setup that it belongs to.
+    pub fn section(&self) -> &'static str {
+        self.path.split('.').next().unwrap_or_default()
+    }
+
+    /// The name of its quantity in sentences, with an article where it has one.
+    pub(super) fn quantity(&self) -> String {
+        let last = || self.path.rsplit('.').next().unwrap_or_default().replace('-', " ");
+        let name = self.quantity.map_or_else(last, str::to_owned);
+        if name.starts_with(char::is_uppercase) { name } else { format!("the {name}") }
+    }
+}
