@@ -3,12 +3,13 @@
 use crate::command::{Folder, text};
 use ndarray::{Array, IxDyn};
 use ndarray_npy::{NpzReader, ReadableElement};
-use rerun::{ChunkStore, ChunkStoreConfig, Scalars};
+use rerun::{ChunkStore, ChunkStoreConfig, Scalars, StoreKind};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
 use std::process::Command;
+use std::sync::OnceLock;
 
 const ROUGH: &str = "--hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 256 --size 1";
 const SURFACE: &str = "--hurst 0.8 --rolloff 0.5 --short-cutoff 0.2 --rms-gradient 0.1 --points 32,32 --size 1,1";
@@ -35,7 +36,7 @@ const fn several(name: &'static str, surface: &'static str, motion: &'static str
     Drive { name, surface, motion, is_single: false }
 }
 
-pub const DRIVES: [Drive; 20] = [
+pub static DRIVES: [Drive; 20] = [
     single("rest", ROUGH, "--reduced-pressure 0.05"),
     single("rest with flow", SURFACE, "--modulus 1GPa --reduced-pressure 0.05 --flow --resistivity 1e-7,2e-7"),
     single("rest that yields", ROUGH, "--modulus 1 --reduced-pressure 0.05 --hardness 0.04"),
@@ -70,8 +71,15 @@ pub const DRIVES: [Drive; 20] = [
     several("adhesion under loads", STICKY, "--pressure 1e-4 --path-load 1e-4,2e-3,-1e-3 --path-steps 4"),
 ];
 
-/// What a drive gives: numbers by the name of the door and of the number.
+/// What a drive gives: numbers by the name of the door and of the number. What has no numbers, such as an entity with a picture, has an empty list.
 pub type Found = BTreeMap<String, Vec<f64>>;
+
+/// What this program gives of all drives. Several tests look at it, and it is found once.
+pub fn found() -> &'static [(&'static Drive, Found)] {
+    static FOUND: OnceLock<Vec<(&Drive, Found)>> = OnceLock::new();
+    let program = Path::new(env!("CARGO_BIN_EXE_asperity"));
+    FOUND.get_or_init(|| DRIVES.iter().map(|drive| (drive, drive.run(program))).collect())
+}
 
 impl Drive {
     /// The words that ask for it.
@@ -79,7 +87,7 @@ impl Drive {
         format!("solve {} {}", self.surface, self.motion)
     }
 
-    /// What a program gives of it: JSON, table, archive and recording.
+    /// What a program gives of it: text, JSON, table, archive, recording and the row of a study.
     pub fn run(&self, program: &Path) -> Found {
         let folder = Folder::new();
         let words = self.words();
@@ -93,12 +101,23 @@ impl Drive {
         };
         let json = asked("--json --out found.npz --record found.rrd").stdout;
         let mut found = Found::new();
+        add_rows(&mut found, text(&asked("--save-setup scene.toml").stdout));
         add_json(&mut found, "json", &serde_json::from_slice(&json).unwrap());
         add_archive(&mut found, &folder.join("found.npz"));
         add_recording(&mut found, &folder.join("found.rrd"));
         if !self.is_single {
             asked("--out found.csv");
-            add_table(&mut found, &folder.join("found.csv"));
+            add_table(&mut found, "csv", &folder.join("found.csv"));
+        }
+        if !self.name.starts_with("loads") {
+            let mut command = Command::new(program);
+            let output = command
+                .args(["study", "scene.toml", "--out", "row.csv"])
+                .current_dir(folder.join(""))
+                .output()
+                .unwrap();
+            assert!(output.status.success(), "{}: study: {}", self.name, text(&output.stderr));
+            add_table(&mut found, "study", &folder.join("row.csv"));
         }
         found
     }
@@ -119,12 +138,22 @@ fn add_json(found: &mut Found, name: &str, value: &Value) {
 }
 
 /// Adds all numbers of the columns of a table.
-fn add_table(found: &mut Found, path: &Path) {
+fn add_table(found: &mut Found, door: &str, path: &Path) {
     let mut table = csv::Reader::from_path(path).unwrap();
     let names: Vec<String> = table.headers().unwrap().iter().map(str::to_owned).collect();
     for record in table.records() {
         for (name, cell) in names.iter().zip(&record.unwrap()) {
-            found.entry(format!("csv/{name}")).or_default().extend(cell.parse::<f64>());
+            found.entry(format!("{door}/{name}")).or_default().extend(cell.parse::<f64>());
+        }
+    }
+}
+
+/// Adds the labels of the rows that are printed: two spaces, a label, and values after two or more spaces.
+fn add_rows(found: &mut Found, printed: &str) {
+    for line in printed.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   ")) {
+        let label = line.trim_start().split("  ").next().unwrap_or_default();
+        if !label.starts_with(|letter: char| letter.is_ascii_digit() || letter == '-') {
+            found.insert(format!("text/{label}"), Vec::new());
         }
     }
 }
@@ -147,7 +176,7 @@ fn array<T: ReadableElement>(archive: &mut NpzReader<File>, name: &str) -> Optio
     Some(array.into_iter().collect())
 }
 
-/// Adds all scalars of a recording by their entities, in the order of the steps, but for the times that clocks measured.
+/// Adds all entities of a recording, and scalars in the order of the steps, but for the times that clocks measured. Panes of the viewer are left out.
 fn add_recording(found: &mut Found, path: &Path) {
     let component = Scalars::descriptor_scalars().component;
     let stores = ChunkStore::from_rrd_reader(&ChunkStoreConfig::ALL_DISABLED, &mut File::open(path).unwrap()).unwrap();
@@ -156,6 +185,10 @@ fn add_recording(found: &mut Found, path: &Path) {
         let steps = chunk.iter_component_indices("step".into(), component).map(|(step, _)| step.as_i64());
         let values = chunk.iter_slices::<f64>(component).map(|values| values[0]);
         scalars.entry(chunk.entity_path().to_string()).or_default().extend(steps.zip(values));
+    }
+    let recorded = stores.iter().filter(|(id, _)| id.kind() == StoreKind::Recording);
+    for chunk in recorded.flat_map(|(_, store)| store.iter_physical_chunks()) {
+        found.insert(format!("entity{}", chunk.entity_path()), Vec::new());
     }
     let told = scalars.into_iter().filter(|(entity, steps)| !steps.is_empty() && !entity.contains("seconds"));
     found.extend(told.map(|(entity, steps)| (format!("rrd{entity}"), steps.into_values().collect())));
