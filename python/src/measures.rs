@@ -33,7 +33,9 @@ impl Contact {
         let reading = Reading::from(&*self.contact);
         let measure = |quantity: Quantity, value: f64| match quantity.row().kind {
             QuantityKind::Flag => (quantity.name(), Measure::Truth(value == 1.0)),
-            QuantityKind::Number | QuantityKind::Whole => (quantity.name(), Measure::Number(value)),
+            QuantityKind::Number | QuantityKind::Bound | QuantityKind::Whole => {
+                (quantity.name(), Measure::Number(value))
+            }
         };
         let told = Quantity::all().filter(|it| it.tells_of(&self.contact));
         let mut numbers: Vec<_> = told.map(|it| measure(it, reading.value(it))).collect();

@@ -8,10 +8,6 @@ use asperity::setup::Setup;
 use asperity::theory::Exact;
 use serde::{Serialize, Serializer};
 
-/// Quantities that have rows of their own, without further words.
-const OTHERS: [Quantity; 4] =
-    [Quantity::RmsHeight, Quantity::MaxPressureOverModulus, Quantity::Penetration, Quantity::LoadError];
-
 /// Values below this one are written with powers of ten.
 const SMALL: f64 = 1e-3;
 
@@ -221,7 +217,7 @@ impl Finding {
     /// The observables that no other row holds.
     fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
-        Quantity::found().filter(|it| OTHERS.contains(it)).filter_map(move |quantity| {
+        Quantity::found().filter(|it| it.row().is_printed).filter_map(move |quantity| {
             let value = values[quantity.name()].as_f64()?;
             let words = if quantity.row().unit == Unit::Length { units.length(value) } else { format!("{value:.6e}") };
             Some((quantity.name().replace('_', " "), words))

@@ -150,7 +150,7 @@ fn number_of(quantity: Quantity, value: f64) -> Value {
     match quantity.row().kind {
         QuantityKind::Flag => Value::from(value == 1.0),
         QuantityKind::Whole => Value::from(value as u64),
-        QuantityKind::Number => Value::from(value),
+        QuantityKind::Number | QuantityKind::Bound => Value::from(value),
     }
 }
 
@@ -180,7 +180,7 @@ impl HistorySummary {
         };
         let columns: Vec<Quantity> = outcome.kind.row().columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
         writeln!(out)?;
-        columns.iter().try_for_each(|it| write!(out, " {:>15}", heading(*it)))?;
+        columns.iter().try_for_each(|it| write!(out, " {:>15}", it.row().short))?;
         let is_claimed = self.adhesion.is_some();
         writeln!(out, "{}", if is_claimed { "  claim" } else { "" })?;
         for state in &outcome.states {
@@ -245,51 +245,15 @@ fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) ->
     if lines.is_empty() { Ok(()) } else { writeln!(out, "\n{}", lines.join("\n")) }
 }
 
-/// The heading of a column, of at most 15 letters.
-fn heading(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Friction => "friction",
-        Quantity::FrictionError => "relative error",
-        Quantity::FrictionFullContact => "in full contact",
-        Quantity::FrictionPersson => "Persson",
-        Quantity::EffectivePressure => "eff. pressure",
-        Quantity::StickShare => "sticks",
-        Quantity::ShiftPathError => "error of shift",
-        Quantity::DissipatedPathError => "error of loss",
-        Quantity::Dissipated => "energy lost",
-        Quantity::DissipatedTimeError => "error of loss",
-        Quantity::MeanAttraction => "attraction",
-        Quantity::Jump => "lost in jump",
-        Quantity::MaxPressure => "max. pressure",
-        Quantity::ContactPressureOverYield => "p_m / Y",
-        Quantity::MaxPlasticStrain => "largest alpha",
-        Quantity::ImprintDepth => "imprint",
-        Quantity::StepCertificate => "eta of step",
-        Quantity::Certificate => "eta",
-        Quantity::TractionCertificate => "eta of traction",
-        Quantity::HydraulicGapX => "leaks along x",
-        Quantity::HydraulicGapY => "leaks along y",
-        Quantity::ConductancePerArea => "conductance",
-        _ => quantity.row().title,
-    }
-}
-
 /// A number of a state with its unit, where that is known; a dash where there is none.
 fn cell(quantity: Quantity, state: &State, units: Units) -> String {
     let Some(value) = state.get(quantity) else { return "-".into() };
-    match (quantity.row().unit, quantity) {
-        (Unit::Length, _) => units.length(value),
-        (Unit::Pressure, _) => units.pressure(value),
-        (Unit::EnergyPerArea, _) => units.energy_per_area(value),
-        (
-            _,
-            Quantity::Certificate
-            | Quantity::TractionCertificate
-            | Quantity::StepCertificate
-            | Quantity::TimeError
-            | Quantity::FrictionError
-            | Quantity::Residual,
-        ) => format!("{value:.1e}"),
+    let row = quantity.row();
+    match row.unit {
+        Unit::Length => units.length(value),
+        Unit::Pressure => units.pressure(value),
+        Unit::EnergyPerArea => units.energy_per_area(value),
+        _ if row.kind == QuantityKind::Bound => format!("{value:.1e}"),
         _ => number_in_words(value),
     }
 }

@@ -31,6 +31,7 @@ mod load;
 mod monotone;
 mod moving;
 mod multilevel;
+mod observables;
 mod observe;
 mod outcome;
 mod patch_history;

@@ -49,11 +49,13 @@ pub enum Unit {
     Stiffness,
 }
 
-/// The kind of the values of a quantity: numbers, counts or flags.
+/// The kind of the values of a quantity: numbers, bounds, counts or flags.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum QuantityKind {
     /// Any numbers.
     Number,
+    /// Small numbers that bound or measure an error, written with powers of ten such as 1e-9.
+    Bound,
     /// Whole numbers.
     Whole,
     /// 1 where something is true, and 0 where it is not.
@@ -82,6 +84,9 @@ pub struct QuantityRow {
     pub symbol: &'static str,
     /// Its title in charts.
     pub title: &'static str,
+    /// Its title above a column of text, of at most 15 letters where it has such a column.
+    #[serde(skip)]
+    pub short: &'static str,
     /// Its unit.
     pub unit: Unit,
     /// The kind of the values of the quantity.
@@ -95,6 +100,9 @@ pub struct QuantityRow {
     /// The states for which it has a meaning.
     #[serde(skip)]
     pub validity: Validity,
+    /// Whether `solve` prints it in a row of its own, without further words.
+    #[serde(skip)]
+    pub is_printed: bool,
     /// One sentence.
     pub sentence: &'static str,
     /// How it is computed of a contact or a step; none for a number that only a process knows.

@@ -93,8 +93,8 @@ fn word(quantity: Quantity, value: f64) -> String {
     match quantity.row().kind {
         QuantityKind::Flag => (value == 1.0).to_string(),
         QuantityKind::Whole => (value as u64).to_string(),
-        QuantityKind::Number if value.is_nan() => String::new(),
-        QuantityKind::Number => format!("{value:?}"),
+        QuantityKind::Number | QuantityKind::Bound if value.is_nan() => String::new(),
+        QuantityKind::Number | QuantityKind::Bound => format!("{value:?}"),
     }
 }
 

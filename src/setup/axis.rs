@@ -1,6 +1,6 @@
 //! Lists of values in setups, which describe studies.
 
-use super::idle::{is_list_of_section, list_of_section};
+use super::key_checks::{is_list_of_section, list_of_section};
 use super::text::SetupTable;
 use super::words::plain;
 use super::{FlagValue, KEYS, Key};

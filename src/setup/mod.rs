@@ -46,6 +46,7 @@ mod files;
 mod flow;
 mod idle;
 mod key;
+mod key_checks;
 mod line;
 mod loads;
 mod method;

@@ -108,7 +108,7 @@ impl Plan {
         }
         let told = further().filter(|it| points.iter().any(|point| point.get(*it).is_some()));
         columns.extend(told.map(|it| match it.row().kind {
-            QuantityKind::Number => number(it.name(), &|row| row.point.get(it)),
+            QuantityKind::Number | QuantityKind::Bound => number(it.name(), &|row| row.point.get(it)),
             QuantityKind::Whole => whole(it.name(), &|row| row.point.get(it).map(|value| value as u64)),
             QuantityKind::Flag => text(it.name(), &|row| word_of(it, row.point.get(it))),
         }));

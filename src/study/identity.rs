@@ -27,10 +27,10 @@ pub(super) struct Identity<'a> {
 }
 
 /// What the points of a realisation share: its name, the fingerprint of its setup, and the version with the revision of the numerics.
-pub(super) type Key = [String; 3];
+pub(super) type RowKey = [String; 3];
 
 /// What the realisation of a point is known by.
-pub(super) fn key_of(point: &Point) -> Key {
+pub(super) fn key_of(point: &Point) -> RowKey {
     [&point.name, &point.setup, &point.version].map(String::clone)
 }
 
@@ -49,7 +49,7 @@ impl<'a> Identity<'a> {
     }
 
     /// What the realisation is known by.
-    pub fn key(&self) -> Key {
+    pub fn key(&self) -> RowKey {
         [self.realisation.name.clone(), self.setup.clone(), version()]
     }
 

@@ -91,7 +91,7 @@ pub(super) fn word(quantity: Quantity, value: Option<f64>) -> String {
         (None, _) => String::new(),
         (Some(value), QuantityKind::Flag) => (value == 1.0).to_string(),
         (Some(value), QuantityKind::Whole) => format!("{value}"),
-        (Some(value), QuantityKind::Number) => format!("{value:?}"),
+        (Some(value), QuantityKind::Number | QuantityKind::Bound) => format!("{value:?}"),
     }
 }
 
