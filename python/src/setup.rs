@@ -4,16 +4,14 @@ use crate::conversion::{Sections, sections_from_keywords, sections_of, table_fro
 use crate::detached::Detached;
 use crate::error::{bail, error_in_text, error_of_keywords, py_error};
 use crate::output::check_output;
-use crate::prepared_array::ARRAY;
 use crate::surface::Surface;
 use asperity::contact::Load;
 use asperity::error::SetupError;
-use asperity::files::InputFile;
 use asperity::setup::{self, Auto, SetupTable};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The description of a contact to solve: the surface, the load, the solver, and what is recorded.
 ///

@@ -1,7 +1,7 @@
 //! Sentences of the library in the words of Python: keywords in place of flags and of the keys of scenes, and values as Python writes them.
 
 use asperity::error::{ExpectedValue, FoundValue, TextFault, TextPlace};
-use asperity::setup::{FlagValue, Key};
+use asperity::setup::{FlagValue, KEYS, Key};
 
 /// Sections and tables whose keys are keywords of functions; keys of all other sections stand in dictionaries.
 const KEYWORDS: [&str; 6] = ["grid", "stop", "load", "surface", "surface.spectrum", "surface.indenter"];
@@ -101,7 +101,7 @@ pub fn given_as(keys: &str, value: &str) -> Option<String> {
 /// The keyword that gives what a flag of the command line gives.
 pub fn keyword_of_flag(name: &str) -> Option<String> {
     let name = name.replace('_', "-");
-    let flag = Key::with_flags().find(|key| key.flag == name)?;
+    let key = Key::with_flags().find(|key| key.flag == name)?;
     given_as(key.path, "...")
 }
 
@@ -118,12 +118,7 @@ pub fn without_flags(sentence: &str) -> String {
 /// What stands in backticks: a key with `_` for `-`, keys with dots as a keyword, and anything else as it is.
 fn in_quotes(word: &str) -> String {
     let is_key = |key: &Key| key.path.split('.').any(|key| key == word);
-    match word {
-        _ if Key::with_flags().any(is_key) => word.replace('-', "_"),
-        // keys without a flag
-        "second-spectrum" | "uniform-stiffness" => word.replace('-', "_"),
-        _ => word.to_owned(),
-    }
+    if KEYS.iter().any(is_key) { word.replace('-', "_") } else { word.to_owned() }
 }
 
 fn quoted(name: &str) -> String {

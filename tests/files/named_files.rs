@@ -9,7 +9,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-const ROUGH: &str =
+pub const ROUGH: &str =
     "surface = { spectrum = { hurst = 0.8, rolloff-wavelength = 0.25, short-cutoff = 0.05, rms-gradient = 0.1 } }
 grid = { points = 128, size = 1.0 }
 load = { reduced-pressure = 0.05 }
