@@ -1,9 +1,12 @@
 //! Ctrl-C, and the request of the system to end.
 
 use super::*;
+use asperity::contact::ArchiveReader;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command as Process, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Starts a command, sends it a signal once a condition holds, and returns what it said and its exit code.
 fn signalled(folder: &Folder, line: &str, signal: &str, is_time: impl Fn() -> bool) -> (String, Option<i32>) {
@@ -289,4 +292,46 @@ fn a_row_that_fails_says_where_the_others_are() {
     std::fs::write(folder.join("list.toml"), "[\"a\\nb\"]\nx = [1, 2]\n").unwrap();
     let broken = folder.run("solve list.toml");
     assert_eq!((broken.status.code(), text(&broken.stderr).lines().count()), (Some(2), 1), "{}", text(&broken.stderr));
+}
+
+/// Thirty runs are killed at random moments, most of them while they solve, some while they write: what has the name of a result is the old one or the new
+/// one, and whole.
+#[cfg(all(unix, feature = "record"))]
+#[test]
+fn results_of_runs_that_are_killed_are_old_or_new() {
+    let folder = Folder::new();
+    let line = |pressure: f64| {
+        format!(
+            "solve --hurst 0.8 --rolloff 0.25 --short-cutoff 0.001 --rms-gradient 0.1 --points 16384 --size 1 \
+             --reduced-pressure {pressure} --out r.npz --record r.rrd"
+        )
+    };
+    let run = |pressure: f64| assert!(folder.run(&line(pressure)).status.success());
+    let files = ["r.npz", "r.rrd"];
+    let contents = || files.map(|name| std::fs::read(folder.join(name)).unwrap());
+    run(0.05);
+    let old = contents();
+    let begun = Instant::now();
+    run(0.1);
+    let whole = begun.elapsed();
+    let mut random = ChaCha8Rng::seed_from_u64(30);
+    for number in 0..30 {
+        files.iter().zip(&old).for_each(|(name, bytes)| std::fs::write(folder.join(name), bytes).unwrap());
+        let mut command = Process::new(env!("CARGO_BIN_EXE_asperity"));
+        let command = command.args(line(0.1).split_whitespace()).current_dir(folder.join(""));
+        let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(whole.mul_f64(random.random_range(0.0..1.2)));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let found = contents();
+        if found[0] != old[0] {
+            let result = ArchiveReader::open(&folder.join("r.npz")).unwrap();
+            assert!(result.setup().contains("reduced-pressure = 0.1"), "run {number}: {}", result.setup());
+            assert_eq!(result.contacts().unwrap().len(), 1, "run {number}");
+        }
+        if found[1] != old[1] {
+            let setups = asperity::record::setups(&folder.join("r.rrd")).unwrap().unwrap();
+            assert_eq!(setups.len(), 1, "run {number}");
+        }
+    }
 }
