@@ -1,5 +1,6 @@
 //! The files that a setup names: one list of them, of which all that a setup reads follows.
 
+#[cfg(feature = "cli")]
 use crate::command::{Folder, text};
 use crate::height_files::directory;
 use asperity::setup::{Dimension, Key, Setup, SetupTable};
@@ -113,6 +114,7 @@ path = { file = \"path.csv\" }
 }
 
 /// Results are given to others: the folders of a person stay at home, and the file that the result was made from is found by what is in it.
+#[cfg(feature = "cli")]
 #[test]
 fn saved_results_tell_no_folder_and_find_their_files_by_digests() {
     let home = Folder::new();
