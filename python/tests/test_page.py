@@ -1,6 +1,7 @@
 """The interactive page, opened from Python."""
 
 import json
+import urllib.error
 import urllib.request
 from typing import Any
 
@@ -14,8 +15,11 @@ ROUGH = dict(hurst=0.8, rolloff_wavelength=0.25, short_cutoff=0.03, rms_gradient
 
 
 def asked(page: Page, path: str, body: bytes | None = None) -> bytes:
-    request = urllib.request.Request(page.address + path, body, {"Content-Type": "application/json"})
-    with urllib.request.urlopen(request, timeout=20) as answer:
+    """What a browser gets: it opens the address with the key, and has a cookie from then on."""
+    browser = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+    browser.open(page.address, timeout=20).close()
+    request = urllib.request.Request(page.address.split("?")[0] + path, body, {"Content-Type": "application/json"})
+    with browser.open(request, timeout=20) as answer:
         return bytes(answer.read())
 
 
@@ -29,6 +33,8 @@ def test_the_page_opens_on_a_contact_and_ends() -> None:
     contact = asp.solve(asp.Surface.rough(512, 1.0, **ROUGH), reduced_pressure=0.07)
     with asp.explore(contact, port=0, open_browser=False) as page:
         assert b"<title>" in asked(page, "") and page.address in page._repr_html_()
+        with pytest.raises(urllib.error.HTTPError, match="403"):
+            urllib.request.urlopen(page.address.split("?")[0], timeout=20)
         assert knobs(page)["load"] == pytest.approx(0.07)
     with pytest.raises(OSError):
         asked(page, "")
