@@ -148,14 +148,15 @@ impl SetupTable {
         Ok(self)
     }
 
-    /// Whether the files that the surface is made from are there with their digests. Results of earlier versions have none, but full paths.
+    /// Whether the files that the surface is made from are there, be it with other contents. Results of earlier versions have no digests, but full
+    /// paths. The name of heights that were given as an array is no file.
     pub fn has_files_of_surface(&self) -> bool {
         let digests = self.digests();
         let keys = Key::of_dimension(Dimension::File).filter(|key| key.section() == "surface");
         let mut names = keys.flat_map(|key| self.names_at(key.path));
-        names.all(|name| match digests.get(name) {
-            Some(digest) => has_digest(Path::new(name), digest),
-            None => Path::new(name).is_absolute() && Path::new(name).is_file(),
+        names.all(|name| {
+            let is_known = digests.contains_key(name) || Path::new(name).is_absolute();
+            is_known && Path::new(name).is_file()
         })
     }
 
