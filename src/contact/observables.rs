@@ -1,4 +1,4 @@
-//! What of the observables of a contact its grid resolves.
+//! Observables of a contact whose estimated error on its grid is smaller than their value.
 
 use super::Observables;
 

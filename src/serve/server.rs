@@ -209,7 +209,7 @@ async fn answer<S: Site>(State(served): State<Arc<Served<S>>>, request: Incoming
     response(replied.unwrap_or_else(|_| Reply::Error(500, RefusalRule::NoAnswer.into())))
 }
 
-/// What is said to a request without the key.
+/// The sentence with which a request without the key is refused.
 const NO_KEY: &str = "other users of this machine may not use this server: open the address that asperity printed when it began, with its key";
 
 /// Sends a browser that has the key on to the page, with a cookie.

@@ -10,8 +10,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Its name in an address.
 const NAME: &str = "key";
-/// Digits of a key.
-const DIGITS: usize = 32;
+/// Hexadecimal digits of a key: 128 bits, which nobody can try one after the other.
+const KEY_DIGITS: usize = 32;
 /// The file of a login's key, in the folder that the system makes for each login, which nobody else can read.
 const FILE: &str = "asperity-key";
 
@@ -87,7 +87,7 @@ impl ServerKey {
 /// The key that is kept in a folder, or a new one that is kept there from now on.
 fn key_in(folder: &Path) -> String {
     let path = folder.join(FILE);
-    let is_key = |text: &String| text.len() == DIGITS && text.bytes().all(|digit| digit.is_ascii_hexdigit());
+    let is_key = |text: &String| text.len() == KEY_DIGITS && text.bytes().all(|digit| digit.is_ascii_hexdigit());
     let kept = || std::fs::read_to_string(&path).ok().filter(is_key);
     if let Some(key) = kept() {
         return key;
@@ -134,7 +134,7 @@ mod tests {
     fn a_login_keeps_its_key_where_nobody_else_can_read_it() {
         let folder = tempfile::tempdir().unwrap();
         let first = key_in(folder.path());
-        assert!(first == key_in(folder.path()) && first.len() == DIGITS);
+        assert!(first == key_in(folder.path()) && first.len() == KEY_DIGITS);
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;

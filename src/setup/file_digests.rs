@@ -15,14 +15,14 @@ use std::path::{Component, Path, PathBuf};
 /// The section of a saved setup that holds digests by the names of files.
 const SECTION: &str = "files";
 
-/// Bytes of a file that are in memory at the same time: maps of heights may have gigabytes.
-const PIECE: usize = 1 << 16;
+/// Bytes of a file that are in memory at the same time, while its digest is computed: maps of heights may have gigabytes.
+const PIECE_BYTES: usize = 1 << 16;
 
 /// The digest of what is in a file: `fnv1a-` and sixteen hexadecimal digits. It tells files apart that were mixed up or have changed. It does not
 /// protect against forgery.
 fn digest_of(path: &Path) -> io::Result<String> {
     let mut file = open_regular(path)?;
-    let (mut hash, mut piece) = (FNV1A_OF_NOTHING, vec![0; PIECE]);
+    let (mut hash, mut piece) = (FNV1A_OF_NOTHING, vec![0; PIECE_BYTES]);
     loop {
         match file.read(&mut piece)? {
             0 => return Ok(format!("fnv1a-{hash:016x}")),
@@ -73,7 +73,7 @@ impl Setup {
     /// Serialises the setup as it is saved, for summaries in JSON.
     ///
     /// # Errors
-    /// Those of the serializer.
+    /// The errors of the serializer.
     pub fn serialize_saved<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         SavedSetup::new(self).serialize(to)
     }
@@ -113,7 +113,8 @@ impl SetupTable {
     }
 
     /// Writes the sections and keys of a saved setup as the scene `path`. Where that is below the working folder, files have the names by which they are found
-    /// from there: `h.npy` is `../h.npy` for `out/scene.toml`. Otherwise names stay, since the way from one folder to the other would be told.
+    /// from there: `h.npy` is `../h.npy` for `out/scene.toml`. Otherwise names stay, since a relative path between the two folders would name folders
+    /// of the user.
     ///
     /// # Errors
     /// The errors of [`write_beside`](crate::files::write_beside).
@@ -125,7 +126,8 @@ impl SetupTable {
         self.with_names(seen)?.write(path)
     }
 
-    /// The sections and keys with other names of files. What chooses them is told the name and the digest, and returns none where a name stays.
+    /// The sections and keys with other names of files. The function `choose` gets the name and the digest of a file, and returns its new name, or none
+    /// where the name stays.
     fn with_names(mut self, choose: impl Fn(&str, Option<&String>) -> Option<PathBuf>) -> Result<Self, FileError> {
         let old = self.digests();
         let mut new = toml::Table::new();

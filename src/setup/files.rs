@@ -1,6 +1,6 @@
 //! The files that a setup names.
 //!
-//! What a setup reads follows from the keys of [`Dimension::File`], in the order of [`Setup::files`]: files are found beside their scene, belong to the
+//! The files that a setup reads follow from the keys of [`Dimension::File`], in the order of [`Setup::files`]: files are found beside their scene, belong to the
 //! fingerprint of a study by their content, have digests in saved setups, and are never overwritten.
 
 use super::{Dimension, Key, Setup, SetupTable};

@@ -2,13 +2,13 @@
 
 /// A reason why a key would have no effect.
 pub struct Idle {
-    /// What of the rest of a setup leaves the key without an effect.
+    /// The part of a setup that, if it is given or missing, leaves the key without an effect.
     pub(super) cause: IdleCause,
     /// Why, and what to do.
     pub(super) reason: &'static str,
 }
 
-/// What leaves a key without an effect.
+/// The sections, keys and parts of a recording that leave another key without an effect.
 pub(super) enum IdleCause {
     /// One of these sections or keys is given.
     Given(&'static [&'static str]),

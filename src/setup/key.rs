@@ -22,7 +22,7 @@ pub struct Key {
     pub flag: &'static str,
     /// The form of the value of the flag.
     pub value: FlagValue,
-    /// What its numbers measure.
+    /// The dimension of its numbers, or the kind of a value that is no number.
     pub dimension: Dimension,
     /// The placeholder of its value in the help.
     pub placeholder: &'static str,
@@ -30,7 +30,7 @@ pub struct Key {
     pub help: &'static str,
     /// The name of its quantity in sentences, where that is not the last word of the path.
     quantity: Option<&'static str>,
-    /// Whether its numbers are over the contact modulus where there is none.
+    /// Whether its numbers are divided by the contact modulus in a setup that gives no modulus.
     pub(super) is_over_modulus: bool,
     /// Where it would have no effect.
     pub(super) idle: &'static [Idle],
