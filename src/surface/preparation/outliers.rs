@@ -84,8 +84,8 @@ fn standing_off(scan: &Scan) -> Vec<[usize; 2]> {
 /// Whether a node stands off to one side in all directions in which there are nodes before and behind it, and there are such.
 fn stands_off(directions: &[Vec<StandOff<'_>>], node: [usize; 2], sign: f64) -> bool {
     let is_far = |it: &StandOff<'_>| {
-        let least = |off: &f64| sign * off > (DEVIATIONS * it.scale).max(SLOPES * it.slope);
-        it.at(node).filter(least).is_some_and(|off| sign * off > DEVIATIONS * it.scale_near(node, REACH))
+        let off = it.at(node).map(|off| sign * off).filter(|off| *off > SLOPES * it.slope);
+        off.is_some_and(|off| it.is_beyond(off, DEVIATIONS, node, REACH))
     };
     let is_known = |sides: &&Vec<StandOff<'_>>| sides.iter().any(|it| it.at(node).is_some());
     let mut known = directions.iter().filter(is_known).peekable();
