@@ -13,7 +13,7 @@ const SYNTHESIS_FIELDS: [f64; 2] = [5.9, 3.8];
 /// Fields that are needed in addition to give random roughness a distribution of heights: sorted heights, ranks and amplitudes.
 const RANK_FIELDS: f64 = 3.0;
 /// Fields that each contact of an archive needs in memory: for lines and for surfaces. The contour of a surface adds memory for each node in contact.
-const ARCHIVE_FIELDS: [f64; 2] = [11.0, 8.8];
+const ARCHIVE_FIELDS: [f64; 2] = [11.0, 8.0];
 const CONTOUR_FIELDS: f64 = 3.5;
 /// Fields that an archive needs once, however many contacts it has, such as positions and spectra: lines, surfaces.
 const ARCHIVE_ONCE: [f64; 2] = [5.5, 2.0];
@@ -31,12 +31,12 @@ const STRESS_VALUES: f64 = 13.5;
 const DEPTHS: f64 = 64.0;
 const STRESS_FIELDS: [f64; 2] = [0.0, 2.5];
 /// Fields that the search for the nodes that yield takes.
-const YIELD_FIELDS: f64 = 1.0;
+const YIELD_FIELDS: f64 = 1.7;
 /// The most bytes, and fields, of the plans of transforms, of threads and of what the allocator keeps.
 const OVERHEAD: f64 = 6e6;
 const OVERHEAD_FIELDS: f64 = 2.0;
 /// Bytes that a recording takes at least, that each point along its pictures adds, and the most of these points: lines, surfaces.
-const PICTURES: [[f64; 3]; 2] = [[10.5e6, 6.6e3, 2048.0], [29e6, 0.085e6, 512.0]];
+const PICTURES: [[f64; 3]; 2] = [[13e6, 6.6e3, 2048.0], [20e6, 0.085e6, 512.0]];
 /// Fields that a picture of the result takes after the solve, and bytes of its pixels and of what draws them.
 const DRAWN_FIELDS: [f64; 2] = [4.0, 5.2];
 const PIXELS: f64 = 25e6;

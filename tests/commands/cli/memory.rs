@@ -28,7 +28,7 @@ fn high_water(folder: &Folder, line: &str) -> f64 {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_dry_run_knows_the_peak_of_twenty_solves_within_a_fifth() {
+fn a_dry_run_knows_the_peak_of_solves_within_a_fifth() {
     let folder = Folder::new();
     // a short run can end between two readings, before it has loaded all it needs
     let small = format!("solve {CYLINDER} --modulus 1 --pressure 0.003");
@@ -50,6 +50,8 @@ fn a_dry_run_knows_the_peak_of_twenty_solves_within_a_fifth() {
         rough(format!("{PLANE} --reduced-pressure 0.05 --out a.npz")),
         rough(format!("{PLANE} --reduced-pressure 0.01,0.02,0.05 --out a.npz")),
         rough(format!("{LINE} --reduced-pressure 0.05")),
+        rough(format!("{LINE} --reduced-pressure 0.3")),
+        rough(format!("{LINE} --reduced-pressure 0.9")),
         rough(format!("{LINE} --reduced-pressure 0.05 --diagnose")),
         rough(format!("{LINE} --reduced-pressure 0.05 --stiffness")),
         rough(format!("{LINE} --reduced-pressure 0.05 --out a.npz")),
@@ -77,7 +79,7 @@ fn a_dry_run_knows_the_peak_of_twenty_solves_within_a_fifth() {
         // what a recording holds depends on how far its writer is behind the solver
         assert!((0.6..=1.6).contains(&(told / taken)), "{case}");
     }
-    assert!(cases.len() - off.len() >= 20, "{off:#?}");
+    assert!(off.len() <= 3, "{off:#?}");
 }
 
 /// What a history, and what a picture, takes beside its solves is told as well.
