@@ -11,10 +11,11 @@ use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::shared_state::SharedState;
 use crate::states::States;
-use asperity::contact::{Quantity, State, StateField, archive_of_states};
+use asperity::contact::{Quantity, State, archive_of_states};
 use asperity::files::write_beside;
 use asperity::job::HistoryOutcome;
 use asperity::setup::ProcessChart;
+use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
@@ -111,15 +112,16 @@ impl History {
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = PyDict::new(py);
         let Some(first) = self.outcome.states.first() else { return Ok(fields) };
-        for (place, StateField { name, .. }) in first.fields.iter().enumerate() {
-            let of_rank = |it: &Arc<State>| -> ArrayD<f64> {
-                let values = it.fields[place].values.clone();
+        for field in first.fields.iter().filter(|field| field.is_on_surface()) {
+            let of_rank = |values: &Field| -> ArrayD<f64> {
+                let values = values.clone();
                 if self.rank == 1 { values.index_axis_move(Axis(0), 0).into_dyn() } else { values.into_dyn() }
             };
-            let values: Vec<ArrayD<f64>> = self.outcome.states.iter().map(of_rank).collect();
+            let values: Vec<ArrayD<f64>> =
+                self.outcome.states.iter().filter_map(|state| state.field(field.kind)).map(of_rank).collect();
             let views: Vec<_> = values.iter().map(|it| it.view()).collect();
             let stacked = stack(Axis(0), &views).map_err(|error| py_error(error.to_string()))?;
-            fields.set_item(name, PyArrayDyn::from_owned_array(py, stacked))?;
+            fields.set_item(field.name(), PyArrayDyn::from_owned_array(py, stacked))?;
         }
         Ok(fields)
     }

@@ -2,23 +2,25 @@
 
 use crate::arrays::{ArrayLike, field, view};
 use crate::contact::Contact;
-use crate::depth_cut::{CutParts, PickledCut, from_parts, into_parts};
 use crate::error::{bail, py_error};
 use crate::history::History;
 use crate::problem::Problem;
 use crate::states::States;
-use asperity::contact::{Quantity, ResultClaim, State, StateField};
+use asperity::contact::{CutLayers, FieldKind, Quantity, ResultClaim, State, StateField};
 use asperity::job::HistoryOutcome;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::Arc;
 
-/// The values of a state besides its contact: the point of the path, the claim, further fields by their names, and the cut below it.
-type StateParts<'py> = (Option<usize>, String, Vec<(String, Bound<'py, PyArrayDyn<f64>>)>, Option<PickledCut<'py>>);
+/// The row and the interfaces of the layers of a cut.
+type LayerParts = (usize, Vec<f64>);
+
+/// The values of a state besides its contact: the point of the path, the claim, further fields by their names, and the layers of the cut below it.
+type StateParts<'py> = (Option<usize>, String, Vec<(String, Bound<'py, PyArrayDyn<f64>>)>, Option<LayerParts>);
 
 /// The values of a state besides its contact, as a pickle gives them.
-type GivenParts<'py> = (Option<usize>, String, Vec<(String, ArrayLike<'py>)>, Option<CutParts<'py>>);
+type GivenParts<'py> = (Option<usize>, String, Vec<(String, ArrayLike<'py>)>, Option<LayerParts>);
 
 /// The values that make a history again: its problem, its contacts, and what else belongs to their states.
 type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
@@ -27,8 +29,7 @@ type HistoryParts<'py> = (Problem, Py<PyTuple>, Vec<StateParts<'py>>);
 impl History {
     fn __eq__(slf: &Bound<'_, Self>, other: &Bound<'_, Self>) -> PyResult<bool> {
         let is_same = |(one, two): (&Arc<State>, &Arc<State>)| {
-            let fields = |it: &State| it.fields.iter().map(|field| field.values.clone()).collect::<Vec<_>>();
-            one.claim == two.claim && one.point == two.point && fields(one) == fields(two) && one.cut == two.cut
+            one.claim == two.claim && one.point == two.point && one.fields == two.fields && one.layers == two.layers
         };
         let [one, two] = [slf, other].map(|it| &it.get().outcome.states);
         let has_same_contacts = slf.as_super().get().is_same(slf.py(), other.as_super().get())?;
@@ -50,11 +51,16 @@ impl History {
             preparation: contact.preparation.clone(),
         };
         let fields = |state: &State| {
-            let named = state.fields.iter();
-            named.map(|it| (it.name.to_owned(), view(&it.values, slf.get().rank, slf.clone().into_any()))).collect()
+            let named = state.fields.iter().map(|it| {
+                // a cut has layers along its first axis, below a line too
+                let rank = if it.is_on_surface() { slf.get().rank } else { 2 };
+                (it.name().to_owned(), view(&it.values, rank, slf.clone().into_any()))
+            });
+            named.collect()
         };
-        let cut = |state: &State| state.cut.as_ref().map(|cut| into_parts(cut, py));
-        let state = |state: &Arc<State>| (state.point, <&str>::from(state.claim).to_owned(), fields(state), cut(state));
+        let layers = |state: &State| state.layers.clone().map(|it| (it.row, it.interfaces));
+        let state =
+            |state: &Arc<State>| (state.point, <&str>::from(state.claim).to_owned(), fields(state), layers(state));
         let states = it.outcome.states.iter().map(state).collect();
         Ok((slf.get_type().getattr("_from_parts")?, (problem, contacts.clone_ref(py), states)))
     }
@@ -62,15 +68,14 @@ impl History {
     /// The history that the values of a pickle describe.
     #[staticmethod]
     fn _from_parts(problem: &Problem, contacts: Bound<'_, PyTuple>, states: Vec<GivenParts<'_>>) -> PyResult<Py<Self>> {
-        let state = |(contact, (point, claim, fields, cut)): (Bound<'_, PyAny>, GivenParts<'_>)| -> PyResult<_> {
+        let state = |(contact, (point, claim, fields, layers)): (Bound<'_, PyAny>, GivenParts<'_>)| -> PyResult<_> {
             let contact = contact.cast::<Contact>()?.get();
             let claim: ResultClaim = claim.parse().map_err(|_| py_error(format!("there is no claim {claim:?}")))?;
             let fields = fields.iter().map(|(name, values)| named(name, field(values)?)).collect::<PyResult<_>>()?;
             let number = |quantity: Quantity| contact.contact.values().get(quantity);
             let contact = asperity::Contact::clone(&contact.contact);
-            let mut state = State::from_parts(contact, (point, claim), number, fields);
-            state.cut = cut.map(from_parts);
-            Ok(Arc::new(state))
+            let layers = layers.map(|(row, interfaces)| CutLayers { row, interfaces });
+            Ok(Arc::new(State::from_parts(contact, (point, claim), number, fields).with_layers(layers)))
         };
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;
@@ -86,6 +91,7 @@ impl History {
 
 /// The field of a name with its values.
 pub fn named(name: &str, values: asperity::surface::Field) -> PyResult<StateField> {
-    let maker = StateField::MAKERS.iter().find(|(known, _)| *known == name);
-    maker.map(|(_, make)| make(values)).ok_or_else(|| py_error(format!("there is no field {name:?} of histories")))
+    FieldKind::find(name)
+        .map(|kind| StateField::new(kind, values))
+        .ok_or_else(|| py_error(format!("there is no field {name:?} of histories")))
 }

@@ -3,7 +3,7 @@
 use super::exit_status::usage;
 use super::units::Units;
 use anyhow::Result;
-use asperity::contact::State;
+use asperity::contact::{FieldKind, State};
 use asperity::files::check_named;
 use asperity::setup::Setup;
 use asperity::surface::Scan;
@@ -31,7 +31,7 @@ pub fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<()> {
 
 /// Writes the heights of the surface of the body in a state, as they would be without load: a dent is negative.
 pub fn write(path: &Path, state: &State) -> Result<()> {
-    let Some(imprint) = state.field("imprint") else { return Ok(()) };
+    let Some(imprint) = state.field(FieldKind::Imprint) else { return Ok(()) };
     let spacing = state.contact.problem.surface().grid().spacing();
     Ok(Scan { height: -imprint, spacing }.write(path)?)
 }

@@ -1,6 +1,6 @@
 //! The fields of contacts in one file.
 
-use crate::contact::{Contact, DepthCut, PartialSlip, Quantity, Reading, Resolved, State};
+use crate::contact::{Contact, On, PartialSlip, Quantity, Reading, Resolved, State};
 use crate::elastic::Stress;
 use crate::surface::PowerSpectrum;
 use ndarray::{
@@ -56,7 +56,7 @@ pub fn archive(contact: &Contact, rank: usize, setup: Option<&str>) -> Result<Ve
 /// The errors of [`archive`].
 pub fn archive_of_state(state: &State, rank: usize, setup: Option<&str>) -> Result<Vec<u8>, WriteNpzError> {
     let mut archive = ArchiveWriter::new(&[&state.contact], false, rank, setup)?;
-    state.fields.iter().try_for_each(|it| archive.add_field(it.name, it.values.view()))?;
+    archive.add_state_fields(&[state])?;
     archive.finish()
 }
 
@@ -154,10 +154,7 @@ fn archive_of(states: &[&State], archive: ArchiveWriter, setup: &str) -> Result<
         states.iter().map(|it| it.point.map_or("-".to_owned(), |point| point.to_string())).collect();
     archive.add_words("claim", states.iter().map(|it| it.claim.into()))?;
     archive.add_words("point", points.iter().map(String::as_str))?;
-    archive.add_cuts(states)?;
-    for name in states.first().iter().flat_map(|first| first.fields.iter().map(|it| it.name)) {
-        archive.add_fields(name, states.iter().filter_map(|state| Some(state.field(name)?.view().into())))?;
-    }
+    archive.add_state_fields(states)?;
     archive.finish()
 }
 
@@ -280,14 +277,22 @@ impl ArchiveWriter {
         self.add_field("height", surface.heights_as_given().view())
     }
 
-    /// Adds what lies below one row of states that have it.
-    fn add_cuts(&mut self, states: &[&State]) -> Result<(), WriteNpzError> {
-        let cuts: Vec<&DepthCut> = states.iter().filter_map(|state| state.cut.as_ref()).collect();
-        let Some(first) = cuts.first().filter(|_| cuts.len() == states.len()) else { return Ok(()) };
-        self.npz.add_array("cut_row", &arr0(first.row as u64))?;
-        self.npz.add_array("cut_interfaces", &ArrayView1::from(&first.interfaces))?;
-        self.add_each("cut_plastic_strain", cuts.iter().map(|cut| cut.plastic_strain.view().into()))?;
-        self.add_each("cut_von_mises", cuts.iter().map(|cut| cut.von_mises.view().into()))
+    /// Adds the fields that states have besides those of their contacts, and the layers that some of them lie in.
+    fn add_state_fields(&mut self, states: &[&State]) -> Result<(), WriteNpzError> {
+        let Some(first) = states.first() else { return Ok(()) };
+        if let Some(layers) = &first.layers {
+            self.npz.add_array("cut_row", &arr0(layers.row as u64))?;
+            self.npz.add_array("cut_interfaces", &ArrayView1::from(&layers.interfaces))?;
+        }
+        for kind in first.fields.iter().map(|it| it.kind) {
+            let (row, values) = (kind.row(), states.iter().filter_map(|state| Some(state.field(kind)?.view().into())));
+            match row.on {
+                On::Surface => self.add_fields(row.array, values)?,
+                // a cut has layers along its first axis, below a line too
+                On::Cut => self.add_each(row.array, values)?,
+            }
+        }
+        Ok(())
     }
 
     /// Adds the edges of a contact, resolved between the nodes.

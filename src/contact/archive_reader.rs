@@ -140,6 +140,11 @@ impl ArchiveReader {
     /// # Errors
     /// [`FileError::Format`] for an array that is not there, of another shape than the pressure, or with values that are not finite.
     pub fn fields(&self, name: &'static str) -> Result<Vec<Field>, FileError> {
+        self.fields_with(name, false)
+    }
+
+    /// The fields of a name, which may have values that are not known, as NaN.
+    pub(super) fn fields_with(&self, name: &'static str, may_be_unknown: bool) -> Result<Vec<Field>, FileError> {
         for part in &self.parts {
             let [array, pressure] = [name, "pressure"].map(|name| read_fields_shape(part, name));
             let (found, expected) = (array?, pressure?);
@@ -150,16 +155,22 @@ impl ArchiveReader {
         }
         let array = self.read(name)?;
         match self.list {
-            None => Ok(vec![self.field(name, array)?]),
-            Some(_) => array.outer_iter().map(|it| self.field(name, it.to_owned())).collect(),
+            None => Ok(vec![self.field_with(name, array, may_be_unknown)?]),
+            Some(_) => array.outer_iter().map(|it| self.field_with(name, it.to_owned(), may_be_unknown)).collect(),
         }
     }
 
+    /// A field all of whose values are finite.
     fn field(&self, name: &str, array: ArrayD<f64>) -> Result<Field, FileError> {
+        self.field_with(name, array, false)
+    }
+
+    fn field_with(&self, name: &str, array: ArrayD<f64>, may_be_unknown: bool) -> Result<Field, FileError> {
         let rows = if self.rank == 1 { array.insert_axis(Axis(0)) } else { array };
         let field = rows.into_dimensionality::<Ix2>();
         let field = field.map_err(|_| self.wrong(format!("its array `{name}` does not have {} axes", self.rank)))?;
-        match field.iter().find(|value| !value.is_finite()) {
+        let is_wrong = |value: &&f64| !(value.is_finite() || may_be_unknown && value.is_nan());
+        match field.iter().find(is_wrong) {
             Some(value) => Err(self.wrong(format!("its array `{name}` contains the value {value}"))),
             None => Ok(field.as_standard_layout().into_owned()),
         }

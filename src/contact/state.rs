@@ -1,7 +1,8 @@
 //! A state: a contact that a process has made, whatever process it is.
 
 use crate::contact::{
-    Contact, DepthCut, Observables, Quantity, Reading, ResultClaim, StateKind, StateValues, Unit, Work,
+    Contact, CutLayers, FieldKind, Observables, Quantity, Reading, ResultClaim, StateField, StateKind, StateValues,
+    Work,
 };
 use crate::surface::Field;
 use std::sync::OnceLock;
@@ -19,25 +20,10 @@ pub struct State {
     pub claim: ResultClaim,
     /// Further fields of the process.
     pub fields: Vec<StateField>,
-    /// A vertical cut through a solid that yields, with plastic strain and stress; none for other solids.
-    pub cut: Option<DepthCut>,
+    /// The layers of the cut that some of the fields lie in; none where there are no such fields.
+    pub layers: Option<CutLayers>,
     /// All numbers, after they were read.
     numbers: OnceLock<Vec<(Quantity, f64)>>,
-}
-
-/// A field of a state besides those of its contact.
-#[derive(Debug, Clone)]
-pub struct StateField {
-    /// Its name, such as `traction`.
-    pub name: &'static str,
-    /// Its title in pictures.
-    pub title: &'static str,
-    /// Its symbol on an axis, with what it is divided by: the contact modulus, or the rms height.
-    pub symbol: &'static str,
-    /// Its unit: a pressure, a length, or none.
-    pub unit: Unit,
-    /// Its values, shape `(ny, nx)`.
-    pub values: Field,
 }
 
 /// Numbers of a saved state that stand in place of those of its contact: the way to the state has a part in them.
@@ -66,7 +52,7 @@ impl State {
     /// claimed.
     pub fn new(contact: Contact, claim: ResultClaim) -> Self {
         let claim = claim.if_converged(&contact);
-        Self { contact, point: None, claim, fields: Vec::new(), cut: None, numbers: OnceLock::new() }
+        Self { contact, point: None, claim, fields: Vec::new(), layers: None, numbers: OnceLock::new() }
     }
 
     /// The state at a point of the path, from 0.
@@ -79,9 +65,16 @@ impl State {
         Self { fields, ..self }
     }
 
-    /// The state with what lies below one row.
-    pub fn with_cut(self, cut: DepthCut) -> Self {
-        Self { cut: Some(cut), ..self }
+    /// The state with the layers of the cut that some of its fields lie in.
+    pub fn with_layers(self, layers: Option<CutLayers>) -> Self {
+        Self { layers, ..self }
+    }
+
+    /// The state with the first layers of its cut alone, if it has a cut. It keeps all of them where there are fewer.
+    pub fn down_to(mut self, layers: usize) -> Self {
+        self.layers.iter_mut().for_each(|it| it.interfaces.truncate(layers + 1));
+        self.fields = self.fields.into_iter().map(|field| field.down_to(layers)).collect();
+        self
     }
 
     /// The state with more numbers of its process.
@@ -146,8 +139,8 @@ impl State {
     }
 
     /// A further field, if the state has it.
-    pub fn field(&self, name: &str) -> Option<&Field> {
-        self.fields.iter().find(|it| it.name == name).map(|it| &it.values)
+    pub fn field(&self, kind: FieldKind) -> Option<&Field> {
+        self.fields.iter().find(|it| it.kind == kind).map(|it| &it.values)
     }
 }
 
@@ -159,88 +152,4 @@ impl Observables {
             |quantity| numbers.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value);
         Self::by(value)
     }
-}
-
-impl StateField {
-    /// The traction along `x` on the solid.
-    pub fn traction(values: Field) -> Self {
-        let (title, symbol) = ("Traction along x on the solid", "τ / E*");
-        Self { name: "traction", title, symbol, unit: Unit::Pressure, values }
-    }
-
-    /// The slip of the surface of the solid along `x` relative to the rigid surface, from the state before to this one.
-    pub fn slip(values: Field) -> Self {
-        let (title, symbol) = ("Slip of the solid along x in this step", "slip / h_rms");
-        Self { name: "slip", title, symbol, unit: Unit::Length, values }
-    }
-
-    /// The traction along `y` on the solid.
-    pub fn traction_across(values: Field) -> Self {
-        let (title, symbol) = ("Traction along y on the solid", "τ_y / E*");
-        Self { name: "traction_across", title, symbol, unit: Unit::Pressure, values }
-    }
-
-    /// The slip of the surface of the solid along `y` relative to the rigid surface, from the state before to this one.
-    pub fn slip_across(values: Field) -> Self {
-        let (title, symbol) = ("Slip of the solid along y in this step", "slip_y / h_rms");
-        Self { name: "slip_across", title, symbol, unit: Unit::Length, values }
-    }
-
-    /// The traction by which the surfaces attract each other.
-    pub fn attraction(values: Field) -> Self {
-        let (title, symbol) = ("Attraction between the surfaces", "σ / E*");
-        Self { name: "attraction", title, symbol, unit: Unit::Pressure, values }
-    }
-
-    /// The magnitude of the flux of a leakage along `x` over its mean.
-    pub fn flux_x(values: Field) -> Self {
-        let (title, symbol) = ("Flux of the leakage along x, over its mean", "|J_x| / <J_x>");
-        Self { name: "flux_x", title, symbol, unit: Unit::One, values }
-    }
-
-    /// The pressure of a fluid that leaks along `x`, over its drop.
-    pub fn fluid_pressure_x(values: Field) -> Self {
-        let (title, symbol) = ("Pressure of the fluid along x, over its drop", "p_f / Δp");
-        Self { name: "fluid_pressure_x", title, symbol, unit: Unit::One, values }
-    }
-
-    /// The magnitude of the flux of a leakage along `y` over its mean.
-    pub fn flux_y(values: Field) -> Self {
-        let (title, symbol) = ("Flux of the leakage along y, over its mean", "|J_y| / <J_y>");
-        Self { name: "flux_y", title, symbol, unit: Unit::One, values }
-    }
-
-    /// The pressure of a fluid that leaks along `y`, over its drop.
-    pub fn fluid_pressure_y(values: Field) -> Self {
-        let (title, symbol) = ("Pressure of the fluid along y, over its drop", "p_f / Δp");
-        Self { name: "fluid_pressure_y", title, symbol, unit: Unit::One, values }
-    }
-
-    /// What a solid that creeps remembers, as the pressure that would cause the same displacement of the glassy solid.
-    pub fn remembered(values: Field) -> Self {
-        let (title, symbol) = ("Stored strain, as a pressure", "Σ ε / E*");
-        Self { name: "stored_strain", title, symbol, unit: Unit::Pressure, values }
-    }
-
-    /// How far a plastic strain displaces the surface into the solid: what would be left of it without a load.
-    pub fn imprint(values: Field) -> Self {
-        let (title, symbol) = ("Displacement by plastic strain", "u^r / h_rms");
-        Self { name: "imprint", title, symbol, unit: Unit::Length, values }
-    }
-}
-
-/// The name of a field, and what makes it of its values.
-type FieldMaker = (&'static str, fn(Field) -> StateField);
-
-impl StateField {
-    /// The names of all fields, such as `traction`, and what makes them of their values.
-    pub const MAKERS: [FieldMaker; 7] = [
-        ("traction", Self::traction),
-        ("slip", Self::slip),
-        ("traction_across", Self::traction_across),
-        ("slip_across", Self::slip_across),
-        ("attraction", Self::attraction),
-        ("stored_strain", Self::remembered),
-        ("imprint", Self::imprint),
-    ];
 }

@@ -2,7 +2,7 @@
 
 use super::columns::columns;
 use super::zone::PlasticZone;
-use crate::contact::{Contact, DepthCut, Problem, State, StateField, Step};
+use crate::contact::{Contact, CutLayers, FieldKind, Problem, State, StateField, Step};
 use crate::elastic::stress::highest_row;
 use crate::theory::Exact;
 use ndarray::ArrayView1;
@@ -18,7 +18,7 @@ const STRESS_COLUMNS: usize = 512;
 const STRESS_ROWS: usize = 48;
 const DEPTH: f64 = 0.1;
 /// Further fields of a state that are drawn beside the pressure.
-const FIELDS: [&str; 2] = ["traction", "attraction"];
+const FIELDS: [FieldKind; 2] = [FieldKind::Traction, FieldKind::Attraction];
 /// Poisson's ratio of the solid, on which the largest shear stress hardly depends.
 const POISSON: f64 = 0.3;
 
@@ -94,14 +94,15 @@ impl Section {
     }
 
     /// The section of a contact with a solid that yields below its surface, along the row of its cut.
-    pub fn with_zone(contact: &Contact, cut: &DepthCut) -> Self {
-        Self { zone: Some(PlasticZone::new(contact, cut)), ..Self::in_columns(contact, cut.row, &[], COLUMNS) }
+    pub fn with_zone(contact: &Contact, cut: &CutLayers, fields: &[StateField]) -> Self {
+        let zone = PlasticZone::new(contact, cut, fields);
+        Self { zone, ..Self::in_columns(contact, cut.row, &[], COLUMNS) }
     }
 
     /// The section of a state of a history.
     pub fn from_state(state: &State) -> Self {
-        if let Some(cut) = &state.cut {
-            let zone = Some(PlasticZone::new(&state.contact, cut));
+        if let Some(cut) = &state.layers {
+            let zone = PlasticZone::new(&state.contact, cut, &state.fields);
             return Self { zone, ..Self::in_columns(&state.contact, cut.row, &[], STEP_COLUMNS) };
         }
         Self::in_columns(&state.contact, row_of(&state.contact), &state.fields, STEP_COLUMNS)
@@ -121,8 +122,8 @@ impl Section {
             let values = field.values.row(row);
             nodes.iter().map(|&node| (values[node] / problem.contact_modulus()) as f32).collect()
         };
-        let drawn = fields.iter().filter(|field| FIELDS.contains(&field.name));
-        let fields = drawn.map(|field| (field.name, over_modulus(field))).collect();
+        let drawn = fields.iter().filter(|field| FIELDS.contains(&field.kind));
+        let fields = drawn.map(|field| (field.name(), over_modulus(field))).collect();
         Self { fields, ..Self::along(problem, row, own, contact.separation(), most) }
     }
 

@@ -6,7 +6,7 @@ use super::report::{RunReport, SweepReport};
 use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
-use crate::contact::{Contact, DepthCut, StateField, StateKind, archive};
+use crate::contact::{Contact, CutLayers, StateField, StateKind, archive};
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
@@ -51,8 +51,8 @@ pub struct LastState {
     pub contact: Contact,
     /// Further fields of the last state of a history.
     pub fields: Vec<StateField>,
-    /// The cut through the layers below a solid that yields.
-    pub cut: Option<DepthCut>,
+    /// The layers of the cut below a solid that yields.
+    pub layers: Option<CutLayers>,
     /// The exact solution, where there is one.
     pub exact: Option<Exact>,
 }
@@ -99,10 +99,10 @@ impl SessionRecording {
 impl LastState {
     /// The section of the contact.
     pub fn section(&self) -> Section {
-        let Self { contact, fields, cut, exact } = self;
-        match (exact, cut) {
+        let Self { contact, fields, layers, exact } = self;
+        match (exact, layers) {
             (Some(exact), _) => Section::with_exact(contact, exact),
-            (None, Some(cut)) => Section::with_zone(contact, cut),
+            (None, Some(layers)) => Section::with_zone(contact, layers, fields),
             (None, None) => Section::from_contact(contact, fields),
         }
     }

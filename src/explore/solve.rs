@@ -9,7 +9,7 @@ use super::session_recording::{LastState, SessionRecording};
 use super::step_numbers::StepNumbers;
 use super::tape::{self, TapeCurves};
 use crate::clock::Instant;
-use crate::contact::{Contact, DepthCut, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
+use crate::contact::{Contact, CutLayers, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
 use crate::error::{AdhesionError, HistoryError, SetupError, SolveError};
 use crate::job::{self, HistoryOutcome, Job, JobRun, Pass, Solved};
 use crate::setup::{LoadPath, RollingMotion, Setup, command};
@@ -85,7 +85,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         return Err(SolveError::Observer(failure).into());
     }
     let RunCollector { curves, steps, motion, ends: [own, beside], .. } = watch;
-    let last = |contact, (fields, cut), exact| LastState { contact, fields, cut, exact };
+    let last = |contact, (fields, layers), exact| LastState { contact, fields, layers, exact };
     let other = other.map(|contact| last(contact, beside, exact_beside));
     turn.finish(rank, last(contact, own, exact), other, curves, (steps, motion));
     Ok(())
@@ -145,8 +145,8 @@ struct RunCollector<'a> {
     curves: TapeCurves,
     steps: StepNumbers,
     motion: Motion,
-    /// Further fields of the last state of each run, and the cut below it.
-    ends: [(Vec<StateField>, Option<DepthCut>); 2],
+    /// Further fields of the last state of each run, and the layers of the cut that some of them lie in.
+    ends: [(Vec<StateField>, Option<CutLayers>); 2],
     /// The work of each run so far, of a history with all its states.
     work: [Work; 2],
 }
@@ -171,7 +171,7 @@ impl job::Watcher for RunCollector<'_> {
 
     fn state(&mut self, run: usize, state: &State) {
         self.work[run] += state.contact.work;
-        self.ends[run] = (state.fields.clone(), state.cut.clone());
+        self.ends[run] = (state.fields.clone(), state.layers.clone());
         if run > 0 {
             return;
         }

@@ -101,9 +101,10 @@ impl Top {
             rows.iter().flat_map(|rows| places.iter().map(move |places| peak(rows, places))).collect();
         let modulus = contact.problem.contact_modulus();
         let field = |it: &StateField| {
-            let unit = if it.unit == Unit::Pressure { modulus } else { 1.0 };
+            let row = it.kind.row();
+            let unit = if row.unit == Unit::Pressure { modulus } else { 1.0 };
             let values = nodes.iter().map(|node| (it.values[*node] / unit) as f32).collect();
-            (it.name, TopField { unit: it.unit, values })
+            (row.name, TopField { unit: row.unit, values })
         };
         let of = |value: &dyn Fn([usize; 2]) -> f64| nodes.iter().map(|node| value(*node) as f32).collect();
         Some(Self {
@@ -113,7 +114,7 @@ impl Top {
             gap: of(&|node| contact.gap[node]),
             pressure: of(&|node| contact.pressure[node] / modulus),
             highest_pressure: contact.max_pressure() / modulus,
-            fields: fields.iter().map(field).collect(),
+            fields: fields.iter().filter(|it| it.is_on_surface()).map(field).collect(),
         })
     }
 }

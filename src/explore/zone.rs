@@ -1,7 +1,7 @@
 //! The plastic zone below a section, which the page draws without the viewer.
 
 use super::columns::columns;
-use crate::contact::{Contact, DepthCut};
+use crate::contact::{Contact, CutLayers, FieldKind, StateField};
 use crate::surface::Field;
 use serde::Serialize;
 use std::ops::Range;
@@ -34,19 +34,22 @@ struct ZoneField {
 }
 
 impl PlasticZone {
-    /// The plastic zone in the cut below a contact.
-    pub fn new(contact: &Contact, cut: &DepthCut) -> Self {
+    /// The plastic zone in the cut below a contact, with the fields of its state; none where they have no plastic strain.
+    pub fn new(contact: &Contact, cut: &CutLayers, fields: &[StateField]) -> Option<Self> {
         let grid = contact.problem.surface().grid();
         let depth = (DEPTH * grid.size()[1]).min(cut.interfaces.last().copied().unwrap_or(0.0));
         let layers: Vec<Range<usize>> = (0..ROWS).map(|row| layers(&cut.interfaces, depth, row)).collect();
         let places: Vec<Range<usize>> = columns(grid.shape()[1], COLUMNS).collect();
-        let field = |of: &Field, unit: f64| ZoneField::new(of, unit, &layers, &places);
-        Self {
+        let field = |kind: FieldKind, unit: f64| {
+            let field = fields.iter().find(|it| it.kind == kind)?;
+            Some(ZoneField::new(&field.values, unit, &layers, &places))
+        };
+        Some(Self {
             depth,
             columns: places.len(),
-            strain: field(&cut.plastic_strain, 1.0),
-            stress: field(&cut.von_mises, contact.problem.contact_modulus()),
-        }
+            strain: field(FieldKind::PlasticStrain, 1.0)?,
+            stress: field(FieldKind::VonMises, contact.problem.contact_modulus())?,
+        })
     }
 }
 

@@ -6,7 +6,7 @@ use super::cycle::{Gradients, GroupCycle, GroupSize};
 use super::network::Network;
 use super::tree::ChannelTree;
 use crate::chunks;
-use crate::contact::{Contact, StateField};
+use crate::contact::{Contact, FieldKind, StateField};
 use crate::error::FlowError;
 use crate::grid::Grid;
 use crate::surface::Field;
@@ -102,10 +102,11 @@ impl Leakage {
 
     /// The flux and the pressure of the fluid as fields of a state.
     pub fn into_fields(self) -> [StateField; 2] {
-        match self.axis {
-            FlowAxis::X => [StateField::flux_x(self.flux), StateField::fluid_pressure_x(self.pressure)],
-            FlowAxis::Y => [StateField::flux_y(self.flux), StateField::fluid_pressure_y(self.pressure)],
-        }
+        let [flux, pressure] = match self.axis {
+            FlowAxis::X => [FieldKind::FluxX, FieldKind::FluidPressureX],
+            FlowAxis::Y => [FieldKind::FluxY, FieldKind::FluidPressureY],
+        };
+        [StateField::new(flux, self.flux), StateField::new(pressure, self.pressure)]
     }
 
     /// The flow through gaps of shape `(ny, nx)`, along an axis, until the bounds are closer than the relative `tolerance`. Gaps of zero and

@@ -6,8 +6,8 @@ use super::adhesive_walk::BranchWalk;
 use super::process::{PathPoint, Process};
 use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveProblem};
 use crate::contact::{
-    Certificate, Contact, Counted, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues,
-    Status, Stop, Work,
+    Certificate, Contact, Counted, FieldKind, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind,
+    StateValues, Status, Stop, Work,
 };
 use crate::error::HistoryError;
 use crate::surface::Field;
@@ -128,7 +128,7 @@ impl AdhesiveProcess {
                     .with(Quantity::Residual, state.residual)
                     .with(Quantity::LeastCurvature, state.least_curvature)
                     .with(Quantity::CurvatureError, state.curvature_error);
-                let fields = vec![StateField::attraction(state.traction)];
+                let fields = vec![StateField::new(FieldKind::Attraction, state.traction)];
                 let contact = contact.with_work(work).with_values(values);
                 State::new(contact, state.claim).at(point).with_fields(fields)
             }
@@ -146,7 +146,7 @@ impl AdhesiveProcess {
                 let contact = self.apart().with_work(work).with_values(values.parted());
                 State::new(contact, ResultClaim::Separated)
                     .at(point)
-                    .with_fields(vec![StateField::attraction(Field::zeros(shape))])
+                    .with_fields(vec![StateField::new(FieldKind::Attraction, Field::zeros(shape))])
             }
         }
     }

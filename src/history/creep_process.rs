@@ -3,7 +3,7 @@
 use super::process::{PathPoint, Process};
 use super::{Creep, CreepPath, CreepState, CreepSteps, TimeErrors};
 use crate::contact::{
-    Load, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
+    FieldKind, Load, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
 };
 use crate::elastic::Prony;
 use crate::error::{CreepError, HistoryError};
@@ -99,7 +99,7 @@ impl CreepState {
             .with(Quantity::DissipatedTimeError, error(|it| it.lost))
             .with(Quantity::WorkTimeError, error(|it| it.work))
             .with(Quantity::HistoryBound, self.error_bound());
-        let fields = vec![StateField::remembered(effective - &self.contact.pressure)];
+        let fields = vec![StateField::new(FieldKind::StoredStrain, effective - &self.contact.pressure)];
         State::new(self.contact.with_values(values), ResultClaim::Solution).at(point).with_fields(fields)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::PathPoint;
 use super::time_errors::rms;
-use crate::contact::{Quantity, State, StateKind};
+use crate::contact::{FieldKind, Quantity, State, StateKind};
 use crate::surface::Field;
 use std::borrow::Borrow;
 
@@ -14,7 +14,8 @@ const CLOSED: f64 = 0.01;
 const SOLVED: f64 = 1e-6;
 
 /// The further fields that a state carries on to the next one. Slip belongs to a step, and says nothing of the state at its end.
-const CARRIED: [&str; 4] = ["traction", "traction_across", "stored_strain", "attraction"];
+const CARRIED: [FieldKind; 4] =
+    [FieldKind::Traction, FieldKind::TractionAcross, FieldKind::StoredStrain, FieldKind::Attraction];
 
 /// The energy that each closed cycle lost, per area of the cell: from a point of the path to the next one with the same loads, gone through in the
 /// same direction, at which the contact has returned to its state, with other loads between them. The next cycle begins where one ends.
@@ -138,9 +139,9 @@ fn is_closed(states: &[&State]) -> bool {
         && has_energy_returned(states, told(Quantity::WorkTimeError))
         && has_returned(states, |state| Some(&state.contact.pressure), in_pressure * pressure)
         && has_returned(states, |state| Some(&state.contact.gap), in_gap)
-        && CARRIED.iter().all(|name| {
-            let memory = first.field(name).map_or(0.0, rms);
-            has_returned(states, |state| state.field(name), in_pressure * memory)
+        && CARRIED.iter().all(|&kind| {
+            let memory = first.field(kind).map_or(0.0, rms);
+            has_returned(states, |state| state.field(kind), in_pressure * memory)
         })
 }
 

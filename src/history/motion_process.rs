@@ -2,8 +2,8 @@
 
 use super::{PathPoint, Process, Rolling, RollingConditions, Sliding};
 use crate::contact::{
-    Contact, MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues,
-    Stop, Work,
+    Contact, FieldKind, MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind,
+    StateValues, Stop, Work,
 };
 use crate::elastic::{Prony, SteadyMotion};
 use crate::error::HistoryError;
@@ -150,7 +150,8 @@ impl Rolling {
             .with(Quantity::TractionCertificate, self.traction_certificate);
         let claim = if self.conditions.beta == 0.0 { ResultClaim::Bounded } else { ResultClaim::RoundsConverged };
         let work = Work { transforms: self.transforms, ..self.contact.work };
-        let fields = vec![StateField::traction(self.traction), StateField::slip(self.slip)];
+        let fields =
+            vec![StateField::new(FieldKind::Traction, self.traction), StateField::new(FieldKind::Slip, self.slip)];
         let contact = self.contact.with_work(work).with_values(values);
         State::new(contact, claim).with_fields(fields)
     }

@@ -1,7 +1,7 @@
 //! The state of a contact after a step with friction.
 
 use super::slip_totals::SlipTotals;
-use crate::contact::{Contact, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Work};
+use crate::contact::{Contact, FieldKind, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Work};
 use crate::surface::Field;
 use ndarray::Array2;
 use serde::Serialize;
@@ -158,10 +158,14 @@ impl SlipState {
             .with(Quantity::DissipatedPathError, errors.map(|it| it.dissipated))
             .with(Quantity::Stored, self.stored)
             .with(Quantity::TractionCertificate, self.certificate.eta);
-        let along = [StateField::traction(self.traction), StateField::slip(self.slip)];
-        let across =
-            [self.traction_across.map(StateField::traction_across), self.slip_across.map(StateField::slip_across)];
-        let fields = along.into_iter().chain(across.into_iter().flatten()).collect();
+        // a path along `x` alone has nothing across it
+        let given = [
+            (FieldKind::Traction, Some(self.traction)),
+            (FieldKind::Slip, Some(self.slip)),
+            (FieldKind::TractionAcross, self.traction_across),
+            (FieldKind::SlipAcross, self.slip_across),
+        ];
+        let fields = given.into_iter().filter_map(|(kind, values)| Some(StateField::new(kind, values?))).collect();
         let contact = self.contact.with_work(self.work).with_values(values);
         State::new(contact, self.claim).at(point).with_fields(fields)
     }

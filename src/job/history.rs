@@ -4,7 +4,7 @@ use super::posed::Posed;
 use super::yielding::warnings_of_yielding;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{
-    Observables, Problem, Quantity, ResultClaim, State, warning_of_friction, warning_of_trail, warnings_of,
+    FieldKind, Observables, Problem, Quantity, ResultClaim, State, warning_of_friction, warning_of_trail, warnings_of,
     warnings_of_contact, warnings_of_states,
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
@@ -332,8 +332,9 @@ impl HistoryOutcome {
 
 /// The mean displacement by the traction along `x` of a state with friction, weighted with it, a length; 0 without traction.
 fn displacement_by_traction(state: &State) -> f64 {
-    let traction =
-        state.field("traction").map_or(0.0, |it| it.iter().map(|tau| tau.abs()).sum::<f64>() / it.len() as f64);
+    let traction = state
+        .field(FieldKind::Traction)
+        .map_or(0.0, |it| it.iter().map(|tau| tau.abs()).sum::<f64>() / it.len() as f64);
     if traction > 0.0 { 2.0 * state.value(Quantity::Stored) / traction } else { 0.0 }
 }
 

@@ -40,7 +40,6 @@ mod state_table;
 mod tables;
 mod watch;
 #[cfg(feature = "record")]
-mod yield_zone;
 mod yielding;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};

@@ -3,8 +3,8 @@
 use super::doubts::Doubts;
 use super::state_check::StateCheck;
 use crate::contact::{
-    ArchiveReader, Contact, DepthCut, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField, StateKind,
-    StateValues, Status, read_cuts,
+    ArchiveReader, Contact, CutLayers, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State,
+    StateField, StateKind, StateValues, Status, read_cut_layers, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
@@ -15,17 +15,15 @@ use strum::IntoEnumIterator;
 /// Numbers that all states have, and that may be undefined.
 const ALWAYS: [Quantity; 2] = [Quantity::RelativeArea, Quantity::KappaR];
 
-/// What makes a field of a state, and its values in all states.
-type StateFields = (fn(Field) -> StateField, Vec<Field>);
-
 /// The numbers and fields of the states in a file besides their contacts.
 struct StateColumns {
     numbers: Vec<(Quantity, Vec<f64>)>,
-    fields: Vec<StateFields>,
+    /// The fields that the states have, each with its values in all of them.
+    fields: Vec<(FieldKind, Vec<Field>)>,
     claims: Vec<ResultClaim>,
     points: Vec<Option<usize>>,
-    /// The cuts below a solid that yields, if there are any.
-    cuts: Vec<DepthCut>,
+    /// The layers of the cut below a solid that yields.
+    layers: Option<CutLayers>,
 }
 
 impl StateColumns {
@@ -34,17 +32,12 @@ impl StateColumns {
         for quantity in Quantity::iter() {
             numbers.extend(reader.numbers(quantity.name())?.map(|values| (quantity, values)));
         }
-        let mut fields = Vec::new();
-        for (name, made) in StateField::MAKERS {
-            if reader.has(name)? {
-                fields.push((made, reader.fields(name)?));
-            }
-        }
         let wrong = |reason: String| FileError::Format { path: reader.path().into(), what: "result", reason };
         let claim = |word: String| word.parse().map_err(|_| wrong(format!("its claim {word:?} is not known")));
         let claims = reader.words("claim")?.into_iter().map(claim).collect::<Result<_, _>>()?;
         let points = reader.words("point")?.iter().map(|word| word.parse().ok()).collect();
-        Ok(Self { numbers, fields, claims, points, cuts: read_cuts(reader)? })
+        let (fields, layers) = (read_state_fields(reader)?, read_cut_layers(reader)?);
+        Ok(Self { numbers, fields, claims, points, layers })
     }
 
     /// A number of a state, if it has it.
@@ -55,7 +48,7 @@ impl StateColumns {
 
     /// The further fields of a state.
     fn fields(&self, state: usize) -> Vec<StateField> {
-        self.fields.iter().map(|(made, of)| made(of[state].clone())).collect()
+        self.fields.iter().map(|(kind, of)| StateField::new(*kind, of[state].clone())).collect()
     }
 }
 
@@ -82,8 +75,8 @@ pub(super) fn certified_states(
         let parts = ([saved.pressure, saved.displacement, saved.gap], (saved.certificate, saved.work, saved.status));
         let contact = Contact::from_parts(under, parts.0, parts.1, saved.solver, saved.coarser);
         let contact = contact.map_err(SetupError::from)?.with_values(StateValues::new(kind));
-        let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
-        state.cut = columns.cuts.get(number).cloned();
+        let state = State::from_parts(contact, (point, claim), of, columns.fields(number));
+        let mut state = state.with_layers(columns.layers.clone());
         let found = check.doubts(&mut state)?;
         if !found.is_empty() {
             state.claim = ResultClaim::Unchecked;

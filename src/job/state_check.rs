@@ -2,7 +2,7 @@
 
 use crate::adhesion::Attraction;
 use crate::contact::{
-    Certificate, Load, Problem, Quantity, ResultClaim, SavedDoubt, State, Status, is_met, is_same, largest,
+    Certificate, FieldKind, Load, Problem, Quantity, ResultClaim, SavedDoubt, State, Status, is_met, is_same, largest,
     pressure_doubts,
 };
 use crate::elastic::{Compliance, Coupling, Response};
@@ -75,7 +75,7 @@ impl<'a> StateCheck<'a> {
             });
         }
         doubts.extend(self.friction_doubts(state)?);
-        self.traction = state.field("traction").cloned();
+        self.traction = state.field(FieldKind::Traction).cloned();
         self.carried = state.contact.mean_pressure();
         self.reached = state.point.map_or(self.reached, |point| point + 1);
         Ok(doubts)
@@ -84,8 +84,8 @@ impl<'a> StateCheck<'a> {
     /// The fields without which a state cannot be checked.
     fn missing(&self, state: &State) -> Vec<SavedDoubt> {
         let needed = self.kind.row().needed;
-        let missing = needed.iter().filter(|name| state.field(name).is_none());
-        missing.map(|name| SavedDoubt::Missing { name }).collect()
+        let missing = needed.iter().filter(|kind| state.field(**kind).is_none());
+        missing.map(|kind| SavedDoubt::Missing { name: kind.row().array }).collect()
     }
 
     /// The problem of a state: at rest, or at its speed where that is one of the setup.
@@ -185,7 +185,7 @@ impl<'a> StateCheck<'a> {
 
     /// What a state has of it.
     fn found(&self, state: &State) -> f64 {
-        let attraction = state.field("attraction").and_then(|it| it.mean()).unwrap_or(0.0);
+        let attraction = state.field(FieldKind::Attraction).and_then(|it| it.mean()).unwrap_or(0.0);
         match self.setup.load {
             Load::MeanGap(_) => state.contact.mean_gap(),
             Load::Approach(_) => state.contact.approach().unwrap_or(f64::NAN),
@@ -197,18 +197,18 @@ impl<'a> StateCheck<'a> {
     fn further(&self, problem: &Problem, state: &State) -> Result<Field, StudyError> {
         let grid = problem.surface().grid();
         let mut further = vec![0.0; problem.nodes()];
-        if let Some(memory) = state.field("stored_strain") {
+        if let Some(memory) = state.field(FieldKind::StoredStrain) {
             problem.response().displacement(values(memory), &mut further);
         }
-        if let Some(attraction) = state.field("attraction") {
+        if let Some(attraction) = state.field(FieldKind::Attraction) {
             problem.response().displacement(values(&(-attraction)), &mut further);
         }
-        if let Some(imprint) = state.field("imprint") {
+        if let Some(imprint) = state.field(FieldKind::Imprint) {
             further.iter_mut().zip(imprint).for_each(|(further, imprint)| *further += imprint);
         }
         let beta = self.setup.dundurs_beta();
-        if let Some(traction) = state.field("traction").filter(|_| beta != 0.0) {
-            let across = state.field("traction_across").map(|it| it.to_owned());
+        if let Some(traction) = state.field(FieldKind::Traction).filter(|_| beta != 0.0) {
+            let across = state.field(FieldKind::TractionAcross).map(|it| it.to_owned());
             let across = across.map_or_else(Vec::new, |it| it.into_iter().collect());
             let mut coupling = self.coupling(problem)?;
             coupling.by_traction([values(traction), &across], &mut further);
@@ -291,7 +291,9 @@ impl<'a> StateCheck<'a> {
 
     /// Doubts whether a state with adhesion is in equilibrium with its own attraction.
     fn adhesion_doubts(&self, state: &State) -> Vec<SavedDoubt> {
-        let (Some(attraction), Some(sigma)) = (&self.attraction, state.field("attraction")) else { return Vec::new() };
+        let (Some(attraction), Some(sigma)) = (&self.attraction, state.field(FieldKind::Attraction)) else {
+            return Vec::new();
+        };
         let (contact, strength) = (&state.contact, attraction.strength());
         if state.claim == ResultClaim::Separated {
             let is_apart = largest(sigma) == 0.0 && largest(&contact.pressure) == 0.0;
@@ -327,11 +329,11 @@ impl<'a> StateCheck<'a> {
 
     /// Doubts whether the traction is one that friction carries, and that follows from the state before.
     fn friction_doubts(&self, state: &State) -> Result<Vec<SavedDoubt>, StudyError> {
-        let (Some(along), Some(friction)) = (state.field("traction"), self.setup.friction) else {
+        let (Some(along), Some(friction)) = (state.field(FieldKind::Traction), self.setup.friction) else {
             return Ok(Vec::new());
         };
         let (pressure, mu) = (&state.contact.pressure, friction.coefficient);
-        let across = state.field("traction_across");
+        let across = state.field(FieldKind::TractionAcross);
         let length = |i: usize| values(along)[i].hypot(across.map_or(0.0, |it| values(it)[i]));
         let most = mu * largest(pressure);
         let excess = (0..pressure.len()).map(|i| length(i) - mu * values(pressure)[i]).fold(0.0, f64::max);

@@ -4,13 +4,12 @@ use super::history::HistoryOutcome;
 use super::posed::Posed;
 use super::run::JobRun;
 use super::sink::StateSink;
-use super::yield_zone::{fields_of_cut, zone};
 use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Unit};
 use crate::error::FileError;
 use crate::plot::Colour;
 use crate::record::{
     CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordUnits, RecordedCurve, Scene, Target,
-    Timeline, load_in_words, value_with_unit,
+    Timeline, YieldZone, load_in_words, value_with_unit,
 };
 use crate::seen::capital;
 use crate::setup::{ProcessKind, Setup};
@@ -99,7 +98,7 @@ impl<'a> StateRecording<'a> {
             exact: None,
             loads: posed.loads.to_vec(),
             further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
-            zone: zone(posed.setup, &[first], ROOM),
+            zone: YieldZone::new(posed.setup, &[first], ROOM),
             ..Scene::from_setup(&setup, posed.problem)
         };
         let title = self.title.clone().unwrap_or_else(|| scene.title.clone());
@@ -180,7 +179,7 @@ impl HistoryOutcome {
             exact: None,
             apart: self.apart(problem),
             further: further(&posed, &states, 1.0),
-            zone: zone(setup, &states, 1.0),
+            zone: YieldZone::new(setup, &states, 1.0),
             ..Scene::from_setup(setup, &highest.contact.problem)
         };
         let units = options.units();
@@ -245,9 +244,8 @@ fn numbered(states: usize) -> LoadAxis {
 
 /// Adds the fields of a state of a scene to a recording.
 fn add(recording: &LoadRecording, scene: usize, number: usize, state: &State) -> Result<(), FileError> {
-    let mut further: Vec<(&'static str, &[f64])> =
-        state.fields.iter().map(|it| (it.name, it.values.as_slice().unwrap_or_default())).collect();
-    further.extend(state.cut.iter().flat_map(fields_of_cut));
+    let further: Vec<(&'static str, &[f64])> =
+        state.fields.iter().map(|it| (it.name(), it.values.as_slice().unwrap_or_default())).collect();
     recording.state(scene, number, &state.contact, &further)
 }
 
@@ -321,18 +319,20 @@ fn caption(kind: ProcessKind, number: usize, state: &State, units: &RecordUnits)
 /// The further fields of some states, with their ranges over these, times some room.
 fn further(posed: &Posed<'_>, states: &[&State], room: f64) -> Vec<FurtherField> {
     let Some(first) = states.first() else { return Vec::new() };
-    let drawn = first.fields.iter().enumerate().filter(|(_, it)| it.unit != Unit::One);
-    let field = |(place, it): (usize, &StateField)| {
-        let values = states.iter().filter_map(|state| state.fields.get(place)).flat_map(|it| it.values.iter());
+    // the fields of a cut and of a leakage have drawings of their own
+    let is_drawn = |it: &&StateField| it.is_on_surface() && it.kind.row().unit != Unit::One;
+    let field = |it: &StateField| {
+        let row = it.kind.row();
+        let values = states.iter().filter_map(|state| state.field(it.kind)).flatten();
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
         let [low, high] = values.fold(ends, |[low, high], value| [low.min(*value), high.max(*value)]);
-        let unit = match it.unit {
+        let unit = match row.unit {
             Unit::Pressure => posed.problem.contact_modulus(),
             _ => posed.problem.rms_height(),
         };
-        FurtherField::new(it.name, it.title, (it.symbol, unit), [room * low, room * high])
+        FurtherField::new(row.name, row.title, (row.symbol, unit), [room * low, room * high])
     };
-    drawn.map(field).collect()
+    first.fields.iter().filter(is_drawn).map(field).collect()
 }
 
 /// The title of a view: with a capital letter, unless it is a symbol.

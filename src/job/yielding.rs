@@ -25,7 +25,7 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<
     }
     let most = |of: Quantity| states.iter().filter_map(|state| state.get(of)).fold(0.0, f64::max);
     let reaches_the_bottom = |state: &Arc<State>| {
-        let bottom = state.cut.as_ref().and_then(|cut| cut.interfaces.last().copied());
+        let bottom = state.layers.as_ref().and_then(|layers| layers.interfaces.last().copied());
         bottom.is_some_and(|bottom| state.get(Quantity::DeepestYield).is_some_and(|depth| depth >= bottom))
     };
     // layers that were not given grow
@@ -65,7 +65,7 @@ fn warning_of_thick_layers(states: &[Arc<State>], setup: &Setup) -> Option<Warni
     }
     let pressure = |state: &Arc<State>| state.contact.mean_pressure();
     let heaviest = states.iter().max_by(|a, b| pressure(a).total_cmp(&pressure(b)))?;
-    let first = heaviest.cut.as_ref()?.interfaces.get(1).copied()?;
+    let first = heaviest.layers.as_ref()?.interfaces.get(1).copied()?;
     let width = mean_width(&heaviest.contact)?;
     // the first layer is never asked to be thinner than it is by default
     let limit = (THICKEST_LAYER * width).max(0.5 * heaviest.contact.problem.surface().grid().shortest_spacing());

@@ -61,7 +61,6 @@ pub use file::{
 pub use options::Options;
 pub use parts::Parts;
 pub use scene::{FurtherField, Scene, YieldZone};
-pub(crate) use scene::{PLASTIC_STRAIN, VON_MISES};
 pub use setups::{is_cut_off, is_recording, setups};
 pub use size::Size;
 pub use units::{RecordUnits, value_with_unit};

@@ -1,7 +1,6 @@
 //! Scenes: the problems of a recording.
 
-use crate::contact::Load;
-use crate::contact::{Forecast, Problem};
+use crate::contact::{FieldKind, Forecast, Load, Problem, State};
 use crate::diagnosis::Reference;
 use crate::setup::Setup;
 use crate::study::LoadCurve;
@@ -35,9 +34,8 @@ pub struct Scene<'a> {
     pub zone: Option<YieldZone>,
 }
 
-/// The names of the fields of the cut below a contact that yields, shape `(layers, nx)`, among those of its states.
-pub(crate) const PLASTIC_STRAIN: &str = "plastic_strain";
-pub(crate) const VON_MISES: &str = "von_mises";
+/// The plastic strain that the scale of a picture reaches where nothing has yielded, over the elastic strain at yield.
+const LEAST_STRAIN: f64 = 0.1;
 
 /// The layers below the surface of a solid that yields, and the range of what is drawn of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +48,27 @@ pub struct YieldZone {
     pub strain: f64,
     /// The largest von Mises stress of all states, a pressure.
     pub stress: f64,
+}
+
+impl YieldZone {
+    /// The layers below some states of a setup, with the largest values of their fields. The largest strain is multiplied
+    /// by `room`, since it grows in the states that follow; the stress stays near the yield stress where the solid flows.
+    /// None where the solid does not yield below its surface.
+    pub fn new(setup: &Setup, states: &[&State], room: f64) -> Option<Self> {
+        let yield_stress = setup.yield_stress()?;
+        let interfaces = states.iter().find_map(|state| state.layers.as_ref())?.interfaces.clone();
+        let largest = |kind: FieldKind| {
+            let values = states.iter().filter_map(|state| state.field(kind)).flatten();
+            values.copied().fold(0.0, f64::max)
+        };
+        let least = LEAST_STRAIN * yield_stress / setup.contact_modulus().ok()?;
+        Some(Self {
+            interfaces,
+            yield_stress,
+            strain: room * largest(FieldKind::PlasticStrain).max(least),
+            stress: largest(FieldKind::VonMises).max(yield_stress),
+        })
+    }
 }
 
 /// A field that the states of a scene have besides pressure and gap.

@@ -1,7 +1,7 @@
 //! The processes that a setup can describe, and what each of them offers.
 
 use super::Setup;
-use crate::contact::{Problem, Quantity, StateKind};
+use crate::contact::{FieldKind, Problem, Quantity, StateKind};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::history::{Loading, Process};
@@ -59,7 +59,7 @@ pub struct ProcessRow {
     /// Whether the states differ in what they claim, so that each states its own claim.
     pub has_claims: bool,
     /// The further fields without which a saved state cannot be certified again.
-    pub needed: &'static [&'static str],
+    pub needed: &'static [FieldKind],
     /// What its contacts are states of.
     pub state: StateKind,
 }
@@ -147,7 +147,7 @@ const CREEP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Time],
     has_claims: false,
-    needed: &["stored_strain"],
+    needed: &[FieldKind::StoredStrain],
     state: StateKind::Creep,
 };
 
@@ -177,7 +177,7 @@ const SLIP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Friction],
     has_claims: false,
-    needed: &["traction"],
+    needed: &[FieldKind::Traction],
     state: StateKind::Elastic,
 };
 
@@ -233,7 +233,7 @@ const ROLLING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Creepage, Quantity::Friction],
     has_claims: false,
-    needed: &["traction"],
+    needed: &[FieldKind::Traction],
     state: StateKind::Elastic,
 };
 
@@ -262,7 +262,7 @@ const ADHESION: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::MeanGap],
     has_claims: true,
-    needed: &["attraction"],
+    needed: &[FieldKind::Attraction],
     state: StateKind::Adhesion,
 };
 
@@ -294,7 +294,7 @@ const PLASTIC: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::DeepestYield],
     has_claims: false,
-    needed: &["imprint"],
+    needed: &[FieldKind::Imprint],
     state: StateKind::Plastic,
 };
 

@@ -2,7 +2,9 @@
 
 use super::companions::Companions;
 use super::{Plastic, PlasticErrorSources, PlasticState};
-use crate::contact::{Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status};
+use crate::contact::{
+    FieldKind, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status,
+};
 use crate::elastic::DepthLayers;
 use crate::error::{HistoryError, PlasticError};
 use crate::grid::Grid;
@@ -122,9 +124,8 @@ impl PlasticLoading<'_> {
     }
 
     /// The state whose cut goes through as many layers as those of the other states.
-    fn framed(&self, mut state: State) -> State {
-        state.cut = state.cut.map(|cut| cut.above(self.layers));
-        state
+    fn framed(&self, state: State) -> State {
+        state.down_to(self.layers)
     }
 }
 
@@ -167,9 +168,10 @@ impl PlasticState {
             .with(Quantity::PlasticVolume, self.plastic_volume())
             .with(Quantity::ImprintDepth, self.imprint_depth())
             .with(Quantity::StepCertificate, self.certificate.relative_gap);
-        let fields = vec![StateField::imprint(self.residual.clone())];
+        let (layers, [plastic_strain, von_mises]) = self.cut();
+        let fields = vec![StateField::new(FieldKind::Imprint, self.residual.clone()), plastic_strain, von_mises];
         let contact = self.contact.clone().with_values(values);
-        State::new(contact, ResultClaim::LoadStep).with_fields(fields).with_cut(self.cut())
+        State::new(contact, ResultClaim::LoadStep).with_fields(fields).with_layers(Some(layers))
     }
 
     /// The state as one on the way, of an iteration.

@@ -2,7 +2,7 @@
 
 use super::PlasticSolid;
 use super::pressing::Pressing;
-use crate::contact::{Contact, DepthCut, Load};
+use crate::contact::{Contact, CutLayers, FieldKind, Load, StateField};
 use crate::elastic::DepthLayers;
 use crate::surface::Field;
 use ndarray::{Array2, Array3, Axis};
@@ -179,7 +179,7 @@ impl PlasticState {
     }
 
     /// Plastic strain and von Mises stress in the layers below the row of the rigid surface that holds its highest peak.
-    pub fn cut(&self) -> DepthCut {
+    pub fn cut(&self) -> (CutLayers, [StateField; 2]) {
         let [ny, nx] = self.contact.problem.surface().grid().shape();
         let heights = self.contact.problem.height();
         let highest = (0..heights.len()).max_by(|&a, &b| heights[a].total_cmp(&heights[b])).unwrap_or(0);
@@ -187,12 +187,11 @@ impl PlasticState {
         let field = |of: &dyn Fn(usize, usize) -> f64| {
             Field::from_shape_fn((self.layers.count(), nx), |(layer, column)| of(layer, row * nx + column))
         };
-        DepthCut {
-            row,
-            interfaces: self.layers.interfaces().to_vec(),
-            plastic_strain: field(&|layer, node| self.accumulated[[layer, node]]),
-            von_mises: field(&|layer, node| self.von_mises(layer, node)),
-        }
+        let plastic_strain = field(&|layer, node| self.accumulated[[layer, node]]);
+        let von_mises = field(&|layer, node| self.von_mises(layer, node));
+        let fields = [(FieldKind::PlasticStrain, plastic_strain), (FieldKind::VonMises, von_mises)];
+        let layers = CutLayers { row, interfaces: self.layers.interfaces().to_vec() };
+        (layers, fields.map(|(kind, values)| StateField::new(kind, values)))
     }
 
     /// The von Mises stress of a place, a pressure.

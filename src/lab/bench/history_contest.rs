@@ -3,7 +3,7 @@
 use super::peer::Peer;
 use crate::Grid;
 use crate::adhesion::{AdhesiveMethod, AdhesiveProblem, Attraction, AttractionForm};
-use crate::contact::{ContactModulus, Load, Multilevel, Problem, State, Stop};
+use crate::contact::{ContactModulus, FieldKind, Load, Multilevel, Problem, State, Stop};
 use crate::elastic::{Prony, PronyTerm};
 use crate::error::{HistoryError, SetupError};
 use crate::history::{AdhesiveProcess, CreepProcess, PathPoint, Process, SlipHistory, SlipPace, SlipProcess};
@@ -197,7 +197,7 @@ impl HistoryContest {
                 let path = gaps.iter().map(|&gap| PathPoint::under(Load::MeanGap(gap))).collect();
                 let sticky = AdhesiveProblem::new(problem, attraction.clone())?;
                 let state = last(&mut AdhesiveProcess::new(sticky, path, 1, AdhesiveMethod::Fast, *stop))?;
-                let attraction = state.field("attraction");
+                let attraction = state.field(FieldKind::Attraction);
                 Ok(attraction
                     .map_or_else(|| state.contact.pressure.clone(), |attraction| &state.contact.pressure - attraction))
             }
@@ -209,7 +209,10 @@ impl HistoryContest {
                     ..PathPoint::under(Load::MeanPressure(press))
                 };
                 let state = last(&mut SlipProcess::new(history, path.iter().map(point).collect(), SlipPace::Count(1)))?;
-                Ok(state.field("traction").cloned().unwrap_or_else(|| Field::zeros(state.contact.pressure.raw_dim())))
+                Ok(state
+                    .field(FieldKind::Traction)
+                    .cloned()
+                    .unwrap_or_else(|| Field::zeros(state.contact.pressure.raw_dim())))
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The solid below a contact that yields, in a vertical cut: the plastic strain, and the von Mises stress.
 
 use super::stress::{COLUMNS, ROWS, depths, frame};
+use crate::contact::{FieldKind, FieldRow};
 use crate::grid::Grid;
 use crate::record::draw::drawing::{Drawing, Place, Subject};
 use crate::record::draw::fields::FrameFields;
@@ -10,7 +11,7 @@ use crate::record::draw::ink::palette::ColourMap;
 use crate::record::draw::ink::pane::Pane;
 use crate::record::draw::ink::ruler::Ruler;
 use crate::record::draw::ink::window::Window;
-use crate::record::scene::{PLASTIC_STRAIN, VON_MISES, YieldZone};
+use crate::record::scene::YieldZone;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// The pictures of one cut, whose pixels are square in space.
@@ -38,14 +39,14 @@ pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let pixel = (ends[1] - ends[0]) / COLUMNS as f64;
     let sheet = frame(ends, pixel, ROWS[0], &options.length_unit);
     let place = if grid.is_line() { "below the line" } else { "in a cut through the highest peak" };
-    let image = |name: &'static str, title: &str, scale: Ruler| {
+    let image = |kind: FieldKind, most: f64, unit: f64| {
+        let FieldRow { name, title, symbol, .. } = *kind.row();
+        let scale = Ruler::over(symbol, [0.0, most], unit);
         let image = Image::new(format!("{root}/{name}"), &sheet, palette, scale, ColourMap::inferno());
         (name, format!("{title} {place}"), image)
     };
-    let images = [
-        image(PLASTIC_STRAIN, "Accumulated plastic strain α", Ruler::over("α", [0.0, zone.strain], 1.0)),
-        image(VON_MISES, "Von Mises stress", Ruler::over("σ_v / Y", [0.0, zone.stress], zone.yield_stress)),
-    ];
+    let images =
+        [image(FieldKind::PlasticStrain, zone.strain, 1.0), image(FieldKind::VonMises, zone.stress, zone.yield_stress)];
     let (depth, length_unit) = (depths(ROWS[0], pixel), options.length_unit.clone());
     Some(Box::new(ZoneDrawing { grid, zone, ends, pixel, length_unit, depth, images }))
 }
