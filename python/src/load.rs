@@ -38,14 +38,14 @@ pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
     let surface = Surface::from_surface(result.surface.clone(), sections(&result, &setup), result.rank);
     let (surface, rank) = (surface.surface, result.rank);
     match result.found {
-        SavedFound::Contact(contact, slip) => {
+        SavedFound::Contact(state, slip) => {
             let slip = slip.map(|slip| *slip);
-            let contact = Contact { slip, ..Contact::new(*contact, surface, setup.setup, rank) };
+            let contact = Contact { slip, ..Contact::new(*state, surface, setup.setup, rank) };
             Ok(Py::new(py, contact)?.into_any())
         }
-        SavedFound::Curve(contacts) => {
+        SavedFound::Curve(states) => {
             let under = |load| setup::Setup { load, ..setup.setup.clone() };
-            let contacts = contacts.into_iter().map(|it| (under(it.problem.load()), it));
+            let contacts = states.into_iter().map(|it| (under(it.contact.problem.load()), it));
             let contacts = contacts.map(|(under, it)| Contact::new(it, surface.clone(), under, rank)).collect();
             Ok(LoadCurve::new(py, contacts, setup)?.into_any())
         }

@@ -16,6 +16,12 @@ impl Deref for SharedState {
     }
 }
 
+impl From<State> for SharedState {
+    fn from(state: State) -> Self {
+        Self(Arc::new(state))
+    }
+}
+
 impl From<asperity::Contact> for SharedState {
     fn from(contact: asperity::Contact) -> Self {
         Self(Arc::new(State::from_contact(contact, None)))

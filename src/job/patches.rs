@@ -20,8 +20,8 @@ impl SavedResult {
     pub fn patches(&self) -> PatchHistory {
         let mut patches = PatchHistory::new(self.setup.surface.own_shape(self.surface.grid().shape()));
         match &self.found {
-            SavedFound::Contact(contact, _) => patches.add(contact),
-            SavedFound::Curve(contacts) => contacts.iter().for_each(|contact| patches.add(contact)),
+            SavedFound::Contact(state, _) => patches.add(&state.contact),
+            SavedFound::Curve(states) => states.iter().for_each(|state| patches.add(&state.contact)),
             SavedFound::History(history) => history.states.iter().for_each(|state| patches.add(&state.contact)),
         }
         patches

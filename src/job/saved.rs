@@ -4,7 +4,8 @@ use super::HistoryOutcome;
 use super::doubts::Doubts;
 use super::saved_states::certified_states;
 use crate::contact::{
-    ArchiveReader, CertifiedContact, Contact, Friction, Load, PartialSlip, SavedDoubt, Status, is_met, pressure_doubts,
+    ArchiveReader, CertifiedContact, Contact, FieldKind, Friction, Load, PartialSlip, SavedDoubt, State, StateField,
+    Status, is_met, pressure_doubts, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
@@ -49,10 +50,10 @@ pub struct SavedResult {
 /// What is in a saved result.
 #[derive(Debug)]
 pub enum SavedFound {
-    /// A contact, and its stick and slip areas if it has a tangential load.
-    Contact(Box<Contact>, Option<Box<PartialSlip>>),
-    /// Contacts under a list of loads.
-    Curve(Vec<Contact>),
+    /// A contact with the further fields of its state, and its stick and slip areas if it has a tangential load.
+    Contact(Box<State>, Option<Box<PartialSlip>>),
+    /// The states under a list of loads.
+    Curve(Vec<State>),
     /// The states of a history.
     History(Box<HistoryOutcome>),
 }
@@ -197,7 +198,8 @@ impl SavedArchive<'_> {
             Some(friction) => self.slip(&contact, friction, doubts)?.map(Box::new),
             None => None,
         };
-        Ok(SavedFound::Contact(Box::new(contact), slip))
+        let fields = self.fields()?.map(|mut of_all| of_all.swap_remove(0)).collect();
+        Ok(SavedFound::Contact(Box::new(State::from_contact(contact, None).with_fields(fields)), slip))
     }
 
     /// The contacts of the file, which fit the surface.
@@ -211,6 +213,12 @@ impl SavedArchive<'_> {
             }
             None => Ok(contacts),
         }
+    }
+
+    /// The fields of what flows through the gaps, each of all contacts. A traction belongs to what [`SavedArchive::slip`] reads.
+    fn fields(&self) -> Result<impl Iterator<Item = Vec<StateField>>, StudyError> {
+        let fields = read_state_fields(self.reader)?.into_iter().filter(|(kind, _)| *kind != FieldKind::Traction);
+        Ok(fields.map(|(kind, of_all)| of_all.into_iter().map(|values| StateField::new(kind, values)).collect()))
     }
 
     /// The stick and slip areas of a contact, if they are in the file.
@@ -250,15 +258,18 @@ impl SavedArchive<'_> {
         let curve = LoadCurve { setup: setup.clone(), loads };
         let problem = curve.problem_of(self.surface.clone())?;
         let mut loading = Loading::new(problem, setup.solver(), setup.stop);
-        let mut contacts = Vec::with_capacity(count);
+        let mut states = Vec::with_capacity(count);
+        let fields: Vec<Vec<StateField>> = self.fields()?.collect();
         for (number, (saved, &load)) in self.contacts()?.iter().zip(&curve.loads).enumerate() {
             let problem = loading.problem(load)?;
             let certified = saved.certified(&problem, &setup.stop).map_err(SetupError::from)?;
             doubts.add(Some(number), certified.doubts);
             loading.take(&certified.contact);
-            contacts.push(Sliding::measured(certified.contact));
+            let state = State::from_contact(Sliding::measured(certified.contact), Some(number));
+            let own = fields.iter().map(|of_all| of_all[number].clone()).collect();
+            states.push(state.with_fields(own));
         }
-        Ok(SavedFound::Curve(contacts))
+        Ok(SavedFound::Curve(states))
     }
 
     /// The states of a history.

@@ -19,8 +19,8 @@ impl SavedResult {
     /// For a file that cannot be written, and for a setup that cannot be.
     pub fn record(&self, path: &Path) -> Result<(), SetupError> {
         match &self.found {
-            SavedFound::Contact(contact, _) => self.record_contact(contact, path),
-            SavedFound::Curve(contacts) => self.record_loads(contacts, path),
+            SavedFound::Contact(state, _) => self.record_contact(&state.contact, path),
+            SavedFound::Curve(states) => self.record_loads(states, path),
             SavedFound::History(outcome) => {
                 let problem = self.setup.problem_of(self.surface.clone())?;
                 Ok(outcome.record(path, &self.setup, &problem)?)
@@ -37,15 +37,16 @@ impl SavedResult {
         Job::from_run(run).recorded(Target::File(path.into())).run(&mut ()).map(drop)
     }
 
-    fn record_loads(&self, contacts: &[Contact], path: &Path) -> Result<(), SetupError> {
-        let heaviest = |one: &&Contact, two: &&Contact| one.mean_pressure().total_cmp(&two.mean_pressure());
-        let Some(heaviest) = contacts.iter().max_by(heaviest) else { return Ok(()) };
-        let loads: Vec<_> = contacts.iter().map(|contact| contact.problem.load()).collect();
+    fn record_loads(&self, states: &[State], path: &Path) -> Result<(), SetupError> {
+        let contacts = || states.iter().map(|state| &state.contact);
+        let heaviest = contacts().max_by(|one, two| one.mean_pressure().total_cmp(&two.mean_pressure()));
+        let Some(heaviest) = heaviest else { return Ok(()) };
+        let loads: Vec<_> = contacts().map(|contact| contact.problem.load()).collect();
         let problem = self.setup.problem_of(self.surface.clone())?.with_load(heaviest.problem.load())?;
         let posed = Posed { run: 0, setup: &self.setup, problem: &problem, kind: ProcessKind::Loads, loads: &loads };
         let mut recording = StateRecording::open(Target::File(path.into()), Options::from(&self.setup))?;
-        for (number, contact) in contacts.iter().enumerate() {
-            recording.state(&posed, number, &State::from_contact(contact.clone(), Some(number)))?;
+        for (number, state) in states.iter().enumerate() {
+            recording.state(&posed, number, state)?;
         }
         Ok(recording.finish()?)
     }
