@@ -115,6 +115,7 @@ pub mod cli;
 pub mod clock;
 pub mod contact;
 pub mod diagnosis;
+mod digest;
 pub mod elastic;
 pub mod error;
 #[cfg(feature = "explore")]

@@ -2,8 +2,8 @@
 
 use super::height_knobs::HeightKnobs;
 use super::refusal::{KnownFault, Refusal, RefusalRule};
+use crate::digest::fnv1a;
 use crate::quantity::{length_in_words as length, number_in_words as figure};
-use crate::setup::fnv1a;
 use crate::surface::{HeightFile, Measurement, Preparation, Scan, Survey};
 use serde::Serialize;
 

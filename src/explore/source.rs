@@ -2,7 +2,8 @@
 
 use super::refusal::Refusal;
 use super::schema::MOST_POINTS;
-use crate::setup::{Setup, fnv1a};
+use crate::digest::fnv1a;
+use crate::setup::Setup;
 use crate::surface::HeightFile;
 use std::sync::Arc;
 

@@ -4,8 +4,9 @@ use super::scene::Scene;
 use super::units::{RecordUnits, value_with_unit};
 use crate::contact::{Load, Unit};
 use crate::contact::{Solver, Stop};
+use crate::digest::fnv1a;
 use crate::quantity::number_in_words;
-use crate::setup::{fnv1a, in_words};
+use crate::setup::in_words;
 
 /// The name of a recording, which distinguishes it from other recordings: surface, load and solver with its settings,
 /// or the titles of several scenes.

@@ -4,7 +4,8 @@
 //! `files` has the digest of each: with it the file is found again beside the result or in the working folder, and another file of the same
 //! name is not taken for it.
 
-use super::{Dimension, FNV1A_OF_NOTHING, Key, Setup, SetupTable, fnv1a_after};
+use super::{Dimension, Key, Setup, SetupTable};
+use crate::digest::{FNV1A_OF_NOTHING, fnv1a_after};
 use crate::error::{FileError, SetupError};
 use crate::files::{InputFile, open_regular, path_in_text};
 use serde::{Serialize, Serializer};

@@ -4,6 +4,7 @@
 //! fingerprint of a study by their content, have digests in saved setups, and are never overwritten.
 
 use super::{Dimension, Key, Setup, SetupTable};
+use crate::digest::fnv1a;
 use crate::error::SetupError;
 use crate::files::InputFile;
 use std::path::PathBuf;
@@ -44,7 +45,7 @@ impl Setup {
             path.file = None; // its lists are in the setup
         }
         for file in self.files_mut() {
-            let name = format!("{:016x}", super::fnv1a([file.bytes()?.as_ref()]));
+            let name = format!("{:016x}", fnv1a([file.bytes()?.as_ref()]));
             *file = PathBuf::from(name).into();
         }
         Ok(self)

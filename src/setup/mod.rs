@@ -89,6 +89,7 @@ pub use words::{differences, differences_of_tables, in_words};
 pub use yielding::YieldLaw;
 
 use crate::contact::{Friction, Law, Load, MonotoneSets, Problem, Solver, Stop};
+use crate::digest::fnv1a;
 use crate::elastic::{self, stress::is_known};
 use crate::error::{ConflictRule, FlowError, ProblemError, SetupError, SolidError, SolveError};
 use crate::grid::Grid;
@@ -374,17 +375,4 @@ impl Setup {
         let rest = Self { load, friction: None, record, ..self.clone() }.with_names_by_content()?;
         Ok(format!("{:016x}", fnv1a([rest.to_toml().as_bytes()])))
     }
-}
-
-/// The hash FNV-1a of some bytes, the same on every machine.
-pub(crate) fn fnv1a<'a>(bytes: impl IntoIterator<Item = &'a [u8]>) -> u64 {
-    bytes.into_iter().fold(FNV1A_OF_NOTHING, fnv1a_after)
-}
-
-/// The hash FNV-1a of no bytes.
-pub(crate) const FNV1A_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
-
-/// The hash FNV-1a of bytes whose first ones have the hash `hash`.
-pub(crate) fn fnv1a_after(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }

@@ -1,7 +1,7 @@
 //! The check sum of a row, which shows whether a row, or the names of its columns, were changed after it was written.
 
+use crate::digest::fnv1a;
 use crate::files::TextColumn;
-use crate::setup::fnv1a;
 use csv::{StringRecord, WriterBuilder};
 
 /// What check sums begin with that cover the names of the columns. Older ones have no such mark, and cover the fields of the row alone.

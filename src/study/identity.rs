@@ -4,18 +4,9 @@ use super::followed_history::FollowedHistory;
 use super::point::Point;
 use super::realisation::Realisation;
 use crate::contact::{Contact, Load, Observables, Observer};
+use crate::digest::{fnv1a, version};
 use crate::error::{SetupError, StudyError};
-use crate::setup::fnv1a;
 use crate::surface::RandomRoughness;
-
-/// Revision of the numerics. It is raised with every change that changes results by more than their tolerances, and with every mended result, so that
-/// tables of studies do not mix results of both.
-pub const NUMERICS: u32 = 1;
-
-/// Version of the program, with the revision of its numerics.
-fn version() -> String {
-    format!("{}+numerics.{NUMERICS}", env!("CARGO_PKG_VERSION"))
-}
 
 /// The identity of a realisation: tables recognise its points by its name, its setup, and the version of the program with the revision of its
 /// numerics.

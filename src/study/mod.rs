@@ -43,12 +43,12 @@ mod table;
 mod views;
 mod warnings;
 
+pub use crate::digest::NUMERICS;
 pub use campaign::Campaign;
 pub use check::first_changed_row;
 pub use column::{Column, ColumnValues};
 pub use estimate::Estimate;
 pub use expense::Expense;
-pub use identity::NUMERICS;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
 pub use load_curve::LoadCurve;

@@ -15,6 +15,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("anderson", 0),
     ("chunks", 0),
     ("clock", 0),
+    ("digest", 0),
     ("error", 0),
     ("files", 0),
     ("forest", 0),

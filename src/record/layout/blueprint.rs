@@ -1,8 +1,8 @@
 //! Writes a blueprint, the viewer's description of its own panes, into a recording.
 
+use crate::digest::fnv1a;
 use crate::record::draw::{ContainerKind, GRID_COLUMNS, Pane, PaneView};
 use crate::record::sdk::{Uuid, layout};
-use crate::setup::fnv1a;
 use rerun::external::re_log_types::BlueprintActivationCommand;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 use rerun::{RecordingStream, RecordingStreamResult};
