@@ -20,16 +20,12 @@ use std::sync::Arc;
 
 /// Reads a saved result (.npz) again: a Contact, a LoadCurve or a History, of this package or of the command line.
 ///
-/// Heights, pressure and setup alone are believed. Each contact is certified again: its pressure must be allowed, carry the load, meet the tolerance
-/// of the setup, and cause the displacement and the gap in the file, and the contact on the next coarser grid is solved again. States of
-/// histories are certified for the memory, the traction or the attraction in the file, and these for the state. What does not hold raises an
-/// AsperityWarning, and its status is "not confirmed by its file": it is not converged.
+/// A file that is as it was written, by the same revision of the numerics, is believed: everything comes back as it was saved, with certificates and
+/// claims. A digest in the file tells it; it guards against damage and mix-ups, not against forgery. A file without a digest, with another one, or of
+/// another revision raises an AsperityWarning: the status of its contacts is "not confirmed by its file", so that they are not converged, and
+/// its states claim nothing. `certify` says whether the pressure of such a file is right.
 ///
-/// The traction of rolling, and tractions with coupling or along both axes, are held against the limit of friction and the load alone. The
-/// stability of a state with adhesion is not computed again.
-///
-/// Numbers that belong to the way to a state of a history are as they were saved: energies, shifts and errors in time. The seconds of the work
-/// are 0, since files do not hold them.
+/// The seconds of the work are 0, since files do not hold them.
 #[pyfunction]
 pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
     let result = py.try_detached(|| SavedResult::read(&path))?;

@@ -193,13 +193,12 @@ fn check_single(setup: &Setup) -> Result<()> {
     if setup.adhesion.is_some() {
         return usage(
             "adhesion is given, but a contact with attraction has several solutions, and no certificate of a pressure tells which one is meant: leave it \
-             out, or check a saved result with `asperity patches FILE`",
+             out",
         );
     }
     if setup.is_history()? {
         return usage(
-            "a history is given, but a result is certified as the solution of one problem without a past: leave the path and the creep out, or check a \
-             saved history with `asperity patches FILE`",
+            "a history is given, but a result is certified as the solution of one problem without a past: leave the path and the creep out",
         );
     }
     Ok(())

@@ -1,14 +1,17 @@
 //! The fields of contacts in one file.
 
+use super::archive_seal::{ArchiveDigest, SEAL};
 use crate::contact::{Contact, On, PartialSlip, Quantity, Reading, Resolved, State};
 use crate::elastic::Stress;
-use crate::surface::PowerSpectrum;
+use crate::surface::{MemberSum, PowerSpectrum};
+use crc32fast::Hasher;
 use ndarray::{
-    Array1, ArrayView1, ArrayView2, Axis, CowArray, Dimension, Ix2, RemoveAxis, arr0, arr1, arr2, arr3, stack,
+    Array1, ArrayBase, ArrayView1, ArrayView2, Axis, CowArray, Data, Dimension, Ix2, RemoveAxis, arr0, arr1, arr2,
+    arr3, stack,
 };
-use ndarray_npy::{NpzWriter, WritableElement, WriteNpzError};
+use ndarray_npy::{NpzWriter, WritableElement, WriteNpyExt, WriteNpzError};
 use std::borrow::Borrow;
-use std::io::Cursor;
+use std::io::{self, Cursor, Write};
 use strum::IntoEnumIterator;
 
 /// The fields of a contact as `.npz`, with the `rank` of the array of heights, and all numbers that are reported for
@@ -31,11 +34,13 @@ use strum::IntoEnumIterator;
 /// | those of [`Quantity`] with a meaning              | `()`                 | load, area and all else, by their names     |
 /// | `converged`                                          | `()`                 | whether the certificate met the tolerance   |
 /// | `status`, `solver`                                   | bytes                | how the solver stopped, and its name        |
+/// | `certificate_numbers`                                | `(9)`                | all numbers of the [`Certificate`](crate::contact::Certificate), in the order of its fields |
 /// | `coarser`                                            | `(6)`                | the contact on the next coarser grid: relative area, rms gradient, `kappa_r`, reduced pressure, and numbers of edges; NaN if it is not known |
 /// | `yielding`, where there is a hardness                | `(ny, nx)` or `(nx)` | whether the nodes yield                     |
 /// | `overlap`, where there is a hardness                 | `(ny, nx)` or `(nx)` | the overlap of the nodes that yield, which is not part of the gap |
 /// | `hardness`, `plastic_load_share`                     | `()`                 | it, and the share of the load on the nodes that yield |
 /// | `setup`                                              | bytes                | the text of the setup that repeats it       |
+/// | `digest`                                             | bytes                | the digest of all other arrays with the version of the program, see [`ArchiveSeal`](crate::contact::ArchiveSeal) |
 ///
 /// The text is `bytes(npz["setup"]).decode()` in Python.
 ///
@@ -74,7 +79,7 @@ pub fn archive_of_slip(slip: &PartialSlip, rank: usize, setup: Option<&str>) -> 
     let areas = [("stick_area", slip.stick().relative_area), ("slip_area", slip.slip_area())];
     let loads = [("friction_coefficient", slip.friction.coefficient), ("tangential", slip.friction.tangential)];
     for (name, value) in loads.into_iter().chain(areas) {
-        archive.npz.add_array(name, &arr0(value))?;
+        archive.add_array(name, &arr0(value))?;
     }
     archive.finish()
 }
@@ -103,7 +108,7 @@ pub fn archive_of_stress(
     poisson_is_assumed: bool,
     setup: &str,
 ) -> Result<Vec<u8>, WriteNpzError> {
-    let mut npz = NpzWriter::new(Cursor::new(Vec::new()));
+    let mut npz = ArchiveWriter::empty(2, false, true);
     npz.add_array("setup", &ArrayView1::from(setup.as_bytes()))?;
     npz.add_array("x", &contact.problem.surface().grid().x().collect::<Array1<f64>>())?;
     npz.add_array("depth", &ArrayView1::from(&stress.depth))?;
@@ -119,7 +124,7 @@ pub fn archive_of_stress(
     npz.add_array("row", &arr0(row as u64))?;
     npz.add_array("poisson", &arr0(stress.poisson))?;
     npz.add_array("poisson_is_assumed", &arr0(poisson_is_assumed))?;
-    Ok(npz.finish()?.into_inner())
+    npz.finish()
 }
 
 /// The states of a process as `.npz`: as [`archive_of_state`], with the states along a further first axis of all but `height` and its spectrum,
@@ -168,6 +173,9 @@ const FIELDS: [(&str, FieldOf); 3] = [
     ("displacement", |contact| contact.displacement.view()),
 ];
 
+/// The array of all numbers of the certificates.
+pub(super) const CERTIFICATE: &str = "certificate_numbers";
+
 /// A number of a contact.
 type NumberOf = fn(&Contact) -> f64;
 
@@ -192,6 +200,8 @@ const CURVES: [(&str, CurveOf); 5] = [
 /// An archive that is being written.
 struct ArchiveWriter {
     npz: NpzWriter<Cursor<Vec<u8>>>,
+    /// The digest of the arrays so far.
+    digest: ArchiveDigest,
     rank: usize,
     /// Whether what depends on the state has a first axis of states.
     is_list: bool,
@@ -206,7 +216,8 @@ impl ArchiveWriter {
     }
 
     fn empty(rank: usize, is_list: bool, is_short: bool) -> Self {
-        Self { npz: NpzWriter::new(Cursor::new(Vec::new())), rank, is_list, is_short }
+        let npz = NpzWriter::new(Cursor::new(Vec::new()));
+        Self { npz, digest: ArchiveDigest::own(), rank, is_list, is_short }
     }
 
     fn with(mut self, contacts: &[&Contact], setup: Option<&str>) -> Result<Self, WriteNpzError> {
@@ -233,10 +244,11 @@ impl ArchiveWriter {
         self.add_words("status", contacts.iter().map(|contact| contact.status.name()))?;
         self.add_words("solver", contacts.iter().map(|contact| contact.solver.as_str()))?;
         self.add_each("coarser", contacts.iter().map(|contact| arr1(&Resolved::numbers(contact.coarser)).into()))?;
+        self.add_each(CERTIFICATE, contacts.iter().map(|contact| arr1(&contact.certificate.numbers()).into()))?;
         if let Some(hardness) = first.problem.law().hardness() {
             self.add_fields("yielding", contacts.iter().map(|contact| contact.yielding().into()))?;
             self.add_fields("overlap", contacts.iter().map(|contact| contact.overlap().into()))?;
-            self.npz.add_array("hardness", &arr0(hardness))?;
+            self.add_array("hardness", &arr0(hardness))?;
             for (name, of) in PLASTICITY {
                 self.add_each(name, contacts.iter().map(|contact| arr0(of(contact)).into()))?;
             }
@@ -255,20 +267,20 @@ impl ArchiveWriter {
     /// Adds what does not depend on the load.
     fn add_problem(&mut self, contact: &Contact, setup: Option<&str>) -> Result<(), WriteNpzError> {
         if let Some(text) = setup {
-            self.npz.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
+            self.add_array("setup", &ArrayView1::from(text.as_bytes()))?;
         }
         let (surface, modulus) = (contact.problem.surface(), contact.problem.contact_modulus());
         let grid = surface.grid();
-        self.npz.add_array("x", &grid.x().collect::<Array1<f64>>())?;
+        self.add_array("x", &grid.x().collect::<Array1<f64>>())?;
         if self.rank > 1 {
-            self.npz.add_array("y", &grid.y().collect::<Array1<f64>>())?;
+            self.add_array("y", &grid.y().collect::<Array1<f64>>())?;
         }
-        self.npz.add_array("size", &ArrayView1::from(&grid.size()[2 - self.rank.min(2)..]))?;
-        self.npz.add_array("contact_modulus", &arr0(modulus))?;
+        self.add_array("size", &ArrayView1::from(&grid.size()[2 - self.rank.min(2)..]))?;
+        self.add_array("contact_modulus", &arr0(modulus))?;
         if !self.is_short {
             let heights = PowerSpectrum::new(surface);
-            self.npz.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
-            self.npz.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
+            self.add_array("wavenumber", &ArrayView1::from(&heights.wavenumber))?;
+            self.add_array("height_spectrum", &ArrayView1::from(&heights.density))?;
         }
         if let Some(filled) = surface.filled() {
             let filled = ArrayView2::from_shape(grid.shape(), filled).expect("filled nodes are those of the grid");
@@ -281,8 +293,8 @@ impl ArchiveWriter {
     fn add_state_fields(&mut self, states: &[&State]) -> Result<(), WriteNpzError> {
         let Some(first) = states.first() else { return Ok(()) };
         if let Some(layers) = &first.layers {
-            self.npz.add_array("cut_row", &arr0(layers.row as u64))?;
-            self.npz.add_array("cut_interfaces", &ArrayView1::from(&layers.interfaces))?;
+            self.add_array("cut_row", &arr0(layers.row as u64))?;
+            self.add_array("cut_interfaces", &ArrayView1::from(&layers.interfaces))?;
         }
         for kind in first.fields.iter().map(|it| it.kind) {
             let (row, values) = (kind.row(), states.iter().filter_map(|state| Some(state.field(kind)?.view().into())));
@@ -299,17 +311,17 @@ impl ArchiveWriter {
     fn add_outline(&mut self, contact: &Contact) -> Result<(), WriteNpzError> {
         let edges = contact.edges();
         if self.rank == 1 {
-            return self.npz.add_array("segments", &arr2(&edges.segments()));
+            return self.add_array("segments", &arr2(&edges.segments()));
         }
         let [dy, dx] = contact.problem.surface().grid().spacing();
         let lines: Vec<[[f64; 2]; 2]> =
             edges.contour().into_iter().map(|line| line.map(|[y, x]| [x * dx, y * dy])).collect();
-        self.npz.add_array("contour", &arr3(&lines))
+        self.add_array("contour", &arr3(&lines))
     }
 
     /// Adds a field of the rank that the heights came in.
     fn add_field<T: WritableElement>(&mut self, name: &str, field: ArrayView2<'_, T>) -> Result<(), WriteNpzError> {
-        if self.rank == 1 { self.npz.add_array(name, &field.row(0)) } else { self.npz.add_array(name, &field) }
+        if self.rank == 1 { self.add_array(name, &field.row(0)) } else { self.add_array(name, &field) }
     }
 
     /// Adds a field of each contact.
@@ -333,10 +345,10 @@ impl ArchiveWriter {
     ) -> Result<(), WriteNpzError> {
         let arrays: Vec<_> = arrays.collect();
         match arrays.as_slice() {
-            [one] if !self.is_list => self.npz.add_array(name, one),
+            [one] if !self.is_list => self.add_array(name, one),
             several => {
                 let views: Vec<_> = several.iter().map(|array| array.view()).collect();
-                self.npz.add_array(name, &stack(Axis(0), &views).expect("the contacts are of one surface"))
+                self.add_array(name, &stack(Axis(0), &views).expect("the contacts are of one surface"))
             }
         }
     }
@@ -344,10 +356,44 @@ impl ArchiveWriter {
     /// Adds a text of lines, with a word of each contact.
     fn add_words<'a>(&mut self, name: &str, words: impl Iterator<Item = &'a str>) -> Result<(), WriteNpzError> {
         let text = words.collect::<Vec<_>>().join("\n");
-        self.npz.add_array(name, &ArrayView1::from(text.as_bytes()))
+        self.add_array(name, &ArrayView1::from(text.as_bytes()))
     }
 
-    fn finish(self) -> Result<Vec<u8>, WriteNpzError> {
+    /// Adds an array to the archive and to its digest.
+    fn add_array<S: Data<Elem: WritableElement>, D: Dimension>(
+        &mut self,
+        name: &str,
+        array: &ArrayBase<S, D>,
+    ) -> Result<(), WriteNpzError> {
+        // the archive does not tell the check sums of its members, so that the bytes are made twice
+        let mut sum = ByteSum::default();
+        array.write_npy(&mut sum)?;
+        self.digest.add(&MemberSum { name: name.into(), bytes: sum.bytes, crc: sum.crc.finalize() });
+        self.npz.add_array(name, array)
+    }
+
+    /// The bytes of the archive, with its digest at the end.
+    fn finish(mut self) -> Result<Vec<u8>, WriteNpzError> {
+        self.npz.add_array(SEAL, &ArrayView1::from(self.digest.own_seal().as_bytes()))?;
         Ok(self.npz.finish()?.into_inner())
+    }
+}
+
+/// The length and the check sum of bytes that are written to it and not kept.
+#[derive(Default)]
+struct ByteSum {
+    bytes: u64,
+    crc: Hasher,
+}
+
+impl Write for ByteSum {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.bytes += bytes.len() as u64;
+        self.crc.update(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }

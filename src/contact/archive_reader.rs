@@ -1,6 +1,7 @@
 //! Archives of contacts that are read again.
 
-use crate::contact::{Certificate, Resolved, SavedContact, Status, Work};
+use super::archive::CERTIFICATE;
+use crate::contact::{ArchiveSeal, Certificate, Resolved, SavedContact, Status, Work};
 use crate::error::FileError;
 use crate::surface::{Field, has_field, read_fields, read_fields_shape, read_text};
 use ndarray::{ArrayD, Axis, Ix2, concatenate};
@@ -85,6 +86,20 @@ impl ArchiveReader {
             has |= has_field(part, name)?;
         }
         Ok(has)
+    }
+
+    /// What the seals of its archives say: that of the first one that is not whole.
+    ///
+    /// # Errors
+    /// The errors of [`ArchiveSeal::read`].
+    pub fn seal(&self) -> Result<ArchiveSeal, FileError> {
+        for part in &self.parts {
+            let seal = ArchiveSeal::read(part)?;
+            if seal != ArchiveSeal::Whole {
+                return Ok(seal);
+            }
+        }
+        Ok(ArchiveSeal::Whole)
     }
 
     /// The heights, shape `(ny, nx)`.
@@ -226,6 +241,7 @@ impl ArchiveReader {
         let column = |name| Ok::<_, FileError>(self.numbers(name)?.unwrap_or_else(|| nan.clone()));
         let (iterations, transforms, stiffness) = (column("iterations")?, column("transforms")?, column("stiffness")?);
         let (eta, coarser) = (column("certificate")?, self.values("coarser")?);
+        let certificates = if self.has(CERTIFICATE)? { self.values(CERTIFICATE)? } else { Vec::new() };
         let fields = pressures?.into_iter().zip(displacements?).zip(gaps?).enumerate();
         let contact = |(i, ((pressure, displacement), gap)): (usize, ((Field, Field), Field))| {
             let status: Status =
@@ -238,8 +254,11 @@ impl ArchiveReader {
                 solver: solvers[i].clone(),
                 work: Work { iterations: iterations[i] as usize, transforms: transforms[i] as u64, seconds: 0.0 },
                 coarser: coarser.get(6 * i..6 * i + 6).and_then(|it| Resolved::from_numbers(it.try_into().ok()?)),
-                has_stiffness: stiffness[i].is_finite(),
-                certificate: Certificate { eta: eta[i], ..Certificate::UNKNOWN },
+                stiffness: Some(stiffness[i]).filter(|it| it.is_finite()),
+                certificate: match certificates.get(9 * i..9 * i + 9).and_then(|it| it.try_into().ok()) {
+                    Some(numbers) => Certificate::from_numbers(numbers),
+                    None => Certificate { eta: eta[i], ..Certificate::UNKNOWN },
+                },
             })
         };
         fields.map(contact).collect()

@@ -274,6 +274,11 @@ impl Contact {
         multilevel::stiffness_of_all(&self.problem, self.pressures(), displacement)
     }
 
+    /// The contact with its stiffness, which was computed before.
+    pub(super) fn with_stiffness(self, stiffness: f64) -> Self {
+        Self { stiffness: OnceLock::from(stiffness), ..self }
+    }
+
     /// The stiffness, if it has been computed.
     pub(super) fn known_stiffness(&self) -> Option<f64> {
         self.stiffness.get().copied()

@@ -2,7 +2,8 @@
 
 use super::CreepState;
 use super::creep_state::NEGLIGIBLE;
-use crate::contact::{Counted, Edges, Law, Patches, Resolution, largest};
+use crate::contact::{Counted, Edges, Law, Patches, Resolution};
+use crate::surface::largest;
 
 /// The least errors of area and `kappa_r` that are stated, in spacings at each edge; `kappa_r` has those of area and gradient. A creeping state is not solved
 /// on a coarser grid too, and a single difference of two measures may be zero by chance. Without this, the error of the area was below the true one in 386

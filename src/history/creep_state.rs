@@ -2,8 +2,8 @@
 
 use super::maxwell::MaxwellStep;
 use super::time_errors::{TimeErrors, rms};
-use crate::contact::{Contact, Edges, Law, Load, Resolved, largest};
-use crate::surface::Field;
+use crate::contact::{Contact, Edges, Law, Load, Resolved};
+use crate::surface::{Field, largest};
 
 /// Nodes that carry less than this part of the largest pressure do not count for the area: it is rounding where a contact recedes, but their
 /// effective pressure is not small.

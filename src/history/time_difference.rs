@@ -2,8 +2,8 @@
 
 use super::CreepState;
 use super::time_errors::{TimeErrors, rms};
-use crate::contact::{Load, largest};
-use crate::surface::Field;
+use crate::contact::Load;
+use crate::surface::{Field, largest};
 
 /// The least part of the root mean square of a difference that its mean is taken to be: means that cross zero say nothing.
 const LEAST_MEAN: f64 = 0.25;

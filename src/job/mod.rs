@@ -19,7 +19,6 @@
 //! # Ok::<(), asperity::error::SetupError>(())
 //! ```
 
-mod doubts;
 mod follow;
 mod history;
 mod outcome;
@@ -33,7 +32,6 @@ mod saved_recording;
 mod saved_states;
 mod sink;
 mod state_archive;
-mod state_check;
 #[cfg(feature = "record")]
 mod state_recording;
 mod state_table;

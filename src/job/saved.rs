@@ -1,11 +1,10 @@
-//! Results that are read again from their archives, and certified again.
+//! Results that are read again from their archives.
 
 use super::HistoryOutcome;
-use super::doubts::Doubts;
-use super::saved_states::certified_states;
+use super::saved_states::saved_states;
 use crate::contact::{
-    ArchiveReader, CertifiedContact, Contact, FieldKind, Friction, Load, PartialSlip, SavedDoubt, State, StateField,
-    Status, is_met, pressure_doubts, read_state_fields,
+    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, Load, PartialSlip, SavedContact, State, StateField,
+    Status, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
@@ -22,15 +21,11 @@ const SAME_HEIGHT: f64 = 1e-9;
 /// The step of heights that were equal before they were interpolated, over the largest one.
 const LEVEL: f64 = 1e-12;
 
-/// A result in an archive `.npz` that this program, its page or its Python package has written: its setup, and what of it holds.
+/// A result in an archive `.npz` that this program, its page or its Python package has written: its setup, and what was found.
 ///
-/// Heights, pressure and setup alone are believed. Each contact is certified again, see [`SavedContact::certified`](crate::contact::SavedContact::certified).
-/// What does not hold is not converged, and `doubts` say why, in sentences.
-///
-/// States of histories are certified as far as their files allow: the pressure for the memory, the attraction or the traction in the file, and
-/// these for the state. Numbers that belong to the way to a state are as they were saved: energies, shifts, errors in time.
-/// The traction of rolling, and tractions with coupling or along both axes, are held against the limit of friction and the load alone. The stability of a
-/// state with adhesion is not computed again.
+/// An archive that is as this revision of the numerics wrote it is believed: contacts have the certificates, numbers and
+/// claims with which they were saved. Everything in another one is unchecked: no contact is converged, no state has a
+/// claim, and `doubts` say why, in sentences. See [`ArchiveSeal`].
 #[derive(Debug)]
 pub struct SavedResult {
     /// The text of the setup.
@@ -43,7 +38,7 @@ pub struct SavedResult {
     pub rank: usize,
     /// What was found.
     pub found: SavedFound,
-    /// What is wrong, in sentences.
+    /// Why the results or their heights are to be doubted, in sentences.
     pub doubts: Vec<String>,
 }
 
@@ -74,21 +69,21 @@ impl SavedResult {
         let loads = table.take_loads().map_err(in_file)?;
         table.take_auto().map_err(in_file)?;
         let setup = table.setup().map_err(in_file)?;
-        let name = path.display().to_string();
-        let mut doubts = Doubts::new(&name, reader.count());
-        let surface = surface(&reader, &setup, has_files, &mut doubts)?;
-        let archive = SavedArchive { reader: &reader, setup: &setup, surface: &surface };
+        let (name, seal) = (path.display().to_string(), reader.seal()?);
+        let (surface, difference) = surface(&reader, &setup, has_files)?;
+        let doubts = seal.doubt(&name).into_iter().chain(difference.map(|it| it.in_words(&name))).collect();
+        let is_whole = seal == ArchiveSeal::Whole;
+        let archive = SavedArchive { reader: &reader, is_whole, setup: &setup, surface: &surface };
         let found = match (reader.is_list(), setup.is_history()?) {
-            (false, false) => archive.contact(&mut doubts)?,
+            (false, false) => archive.contact()?,
             (false, true) => {
                 let reason = "it has one state of a history, without the states before it: save and load the history";
                 return Err(unfit(path, reason.into()).into());
             }
-            (true, false) => archive.curve(loads.unwrap_or_default(), &mut doubts)?,
-            (true, true) => archive.history(&mut doubts)?,
+            (true, false) => archive.curve(loads.unwrap_or_default())?,
+            (true, true) => archive.history()?,
         };
-        let (rank, doubts) = (reader.rank(), doubts.in_words());
-        Ok(Self { text, setup, surface, rank, found, doubts })
+        Ok(Self { text, rank: reader.rank(), setup, surface, found, doubts })
     }
 }
 
@@ -96,13 +91,13 @@ fn unfit(path: &Path, reason: String) -> FileError {
     FileError::Format { path: path.into(), what: "result", reason }
 }
 
-/// The surface of a result: made again, or that of the heights in the file where other files or an array gave them.
+/// The surface of a result, and whether its heights are others than those of the setup. It is made again, so that it knows its
+/// shape, or it is that of the heights in the file where other files or an array gave them.
 fn surface(
     reader: &ArchiveReader,
     setup: &Setup,
     has_files: bool,
-    doubts: &mut Doubts<'_>,
-) -> Result<Arc<Surface>, StudyError> {
+) -> Result<(Arc<Surface>, Option<OtherHeights>), StudyError> {
     let saved = reader.height()?;
     if !setup.surface.is_measured() {
         let (found, expected) = (saved.dim(), setup.surface.grid(&setup.grid)?.shape());
@@ -114,8 +109,7 @@ fn surface(
         // with coupling, a traction raises the heights of the contacts of a history
         let is_raised = setup.friction.is_some() && setup.dundurs_beta() != 0.0 && reader.is_list();
         let difference = difference(&saved, &made.heights_as_given()).filter(|_| !is_raised);
-        doubts.add(None, difference.into_iter().collect());
-        return Ok(made.into());
+        return Ok((made.into(), difference));
     }
     let shape = saved.dim();
     let points = if reader.rank() == 1 { vec![shape.1] } else { vec![shape.0, shape.1] };
@@ -126,17 +120,17 @@ fn surface(
     let surface = Surface::from_parts(grid, plain.height().clone(), plain.mean_height(), None, plateaus);
     let filled = reader.filled()?.filter(|nodes| nodes.dim() == grid.shape().into());
     let surface = surface.map_err(SetupError::from)?.with_filled(filled.as_ref());
-    doubts.add(None, measured_doubt(setup, &surface, &saved, has_files)?.into_iter().collect());
-    Ok(surface.into())
+    let difference = measured_difference(setup, &surface, &saved, has_files)?;
+    Ok((surface.into(), difference))
 }
 
 /// Whether the heights of files, if these are still there, are those of the result.
-fn measured_doubt(
+fn measured_difference(
     setup: &Setup,
     surface: &Surface,
     saved: &Field,
     has_files: bool,
-) -> Result<Option<SavedDoubt>, StudyError> {
+) -> Result<Option<OtherHeights>, StudyError> {
     for file in setup.files().filter(|file| file.is_on_disk() && file.path().exists()) {
         open_regular(file.path()).map_err(|source| FileError::Read { path: file.path().into(), source })?;
     }
@@ -144,21 +138,43 @@ fn measured_doubt(
         return Ok(None);
     }
     Ok(match setup.surface() {
-        Err(error) => Some(SavedDoubt::UnknownHeights { reason: error.to_string() }),
+        Err(error) => Some(OtherHeights::Unknown { reason: error.to_string() }),
         Ok(made) if made.grid() != surface.grid() => {
             let reason = "the files of heights have another grid now".into();
-            Some(SavedDoubt::UnknownHeights { reason })
+            Some(OtherHeights::Unknown { reason })
         }
         Ok(made) => difference(saved, &made.heights_as_given()),
     })
 }
 
 /// The difference of heights in a file from those of its setup, if there is any.
-fn difference(saved: &Field, made: &Field) -> Option<SavedDoubt> {
+fn difference(saved: &Field, made: &Field) -> Option<OtherHeights> {
     let largest = made.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
     let differences = saved.iter().zip(made).map(|(one, two)| (one - two).abs());
     let difference = differences.fold(0.0, f64::max) / largest;
-    (difference > SAME_HEIGHT).then_some(SavedDoubt::Heights { difference })
+    (difference > SAME_HEIGHT).then_some(OtherHeights::Known { difference })
+}
+
+/// Heights of a result that are not those which its setup makes now, such as those of a file that was edited since.
+enum OtherHeights {
+    /// They differ by at most this, over the largest height.
+    Known { difference: f64 },
+    /// They cannot be compared, and why.
+    Unknown { reason: String },
+}
+
+impl OtherHeights {
+    /// The difference in a sentence, for the file `name`.
+    fn in_words(&self, name: &str) -> String {
+        match self {
+            Self::Known { difference } => format!(
+                "The heights in {name} are not those of its setup: they differ by up to {difference:.1e} of the largest height."
+            ),
+            Self::Unknown { reason } => {
+                format!("The heights in {name} cannot be compared with those of its setup: {reason}.")
+            }
+        }
+    }
 }
 
 /// The plateaus of heights that interpolate those of every `factor`-th node, which say what the grid is worth; none if these are other heights.
@@ -181,38 +197,38 @@ fn plateaus(grid: &crate::Grid, height: &Field, factor: usize) -> Result<Option<
 /// An archive with its setup and its surface.
 struct SavedArchive<'a> {
     reader: &'a ArchiveReader,
+    /// Whether it is as it was written, by the same numerics.
+    is_whole: bool,
     setup: &'a Setup,
     surface: &'a Arc<Surface>,
 }
 
 impl SavedArchive<'_> {
     /// The contact under one load.
-    fn contact(&self, doubts: &mut Doubts<'_>) -> Result<SavedFound, StudyError> {
+    fn contact(&self) -> Result<SavedFound, StudyError> {
         let (setup, saved) = (self.setup, self.contacts()?.swap_remove(0));
         let problem = setup.problem_of(self.surface.clone())?;
-        let CertifiedContact { contact, doubts: found } =
-            saved.certified(&problem, &setup.stop).map_err(SetupError::from)?;
-        doubts.add(Some(0), found);
-        let contact = Sliding::measured(contact);
+        let contact = Sliding::measured(saved.into_contact(problem).map_err(SetupError::from)?);
         let slip = match setup.friction {
-            Some(friction) => self.slip(&contact, friction, doubts)?.map(Box::new),
+            Some(friction) => self.slip(&contact, friction)?.map(Box::new),
             None => None,
         };
         let fields = self.fields()?.map(|mut of_all| of_all.swap_remove(0)).collect();
         Ok(SavedFound::Contact(Box::new(State::from_contact(contact, None).with_fields(fields)), slip))
     }
 
-    /// The contacts of the file, which fit the surface.
-    fn contacts(&self) -> Result<Vec<crate::contact::SavedContact>, StudyError> {
-        let (contacts, expected) = (self.reader.contacts()?, self.surface.grid().shape());
-        match contacts.iter().find(|it| it.pressure.shape() != expected) {
-            Some(it) => {
-                let found = it.pressure.dim();
-                let reason = format!("its pressure has the shape {found:?}, but its heights have {expected:?}");
-                Err(unfit(self.reader.path(), reason).into())
-            }
-            None => Ok(contacts),
+    /// The contacts of the file, which fit the surface. Those of a file that is not whole are not confirmed.
+    fn contacts(&self) -> Result<Vec<SavedContact>, StudyError> {
+        let (mut contacts, expected) = (self.reader.contacts()?, self.surface.grid().shape());
+        if let Some(other) = contacts.iter().find(|it| it.pressure.shape() != expected) {
+            let found = other.pressure.dim();
+            let reason = format!("its pressure has the shape {found:?}, but its heights have {expected:?}");
+            return Err(unfit(self.reader.path(), reason).into());
         }
+        if !self.is_whole {
+            contacts.iter_mut().for_each(|contact| contact.status = Status::Unconfirmed);
+        }
+        Ok(contacts)
     }
 
     /// The fields of what flows through the gaps, each of all contacts. A traction belongs to what [`SavedArchive::slip`] reads.
@@ -221,15 +237,9 @@ impl SavedArchive<'_> {
         Ok(fields.map(|(kind, of_all)| of_all.into_iter().map(|values| StateField::new(kind, values)).collect()))
     }
 
-    /// The stick and slip areas of a contact, if they are in the file.
-    fn slip(
-        &self,
-        pressed: &Contact,
-        friction: Friction,
-        doubts: &mut Doubts<'_>,
-    ) -> Result<Option<PartialSlip>, StudyError> {
+    /// The stick and slip areas of a contact, if they are in the file: the area that sticks carries a lighter load, see [`PartialSlip`].
+    fn slip(&self, pressed: &Contact, friction: Friction) -> Result<Option<PartialSlip>, StudyError> {
         if !self.reader.has("stick_pressure")? {
-            doubts.add(Some(0), vec![SavedDoubt::Missing { name: "stick_pressure" }]);
             return Ok(None);
         }
         let stick = self.reader.fields("stick_pressure")?.swap_remove(0);
@@ -237,19 +247,15 @@ impl SavedArchive<'_> {
         let ratio = friction.ratio(load).map_err(SetupError::from)?;
         let lighter = pressed.problem.clone().with_load(load.with_value(load.value() * (1.0 - ratio)));
         let lighter = lighter.map_err(SetupError::from)?;
-        let mut found = pressure_doubts(&lighter, &stick);
+        // the file has its pressure alone; displacement, gap and certificate follow from it by one transform pair
         let stuck = Contact::from_pressure(&lighter, stick, pressed.work, &pressed.solver);
         let mut stuck = stuck.map_err(SetupError::from)?;
-        if found.is_empty() && pressed.is_converged() && !is_met(&self.setup.stop, &stuck.certificate) {
-            found.push(SavedDoubt::Certificate { eta: stuck.certificate.eta });
-        }
-        stuck.status = if found.is_empty() { pressed.status } else { Status::Unconfirmed };
-        doubts.add(Some(0), found);
+        stuck.status = pressed.status;
         Ok(Some(PartialSlip { friction, ratio, pressed: pressed.clone(), stuck }))
     }
 
     /// The contacts under a list of loads.
-    fn curve(&self, loads: Vec<Load>, doubts: &mut Doubts<'_>) -> Result<SavedFound, StudyError> {
+    fn curve(&self, loads: Vec<Load>) -> Result<SavedFound, StudyError> {
         let (setup, count) = (self.setup, self.reader.count());
         if loads.len() < count {
             let reason = format!("it has {count} contacts, but {} loads", loads.len());
@@ -257,25 +263,23 @@ impl SavedArchive<'_> {
         }
         let curve = LoadCurve { setup: setup.clone(), loads };
         let problem = curve.problem_of(self.surface.clone())?;
+        // a hard indenter flattens the surface at each load, and the next load begins there
         let mut loading = Loading::new(problem, setup.solver(), setup.stop);
-        let mut states = Vec::with_capacity(count);
         let fields: Vec<Vec<StateField>> = self.fields()?.collect();
-        for (number, (saved, &load)) in self.contacts()?.iter().zip(&curve.loads).enumerate() {
-            let problem = loading.problem(load)?;
-            let certified = saved.certified(&problem, &setup.stop).map_err(SetupError::from)?;
-            doubts.add(Some(number), certified.doubts);
-            loading.take(&certified.contact);
-            let state = State::from_contact(Sliding::measured(certified.contact), Some(number));
+        let mut states = Vec::with_capacity(count);
+        for (number, (saved, &load)) in self.contacts()?.into_iter().zip(&curve.loads).enumerate() {
+            let contact = saved.into_contact(loading.problem(load)?).map_err(SetupError::from)?;
+            loading.take(&contact);
             let own = fields.iter().map(|of_all| of_all[number].clone()).collect();
-            states.push(state.with_fields(own));
+            states.push(State::from_contact(Sliding::measured(contact), Some(number)).with_fields(own));
         }
         Ok(SavedFound::Curve(states))
     }
 
     /// The states of a history.
-    fn history(&self, doubts: &mut Doubts<'_>) -> Result<SavedFound, StudyError> {
+    fn history(&self) -> Result<SavedFound, StudyError> {
         let problem = self.setup.problem_of(self.surface.clone())?;
-        let states = certified_states(self.reader, self.contacts()?, self.setup, &problem, doubts)?;
+        let states = saved_states(self.reader, self.contacts()?, self.setup, &problem)?;
         Ok(SavedFound::History(Box::new(HistoryOutcome::from_states(
             self.setup,
             &problem,

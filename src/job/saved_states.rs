@@ -1,10 +1,8 @@
-//! States of histories that are read from a file, certified as far as their fields allow.
+//! States of histories that are read from a file.
 
-use super::doubts::Doubts;
-use super::state_check::StateCheck;
 use crate::contact::{
-    ArchiveReader, Contact, CutLayers, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State,
-    StateField, StateKind, StateValues, Status, read_cut_layers, read_state_fields,
+    ArchiveReader, CutLayers, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField,
+    StateKind, StateValues, Status, read_cut_layers, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
@@ -52,40 +50,41 @@ impl StateColumns {
     }
 }
 
-/// The states of a history of a problem, each certified as far as its fields allow. A state that is not confirmed, or cannot be, has no claim.
+/// The states of a history of a problem, as they were saved. A state whose contact is not confirmed has no claim.
 ///
 /// # Errors
 /// For arrays that do not fit each other.
-pub(super) fn certified_states(
+pub(super) fn saved_states(
     reader: &ArchiveReader,
     contacts: Vec<SavedContact>,
     setup: &Setup,
     problem: &Problem,
-    doubts: &mut Doubts<'_>,
 ) -> Result<Vec<State>, StudyError> {
     let columns = StateColumns::read(reader)?;
-    let mut check = StateCheck::new(setup, problem)?;
     let kind = setup.process()?.map_or_else(StateKind::default, |it| it.row().state);
     let mut states = Vec::with_capacity(contacts.len());
     for (number, saved) in contacts.into_iter().enumerate() {
         let (point, claim) = (columns.points[number], columns.claims[number]);
         let of = |quantity: Quantity| columns.number(quantity, number);
-        let under = under_load(setup, problem, point, &saved);
-        let under = check.moving(under, of(Quantity::Speed))?;
-        let parts = ([saved.pressure, saved.displacement, saved.gap], (saved.certificate, saved.work, saved.status));
-        let contact = Contact::from_parts(under, parts.0, parts.1, saved.solver, saved.coarser);
-        let contact = contact.map_err(SetupError::from)?.with_values(StateValues::new(kind));
-        let state = State::from_parts(contact, (point, claim), of, columns.fields(number));
-        let mut state = state.with_layers(columns.layers.clone());
-        let found = check.doubts(&mut state)?;
-        if !found.is_empty() {
+        let under = moving(setup, under_load(setup, problem, point, &saved), of(Quantity::Speed))?;
+        let contact = saved.into_contact(under).map_err(SetupError::from)?.with_values(StateValues::new(kind));
+        let is_confirmed = contact.status != Status::Unconfirmed;
+        let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
+        if !is_confirmed {
             state.claim = ResultClaim::Unchecked;
-            state.contact.status = Status::Unconfirmed;
         }
-        doubts.add(Some(number), found);
-        states.push(state);
+        states.push(state.with_layers(columns.layers.clone()));
     }
     Ok(states)
+}
+
+/// The problem of a state: at rest, or at its speed where that is one of the setup.
+fn moving(setup: &Setup, problem: Problem, speed: Option<f64>) -> Result<Problem, SetupError> {
+    let is_of_setup = |speed: &f64| setup.sliding.iter().any(|it| it.speed.contains(speed));
+    match speed.filter(is_of_setup) {
+        Some(speed) => Ok(problem.sliding(speed, &setup.memory()?)?),
+        None => Ok(problem),
+    }
 }
 
 /// The problem under the load of a state: that of the point of the path, or its mean pressure between two points.

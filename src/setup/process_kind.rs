@@ -1,7 +1,7 @@
 //! The processes that a setup can describe, and what each of them offers.
 
 use super::Setup;
-use crate::contact::{FieldKind, Problem, Quantity, StateKind};
+use crate::contact::{Problem, Quantity, StateKind};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::history::{Loading, Process};
@@ -58,8 +58,6 @@ pub struct ProcessRow {
     pub caption: &'static [Quantity],
     /// Whether the states differ in what they claim, so that each states its own claim.
     pub has_claims: bool,
-    /// The further fields without which a saved state cannot be certified again.
-    pub needed: &'static [FieldKind],
     /// What its contacts are states of.
     pub state: StateKind,
 }
@@ -117,7 +115,6 @@ const LOADS: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::ReducedPressure],
     has_claims: false,
-    needed: &[],
     state: StateKind::Elastic,
 };
 
@@ -147,7 +144,6 @@ const CREEP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Time],
     has_claims: false,
-    needed: &[FieldKind::StoredStrain],
     state: StateKind::Creep,
 };
 
@@ -177,7 +173,6 @@ const SLIP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Friction],
     has_claims: false,
-    needed: &[FieldKind::Traction],
     state: StateKind::Elastic,
 };
 
@@ -206,7 +201,6 @@ const SLIDING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Speed, Quantity::Friction],
     has_claims: false,
-    needed: &[],
     state: StateKind::Elastic,
 };
 
@@ -233,7 +227,6 @@ const ROLLING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Creepage, Quantity::Friction],
     has_claims: false,
-    needed: &[FieldKind::Traction],
     state: StateKind::Elastic,
 };
 
@@ -262,7 +255,6 @@ const ADHESION: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::MeanGap],
     has_claims: true,
-    needed: &[FieldKind::Attraction],
     state: StateKind::Adhesion,
 };
 
@@ -294,7 +286,6 @@ const PLASTIC: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::DeepestYield],
     has_claims: false,
-    needed: &[FieldKind::Imprint],
     state: StateKind::Plastic,
 };
 

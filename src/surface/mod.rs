@@ -19,8 +19,8 @@ mod texture;
 
 pub use bumps::{Bump, Bumps};
 pub use formats::{
-    FileUnits, HeightFile, Layout, Measurement, has_field, read_field, read_fields, read_fields_shape, read_heights,
-    read_shape, read_text, write_heights,
+    FileUnits, HeightFile, Layout, Measurement, MemberSum, has_field, read_field, read_fields, read_fields_shape,
+    read_heights, read_member_sums, read_shape, read_text, write_heights,
 };
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
@@ -52,6 +52,11 @@ use std::sync::Arc;
 
 /// Values on a grid, shape `(ny, nx)`, row by row.
 pub type Field = Array2<f64>;
+
+/// The largest magnitude of a field.
+pub(crate) fn largest(field: &Field) -> f64 {
+    field.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+}
 
 /// A mean below this fraction of the largest deviation is rounding: such heights are not changed.
 const ROUNDING: f64 = 1e-12;

@@ -100,6 +100,7 @@ mod zygo_text;
 pub use height_file::HeightFile;
 pub use layout::{FileUnits, Layout};
 pub use measurement::Measurement;
+pub use npz::MemberSum;
 
 use crate::error::FileError;
 use crate::files::{open_regular, write_beside};
@@ -252,6 +253,16 @@ pub fn read_text(path: impl AsRef<Path>, name: &str) -> Result<Option<String>, F
         .then(|| npz::text(&mut file, name))
         .transpose()
         .map_err(|error| explained(path, HEIGHTS.name, error))
+}
+
+/// The check sums of all arrays of an archive, in their order, after all of its bytes were held against them.
+///
+/// # Errors
+/// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for an archive that is damaged or cut short.
+pub fn read_member_sums(path: impl AsRef<Path>) -> Result<Vec<MemberSum>, FileError> {
+    let path = path.as_ref();
+    let mut file = open_regular(path).map_err(|source| FileError::Read { path: path.into(), source })?;
+    npz::sums(&mut file).map_err(|error| explained(path, HEIGHTS.name, error))
 }
 
 /// Reads what is wanted of a file by its format.

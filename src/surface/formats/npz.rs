@@ -79,6 +79,36 @@ fn whole_member(file: &mut dyn ReadSeek, name: &str) -> io::Result<Range<u64>> {
     }
 }
 
+/// The name, the length and the check sum of a member of an archive.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MemberSum {
+    /// Its name as an array.
+    pub name: String,
+    /// Its length in bytes.
+    pub bytes: u64,
+    /// The CRC-32 of its bytes.
+    pub crc: u32,
+}
+
+/// The check sums of all arrays of an archive, in their order, each of which its bytes meet.
+///
+/// # Errors
+/// The reason, where bytes fail their check sum, and the errors of [`members`].
+pub(super) fn sums(file: &mut dyn ReadSeek) -> io::Result<Vec<MemberSum>> {
+    let mut sums = Vec::new();
+    for member in members(file)? {
+        let Some(name) = member.array() else { continue };
+        let name = String::from_utf8_lossy(name).into_owned();
+        let bytes = member.place.end - member.place.start;
+        file.seek(SeekFrom::Start(member.place.start))?;
+        if check_sum((&mut *file).take(bytes))? != member.sum {
+            return Err(malformed(format!("its array `{name}` is damaged: it fails its check sum")));
+        }
+        sums.push(MemberSum { name, bytes, crc: member.sum });
+    }
+    Ok(sums)
+}
+
 fn check_sum(bytes: impl Read) -> io::Result<u32> {
     let (mut bytes, mut sum) = (BufReader::with_capacity(READ, bytes), Hasher::new());
     loop {
