@@ -216,24 +216,17 @@ fn has_no_errors(errors: &[Option<f64>]) -> bool {
     errors.iter().all(Option::is_none)
 }
 
-/// Numbers of a state with three estimated errors each: by the load steps, by the layers and by the grid, in this order.
-const WITH_SOURCES: [(&str, [Quantity; 3]); 2] = [
-    ("imprint", [Quantity::ImprintStepError, Quantity::ImprintLayerError, Quantity::ImprintGridError]),
-    (
-        "relative area",
-        [Quantity::RelativeAreaStepError, Quantity::RelativeAreaLayerError, Quantity::RelativeAreaGridError],
-    ),
-];
-
 /// Writes the largest errors of all states by their sources, where they were estimated.
 fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
     let largest = |error: &Quantity| {
         let known = outcome.states.iter().filter_map(|state| Some((state.get(*error)?, state)));
         known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, state)| cell(*error, state, units))
     };
-    let told = |(name, errors): (&str, [Quantity; 3])| {
-        let sources = errors.iter().zip(["steps", "layers", "grid"]);
-        let known: Vec<String> = sources.filter_map(|(it, by)| Some(format!("{} by the {by}", largest(it)?))).collect();
+    let told = |quantity: Quantity| {
+        let errors = quantity.row().errors.iter().filter_map(|name| Quantity::find(name));
+        let known: Vec<String> =
+            errors.filter_map(|error| Some(format!("{} by {}", largest(&error)?, error.row().cause()?))).collect();
+        let name = quantity.row().short;
         (!known.is_empty()).then(|| format!("largest estimated error of the {name}: {}", known.join(", ")))
     };
     let mut lines = Vec::new();
@@ -241,7 +234,7 @@ fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) ->
     if let Some(error) = errors.reduce(f64::max) {
         lines.push(format!("largest estimated error of p_m / Y by the grid: {:.1} %", 1e2 * error));
     }
-    lines.extend(WITH_SOURCES.into_iter().filter_map(told));
+    lines.extend(Quantity::all().filter_map(told));
     if lines.is_empty() { Ok(()) } else { writeln!(out, "\n{}", lines.join("\n")) }
 }
 

@@ -7,6 +7,7 @@
 //! from counting nodes, minus the mean excess.
 
 use super::quantity_row::Curve;
+use super::readings::{in_contact, known, positive};
 use crate::contact::{QuantityKind, QuantityRow, Readings, Unit, Validity};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumString, IntoEnumIterator, IntoStaticStr};
@@ -15,17 +16,17 @@ use strum::{EnumIter, EnumString, IntoEnumIterator, IntoStaticStr};
 /// `found` can be computed of any contact.
 ///
 /// The parts of a row: `symbol` and `title` in charts, `short` where a column of text needs another heading than the title, `unit`, `kind` of its values
-/// (numbers, unless the type or the row says otherwise), which `curve` it has in recordings, for which states it is `valid`, whether `solve` prints it in a
-/// row of its own (`printed`), how it is computed `of` a reading, and one `sentence`.
+/// (numbers, unless the type or the row says otherwise), which `curve` it has in recordings, for which states it is `valid`, the `errors` that are estimated of
+/// it, whether `solve` prints it in a row of its own (`printed`), how it is computed `of` a reading, and one `sentence`.
 macro_rules! quantities {
     (
         known { $($known:ident $known_name:ident {
             symbol: $known_symbol:literal, title: $known_title:literal, $(short: $known_short:literal,)? unit: $known_unit:ident, kind: $known_kind:ident,
-            curve: $known_curve:ident, sentence: $known_sentence:literal
+            curve: $known_curve:ident, $(errors: [$($known_error:ident),+],)? sentence: $known_sentence:literal
         })+ }
         found { $($found:ident $field:ident: $type:ty {
             symbol: $symbol:literal, title: $title:literal, $(short: $short:literal,)? unit: $unit:ident, $(kind: $kind:ident,)? curve: $curve:ident,
-            valid: $validity:ident, $(printed: $is_printed:literal,)? of: $of:expr, sentence: $sentence:literal
+            valid: $validity:ident, $(errors: [$($error:ident),+],)? $(printed: $is_printed:literal,)? of: $of:expr, sentence: $sentence:literal
         })+ }
     ) => {
         /// A number that can be read of a state.
@@ -55,6 +56,7 @@ macro_rules! quantities {
                 has_curve: matches!(Curve::$known_curve, Curve::States | Curve::Both),
                 validity: Validity::Always,
                 is_printed: false,
+                errors: &[$($(stringify!($known_error)),+)?],
                 sentence: $known_sentence,
                 read: None,
             },)+
@@ -69,6 +71,7 @@ macro_rules! quantities {
                 has_curve: matches!(Curve::$curve, Curve::States | Curve::Both),
                 validity: Validity::$validity,
                 is_printed: [$($is_printed,)? false][0],
+                errors: &[$($(stringify!($error)),+)?],
                 sentence: $sentence,
                 read: Some(|reading| {
                     let of: fn(&dyn Readings) -> $type = $of;
@@ -191,6 +194,7 @@ quantities! {
         PlasticVolume plastic_volume { symbol: "V_pl / A", title: "plastic volume", unit: Length, kind: Number, curve: States,
             sentence: "Volume that has yielded, per area of the cell." }
         ImprintDepth imprint_depth { symbol: "d_imp", title: "depth of the imprint", short: "imprint", unit: Length, kind: Number, curve: States,
+            errors: [imprint_step_error, imprint_layer_error, imprint_grid_error],
             sentence: "Difference of the largest and the smallest displacement of the surface by the plastic strain: the depth of the imprint that stays without load." }
         PlasticWork plastic_work { symbol: "W_pl", title: "plastic work", unit: EnergyPerArea, kind: Number, curve: States,
             sentence: "Energy that flow has taken up since the beginning, per area of the cell." }
@@ -267,6 +271,7 @@ quantities! {
             of: |it| known(it.counted().reduced_pressure_contact),
             sentence: "Reduced pressure with the rms gradient of the nodes in contact." }
         RelativeArea relative_area: f64 { symbol: "a_rel", title: "relative area", unit: One, curve: Both, valid: Always,
+            errors: [relative_area_error, relative_area_step_error, relative_area_layer_error, relative_area_grid_error],
             of: |it| it.resolved().relative_area,
             sentence: "Relative contact area, with contact edges interpolated between grid nodes; with adhesion the fraction of nodes in contact." }
         RelativeAreaCounted relative_area_counted: f64 { symbol: "a_rel, counted", title: "relative area, nodes counted", unit: One, curve: Steps, valid: Always,
@@ -290,7 +295,7 @@ quantities! {
         RmsGradientContactCorrected rms_gradient_contact_corrected: f64 { symbol: "g_r, corrected", title: "rms gradient in contact, corrected", unit: One, curve: None, valid: Elastic,
             of: |it| in_contact(it, it.counted().rms_gradient_contact_corrected),
             sentence: "Root-mean-square gradient of the nodes in contact, minus the mean excess of counted nodes at the edges." }
-        Kappa kappa: f64 { symbol: "kappa", title: "kappa", unit: One, curve: Steps, valid: Elastic,
+        Kappa kappa: f64 { symbol: "kappa", title: "kappa", unit: One, curve: Steps, valid: Elastic, errors: [relative_area_error],
             of: |it| positive(it.resolved().relative_area / it.counted().reduced_pressure),
             sentence: "Relative contact area divided by reduced pressure, with contact edges interpolated between grid nodes." }
         KappaCounted kappa_counted: f64 { symbol: "kappa, counted", title: "kappa, nodes counted", unit: One, curve: None, valid: Elastic,
@@ -299,7 +304,7 @@ quantities! {
         KappaCorrected kappa_corrected: f64 { symbol: "kappa, corrected", title: "kappa, corrected", unit: One, curve: None, valid: Elastic,
             of: |it| positive(it.counted().relative_area_corrected / it.counted().reduced_pressure),
             sentence: "Corrected relative contact area divided by reduced pressure." }
-        KappaR kappa_r: f64 { symbol: "kappa_r", title: "kappa_r", unit: One, curve: Both, valid: NoAdhesion,
+        KappaR kappa_r: f64 { symbol: "kappa_r", title: "kappa_r", unit: One, curve: Both, valid: NoAdhesion, errors: [kappa_r_error],
             of: |it| it.kappa_r(),
             sentence: "Relative contact area divided by the reduced pressure with the rms gradient of the contact, with contact edges interpolated between grid nodes." }
         KappaRCounted kappa_r_counted: f64 { symbol: "kappa_r, counted", title: "kappa_r, nodes counted", unit: One, curve: Steps, valid: Elastic,
@@ -430,19 +435,4 @@ impl Quantity {
 /// The kind of a quantity whose row does not say it: that of the type of its value.
 const fn kind_of(type_name: &str) -> QuantityKind {
     if matches!(type_name.as_bytes(), b"f64") { QuantityKind::Number } else { QuantityKind::Whole }
-}
-
-/// A reduced pressure with the gradient of a contact; NaN where there is no gradient, as in a contact of one node or below a punch.
-fn known(reduced_pressure: f64) -> f64 {
-    if reduced_pressure.is_finite() { reduced_pressure } else { f64::NAN }
-}
-
-/// A number of the nodes in contact; NaN where nothing touches.
-fn in_contact(it: &dyn Readings, value: f64) -> f64 {
-    if it.counted().contact_nodes > 0 { value } else { f64::NAN }
-}
-
-/// A ratio of an area to a load; NaN where it is zero or no number: without contact, and where single nodes have neither an area nor a gradient.
-pub(super) fn positive(ratio: f64) -> f64 {
-    if ratio > 0.0 { ratio } else { f64::NAN }
 }

@@ -103,6 +103,8 @@ pub struct QuantityRow {
     /// Whether `solve` prints it in a row of its own, without further words.
     #[serde(skip)]
     pub is_printed: bool,
+    /// The names of the quantities that estimate its error, the most general one first.
+    pub errors: &'static [&'static str],
     /// One sentence.
     pub sentence: &'static str,
     /// How it is computed of a contact or a step; none for a number that only a process knows.
@@ -111,6 +113,12 @@ pub struct QuantityRow {
 }
 
 impl QuantityRow {
+    /// What causes the error that the quantity estimates, such as "the grid", as its title has it; none of other quantities, and where the
+    /// title does not tell the cause.
+    pub fn cause(&self) -> Option<&'static str> {
+        self.title.strip_prefix("error of ")?.rsplit_once(" by ").map(|(_, cause)| cause)
+    }
+
     /// Whether only the process that makes a state knows the number.
     pub fn is_known_by_process(&self) -> bool {
         self.read.is_none()

@@ -1,6 +1,6 @@
 //! Reading of a contact, of a state or of a step: its quantities, each computed when it is asked for.
 
-use super::quantity::positive;
+use super::readings::positive;
 use super::state_values::NO_VALUES;
 use crate::contact::{
     Certificate, Contact, Counted, Load, Observables, Patches, Problem, Quantity, QuantityRow, Readings, Resolution,

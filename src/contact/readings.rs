@@ -51,3 +51,18 @@ pub trait Readings {
     /// How well the grid resolves the contact.
     fn resolution(&self) -> Resolution;
 }
+
+/// A reduced pressure with the gradient of a contact; NaN where there is no gradient, as in a contact of one node or below a punch.
+pub(super) fn known(reduced_pressure: f64) -> f64 {
+    if reduced_pressure.is_finite() { reduced_pressure } else { f64::NAN }
+}
+
+/// A number of the nodes in contact; NaN where nothing touches.
+pub(super) fn in_contact(it: &dyn Readings, value: f64) -> f64 {
+    if it.counted().contact_nodes > 0 { value } else { f64::NAN }
+}
+
+/// A ratio of an area to a load; NaN where it is zero or no number: without contact, and where single nodes have neither an area nor a gradient.
+pub(super) fn positive(ratio: f64) -> f64 {
+    if ratio > 0.0 { ratio } else { f64::NAN }
+}

@@ -54,35 +54,9 @@ pub struct Point {
 /// Columns of a point before its numbers.
 const META: usize = 13;
 
-/// The first further numbers of a line, in their order. Lines of earlier versions end with them.
-const FIRST: [Quantity; 21] = [
-    Quantity::LowestPressure,
-    Quantity::Separated,
-    Quantity::LargestArea,
-    Quantity::Jumps,
-    Quantity::LostInJumps,
-    Quantity::LostError,
-    Quantity::Stable,
-    Quantity::States,
-    Quantity::HistoryTransforms,
-    Quantity::OpenPercolatesX,
-    Quantity::OpenPercolatesY,
-    Quantity::ContactPercolatesX,
-    Quantity::ContactPercolatesY,
-    Quantity::LeakageLowerX,
-    Quantity::LeakageUpperX,
-    Quantity::LeakageLowerY,
-    Quantity::LeakageUpperY,
-    Quantity::HydraulicGapX,
-    Quantity::HydraulicGapY,
-    Quantity::ConductancePerArea,
-    Quantity::ConductanceTimesResistivity,
-];
-
-/// The further numbers of a line, in their order.
+/// The further numbers of a line, in the order of the table of quantities.
 pub(super) fn further() -> impl Iterator<Item = Quantity> {
-    let others = Quantity::iter().filter(|it| it.row().is_known_by_process() && !FIRST.contains(it));
-    FIRST.into_iter().chain(others)
+    Quantity::iter().filter(|it| it.row().is_known_by_process())
 }
 
 /// A further number as a word.
