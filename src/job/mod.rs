@@ -37,7 +37,6 @@ mod state_recording;
 mod state_table;
 mod tables;
 mod watch;
-#[cfg(feature = "record")]
 mod yielding;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};
