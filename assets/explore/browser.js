@@ -86,10 +86,30 @@ let hand = null;
 /** The orders that led to the file of heights of the session, for another module. */
 let heightOrders = [];
 
-/** Loads the module, once. */
+/** The bytes of the module. A page that is opened from a folder may load scripts alone: there, a script has them. */
+async function bytesOfModule() {
+  if (location.protocol === "file:") {
+    await loadScript("module.js");
+    return unpacked(MODULE).arrayBuffer();
+  }
+  const { ok, status, body } = await fetch("module.packed");
+  if (!ok) throw new Error(`module.packed: ${status}`);
+  return unpackedStream(body).arrayBuffer();
+}
+
+/** The module, which is compiled once for all workers.
+ * @type {Promise<WebAssembly.Module> | null} */
+let compiled = null;
+function compile() {
+  const isBeyond = (error) => { throw new Error(say("fault.old-browser", { reason: error.message })); };
+  compiled ??= bytesOfModule().then((bytes) => WebAssembly.compile(bytes)).catch(isBeyond);
+  return compiled;
+}
+
+/** Begins the module that solves, once. */
 function loadModule() {
-  const begin = () => begun(new Engine({ compressed: MODULE, after: 0, first: JSON.stringify(site.first.run.knobs) }));
-  solver ??= loadScript("module.js").then(begin);
+  const begin = (module) => begun(new Engine({ module, after: 0, first: JSON.stringify(site.first.run.knobs) }));
+  solver ??= compile().then(begin);
   return solver;
 }
 
@@ -100,9 +120,9 @@ async function begun(engine) {
   return engine;
 }
 
-/** A module in the place of another one, with its file of heights. */
-async function made(other, after) {
-  const engine = new Engine({ module: (await other.begun).compiled, after });
+/** One more module, with the file of heights. */
+async function made(after) {
+  const engine = new Engine({ module: await compile(), after });
   for (const order of heightOrders) await engine.request(...order);
   return engine;
 }
@@ -111,7 +131,7 @@ async function made(other, after) {
 function renew(engine, sentence) {
   engine.end(sentence);
   session = String(Number(session) + 1);
-  solver = made(engine, Math.max(0, ...runs.map(numberOf)));
+  solver = made(Math.max(0, ...runs.map(numberOf)));
   const { run } = latestNews;
   const stopped = run && !run.ended ? { ...run, ended: true, numbers: run.numbers && { ...run.numbers, status: "stopped by the observer" } } : run;
   tell({ busy: false, run: stopped });
@@ -129,7 +149,7 @@ function replace(engine, reason) {
 
 /** The module for what a hand holds. */
 function loadHand() {
-  hand ??= loadModule().then((engine) => made(engine, 0));
+  hand ??= made(0);
   return hand;
 }
 
@@ -140,10 +160,10 @@ async function joinBrowser() {
 
 async function askBrowser(path) {
   if (WRITTEN.includes(path)) return site[path];
-  if (path === "lessons") return loadScript("lessons.js").then(() => jsonFrom(LESSONS));
+  if (path === "lessons") return loadScript("lessons.js").then(() => unpacked(LESSONS).json());
   const [place, since] = path.split("?since=");
   if (place === "state") return latestNews.revision > Number(since ?? -1) ? latestNews : new Promise((done) => listeners.push(done));
-  if (path === `run/${site.first.run.id}/section` && document.body.dataset.solver !== "ready") return jsonFrom(FIRST_SECTION);
+  if (path === `run/${site.first.run.id}/section` && document.body.dataset.solver !== "ready") return unpacked(FIRST_SECTION).json();
   if (path === `run/${site.first.run.id}/beside` && document.body.dataset.solver !== "ready") return null;
   if (path === "runs") return [];
   if (path === "heights") return null;

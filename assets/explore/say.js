@@ -48,7 +48,7 @@ let told = [];
 
 /** Takes the texts of a language. */
 async function takeTexts(script) {
-  const its = await jsonFrom(script);
+  const its = await unpacked(script).json();
   texts = its.texts;
   told = patternsOf(its.told);
 }

@@ -7,19 +7,22 @@ const ROUGHLY = ["kappa_r_error", "seconds"];
 /** The observables beside which exact values stand. */
 const EXACT = ["relative_area", "kappa_r"];
 
-/** The relative error from which on a number stands with it, and the numbers that have one, with its name. */
+/** The relative error from which on a number stands with it. */
 const COARSE = 0.05;
-const ERRORS = { relative_area: "relative_area_error", kappa: "relative_area_error", kappa_r: "kappa_r_error", kappa_r_error: "kappa_r_error" };
+/** The error that stands in a row of its own. */
+const ERROR_SHOWN = "kappa_r_error";
+/** The name of the error of a number: the first one that the table of quantities has for it. */
+const errorOf = (name) => name === ERROR_SHOWN ? name : known.find((row) => row.name === name)?.errors?.[0];
 
 /** A number as the table has it: with its error, if that is large or not known, and the error itself with what to do. */
 function valueOf(told, name) {
-  const error = told?.[ERRORS[name]];
+  const error = told?.[errorOf(name)];
   // with adhesion there are no such errors, and no certificate
   const isUnknown = error === null && told.relative_area > 0 && told.certificate !== null;
   if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name), ROUGHLY.includes(name) ? 2 : 5);
   const percent = isUnknown ? "?" : `${figure(100 * error, 2)} %`;
   const remedy = knobs.body === "file" ? "file" : "points";
-  const shown = name === "kappa_r_error" ? say(`numbers.coarse.${remedy}`, { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
+  const shown = name === ERROR_SHOWN ? say(`numbers.coarse.${remedy}`, { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
   const tip = isUnknown ? "numbers.coarse.unknown.tip" : `numbers.coarse.${remedy}.tip`;
   return [element("span", { class: "coarse", title: say(tip) }, shown)];
 }

@@ -41,8 +41,7 @@ const bytesAt = (start, length) => new Uint8Array(module.memory.buffer, start, l
 const textAt = (start, length) => new TextDecoder().decode(bytesAt(start, length));
 
 /** Begins the session, and solves its first state unheard, as the page knows it. */
-async function begin({ compressed, module: given, after, first }) {
-  const compiled = given ?? await WebAssembly.compile(unpacked(bytesFrom(compressed)));
+async function begin({ module: compiled, after, first }) {
   module = (await WebAssembly.instantiate(compiled, { page })).exports;
   canLook = isThere(sign);
   module.begin(after);
@@ -51,7 +50,6 @@ async function begin({ compressed, module: given, after, first }) {
     module.work();
   }
   isHeard = true;
-  return compiled;
 }
 
 /** Writes a request into the memory of the module, and returns the status of its answer. */
@@ -80,8 +78,8 @@ function answer({ number, method, path, body }) {
 async function heard(message) {
   ({ sign } = message);
   if (!message.begin) { answer(message); return; }
-  const compiled = await begin(message.begin);
-  postMessage({ number: message.number, status: 200, answer: { compiled, canLook } });
+  await begin(message.begin);
+  postMessage({ number: message.number, status: 200, answer: { canLook } });
 }
 
 addEventListener("message", ({ data }) => heard(data).catch((error) => postMessage({ broken: String(error.message ?? error) })));

@@ -1,6 +1,6 @@
 //! The page with the module as a static site: the solver runs in the browser, and lessons have recordings that were made beforehand.
 
-use super::letters;
+use super::packed;
 use super::page::Page;
 use super::worker;
 use crate::contact::{Failure, Quantity};
@@ -85,8 +85,8 @@ impl SiteExport {
         let written = fill_folder(folder, |draft| {
             let (site, section) = self.site(&session, draft, goes_on)?;
             let site = format!("\"use strict\";\nconst SITE = {site};\n");
-            let section = letters::script_of("FIRST_SECTION", &section)?;
-            let lessons = letters::script_of("LESSONS", &json!(self.lessons))?;
+            let section = packed::script_of("FIRST_SECTION", &section)?;
+            let lessons = packed::script_of("LESSONS", &json!(self.lessons))?;
             let files = page.files(!self.recorded.is_empty());
             let own = [("site.js", site.into()), ("section.js", section.into()), ("lessons.js", lessons.into())];
             let files: Vec<_> = files.chain(own).collect();
@@ -141,7 +141,7 @@ fn rounded(value: Value) -> Value {
 /// What the page needs of a quantity; it has sentences of its own.
 fn observable(quantity: Quantity) -> Value {
     let row = quantity.row();
-    json!({ "name": row.name, "symbol": row.symbol, "unit": row.unit, "is_traced": row.is_traced })
+    json!({ "name": row.name, "symbol": row.symbol, "unit": row.unit, "is_traced": row.is_traced, "errors": row.errors })
 }
 
 /// The runs of a step: all states that can be turned to, and the sweep if the load is swept.

@@ -1,7 +1,7 @@
 //! The languages of the page. The texts of each language are a compressed script of their own. The page begins with the English one; a browser
 //! loads another one if its reader wants that language.
 
-use super::letters;
+use super::packed;
 use serde_json::{Value, json};
 use std::io;
 
@@ -46,5 +46,5 @@ pub fn script() -> String {
 
 /// The names and the bytes of the scripts of all languages.
 pub fn files() -> io::Result<Vec<(String, Vec<u8>)>> {
-    LANGUAGES.iter().map(|it| Ok((format!("{}.js", it.code), letters::script_of(it.constant, &it.value())?))).collect()
+    LANGUAGES.iter().map(|it| Ok((format!("{}.js", it.code), packed::script_of(it.constant, &it.value())?))).collect()
 }

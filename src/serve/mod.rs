@@ -13,7 +13,7 @@
 mod export;
 mod guard;
 mod language;
-mod letters;
+mod packed;
 mod page;
 mod patience;
 mod policy;

@@ -1,6 +1,7 @@
 //! The page and the viewer inside it, all of them in the binary.
 
 use super::language;
+use super::packed;
 use super::policy::IN_PAGE;
 use super::sessions::unguessable;
 use super::site::{Reply, Site};
@@ -29,7 +30,7 @@ macro_rules! scripts {
 
 /// All scripts of the page in the order in which they run.
 const SCRIPTS: &str = scripts!(
-    "letters" "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "table" "chart" "charts" "save" "address" "welcome" "choices"
+    "packed" "say" "backend" "server" "browser" "link" "viewer" "views" "controls" "units" "heights" "runs" "table" "chart" "charts" "save" "address" "welcome" "choices"
     "point" "guess" "lessons" "picture" "top" "solid" "state" "hand" "pick" "why" "race" "undo" "asperity" "begin"
 );
 
@@ -42,10 +43,13 @@ const SCRIPT: &str = "/explore.js";
 
 /// The script that runs the module in a Web Worker. The page has its text, as a page that is opened from a folder may not load a worker
 /// from a file.
-const WORKER: &str = scripts!("letters" "lzma" "worker");
+const WORKER: &str = scripts!("worker");
 
-/// The module, compressed, as a text in a script in UTF-16. The script `browser/build` makes it.
-const MODULE: &[u8] = include_bytes!("../../assets/explore/module.js");
+/// The module, packed by gzip. `browser/build` makes it.
+const MODULE: &[u8] = include_bytes!("../../assets/explore/module.wasm.gz");
+
+/// The module in a script, for a page that is opened from a folder, which may load nothing else.
+const MODULE_SCRIPT: &str = "module.js";
 
 /// The service worker of a site, which keeps its files for when there is no network.
 const OFFLINE: &str = include_str!("../../assets/explore/offline.js");
@@ -146,15 +150,19 @@ impl Page {
         let html = self.html().replace(kind, &policy).replace(script, &site);
         let own = FILES.iter().map(|(path, _, text)| (&path[1..], Bytes::from_static(text.as_bytes())));
         let viewer = [("re_viewer.js", self.viewer.clone()), ("re_viewer_bg.wasm", self.module.clone())];
-        let scripts = [(&SCRIPT[1..], self.script.clone()), ("module.js", Bytes::from_static(MODULE))];
+        let module =
+            [("module.packed", Bytes::from_static(MODULE)), (MODULE_SCRIPT, packed::script("MODULE", MODULE).into())];
         let viewer = viewer.into_iter().filter(move |_| has_viewer);
         let languages = self.languages.iter().map(|(name, bytes)| (name.as_str(), bytes.clone()));
-        own.chain(viewer).chain(languages).chain(scripts).chain([("index.html", html.into())])
+        let texts = [(&SCRIPT[1..], self.script.clone()), ("index.html", html.into())];
+        own.chain(viewer).chain(languages).chain(module).chain(texts)
     }
 
     /// The service worker of a site: it keeps these files, under a mark that differs from that of other files.
     pub fn offline<'n>(&self, mark: &str, files: impl Iterator<Item = &'n str>) -> String {
-        let kept: Vec<&str> = files.filter(|name| !name.starts_with("re_viewer")).collect();
+        // a site that a service worker serves was not opened from a folder
+        let is_kept = |name: &&str| !name.starts_with("re_viewer") && *name != MODULE_SCRIPT;
+        let kept: Vec<&str> = files.filter(is_kept).collect();
         OFFLINE.replace("{mark}", mark).replace("{files}", &serde_json::Value::from(kept).to_string())
     }
 

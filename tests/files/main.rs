@@ -17,6 +17,7 @@ mod named_files;
 mod real_files;
 #[cfg(all(feature = "cli", feature = "record"))]
 mod recording;
+#[cfg(feature = "instruments")]
 mod saved;
 mod setup;
 mod setup_keys;

@@ -53,7 +53,7 @@ const LAYERS: &[(&str, u8)] = &[
 const PLACES: &[(&str, &[&str])] = &[
     ("anyhow", &["cli/", "main.rs"]),
     ("axum", &["serve/"]),
-    ("base64", &["plot/svg.rs"]),
+    ("base64", &["plot/svg.rs", "serve/packed.rs"]),
     ("clap", &["cli/", "main.rs"]),
     ("clap_complete", &["cli/completions.rs"]),
     ("clap_mangen", &["cli/man.rs"]),
@@ -68,7 +68,7 @@ const PLACES: &[(&str, &[&str])] = &[
         "libm",
         &["theory/", "contact/forecast.rs", "contact/multilevel/split.rs", "paper/fit.rs", "setup/expected_area.rs"],
     ),
-    ("ndarray_npy", &["surface/", "contact/archive.rs", "history/archive.rs"]),
+    ("ndarray_npy", &["surface/", "contact/archive.rs"]),
     ("parquet", &["study/parquet.rs"]),
     ("pdf_writer", &["plot/pdf.rs"]),
     ("procfs", &["memory.rs", "lab/"]),

@@ -1,6 +1,8 @@
 //! The page as a folder of files: all that it needs is there, or nothing.
 
 use assert_cmd::Command;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -46,22 +48,16 @@ fn data(site: &Path, script: &str) -> Value {
     serde_json::from_str(json).unwrap()
 }
 
-/// The value in a script of a site that is in letters of 15 bits.
-fn compressed(site: &Path, script: &str) -> Value {
-    let bytes = std::fs::read(site.join(script)).unwrap();
-    let units: Vec<u16> = bytes.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect();
-    let bits: String =
-        units.iter().filter(|&it| (0x3400..0xb400).contains(it)).map(|it| format!("{:015b}", it - 0x3400)).collect();
-    let text = String::from_utf16_lossy(&units);
-    let length: usize = text.split_once("bytes: ").unwrap().1.split_once(',').unwrap().0.parse().unwrap();
-    let whole = &bits[..length * 8];
-    let bytes: Vec<u8> =
-        (0..whole.len()).step_by(8).map(|at| u8::from_str_radix(&whole[at..at + 8], 2).unwrap()).collect();
-    serde_json::from_reader(flate2::read::ZlibDecoder::new(&bytes[..])).unwrap()
+/// The value in a script of a site that is packed.
+fn unpacked(site: &Path, script: &str) -> Value {
+    let script = std::fs::read_to_string(site.join(script)).unwrap();
+    let packed = script.split_once(" = \"").unwrap().1.split_once('"').unwrap().0;
+    let bytes = BASE64_STANDARD.decode(packed).unwrap();
+    serde_json::from_reader(flate2::read::GzDecoder::new(&bytes[..])).unwrap()
 }
 
 /// What every site has.
-const FILES: [&str; 12] = [
+const FILES: [&str; 13] = [
     "index.html",
     "explore.js",
     "en.js",
@@ -69,6 +65,7 @@ const FILES: [&str; 12] = [
     "explore.css",
     "favicon.svg",
     "module.js",
+    "module.packed",
     "site.js",
     "section.js",
     "lessons.js",
@@ -95,12 +92,12 @@ fn a_site_has_all_that_the_page_loads_and_recordings_of_its_lessons() {
     for script in html.split("src=\"").skip(1).map(|rest| rest.split('"').next().unwrap()) {
         assert!(files.contains(script), "{script} is not among {files:?}");
     }
-    let lessons = compressed(&site, "lessons.js");
+    let lessons = unpacked(&site, "lessons.js");
     let [english, german] =
         [include_str!("../../../assets/explore/texts/en.json"), include_str!("../../../assets/explore/texts/de.json")];
     let [english, german]: [Value; 2] = [english, german].map(|json| serde_json::from_str(json).unwrap());
-    assert_eq!(compressed(&site, "en.js")["texts"], english);
-    assert_eq!(compressed(&site, "de.js")["texts"], german);
+    assert_eq!(unpacked(&site, "en.js")["texts"], english);
+    assert_eq!(unpacked(&site, "de.js")["texts"], german);
     let script = std::fs::read_to_string(site.join("explore.js")).unwrap();
     for texts in [&english, &german] {
         assert!(!script.contains(texts["lesson.none"].as_str().unwrap()), "the texts are scripts of their own");
@@ -121,7 +118,10 @@ fn a_site_has_all_that_the_page_loads_and_recordings_of_its_lessons() {
     assert_eq!(lessons[0]["steps"].as_array().unwrap().len(), 2);
     let offline = std::fs::read_to_string(site.join("offline.js")).unwrap();
     assert!(
-        offline.contains("\"module.js\"") && !offline.contains("re_viewer") && !offline.contains("{mark}"),
+        offline.contains("\"module.packed\"")
+            && !offline.contains("\"module.js\"")
+            && !offline.contains("re_viewer")
+            && !offline.contains("{mark}"),
         "{offline}"
     );
 }
@@ -136,7 +136,7 @@ fn a_site_without_recordings_has_a_first_picture_and_no_viewer() {
     let data = data(&site, "site.js");
     assert_eq!((&data["recorded"], &data["start"]["body"]), (&json!([]), &json!("round")));
     assert_eq!(data["first"]["run"]["numbers"]["status"], "converged");
-    let section = compressed(&site, "section.js");
+    let section = unpacked(&site, "section.js");
     let [solid, pressure] = ["solid", "pressure"].map(|name| {
         let values = section[name].as_array().unwrap().iter();
         values.map(|z| z.as_f64().unwrap()).collect::<Vec<_>>()

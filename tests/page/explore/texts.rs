@@ -14,8 +14,7 @@ type Texts = BTreeMap<String, String>;
 pub fn sources() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/explore");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let is_text =
-        |path: &Path| path.extension().is_some_and(|it| it == "js" || it == "html") && !path.ends_with("module.js");
+    let is_text = |path: &Path| path.extension().is_some_and(|it| it == "js" || it == "html");
     let sources = files.filter(|path| is_text(path));
     sources
         .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read_to_string(&path).unwrap()))

@@ -2,11 +2,12 @@
 // answers, a list of [status, text, latest news]. A body is a text or, for a file, { base64 }; files in answers are base64.
 
 import { readFileSync } from "node:fs";
+import { gunzipSync } from "node:zlib";
 import vm from "node:vm";
 
-const [, , modulePath, ...workerPaths] = process.argv;
+const [, , modulePath, workerPath] = process.argv;
 const bytes = readFileSync(modulePath);
-const given = modulePath.endsWith(".js") ? { compressed: /"([^"]*)"/.exec(bytes.toString("utf16le"))[1] } : { module: new WebAssembly.Module(bytes) };
+const module = new WebAssembly.Module(modulePath.endsWith(".gz") ? gunzipSync(bytes) : bytes);
 
 let heard = null;
 const answers = new Map();
@@ -19,7 +20,7 @@ const post = (message) => {
 };
 class XMLHttpRequest { open() {} send() {} }
 const names = { postMessage: post, addEventListener: listen, XMLHttpRequest, performance, WebAssembly, TextDecoder, TextEncoder, Uint8Array };
-vm.runInContext(workerPaths.map((path) => readFileSync(path, "utf8")).join("\n"), vm.createContext(names));
+vm.runInContext(readFileSync(workerPath, "utf8"), vm.createContext(names));
 
 let asked = 0;
 function send(message) {
@@ -29,7 +30,7 @@ function send(message) {
   return answered;
 }
 
-await send({ begin: { ...given, after: 0 } });
+await send({ begin: { module, after: 0 } });
 const results = [];
 for (const [method, path, body] of JSON.parse(readFileSync(0))) {
   const content = body?.base64 === undefined ? body : Uint8Array.from(Buffer.from(body.base64, "base64")).buffer;

@@ -31,11 +31,11 @@ type Asked = (&'static str, String, Value);
 /// The answers of the module to requests: status, text, and the latest news; none without Node.
 fn answers(asked: &[Asked]) -> Option<Vec<(u16, String, Value)>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let module = std::env::var_os("MODULE").map_or_else(|| root.join("assets/explore/module.js"), PathBuf::from);
+    let module = std::env::var_os("MODULE").map_or_else(|| root.join("assets/explore/module.wasm.gz"), PathBuf::from);
     let node = Command::new("node")
         .arg(root.join("tests/page/module/answers.mjs"))
         .arg(module)
-        .args(["letters", "lzma", "worker"].map(|name| root.join("assets/explore").join(name).with_extension("js")))
+        .arg(root.join("assets/explore/worker.js"))
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn();
