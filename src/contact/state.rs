@@ -1,8 +1,7 @@
 //! A state: a contact that a process has made, whatever process it is.
 
 use crate::contact::{
-    Contact, CutLayers, FieldKind, Observables, Quantity, Reading, ResultClaim, StateField, StateKind, StateValues,
-    Work,
+    Contact, CutLayers, FieldKind, Observables, Quantity, Reading, ResultClaim, StateField, StateValues, Work,
 };
 use crate::surface::Field;
 use std::sync::OnceLock;
@@ -25,21 +24,6 @@ pub struct State {
     /// All numbers, after they were read.
     numbers: OnceLock<Vec<(Quantity, f64)>>,
 }
-
-/// Numbers of a saved state that stand in place of those of its contact: the way to the state has a part in them.
-const SAVED: [Quantity; 5] = [
-    Quantity::ReducedPressure,
-    Quantity::Friction,
-    Quantity::EffectiveModulus,
-    Quantity::RelativeArea,
-    Quantity::KappaR,
-];
-
-/// Further numbers of a saved state that creeps: its errors by the grid follow from what the solid remembers.
-const SAVED_OF_CREEP: [Quantity; 2] = [Quantity::RelativeAreaError, Quantity::KappaRError];
-
-/// Further numbers of a saved state with adhesion: the mean pressure less the attraction, and the error of an area that is counted.
-const SAVED_OF_ADHESION: [Quantity; 2] = [Quantity::MeanPressure, Quantity::RelativeAreaError];
 
 impl State {
     /// The state of a contact that was solved for itself.
@@ -91,17 +75,9 @@ impl State {
         number: impl Fn(Quantity) -> Option<f64>,
         fields: Vec<StateField>,
     ) -> Self {
-        let kind = contact.values().kind;
-        let is_own = |it: &Quantity| {
-            let is_of_kind = match kind {
-                StateKind::Adhesion => SAVED_OF_ADHESION.contains(it),
-                StateKind::Creep => SAVED_OF_CREEP.contains(it),
-                _ => false,
-            };
-            it.row().is_known_by_process() || SAVED.contains(it) || is_of_kind
-        };
-        let own = Quantity::iter().filter(is_own);
-        let values = own.fold(StateValues::new(kind), |values, it| values.with(it, number(it)));
+        let none = StateValues::new(contact.values().kind);
+        // The numbers as they were saved, also those that could be read of the contact: some belong to the way to the state.
+        let values = Quantity::iter().fold(none, |values, it| values.with(it, number(it)));
         let values = if claim == ResultClaim::Separated { values.parted() } else { values };
         let transforms = number(Quantity::Transforms).map_or(contact.work.transforms, |it| it as u64);
         let work = Work { transforms, ..contact.work };

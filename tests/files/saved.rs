@@ -256,7 +256,8 @@ fn what_was_saved_comes_back() {
 #[test]
 fn what_flows_comes_back() {
     let scene = format!("{ROUGH}load = {{ mean-pressure = [1e-3, 2e-3] }}\nflow = {{ leakage = true }}\n")
-        .replace("points = 256", "points = [32, 32]");
+        .replace("points = 256", "points = [32, 32]")
+        .replace("0.02", "0.1");
     let mut table = SetupTable::from_toml(&scene).unwrap();
     let loads = table.take_loads().unwrap().unwrap();
     let setup: Setup = table.setup().unwrap();
@@ -436,7 +437,8 @@ fn mutants_are_told_or_refused_and_never_panic() {
         for text in names.iter().filter(|name| is_text(name)) {
             mutants.push((format!("other {text}"), parts.with_text(text, |_| "other\u{e9}\n\0".into())));
         }
-        for (change, mutant) in mutants {
+        // a change such as another sign of nothing leaves an array as it was
+        for (change, mutant) in mutants.into_iter().filter(|(_, mutant)| mutant.0 != parts.0) {
             match mutant.read() {
                 Err(error) => {
                     let sentence = error.to_string();

@@ -25,6 +25,11 @@ fn sphere(points: usize) -> (Problem, Load, f64) {
     (Problem::new(surface, ContactModulus(200.0 / 0.58), load).unwrap(), load, SIZE * SIZE)
 }
 
+fn rough(shape: [usize; 2], hurst: f64, seed: u64) -> Surface {
+    let spectrum = Spectrum { hurst, rolloff_wavelength: 0.25, short_cutoff: 4.0 / shape[0] as f64, rms_gradient: 0.1 };
+    Surface::rough(Grid::surface(shape, [1.0, 1.0]).unwrap(), &spectrum, seed).unwrap()
+}
+
 #[test]
 fn the_sphere_of_contact_has_its_printed_figures_to_a_thousandth() {
     let (problem, load, area) = sphere(19);
@@ -37,39 +42,6 @@ fn the_sphere_of_contact_has_its_printed_figures_to_a_thousandth() {
     assert_eq!(state.sticks().iter().filter(|it| **it).count(), 45);
     near(state.shift, 8.155e-3);
     near(state.dissipated * area, 2.750e-3);
-}
-
-fn rough(shape: [usize; 2], hurst: f64, seed: u64) -> Surface {
-    let spectrum = Spectrum { hurst, rolloff_wavelength: 0.25, short_cutoff: 4.0 / shape[0] as f64, rms_gradient: 0.1 };
-    Surface::rough(Grid::surface(shape, [1.0, 1.0]).unwrap(), &spectrum, seed).unwrap()
-}
-
-#[test]
-#[ignore = "a measurement"]
-fn cost_of_rough_surfaces() {
-    for n in [128, 256, 512] {
-        let load = Load::ReducedPressure(0.05);
-        let problem = Problem::new(rough([n, n], 0.8, 1), ContactModulus(1.0), load).unwrap();
-        let alone = asperity::contact::Solver::solve(&Multilevel, &problem, &stop(1e-8), &mut ()).unwrap();
-        println!(
-            "{n} normal {:?} area {}",
-            alone.work,
-            alone.mask().iter().filter(|it| **it).count() as f64 / (n * n) as f64
-        );
-        for m in [0.0, 0.5] {
-            let mut history = SlipHistory::sheared(problem.clone(), 0.3, m, &Multilevel, stop(1e-8)).unwrap();
-            for share in [0.3, 0.8, -0.5] {
-                let state = history.step(load, share * 0.3 * 0.05, &mut ()).unwrap();
-                println!(
-                    "{n} m {m} share {share} {:?} eta {:e} stick {} work {:?}",
-                    state.contact.status,
-                    state.certificate.eta,
-                    state.stick_share(),
-                    state.work
-                );
-            }
-        }
-    }
 }
 
 #[test]

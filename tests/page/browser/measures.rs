@@ -154,6 +154,7 @@ fn rate() {
             page.value(manner);
             let rates = page.value(&format!("({PRESS})(5)"));
             println!("{domain} of {points}, {name}: {rates} pictures and frames a second");
+            assert!((0..2).all(|i| rates[i].as_f64().unwrap() > 0.0), "the contact did not follow the hand");
             rested(&mut page);
         }
     }
