@@ -1,8 +1,9 @@
 //! Curves of two quantities in results and tables, with error bars.
 
 use super::exit_status::usage;
+use super::result_file;
 use anyhow::Result;
-use asperity::contact::{ArchiveReader, Quantity};
+use asperity::contact::Quantity;
 use asperity::error::FileError;
 use asperity::files::{TextColumn, read_columns};
 use asperity::plot::Dot;
@@ -143,7 +144,7 @@ impl FileNumbers {
 }
 
 fn of_archive(path: &Path, x: Abscissa<'_>, y: Quantity) -> Result<FileNumbers> {
-    let archive = ArchiveReader::open(path)?;
+    let archive = result_file::open(path)?;
     let Abscissa::Quantity(x) = x else { return Err(missing(path, x.name()).into()) };
     let numbers = |it: Quantity| archive.numbers(it.name())?.ok_or_else(|| missing(path, it.name()));
     let pairs = [numbers(x)?, numbers(y)?];

@@ -2,6 +2,7 @@
 
 use super::exit_status::usage;
 use super::picture::{NamedMap, gaps, imprints, pressures, with_images};
+use super::result_file;
 use super::units::Units;
 use anyhow::Result;
 use asperity::Grid;
@@ -81,7 +82,7 @@ impl FileMaps {
 /// The result of one load on a surface in a file, or of some states for an imprint, with the name of the file.
 fn named(path: &Path, field: MapField) -> Result<(String, ArchiveReader)> {
     let is_archive = path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz"));
-    let result = if is_archive { Some(ArchiveReader::open(path)?) } else { None };
+    let result = if is_archive { Some(result_file::open(path)?) } else { None };
     match result.filter(|it| it.rank() == 2 && (!it.is_list() || field == MapField::Imprint)) {
         Some(result) => {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -43,6 +43,7 @@ mod plot;
 mod problem_summary;
 mod progress;
 mod recording_args;
+mod result_file;
 mod seal;
 mod slip;
 mod solve;

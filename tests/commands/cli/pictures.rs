@@ -2,6 +2,7 @@
 
 use super::*;
 use asperity::quantity::number_in_words;
+use zip::{ZipArchive, ZipWriter};
 
 /// Distances of the lines of a drawing that have a colour.
 fn lines(svg: &str) -> usize {
@@ -377,4 +378,29 @@ fn gaps_of_what_yields_are_zero_and_overlaps_have_their_own_name() {
     // what was flattened stays flat, and is no gap
     assert!(value(2, "plastic_overlap") >= value(1, "plastic_overlap") * (1.0 - 1e-6));
     assert!((0..3).all(|row| value(row, "mean_gap") > 0.0));
+}
+
+/// A result from which an array was taken out is not drawn: one from which the digest was taken out as well is.
+#[test]
+fn a_result_that_was_changed_is_not_drawn() {
+    let folder = Folder::new();
+    assert!(folder.run(&format!("solve {ROUGH_LINE} --reduced-pressure 1e-2,1e-1 --out it.npz")).status.success());
+    let without = |left_out: &[&str]| {
+        let mut archive = ZipArchive::new(std::fs::File::open(folder.join("it.npz")).unwrap()).unwrap();
+        let mut copy = ZipWriter::new(std::fs::File::create(folder.join("copy.npz")).unwrap());
+        for number in 0..archive.len() {
+            let file = archive.by_index_raw(number).unwrap();
+            if !left_out.contains(&file.name()) {
+                copy.raw_copy_file(file).unwrap();
+            }
+        }
+        copy.finish().unwrap();
+        folder.run("plot copy.npz --out copy.svg")
+    };
+    assert!(without(&[]).status.success());
+    let changed = without(&["kappa_counted.npy"]);
+    let said = text(&changed.stderr);
+    assert_eq!(changed.status.code(), Some(2), "{said}");
+    assert!(said.contains("copy.npz is not as it was written") && said.lines().count() == 1, "{said}");
+    assert!(without(&["kappa_counted.npy", "digest.npy"]).status.success());
 }
