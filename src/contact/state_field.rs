@@ -7,7 +7,7 @@ use ndarray::{Axis, Slice};
 /// A field of a state besides those of its contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StateField {
-    /// What it is.
+    /// The kind of the field, whose row has its name, its unit and where it lies.
     pub kind: FieldKind,
     /// Its values: shape `(ny, nx)` on the surface, `(layers, nx)` in a cut.
     pub values: Field,

@@ -3,8 +3,8 @@
 use super::HistoryOutcome;
 use super::saved_states::saved_states;
 use crate::contact::{
-    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, Load, PartialSlip, SavedContact, State, StateField,
-    Status, read_state_fields,
+    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, Load, PartialSlip, Problem, SavedContact, State,
+    StateField, Status, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
@@ -25,7 +25,9 @@ const LEVEL: f64 = 1e-12;
 ///
 /// An archive that is as this revision of the numerics wrote it is believed: contacts have the certificates, numbers and
 /// claims with which they were saved. Everything in another one is unchecked: no contact is converged, no state has a
-/// claim, and `doubts` say why, in sentences. See [`ArchiveSeal`].
+/// claim, and `doubts` say why, in sentences. See [`ArchiveSeal`]. Of a contact in such an archive the pressure alone is
+/// taken: displacement, gap and certificate follow from it, so that they tell what this pressure is worth. States of
+/// histories have their numbers as they are in the file.
 #[derive(Debug)]
 pub struct SavedResult {
     /// The text of the setup.
@@ -208,13 +210,24 @@ impl SavedArchive<'_> {
     fn contact(&self) -> Result<SavedFound, StudyError> {
         let (setup, saved) = (self.setup, self.contacts()?.swap_remove(0));
         let problem = setup.problem_of(self.surface.clone())?;
-        let contact = Sliding::measured(saved.into_contact(problem).map_err(SetupError::from)?);
+        let contact = Sliding::measured(self.restored(saved, problem)?);
         let slip = match setup.friction {
             Some(friction) => self.slip(&contact, friction)?.map(Box::new),
             None => None,
         };
         let fields = self.fields()?.map(|mut of_all| of_all.swap_remove(0)).collect();
         Ok(SavedFound::Contact(Box::new(State::from_contact(contact, None).with_fields(fields)), slip))
+    }
+
+    /// The contact of a problem: as it was saved, or by its pressure alone where the file is not whole.
+    fn restored(&self, saved: SavedContact, problem: Problem) -> Result<Contact, SetupError> {
+        if self.is_whole {
+            return Ok(saved.into_contact(problem)?);
+        }
+        // a certificate of a file that was changed would pass for that of the pressure beside it
+        let mut contact = Contact::from_pressure(&problem, saved.pressure, saved.work, &saved.solver)?;
+        contact.status = saved.status;
+        Ok(contact)
     }
 
     /// The contacts of the file, which fit the surface. Those of a file that is not whole are not confirmed.
@@ -268,7 +281,7 @@ impl SavedArchive<'_> {
         let fields: Vec<Vec<StateField>> = self.fields()?.collect();
         let mut states = Vec::with_capacity(count);
         for (number, (saved, &load)) in self.contacts()?.into_iter().zip(&curve.loads).enumerate() {
-            let contact = saved.into_contact(loading.problem(load)?).map_err(SetupError::from)?;
+            let contact = self.restored(saved, loading.problem(load)?)?;
             loading.take(&contact);
             let own = fields.iter().map(|of_all| of_all[number].clone()).collect();
             states.push(State::from_contact(Sliding::measured(contact), Some(number)).with_fields(own));

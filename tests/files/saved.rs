@@ -335,6 +335,17 @@ fn an_array_of_another_run_is_told() {
     check_unchecked("mixed", &mixed, "is not as it was written");
 }
 
+/// A certificate of a file that was changed is not taken for that of the pressure beside it.
+#[test]
+fn a_changed_pressure_has_its_own_certificate() {
+    let parts = Parts::new(&scenes()[0].1);
+    let [own, scaled] = [1.0, 1.01].map(|by| parts.with("pressure", |p| *p *= by).read().unwrap());
+    let eta = |result: &SavedResult| contacts(result)[0].certificate.eta;
+    assert!(eta(&own) < 1e-6 && eta(&scaled) > 1e-4, "{:e} and {:e}", eta(&own), eta(&scaled));
+    let other = parts.with("certificate_numbers", |it| *it *= 1e-6).read().unwrap();
+    assert!((eta(&other) / eta(&own) - 1.0).abs() < 0.5, "{:e} is not of the file", eta(&other));
+}
+
 /// A result of other numerics is as it was written, and is unchecked nevertheless.
 #[test]
 fn a_result_of_other_numerics_is_unchecked() {

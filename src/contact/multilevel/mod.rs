@@ -187,8 +187,9 @@ impl Multilevel {
     /// Number of fields of doubles that a solve needs at its peak, without the heights, if a share of the nodes is in
     /// contact.
     ///
-    /// Measured: the resident memory of solves of `2^20` nodes at 8 loads from 2 % to 99 % of contact (rough lines and
-    /// surfaces; a cylinder and a sphere on free boundaries), and the straight line through it, which is within a fifth.
+    /// Measured: the resident memory of solves of `2^20` nodes, of rough lines and surfaces at 7 loads with 4 % to 99 % of the
+    /// area in contact, and of a cylinder and a sphere on free boundaries at 5 and 4 loads with 3 % to 87 % of it. The
+    /// straight lines through the readings are within a fifth of them.
     /// The few solves in full contact need less: half of it for lines.
     pub fn fields(grid: &Grid, relative_area: f64) -> f64 {
         match (grid.is_line(), grid.is_periodic()) {

@@ -77,8 +77,8 @@ impl<'a> StandOff<'a> {
             let reach = if self.scan.shape()[axis] == 1 { 0 } else { reach };
             place.saturating_sub(reach)..(place + reach + 1).min(self.scan.shape()[axis])
         });
-        // The median of the window is exceeded where at least half of its values are. Counting is three times as fast as
-        // sorting, which counts on maps with thousands of spikes.
+        // The median of the window is exceeded where at least half of its values are. They are counted and not sorted,
+        // since a map with thousands of spikes asks this at each of them: its survey takes less than half the time so.
         let (mut known, mut exceeded) = (0, 0);
         for row in rows {
             for column in columns.clone() {
