@@ -86,23 +86,30 @@ let hand = null;
 /** The orders that led to the file of heights of the session, for another module. */
 let heightOrders = [];
 
-/** The bytes of the module. A page that is opened from a folder may load scripts alone: there, a script has them. */
-async function bytesOfModule() {
-  if (location.protocol === "file:") {
-    await loadScript("module.js");
-    return unpacked(MODULE).arrayBuffer();
+/** The bytes of the module, packed. A page that is opened from a folder may load scripts alone: there, a script has them. */
+async function packedModule() {
+  if (location.protocol === "file:") return loadScript("module.js").then(() => blobOf(MODULE));
+  const name = "module.packed";
+  const isLost = () => { throw new Error(say("fault.script", { name })); };
+  const answer = await fetch(name).catch(isLost);
+  return answer.ok ? answer.blob().catch(isLost) : isLost();
+}
+
+async function compileModule() {
+  const packed = await packedModule();
+  // what was loaded and cannot be unpacked or compiled is beyond this browser
+  try {
+    return await WebAssembly.compile(await unpackedBlob(packed).arrayBuffer());
+  } catch (error) {
+    throw new Error(say("fault.old-browser", { reason: error.message }));
   }
-  const { ok, status, body } = await fetch("module.packed");
-  if (!ok) throw new Error(`module.packed: ${status}`);
-  return unpackedStream(body).arrayBuffer();
 }
 
 /** The module, which is compiled once for all workers.
  * @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
 function compile() {
-  const isBeyond = (error) => { throw new Error(say("fault.old-browser", { reason: error.message })); };
-  compiled ??= bytesOfModule().then((bytes) => WebAssembly.compile(bytes)).catch(isBeyond);
+  compiled ??= compileModule();
   return compiled;
 }
 

@@ -231,6 +231,20 @@ fn a_browser_that_cannot_run_the_module_is_told() {
     assert_eq!(page.value("section.pressure.some((p) => p > 0)"), true);
 }
 
+/// Where the module cannot be had from the server, it is the network that is named, and not the browser.
+#[test]
+fn a_module_that_cannot_be_loaded_is_told() {
+    let Some(program) = installed() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let site = export(folder.path(), &["--no-recordings"]);
+    std::fs::remove_file(site.join("module.packed")).unwrap();
+    let files = Files::serve(site);
+    let mut page = Page { chromium: Chromium::without_graphics(&program) };
+    page.open(&format!("{}&language=en", files.address()));
+    page.until("byId('fault').innerText.startsWith('The file module.packed could not be loaded')");
+    assert_eq!(page.value("section.pressure.some((p) => p > 0)"), true);
+}
+
 /// GFMD shows its steps while it runs, and ends when it is told to.
 fn a_relaxation_is_watched_and_stopped(page: &mut Page) {
     let long = "{ solver: { method: 'gfmd', ...{ masses: 'uniform', dynamics: 'damped', damping: 1, 'time-step': 0.5 } }, points: 65536, stop: { tolerance: 1e-12, 'max-iterations': 20000 } }";
