@@ -149,11 +149,11 @@ fn has_same_numbers(one: &asperity::Contact, two: &asperity::Contact) -> bool {
         bits.sort_unstable();
         bits
     };
-    one.values().kind == two.values().kind && bits(one) == bits(two)
+    one.values().feels == two.values().feels && bits(one) == bits(two)
 }
 
 /// The numbers that a process has given for a state.
 fn values(process: ProcessKind, numbers: &[(String, f64)]) -> StateValues {
     let known = numbers.iter().filter_map(|(name, value)| Some((Quantity::find(name)?, *value)));
-    known.fold(StateValues::new(process.row().state), |values, (quantity, value)| values.with(quantity, value))
+    known.fold(StateValues::new(process.row().feels), |values, (quantity, value)| values.with(quantity, value))
 }

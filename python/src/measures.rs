@@ -4,7 +4,7 @@ use crate::arrays::vector;
 use crate::contact::Contact;
 use crate::detached::Detached;
 use crate::error::bail;
-use asperity::contact::{Quantity, QuantityKind, Reading, StateKind};
+use asperity::contact::{Quantity, QuantityKind, Reading};
 use asperity::error::FlowError;
 use asperity::setup::{FlowFound, ProcessKind};
 use numpy::PyArray1;
@@ -122,9 +122,9 @@ impl Contact {
     /// energy there.
     #[getter]
     fn elastic_energy(&self) -> f64 {
-        match self.contact.values().kind {
-            StateKind::Creep | StateKind::Adhesion | StateKind::Plastic => f64::NAN,
-            StateKind::Elastic => self.contact.elastic_energy(),
+        match self.contact.values().feels.is_pressure_alone() {
+            true => self.contact.elastic_energy(),
+            false => f64::NAN,
         }
     }
 

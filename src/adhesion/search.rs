@@ -16,7 +16,7 @@ use super::state::{AdhesiveMotion, AdhesiveOutcome, AdhesiveState};
 use crate::chunks;
 use crate::clock::Instant;
 use crate::contact::{
-    Certificate, Contact, Load, Multilevel, Observer, Problem, Quantity, ResultClaim, Solver, StateKind, StateValues,
+    Certificate, Contact, Feels, Load, Multilevel, Observer, Problem, Quantity, ResultClaim, Solver, StateValues,
     Status, Step, Stop, Work,
 };
 use crate::error::AdhesionError;
@@ -381,7 +381,7 @@ impl<'a> StateSearch<'a> {
         };
         let parts = (Certificate::UNKNOWN, work, status);
         let touching = fields[0].iter().filter(|p| **p > 0.0).count();
-        let values = StateValues::new(StateKind::Adhesion)
+        let values = StateValues::new(Feels::ATTRACTION)
             .with(Quantity::MeanPressure, mean_pressure)
             .with(Quantity::RelativeArea, touching as f64 / fields[0].len() as f64);
         let contact = Contact::from_parts(self.problem.clone(), fields.map(field), parts, method, None);

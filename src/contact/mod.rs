@@ -23,6 +23,7 @@ mod density;
 mod distribution;
 mod edges;
 mod feasible;
+mod feels;
 mod field_kind;
 mod forecast;
 mod gfmd;
@@ -81,6 +82,7 @@ pub use decision::Decision;
 pub use density::{contact_reach, error_density};
 pub use distribution::Distribution;
 pub use edges::{Edge, Edges, NODE_EXCESS_PER_SWITCH_LINE, Resolved};
+pub use feels::Feels;
 pub use field_kind::{FieldKind, FieldRow, On};
 pub use forecast::Forecast;
 pub(crate) use gfmd::Pace;
@@ -119,7 +121,7 @@ pub use state_values::StateValues;
 pub use status::Status;
 pub use step::{Energy, Phase, Step, Values};
 pub use stop::Stop;
-pub use validity::{StateKind, Validity};
+pub use validity::Validity;
 pub(crate) use warnings::LARGEST_ERROR;
 pub use warnings::{
     Strain, warning_of_friction, warning_of_rim, warning_of_trail, warnings_of, warnings_of_contact,

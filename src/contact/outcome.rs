@@ -1,8 +1,8 @@
 //! The contact that a solver returns.
 
 use crate::contact::{
-    Certificate, Counted, Edges, Failure, Patches, Problem, Quantity, Resolution, Resolved, StateKind, StateValues,
-    Status, certificate, chunks, hysteretic_friction, multilevel,
+    Certificate, Counted, Edges, Failure, Feels, Patches, Problem, Quantity, Resolution, Resolved, StateValues, Status,
+    certificate, chunks, hysteretic_friction, multilevel,
 };
 use crate::error::{SolveError, SurfaceError};
 use crate::surface::Field;
@@ -220,7 +220,7 @@ impl Contact {
         let overlap = move |node: usize| overlap.as_ref().map_or(0.0, |overlap| overlap(node));
         let has_yielded = self.values.get(Quantity::MaxPlasticStrain).is_some_and(|strain| strain > 0.0);
         let edges = Edges::new(&self.problem, self.pressures(), move |node| gap[node] - overlap(node));
-        edges.with_flow(self.values.kind == StateKind::Plastic && has_yielded)
+        edges.with_flow(has_yielded)
     }
 
     /// Area, gradient and `kappa_r` with edges interpolated between the nodes.
@@ -353,10 +353,10 @@ impl Contact {
     /// - a contact that slides: its uniform pressure does not change in time, so that the solid is relaxed under it, `<p> (1 + sum f)`.
     fn displacing_pressure(&self) -> f64 {
         let values = self.values();
-        let given = match values.kind {
-            StateKind::Creep => values.get(Quantity::EffectivePressure),
-            StateKind::Adhesion => values.get(Quantity::MeanPressure),
-            StateKind::Elastic | StateKind::Plastic => None,
+        let given = match values.feels {
+            Feels { memory: true, .. } => values.get(Quantity::EffectivePressure),
+            Feels { attraction: true, .. } => values.get(Quantity::MeanPressure),
+            _ => None,
         };
         given.unwrap_or_else(|| self.mean_pressure() * (1.0 + self.problem.compliance().creep().unwrap_or(0.0)))
     }

@@ -4,7 +4,7 @@ use super::readings::positive;
 use super::state_values::NO_VALUES;
 use crate::contact::{
     Certificate, Contact, Counted, Load, Observables, Patches, Problem, Quantity, QuantityRow, Readings, Resolution,
-    Resolved, StateKind, StateValues, Step, Validity, Work, hysteretic_friction,
+    Resolved, StateValues, Step, Validity, Work, hysteretic_friction,
 };
 use ndarray::ArrayView1;
 use std::cell::LazyCell;
@@ -53,7 +53,7 @@ impl Reading<'_> {
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         let QuantityRow { read, validity, .. } = quantity.row();
         let own = self.values.get(quantity);
-        let value = own.or_else(|| read.filter(|_| validity.holds(self.values.kind)).map(|read| read(self)));
+        let value = own.or_else(|| read.filter(|_| validity.holds(self.values.feels)).map(|read| read(self)));
         value.filter(|value| !value.is_nan())
     }
 
@@ -81,17 +81,17 @@ impl Readings for Reading<'_> {
         if let Some(pressure) = self.values.get(Quantity::MeanPressure) {
             return of_mean(pressure);
         }
-        match (self.values.kind, self.problem.load()) {
-            (StateKind::Elastic, Load::ReducedPressure(prescribed)) if !self.problem.is_moving() => prescribed,
-            (StateKind::Elastic, _) => self.counted.reduced_pressure,
+        match (self.values.feels.is_pressure_alone(), self.problem.load()) {
+            (true, Load::ReducedPressure(prescribed)) if !self.problem.is_moving() => prescribed,
+            (true, _) => self.counted.reduced_pressure,
             // where nothing touches, the problem of a state has the load of an earlier one
-            _ => of_mean(*self.mean_pressure),
+            (false, _) => of_mean(*self.mean_pressure),
         }
     }
 
     /// `kappa_r` of the contact. Of a solid that creeps, the effective modulus is not known here.
     fn kappa_r(&self) -> f64 {
-        if self.values.kind == StateKind::Creep { f64::NAN } else { positive(self.resolved.kappa_r) }
+        if self.values.feels.memory { f64::NAN } else { positive(self.resolved.kappa_r) }
     }
 
     /// The stiffness times the error of the gap, divided by the mean pressure.
@@ -239,7 +239,7 @@ impl Quantity {
             Validity::Sliding => problem.is_moving(),
             Validity::Always | Validity::NoAdhesion | Validity::Elastic => true,
         };
-        contact.values().get(self).is_some() || (is_there && validity.holds(contact.values().kind))
+        contact.values().get(self).is_some() || (is_there && validity.holds(contact.values().feels))
     }
 }
 

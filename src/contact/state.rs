@@ -75,7 +75,7 @@ impl State {
         number: impl Fn(Quantity) -> Option<f64>,
         fields: Vec<StateField>,
     ) -> Self {
-        let none = StateValues::new(contact.values().kind);
+        let none = StateValues::new(contact.values().feels);
         // The numbers as they were saved, also those that could be read of the contact: some belong to the way to the state.
         let values = Quantity::iter().fold(none, |values, it| values.with(it, number(it)));
         let values = if claim == ResultClaim::Separated { values.parted() } else { values };

@@ -1,22 +1,22 @@
 //! The numbers that a process gives for a state.
 
-use crate::contact::{Quantity, StateKind};
+use crate::contact::{Feels, Quantity};
 
 /// The numbers that a process gives for a state of its own. Where it gives one, it stands in place of the number that is computed of the contact.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StateValues {
-    /// What the contact is a state of.
-    pub kind: StateKind,
+    /// What the solid feels besides the pressure between the surfaces.
+    pub feels: Feels,
     numbers: Vec<(Quantity, f64)>,
 }
 
 /// Those of a step of a solver, which has no process.
-pub(super) static NO_VALUES: StateValues = StateValues { kind: StateKind::Elastic, numbers: Vec::new() };
+pub(super) static NO_VALUES: StateValues = StateValues { feels: Feels::PRESSURE, numbers: Vec::new() };
 
 impl StateValues {
-    /// No numbers of a state.
-    pub fn new(kind: StateKind) -> Self {
-        Self { kind, numbers: Vec::new() }
+    /// No numbers of a state of a solid that feels this.
+    pub fn new(feels: Feels) -> Self {
+        Self { feels, numbers: Vec::new() }
     }
 
     /// The values with one more number, if there is one. It replaces an earlier one.

@@ -1,18 +1,6 @@
 //! For which states a quantity has a meaning.
 
-/// What a contact is a state of, as far as its quantities depend on it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum StateKind {
-    /// A contact of an elastic solid, also one that yields, slips, slides or rolls.
-    #[default]
-    Elastic,
-    /// A state of a solid that creeps, which earlier pressures displace as well.
-    Creep,
-    /// A state of a solid that yields below its surface, which plastic strain displaces as well.
-    Plastic,
-    /// A state with an attraction between the surfaces, which displaces the solid as well.
-    Adhesion,
-}
+use crate::contact::Feels;
 
 /// The states for which a quantity has a meaning. Where it has none, it is absent from files and tables, and NaN or zero in
 /// [`Observables`](crate::contact::Observables).
@@ -32,19 +20,19 @@ pub enum Validity {
 }
 
 impl Validity {
-    /// Whether the quantity has a meaning for a state of a kind.
+    /// Whether the quantity has a meaning for a state of a solid that feels this.
     ///
     /// ```
-    /// use asperity::contact::{Quantity, StateKind};
-    /// let holds = |quantity: Quantity, kind| quantity.row().validity.holds(kind);
-    /// assert!(holds(Quantity::MeanPressure, StateKind::Adhesion) && !holds(Quantity::KappaR, StateKind::Adhesion));
-    /// assert!(holds(Quantity::KappaR, StateKind::Creep) && !holds(Quantity::ElasticEnergy, StateKind::Creep));
+    /// use asperity::contact::{Feels, Quantity};
+    /// let holds = |quantity: Quantity, feels| quantity.row().validity.holds(feels);
+    /// assert!(holds(Quantity::MeanPressure, Feels::ATTRACTION) && !holds(Quantity::KappaR, Feels::ATTRACTION));
+    /// assert!(holds(Quantity::KappaR, Feels::MEMORY) && !holds(Quantity::ElasticEnergy, Feels::MEMORY));
     /// ```
-    pub fn holds(self, kind: StateKind) -> bool {
+    pub fn holds(self, feels: Feels) -> bool {
         match self {
             Self::Always => true,
-            Self::NoAdhesion | Self::Yielding => kind != StateKind::Adhesion,
-            Self::Elastic | Self::Sliding => kind == StateKind::Elastic,
+            Self::NoAdhesion | Self::Yielding => !feels.attraction,
+            Self::Elastic | Self::Sliding => feels.is_pressure_alone(),
         }
     }
 }

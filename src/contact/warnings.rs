@@ -1,7 +1,7 @@
 //! Warnings about contacts with unreliable numbers: loads beyond full contact, grids that are too coarse, pressures
 //! above those at which solids yield, slopes that are not small.
 
-use super::{Contact, Law, Observables, Quantity, ResultClaim, State, StateKind};
+use super::{Contact, Law, Observables, Quantity, ResultClaim, State};
 use crate::warning::Warning;
 use std::borrow::Borrow;
 
@@ -52,7 +52,8 @@ pub fn warnings_of_states(states: &[impl Borrow<State>]) -> Vec<Warning> {
     let contacts = Contacts { found: &counted, all: states.len(), are_states: true };
     // the modulus of a solid that creeps depends on the time, and one that yields has a law for its strains
     let is_strained = |(state, _): &&(&State, &Observables)| {
-        !matches!(state.contact.values().kind, StateKind::Creep | StateKind::Plastic)
+        let feels = state.contact.values().feels;
+        !(feels.memory || feels.eigenstrain)
     };
     let strains: Vec<Strain> =
         touching.iter().filter(is_strained).map(|(state, _)| Strain::from(&state.contact)).collect();

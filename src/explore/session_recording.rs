@@ -6,7 +6,7 @@ use super::report::{RunReport, SweepReport};
 use super::section::{Section, Shear};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeBytes, TapeCurves};
-use crate::contact::{Contact, CutLayers, StateField, StateKind, archive};
+use crate::contact::{Contact, CutLayers, Feels, StateField, archive};
 use crate::theory::Exact;
 use serde::Serialize;
 use std::sync::Arc;
@@ -112,19 +112,19 @@ impl SolvedRun {
     /// The stress below a contact of the run. With adhesion, or where the solid yields below its surface, the pressure between the surfaces is not all
     /// that the solid feels.
     pub fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
-        let feels_more = matches!(self.kind(), StateKind::Adhesion | StateKind::Plastic);
-        contact.filter(|_| !feels_more).and_then(Shear::below)
+        let feels = self.feels();
+        contact.filter(|_| !feels.attraction && !feels.eigenstrain).and_then(Shear::below)
     }
 
     /// The patches of the contact. A patch on a solid that creeps or adheres is compared with no elastic one.
     pub fn patches(&self) -> PatchTable {
         let table = PatchTable::new(&self.last.contact);
-        PatchTable { is_hertzian: table.is_hertzian && self.kind() == StateKind::Elastic, ..table }
+        PatchTable { is_hertzian: table.is_hertzian && self.feels().is_pressure_alone(), ..table }
     }
 
-    /// What the contact is a state of.
-    fn kind(&self) -> StateKind {
-        self.report.process.as_ref().map_or_else(StateKind::default, |it| it.kind.row().state)
+    /// What the solid feels besides the pressure.
+    fn feels(&self) -> Feels {
+        self.report.process.as_ref().map_or(Feels::PRESSURE, |it| it.kind.row().feels)
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

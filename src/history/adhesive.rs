@@ -6,7 +6,7 @@ use super::adhesive_walk::BranchWalk;
 use super::process::{PathPoint, Process};
 use crate::adhesion::{AdhesiveControl, AdhesiveMethod, AdhesiveProblem};
 use crate::contact::{
-    Certificate, Contact, Counted, FieldKind, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind,
+    Certificate, Contact, Counted, Feels, FieldKind, Load, Observer, Quantity, ResultClaim, State, StateField,
     StateValues, Status, Stop, Work,
 };
 use crate::error::HistoryError;
@@ -107,7 +107,7 @@ impl AdhesiveProcess {
     /// A place as a state of any history.
     fn told(&self, visit: AdhesiveVisit, point: Option<usize>) -> State {
         let AdhesiveVisit { place, ledger, jump, work, .. } = visit;
-        let values = StateValues::new(StateKind::Adhesion)
+        let values = StateValues::new(Feels::ATTRACTION)
             .with(Quantity::Dissipated, ledger.lost())
             .with(Quantity::DissipatedError, ledger.error().filter(|_| self.is_periodic()))
             .with(Quantity::WorkDone, ledger.work())

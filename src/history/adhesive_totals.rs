@@ -1,6 +1,6 @@
 //! What a history with adhesion adds up to.
 
-use crate::contact::{Quantity, ResultClaim, State, StateKind};
+use crate::contact::{Quantity, ResultClaim, State};
 use serde::Serialize;
 use std::borrow::Borrow;
 
@@ -42,7 +42,7 @@ impl AdhesionTotals {
     pub fn new(states: &[impl Borrow<State>]) -> Option<Self> {
         let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
         let first = states.first()?;
-        (first.contact.values().kind == StateKind::Adhesion).then_some(())?;
+        first.contact.values().feels.attraction.then_some(())?;
         let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
         let pressure = |state: &State| state.value(Quantity::MeanPressure);
         let is_frame = |state: &State| state.claim == ResultClaim::Moving;

@@ -7,7 +7,7 @@ use super::time_step::TimeStep;
 use super::warm_start::{signed_pressure, warm_start, without_traces};
 use crate::chunks;
 use crate::clock::Instant;
-use crate::contact::{Contact, Law, Load, Observer, Problem, Quantity, Solver, StateKind, StateValues, Stop, Work};
+use crate::contact::{Contact, Feels, Law, Load, Observer, Problem, Quantity, Solver, StateValues, Stop, Work};
 use crate::elastic::{Prony, PronyTerm, Response};
 use crate::error::CreepError;
 use crate::surface::Field;
@@ -232,7 +232,7 @@ impl Creep {
         }
         let effective_mean = mean(&effective);
         let moved = self.moved(&contact, effective_mean);
-        let values = StateValues::new(StateKind::Creep).with(Quantity::EffectivePressure, effective_mean);
+        let values = StateValues::new(Feels::MEMORY).with(Quantity::EffectivePressure, effective_mean);
         let contact = contact.with_values(values);
         let added = match step.dt {
             0.0 => stored - state.energy.stored,

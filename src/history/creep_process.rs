@@ -3,7 +3,7 @@
 use super::process::{PathPoint, Process};
 use super::{Creep, CreepPath, CreepState, CreepSteps, TimeErrors};
 use crate::contact::{
-    FieldKind, Load, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind, StateValues, Stop,
+    Feels, FieldKind, Load, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateValues, Stop,
 };
 use crate::elastic::Prony;
 use crate::error::{CreepError, HistoryError};
@@ -81,7 +81,7 @@ impl CreepState {
         let kappa_r = Some(resolved.kappa_r).filter(|kappa_r| is_pressed && *kappa_r > 0.0);
         let by_grid = if is_pressed { self.grid_errors() } else { None };
         let error = |of: fn(&TimeErrors) -> f64| self.time_errors.as_ref().map(of);
-        let values = StateValues::new(StateKind::Creep)
+        let values = StateValues::new(Feels::MEMORY)
             .with(Quantity::Time, self.time)
             .with(Quantity::ReducedPressure, self.load.and_then(|load| load.reduced_pressure()))
             .with(Quantity::EffectivePressure, effective.mean())

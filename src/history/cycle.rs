@@ -2,7 +2,7 @@
 
 use super::PathPoint;
 use super::time_errors::rms;
-use crate::contact::{FieldKind, Quantity, State, StateKind};
+use crate::contact::{FieldKind, Quantity, State};
 use crate::surface::Field;
 use std::borrow::Borrow;
 
@@ -81,7 +81,7 @@ impl<'a> Cycles<'a> {
                     from = to;
                 }
                 None => {
-                    let is_open = !ends.is_empty() && states[begin].contact.values().kind == StateKind::Adhesion;
+                    let is_open = !ends.is_empty() && states[begin].contact.values().feels.attraction;
                     cycles.open += usize::from(is_open);
                     from += 1;
                 }
@@ -168,7 +168,8 @@ fn has_shift_returned(states: &[&State]) -> bool {
 /// do not show. Of friction the traction is the whole memory.
 fn has_energy_returned(states: &[&State], error: f64) -> bool {
     let [first, last] = [states[0], states[states.len() - 1]];
-    if !matches!(first.contact.values().kind, StateKind::Adhesion | StateKind::Creep) {
+    let feels = first.contact.values().feels;
+    if !(feels.attraction || feels.memory) {
         return true;
     }
     let stored = |state: &State| state.get(Quantity::Stored).unwrap_or(0.0);

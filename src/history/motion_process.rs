@@ -2,7 +2,7 @@
 
 use super::{PathPoint, Process, Rolling, RollingConditions, Sliding};
 use crate::contact::{
-    Contact, FieldKind, MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField, StateKind,
+    Contact, Feels, FieldKind, MonotoneSets, Observer, Problem, Quantity, ResultClaim, Solver, State, StateField,
     StateValues, Stop, Work,
 };
 use crate::elastic::{Prony, SteadyMotion};
@@ -83,7 +83,7 @@ impl Sliding {
     /// The contact with the numbers of its motion at a speed.
     fn with_numbers(self, speed: f64) -> Contact {
         let is_line = self.contact.problem.surface().grid().is_line();
-        let values = StateValues::new(StateKind::Elastic)
+        let values = StateValues::new(Feels::PRESSURE)
             .with(Quantity::Speed, speed)
             .with(Quantity::EffectiveModulus, self.contact.effective_modulus())
             .with(Quantity::Friction, self.friction)
@@ -142,7 +142,7 @@ impl Rolling {
     pub fn into_state(self) -> State {
         let (sticks, mean_pressure) = (self.sticks(), self.contact.mean_pressure());
         let touching = self.contact.pressure.iter().filter(|p| **p > 0.0).count();
-        let values = StateValues::new(StateKind::Elastic)
+        let values = StateValues::new(Feels::PRESSURE)
             .with(Quantity::Creepage, self.creepage())
             .with(Quantity::MeanTraction, self.traction.mean())
             .with(Quantity::Friction, self.traction.mean().map(|traction| traction / mean_pressure))

@@ -1,7 +1,7 @@
 //! The state of a contact after a step with friction.
 
 use super::slip_totals::SlipTotals;
-use crate::contact::{Contact, FieldKind, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Work};
+use crate::contact::{Contact, Feels, FieldKind, Quantity, ResultClaim, State, StateField, StateValues, Work};
 use crate::surface::Field;
 use ndarray::Array2;
 use serde::Serialize;
@@ -147,7 +147,7 @@ impl SlipState {
     /// The state as one of any history, with what all steps since the beginning add up to.
     pub fn into_state(self, point: Option<usize>, totals: SlipTotals) -> State {
         let SlipTotals { shift, dissipated, errors } = totals;
-        let values = StateValues::new(StateKind::Elastic)
+        let values = StateValues::new(Feels::PRESSURE)
             .with(Quantity::MeanTraction, self.tangential)
             .with(Quantity::Friction, self.tangential / self.contact.mean_pressure())
             .with(Quantity::Shift, shift)

@@ -1,8 +1,8 @@
 //! States of histories that are read from a file.
 
 use crate::contact::{
-    ArchiveReader, CutLayers, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField,
-    StateKind, StateValues, Status, read_cut_layers, read_state_fields,
+    ArchiveReader, CutLayers, Feels, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField,
+    StateValues, Status, read_cut_layers, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
@@ -61,13 +61,13 @@ pub(super) fn saved_states(
     problem: &Problem,
 ) -> Result<Vec<State>, StudyError> {
     let columns = StateColumns::read(reader)?;
-    let kind = setup.process()?.map_or_else(StateKind::default, |it| it.row().state);
+    let feels = setup.process()?.map_or(Feels::PRESSURE, |it| it.row().feels);
     let mut states = Vec::with_capacity(contacts.len());
     for (number, saved) in contacts.into_iter().enumerate() {
         let (point, claim) = (columns.points[number], columns.claims[number]);
         let of = |quantity: Quantity| columns.number(quantity, number);
         let under = moving(setup, under_load(setup, problem, point, &saved), of(Quantity::Speed))?;
-        let contact = saved.into_contact(under).map_err(SetupError::from)?.with_values(StateValues::new(kind));
+        let contact = saved.into_contact(under).map_err(SetupError::from)?.with_values(StateValues::new(feels));
         let is_confirmed = contact.status != Status::Unconfirmed;
         let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
         if !is_confirmed {

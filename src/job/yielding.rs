@@ -1,6 +1,6 @@
 //! Reasons to doubt the states of a solid that yields below its surface.
 
-use crate::contact::{Contact, Quantity, State, StateKind};
+use crate::contact::{Contact, Quantity, State};
 use crate::setup::Setup;
 use crate::warning::Warning;
 use ndarray::Axis;
@@ -20,7 +20,7 @@ const LARGEST_STRAIN: f64 = 0.1;
 
 /// The warnings of some states of a setup; none of those of other solids.
 pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<Warning> {
-    if states.first().is_none_or(|first| first.contact.values().kind != StateKind::Plastic) {
+    if states.first().is_none_or(|first| !first.contact.values().feels.eigenstrain) {
         return Vec::new();
     }
     let most = |of: Quantity| states.iter().filter_map(|state| state.get(of)).fold(0.0, f64::max);

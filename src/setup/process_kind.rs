@@ -1,7 +1,7 @@
 //! The processes that a setup can describe, and what each of them offers.
 
 use super::Setup;
-use crate::contact::{Problem, Quantity, StateKind};
+use crate::contact::{Feels, Problem, Quantity};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::history::{Loading, Process};
@@ -58,8 +58,8 @@ pub struct ProcessRow {
     pub caption: &'static [Quantity],
     /// Whether the states differ in what they claim, so that each states its own claim.
     pub has_claims: bool,
-    /// What its contacts are states of.
-    pub state: StateKind,
+    /// What the solid feels besides the pressure between the surfaces.
+    pub feels: Feels,
 }
 
 /// What makes the states of a problem, which is that of a setup.
@@ -115,7 +115,7 @@ const LOADS: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::ReducedPressure],
     has_claims: false,
-    state: StateKind::Elastic,
+    feels: Feels::PRESSURE,
 };
 
 const CREEP: ProcessRow = ProcessRow {
@@ -144,7 +144,7 @@ const CREEP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Time],
     has_claims: false,
-    state: StateKind::Creep,
+    feels: Feels::MEMORY,
 };
 
 const SLIP: ProcessRow = ProcessRow {
@@ -173,7 +173,7 @@ const SLIP: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Friction],
     has_claims: false,
-    state: StateKind::Elastic,
+    feels: Feels::PRESSURE,
 };
 
 const SLIDING: ProcessRow = ProcessRow {
@@ -201,7 +201,7 @@ const SLIDING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Speed, Quantity::Friction],
     has_claims: false,
-    state: StateKind::Elastic,
+    feels: Feels::PRESSURE,
 };
 
 const ROLLING: ProcessRow = ProcessRow {
@@ -227,7 +227,7 @@ const ROLLING: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::Creepage, Quantity::Friction],
     has_claims: false,
-    state: StateKind::Elastic,
+    feels: Feels::PRESSURE,
 };
 
 const ADHESION: ProcessRow = ProcessRow {
@@ -255,7 +255,7 @@ const ADHESION: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::MeanGap],
     has_claims: true,
-    state: StateKind::Adhesion,
+    feels: Feels::ATTRACTION,
 };
 
 const PLASTIC: ProcessRow = ProcessRow {
@@ -286,7 +286,7 @@ const PLASTIC: ProcessRow = ProcessRow {
     ],
     caption: &[Quantity::MeanPressure, Quantity::DeepestYield],
     has_claims: false,
-    state: StateKind::Plastic,
+    feels: Feels::EIGENSTRAIN,
 };
 
 impl ProcessKind {

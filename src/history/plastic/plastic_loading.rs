@@ -2,9 +2,7 @@
 
 use super::companions::Companions;
 use super::{Plastic, PlasticErrorSources, PlasticState};
-use crate::contact::{
-    FieldKind, Load, Observer, Quantity, ResultClaim, State, StateField, StateKind, StateValues, Status,
-};
+use crate::contact::{Feels, FieldKind, Load, Observer, Quantity, ResultClaim, State, StateField, StateValues, Status};
 use crate::elastic::DepthLayers;
 use crate::error::{HistoryError, PlasticError};
 use crate::grid::Grid;
@@ -155,7 +153,7 @@ impl PlasticState {
     pub fn to_state(&self) -> State {
         let pressure_in_contact = self.mean_contact_pressure();
         let touches = pressure_in_contact > 0.0;
-        let values = StateValues::new(StateKind::Plastic)
+        let values = StateValues::new(Feels::EIGENSTRAIN)
             .with(Quantity::ReducedPressure, self.reduced_pressure())
             .with(Quantity::PlasticWork, self.energy.plastic)
             .with(Quantity::Stored, self.energy.elastic)

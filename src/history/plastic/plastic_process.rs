@@ -4,7 +4,7 @@ use super::flow::FlowLaw;
 use super::load_step::{FlowIterate, LoadStep};
 use super::pressing::Pressing;
 use super::{PlasticCertificate, PlasticEnergy, PlasticSolid, PlasticState};
-use crate::contact::{Load, Observer, Problem, Quantity, Solver, StateKind, StateValues, Status, Stop, Work};
+use crate::contact::{Feels, Load, Observer, Problem, Quantity, Solver, StateValues, Status, Stop, Work};
 use crate::elastic::{DepthLayers, DepthResponse};
 use crate::error::PlasticError;
 use crate::grid::Grid;
@@ -391,7 +391,7 @@ impl PlasticState {
             solid: before.solid,
         };
         // the edges of a contact differ where its solid has yielded
-        let values = StateValues::new(StateKind::Plastic).with(Quantity::MaxPlasticStrain, state.max_accumulated());
+        let values = StateValues::new(Feels::EIGENSTRAIN).with(Quantity::MaxPlasticStrain, state.max_accumulated());
         state.contact = state.contact.with_values(values);
         state
     }

@@ -1,7 +1,7 @@
 //! The lessons of the page, played to their ends: what they tell is what the program gives.
 
 use super::Page;
-use asperity::contact::{Contact, ContactModulus, Load, Multilevel, Quantity, Solver, StateKind};
+use asperity::contact::{Contact, ContactModulus, Feels, Load, Multilevel, Quantity, Solver};
 use asperity::flow::{FlowAxis, Leakage, PercolationLoad};
 use asperity::surface::{Lay, RandomRoughness, Spectrum};
 use asperity::{Grid, Problem, Stop};
@@ -85,10 +85,10 @@ fn every_lesson_is_played_to_its_end() {
             let turned = |knob: &str| played.step["knobs"][knob].as_f64() > Some(0.0);
             let creeps = turned("creep") && turned("time") && !turned("speed");
             let kind = match (turned("adhesion"), turned("yield-stress"), creeps) {
-                (true, ..) => StateKind::Adhesion,
-                (_, true, _) => StateKind::Plastic,
-                (.., true) => StateKind::Creep,
-                _ => StateKind::Elastic,
+                (true, ..) => Feels::ATTRACTION,
+                (_, true, _) => Feels::EIGENSTRAIN,
+                (.., true) => Feels::MEMORY,
+                _ => Feels::PRESSURE,
             };
             let shown = Quantity::traced().filter(|it| it.row().validity.holds(kind)).map(Quantity::name);
             let is_apart = played.numbers["relative_area"] == 0.0;
