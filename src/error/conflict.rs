@@ -55,6 +55,13 @@ pub enum ConflictRule {
     #[strum(props(keys = "record.every"), message = "the recording interval is 0 steps: give a positive number of steps")]
     NoInterval,
 
+    #[strum(props(keys = "adhesion viscoelastic sliding rolling path friction law.hardness solver.method solid.yield-stress"), message =
+        "{drive} and {other} cannot be combined: leave one of them out")]
+    NotTogether,
+    #[strum(props(keys = "viscoelastic sliding rolling path friction"), message =
+        "{drive} without {needed} cannot be solved: give both, or leave both out")]
+    NotAlone,
+
     #[strum(props(keys = "friction.tangential path.tangential rolling.tangential rolling.creepage"), message =
         "the tangential load is {tangential}, but friction needs a positive one: give it, or a path of tangential loads, or rolling")]
     NoTangential,
@@ -62,21 +69,6 @@ pub enum ConflictRule {
         "a tangential load and a hardness are given, but partial slip is solved for elastic contacts only: leave one of them out")]
     FrictionOfYielding,
 
-    #[strum(props(keys = "adhesion viscoelastic"), message = "adhesion and creep cannot be combined: leave one of them out")]
-    AdhesionAndCreep,
-    #[strum(props(keys = "adhesion friction"), message = "adhesion and friction cannot be combined: leave one of them out")]
-    AdhesionAndFriction,
-    #[strum(props(keys = "adhesion sliding"), message = "adhesion and sliding cannot be combined: leave one of them out")]
-    AdhesionAndSliding,
-    #[strum(props(keys = "adhesion rolling"), message = "adhesion and rolling cannot be combined: leave one of them out")]
-    AdhesionAndRolling,
-    #[strum(props(keys = "adhesion law.hardness"), message = "adhesion and hardness cannot be combined: leave one of them out")]
-    AdhesionAndHardness,
-    #[strum(props(keys = "path.load"), message = "the path has no points: give loads, or leave the path out")]
-    AdhesionPathWithoutPoints,
-    #[strum(props(keys = "path.time path.tangential adhesion"), message =
-        "a path with adhesion has loads only: leave times and tangential loads out")]
-    AdhesionPathOfMore,
     #[strum(props(keys = "adhesion.table adhesion.work adhesion.range adhesion.form"), message =
         "a table is given beside a work, a range or a form of adhesion: give only one of both")]
     AdhesionTwice,
@@ -89,18 +81,7 @@ pub enum ConflictRule {
     #[strum(props(keys = "solver.method adhesion.method"), message =
         "adhesion has methods of its own: leave the solver gfmd out, and give gfmd as the method of the adhesion")]
     AdhesionByGfmd,
-    #[strum(props(keys = "solver.method adhesion"), message =
-        "adhesion has methods of its own, not {solver}: leave the solver out")]
-    AdhesionBySolver,
 
-    #[strum(props(keys = "sliding rolling"), message = "both sliding and rolling are given: give one of them")]
-    SlidingAndRolling,
-    #[strum(props(keys = "sliding rolling path"), message =
-        "sliding and rolling are steady, but a path is given: leave the path out, or the motion")]
-    MotionAndPath,
-    #[strum(props(keys = "sliding.speed viscoelastic"), message =
-        "sliding needs a solid that creeps: give its creep or relaxation, or leave the speed out")]
-    SlidingWithoutCreep,
     #[strum(props(keys = "sliding.speed"), message = "sliding needs a speed: give one or more")]
     SlidingWithoutSpeed,
     #[strum(props(keys = "sliding.speed"), message = "the speed {speed} is given: give a positive, finite speed")]
@@ -108,15 +89,7 @@ pub enum ConflictRule {
     #[strum(props(keys = "sliding.speed grid.boundary"), message =
         "sliding needs a periodic boundary: leave the boundary out")]
     SlidingOfFree,
-    #[strum(props(keys = "sliding.speed solver.method"), message =
-        "sliding has a solver of its own, not {solver}: leave the solver out")]
-    SlidingBySolver,
 
-    #[strum(props(keys = "rolling viscoelastic"), message =
-        "rolling needs an elastic solid: leave the creep out, or the rolling")]
-    RollingAndCreep,
-    #[strum(props(keys = "rolling friction.coefficient"), message = "rolling needs a coefficient of friction: give one")]
-    RollingWithoutFriction,
     #[strum(props(keys = "rolling.creepage rolling.tangential"), message =
         "rolling needs either a creepage or a tangential load: give one of them, and not both")]
     RollingDrives,
@@ -127,9 +100,6 @@ pub enum ConflictRule {
     #[strum(props(keys = "rolling.step grid.size"), message =
         "the step of rolling is {step}, longer than the line of {length}: give a shorter one, such as the spacing of the grid, {spacing}")]
     RollingStepOfLine,
-    #[strum(props(keys = "rolling solver.method"), message =
-        "rolling has a solver of its own, not {solver}: leave the solver out")]
-    RollingBySolver,
     #[strum(props(keys = "rolling grid.points"), message = "rolling is solved on lines only: give a line")]
     RollingOnSurface,
 
@@ -157,14 +127,6 @@ pub enum ConflictRule {
         "{quantity} is given by {file} and beside it: leave one of them out")]
     PathTwice,
 
-    #[strum(props(keys = "viscoelastic path.time"), message = "a solid that creeps needs times: give the times of the path")]
-    CreepWithoutTimes,
-    #[strum(props(keys = "viscoelastic path.time sliding.speed"), message =
-        "a solid that creeps needs a time or a speed: give the times of a path, or the speed of sliding")]
-    CreepWithoutPath,
-    #[strum(props(keys = "viscoelastic friction path.tangential"), message =
-        "creep and friction cannot be combined: leave the friction out, or the creep")]
-    CreepAndFriction,
     #[strum(props(keys = "viscoelastic.creep viscoelastic.relaxation"), message =
         "the solid has no terms: give creep or relaxation")]
     CreepWithoutTerms,
@@ -194,22 +156,6 @@ pub enum ConflictRule {
         "a yield stress and a free boundary are given, but the stress that a plastic strain leaves is computed by waves, and so below a periodic \
          surface only: leave the boundary out")]
     YieldOfFree,
-    #[strum(props(keys = "solid.yield-stress law.hardness"), message =
-        "a yield stress and a hardness are given, which are two laws for the same flow: leave one of them out")]
-    YieldAndHardness,
-    #[strum(props(keys = "solid.yield-stress adhesion"), message = "a yield stress and adhesion cannot be combined: leave one of them out")]
-    YieldAndAdhesion,
-    #[strum(props(keys = "solid.yield-stress viscoelastic"), message = "a yield stress and creep cannot be combined: leave one of them out")]
-    YieldAndCreep,
-    #[strum(props(keys = "solid.yield-stress sliding rolling"), message =
-        "a yield stress and steady motion are given, but each pass over the body would deform it further: leave one of them out")]
-    YieldAndMotion,
-    #[strum(props(keys = "solid.yield-stress friction path.tangential"), message =
-        "a yield stress and friction are given, but flow is solved under normal loads only: leave one of them out")]
-    YieldAndFriction,
-    #[strum(props(keys = "solid.yield-stress path.time"), message =
-        "flow of a body that yields does not depend on time: leave the times of the path out")]
-    YieldInTime,
     #[strum(props(keys = "solid.yield-stress record.what"), message =
         "the recording parts stress and fringes show the stress of an elastic body, but this one yields, and the cut below it is among the \
          fields: leave these parts out")]
@@ -222,25 +168,12 @@ pub enum ConflictRule {
         "the path has no tangential loads, and the solid does not creep: give tangential loads with friction, or creep and times, or \
          several loads instead of a path")]
     PathWithoutTangential,
-    #[strum(props(keys = "path.tangential friction.coefficient"), message =
-        "tangential loads need a coefficient of friction: give one")]
-    TangentialWithoutFriction,
-    #[strum(props(keys = "path.time viscoelastic"), message =
-        "slip of an elastic solid does not depend on time: leave the times of the path out")]
-    SlipInTime,
     #[strum(props(keys = "load"), message = "{load} is given, but this needs a mean pressure, a reduced pressure or a force")]
     SlipLoad,
     #[strum(props(keys = "path.load"), message =
         "a normal load of the path is 0, which friction cannot follow: give positive loads")]
     SlipUnloaded,
 
-    #[strum(props(keys = "friction.tangential path.tangential rolling.tangential"), message =
-        "the tangential load {tangential} of the friction has no place in a history: leave it out, and give a path of tangential loads, \
-         or the load of rolling")]
-    TangentialOfHistory,
-    #[strum(props(keys = "law.hardness sliding rolling path.tangential"), message =
-        "sliding, rolling and slip need a surface that does not yield: leave the hardness out")]
-    HistoryOfYielding,
     #[strum(props(keys = "solver.method"), message = "gfmd cannot solve histories: choose another solver")]
     HistoryByGfmd,
     #[strum(props(keys = "path sliding rolling adhesion solid.yield-stress"), message = "the setup has no history")]

@@ -8,7 +8,7 @@ use super::watch::{Pass, ShowSteps, Watcher};
 use crate::contact::{Observer, Problem, State, Status, goes_on};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{Loading, Process};
-use crate::setup::{Flow, ProcessKind, Setup};
+use crate::setup::{Flow, Setup};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -37,8 +37,8 @@ impl JobRun<'_> {
     /// # Errors
     /// For a setup without a history.
     pub(super) fn posed<'p>(&'p self, run: usize, problem: &'p Problem) -> Result<Posed<'p>, SetupError> {
-        let kind = self.kind()?.ok_or(ConflictRule::NoHistory)?;
-        Ok(Posed { run, setup: &self.setup, problem, kind, loads: &self.loads })
+        let drive = self.drive()?.ok_or(ConflictRule::NoHistory)?;
+        Ok(Posed { run, setup: &self.setup, problem, drive, loads: &self.loads })
     }
 
     /// Follows the run to its end, or until an observer stops it, and gives each state to the sinks. States have the fields of what flows through them
@@ -70,7 +70,7 @@ impl JobRun<'_> {
                 None => break None,
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved
-                    states.extend((posed.kind == ProcessKind::Loads).then(|| Arc::new(state)));
+                    states.extend((posed.drive.is_list).then(|| Arc::new(state)));
                     break Some(HistoryError::Stopped);
                 }
                 Some(solved) => solved,

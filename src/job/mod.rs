@@ -37,7 +37,6 @@ mod state_recording;
 mod state_table;
 mod tables;
 mod watch;
-mod yielding;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved, warnings_of_contacts};

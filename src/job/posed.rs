@@ -1,7 +1,7 @@
 //! A run that can begin.
 
 use crate::contact::{Load, Problem};
-use crate::setup::{ProcessKind, Setup};
+use crate::setup::{Drive, Setup};
 use crate::study::LoadCurve;
 
 /// A run whose setup was checked and whose surface was made.
@@ -13,8 +13,8 @@ pub struct Posed<'a> {
     pub setup: &'a Setup,
     /// Its problem; that of a list of loads is under the largest of them.
     pub problem: &'a Problem,
-    /// What makes its states.
-    pub kind: ProcessKind,
+    /// What leads from state to state.
+    pub drive: &'static Drive,
     /// The list of loads, if there is one.
     pub loads: &'a [Load],
 }

@@ -121,7 +121,7 @@ impl Ready<'_> {
     fn solve(&mut self, diagnosis: &mut Option<Diagnosis>, watch: &mut dyn Watcher) -> Result<Vec<Found>, SetupError> {
         #[cfg(feature = "record")]
         if let Some((target, options)) = self.job.recorded.take() {
-            if self.job.runs[0].kind()?.is_none() {
+            if self.job.runs[0].drive()?.is_none() {
                 let scenes: Vec<_> = self.job.runs.iter().map(|run| run.scene(problem(run))).collect();
                 let recording = Recording::to(target, &scenes, options)?;
                 return self.solve_recorded(recording, diagnosis, watch);
@@ -129,7 +129,7 @@ impl Ready<'_> {
             self.job.sinks.push(Box::new(StateRecording::open(target, options)?.of_runs(&self.job.runs)));
         }
         let mut sinks = std::mem::take(&mut self.job.sinks);
-        let mut solve = |i: usize| match self.job.runs[i].kind()? {
+        let mut solve = |i: usize| match self.job.runs[i].drive()? {
             None => self.solve_run(i, &mut (), diagnosis, watch),
             Some(_) => self.follow_run(i, &mut sinks, watch),
         };

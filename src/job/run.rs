@@ -5,7 +5,7 @@ use crate::diagnosis::Reference;
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Parts, Scene};
-use crate::setup::{Cost, Extras, ProcessKind, Setup};
+use crate::setup::{Cost, Drive, Extras, LOADS, Setup};
 use crate::study::LoadCurve;
 use crate::surface::Surface;
 use std::sync::Arc;
@@ -65,15 +65,15 @@ impl<'a> JobRun<'a> {
         Self { loads: curve.loads, ..Self::new(curve.setup) }
     }
 
-    /// What makes its states; none for one contact.
+    /// What leads from state to state; none for one contact.
     ///
     /// # Errors
-    /// The errors of [`Setup::process`].
-    pub fn kind(&self) -> Result<Option<ProcessKind>, SetupError> {
+    /// The errors of [`Setup::drive`].
+    pub fn drive(&self) -> Result<Option<&'static Drive>, SetupError> {
         if !self.loads.is_empty() {
-            return Ok(Some(ProcessKind::Loads));
+            return Ok(Some(&LOADS));
         }
-        if self.other.is_some() || !self.setup.is_history()? { Ok(None) } else { self.setup.process() }
+        if self.other.is_some() { Ok(None) } else { self.setup.history_drive() }
     }
 
     /// Its setup with its loads.

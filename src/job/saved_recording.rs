@@ -9,7 +9,7 @@ use crate::contact::{Contact, State};
 use crate::error::{Failure, SetupError};
 use crate::foreign::{Frame, GivenField, Replay};
 use crate::record::{Options, Target};
-use crate::setup::ProcessKind;
+use crate::setup::LOADS;
 use std::path::Path;
 
 impl SavedResult {
@@ -43,7 +43,7 @@ impl SavedResult {
         let Some(heaviest) = heaviest else { return Ok(()) };
         let loads: Vec<_> = contacts().map(|contact| contact.problem.load()).collect();
         let problem = self.setup.problem_of(self.surface.clone())?.with_load(heaviest.problem.load())?;
-        let posed = Posed { run: 0, setup: &self.setup, problem: &problem, kind: ProcessKind::Loads, loads: &loads };
+        let posed = Posed { run: 0, setup: &self.setup, problem: &problem, drive: &LOADS, loads: &loads };
         let mut recording = StateRecording::open(Target::File(path.into()), Options::from(&self.setup))?;
         for (number, state) in states.iter().enumerate() {
             recording.state(&posed, number, state)?;

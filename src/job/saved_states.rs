@@ -61,7 +61,7 @@ pub(super) fn saved_states(
     problem: &Problem,
 ) -> Result<Vec<State>, StudyError> {
     let columns = StateColumns::read(reader)?;
-    let feels = setup.process()?.map_or(Feels::PRESSURE, |it| it.row().feels);
+    let feels = setup.drive()?.map_or(Feels::PRESSURE, |drive| drive.feels);
     let mut states = Vec::with_capacity(contacts.len());
     for (number, saved) in contacts.into_iter().enumerate() {
         let (point, claim) = (columns.points[number], columns.claims[number]);

@@ -12,7 +12,7 @@ use crate::record::{
     Timeline, YieldZone, load_in_words, value_with_unit,
 };
 use crate::seen::capital;
-use crate::setup::{ProcessKind, Setup};
+use crate::setup::{Drive, Setup};
 use std::path::{Path, PathBuf};
 
 /// The largest distance of surfaces apart that a picture has room for, in heights of the highest peak.
@@ -88,7 +88,7 @@ impl<'a> StateRecording<'a> {
 
     fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
         let Some(target) = self.target.take() else { return Ok(()) };
-        let is_list = posed.kind == ProcessKind::Loads;
+        let is_list = posed.drive.is_list;
         let draft = self.path.take().filter(|_| !is_list && self.beside.is_empty());
         let (units, is_line) = (self.options.units(), posed.problem.surface().grid().is_line());
         let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first), &units) };
@@ -133,8 +133,8 @@ impl StateSink for StateRecording<'_> {
             self.begin(posed, state)?;
         }
         let Some(Begun { recording, curves, .. }) = &mut self.begun else { return Ok(()) };
-        if posed.kind != ProcessKind::Loads {
-            recording.caption(number, caption(posed.kind, number, state, &self.options.units()));
+        if !posed.drive.is_list {
+            recording.caption(number, caption(posed.drive, number, state, &self.options.units()));
         }
         if posed.run == 0 {
             recording.values(number, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
@@ -174,7 +174,7 @@ impl HistoryOutcome {
         let states: Vec<&State> = self.states.iter().map(|it| &**it).collect();
         let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
         let Some(highest) = highest else { return Ok(()) };
-        let posed = Posed { run: 0, setup, problem, kind: self.kind, loads: &[] };
+        let posed = Posed { run: 0, setup, problem, drive: self.drive, loads: &[] };
         let scene = Scene {
             exact: None,
             apart: self.apart(problem),
@@ -187,7 +187,7 @@ impl HistoryOutcome {
         let loads = Loads {
             title: format!("{}, {} states", scene.title, states.len()),
             description: format!("{}. {}.", surface_in_words(setup, &units), states[0].claim.words()),
-            captions: states.iter().enumerate().map(|(i, state)| caption(self.kind, i, state, &units)).collect(),
+            captions: states.iter().enumerate().map(|(i, state)| caption(self.drive, i, state, &units)).collect(),
             curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
             axis: self.axis(&units),
             figure: None,
@@ -212,7 +212,7 @@ impl HistoryOutcome {
 
     /// The quantities with curves whose values change.
     fn changing(&self) -> Vec<Quantity> {
-        let axis = self.kind.row().axis;
+        let axis = self.drive.axis;
         let changes = |it: &Quantity| {
             let values = self.states.iter().filter_map(|state| state.get(*it));
             let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
@@ -226,9 +226,9 @@ impl HistoryOutcome {
 
     /// The axis of the charts: the quantity along which the process goes, or the number of the state.
     fn axis(&self, units: &RecordUnits) -> LoadAxis {
-        let row = self.kind.row();
-        match row.axis {
-            Some(it) if row.is_logarithmic => {
+        let drive = self.drive;
+        match drive.axis {
+            Some(it) if drive.is_logarithmic => {
                 LoadAxis::log(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit))
             }
             Some(it) => LoadAxis::linear(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit)),
@@ -251,7 +251,7 @@ fn add(recording: &LoadRecording, scene: usize, number: usize, state: &State) ->
 
 /// The quantities with curves that the first state of a history has.
 fn told(posed: &Posed<'_>, first: &State) -> Vec<Quantity> {
-    let axis = posed.kind.row().axis;
+    let axis = posed.drive.axis;
     let all = first.numbers().iter().map(|(quantity, _)| *quantity);
     all.filter(|it| it.row().has_curve && Some(*it) != axis).collect()
 }
@@ -307,8 +307,8 @@ fn axis_of_loads(loads: &[Load], is_line: bool, units: &RecordUnits) -> LoadAxis
 }
 
 /// A state in a few words.
-fn caption(kind: ProcessKind, number: usize, state: &State, units: &RecordUnits) -> String {
-    let words = kind.row().caption.iter().filter_map(|it| {
+fn caption(drive: &Drive, number: usize, state: &State, units: &RecordUnits) -> String {
+    let words = drive.caption.iter().filter_map(|it| {
         let value = state.get(*it)?;
         Some(format!("{} {}", it.row().title, value_with_unit(value, units.of_kind(it.row().unit))))
     });

@@ -31,7 +31,7 @@ impl StateTable {
     /// Begins it with the names of its columns.
     fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
         let known = first.numbers().iter().map(|(quantity, _)| *quantity);
-        self.columns = known.chain(posed.kind.row().columns.iter().copied()).collect();
+        self.columns = known.chain(posed.drive.columns.iter().copied()).collect();
         self.columns.sort_unstable();
         self.columns.dedup();
         self.growing = Some(Draft::growing(&self.table)?);

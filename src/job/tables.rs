@@ -106,7 +106,7 @@ impl HistoryOutcome {
     pub fn write_table(&self, path: &Path) -> Result<(), FileError> {
         let (states, quantities) = (&self.states, self.quantities());
         write_beside(path, |file| {
-            let claimed = self.adhesion.is_some().then_some("claim");
+            let claimed = self.drive.has_claims.then_some("claim");
             let first = ["state", "status"].into_iter().chain(claimed);
             let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name())).collect();
             writeln!(file, "{}", names.join(","))?;

@@ -40,17 +40,8 @@ const PICTURES: [[f64; 3]; 2] = [[13e6, 6.6e3, 2048.0], [20e6, 0.085e6, 512.0]];
 /// Fields that a picture of the result takes after the solve, and bytes of its pixels and of what draws them.
 const DRAWN_FIELDS: [f64; 2] = [4.0, 5.2];
 const PIXELS: f64 = 25e6;
-/// Fields that a process takes besides its solves: lines, surfaces. A solid that creeps is followed in doubled steps as well, with a memory for each
-/// term of its series; a path of slip has a history in doubled steps, whose states are kept with traction and slip in both directions.
-const CREEP_FIELDS: [f64; 2] = [17.0, 16.0];
-const TERM_FIELDS: f64 = 10.3;
-const SLIDING_FIELDS: [f64; 2] = [22.0, 14.0];
-const SLIDING_TERM_FIELDS: f64 = 2.0;
-const SLIP_FIELDS: [f64; 2] = [28.0, 27.0];
-const SLIP_STATE_FIELDS: [f64; 2] = [3.0, 5.0];
+/// Fields that a tangential load on a contact without a path adds: lines, surfaces.
 const STUCK_FIELDS: [f64; 2] = [6.0, 8.0];
-const ROLLING_FIELDS: [f64; 2] = [33.0, 33.0];
-const ADHESION_FIELDS: [f64; 2] = [24.0, 24.0];
 
 /// The memory and the grids that a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,7 +123,7 @@ impl Setup {
             archived * (ARCHIVE_FIELDS[of_dimension] + contour + one(self.flow.leakage, ARCHIVED_FLOW_FIELDS))
                 + one(archived > 0.0, ARCHIVE_ONCE[of_dimension]),
         ];
-        let process = self.process()?.map_or(Ok(0.0), |kind| (kind.row().bytes)(self, &grid))?;
+        let process = self.drive()?.map_or(Ok(0.0), |drive| (drive.bytes)(self, &grid))?;
         let [least, each, most] = PICTURES[of_dimension];
         let pictures = least + each * most.min(grid.shape()[1] as f64);
         let overhead = OVERHEAD.min(bytes(&grid, OVERHEAD_FIELDS));
@@ -142,36 +133,6 @@ impl Setup {
         let bytes =
             fields + process + stuck + overhead + one(extras.is_recorded, pictures) + one(extras.has_pixels, PIXELS);
         Ok(Cost { grid, coarse_grids: self.solver.coarse_grids(&grid), bytes, states })
-    }
-}
-
-impl Setup {
-    /// The bytes that a history of a solid that creeps takes besides its solves.
-    pub(super) fn creep_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
-        let terms = self.memory()?.len() as f64;
-        Ok(bytes(grid, CREEP_FIELDS[usize::from(!grid.is_line())] + TERM_FIELDS * terms))
-    }
-
-    /// The bytes that sliding takes besides its solves.
-    pub(super) fn sliding_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
-        let terms = self.memory()?.len() as f64;
-        Ok(bytes(grid, SLIDING_FIELDS[usize::from(!grid.is_line())] + SLIDING_TERM_FIELDS * terms))
-    }
-
-    /// The bytes that a path of slip takes besides its solves.
-    pub(super) fn slip_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
-        let (of_dimension, states) = (usize::from(!grid.is_line()), self.expected_states()? as f64);
-        Ok(bytes(grid, SLIP_FIELDS[of_dimension] + SLIP_STATE_FIELDS[of_dimension] * states))
-    }
-
-    /// The bytes that rolling takes besides its solves.
-    pub(super) fn rolling_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
-        Ok(bytes(grid, ROLLING_FIELDS[usize::from(!grid.is_line())]))
-    }
-
-    /// The bytes that a history with adhesion takes besides its solves.
-    pub(super) fn adhesion_bytes(&self, grid: &Grid) -> Result<f64, SetupError> {
-        Ok(bytes(grid, ADHESION_FIELDS[usize::from(!grid.is_line())]))
     }
 }
 
@@ -194,6 +155,7 @@ impl Cost {
     }
 }
 
-fn bytes(grid: &Grid, fields: f64) -> f64 {
+/// The bytes of a number of fields of doubles.
+pub(super) fn bytes(grid: &Grid, fields: f64) -> f64 {
     fields * size_of::<f64>() as f64 * grid.len() as f64
 }

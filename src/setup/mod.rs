@@ -39,12 +39,15 @@ mod chosen;
 mod command;
 mod conflicts;
 mod cost;
+mod drive;
+mod drives;
 mod expected_area;
 mod fault;
 mod file_digests;
 mod files;
 mod flow;
 mod idle;
+mod ingredient;
 mod key;
 mod key_checks;
 mod line;
@@ -55,7 +58,6 @@ mod part;
 mod path;
 mod path_table;
 mod process;
-mod process_kind;
 mod range;
 mod recipe;
 mod solid;
@@ -74,12 +76,14 @@ pub use axis::{ParameterAxis, Scalar};
 pub use cell::{Boundary, Cell};
 pub use command::{command, lay};
 pub use cost::{Cost, Extras};
+pub use drive::{Drive, StateChart};
+pub use drives::{DRIVES, LOADS};
 pub use flow::{AxisFlow, Flow, FlowFound, warning_of_leakage};
+pub use ingredient::{INGREDIENTS, Ingredient};
 pub use key::{Choices, Dimension, FlagValue, KEYS, Key, choices};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;
-pub use process_kind::{ProcessChart, ProcessKind, ProcessRow};
 pub use recipe::{Joined, Recipe};
 pub use solid::{Body, LayerModulus, Solid};
 pub use text::SetupTable;
@@ -252,9 +256,9 @@ impl Setup {
         }
         self.elastic()?;
         self.friction.map_or(Ok(()), |friction| friction.check_coefficient())?;
-        match self.process()? {
+        match self.drive()? {
             None => self.check_friction()?,
-            Some(process) => self.check_process(process, grid)?,
+            Some(drive) => self.check_drive(drive, grid)?,
         }
         self.check_flow()?;
         if !self.load.is_pressure() && !self.solver.takes_mean_gap() {
@@ -284,7 +288,7 @@ impl Setup {
         }
         let (conducts, solid) = (self.flow.resistivities()?.is_some(), self.elastic()?);
         Err(match () {
-            () if conducts && self.process()?.is_some() => FlowError::NeedsRest,
+            () if conducts && self.drive()?.is_some() => FlowError::NeedsRest,
             () if conducts && !solid.is_half_space() => FlowError::NeedsHalfSpace { solid: solid.description() },
             () => return Ok(()),
         }
@@ -359,7 +363,7 @@ impl Setup {
     /// The exact solution under a mean pressure, if the surface is an indenter with an exact solution and nothing
     /// yields.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
-        (self.law.is_hard_wall() && self.process().is_ok_and(|it| it.is_none())).then_some(())?;
+        (self.law.is_hard_wall() && self.drive().is_ok_and(|it| it.is_none())).then_some(())?;
         let solid = self.elastic().ok().filter(|solid| solid.is_half_space())?;
         Exact::new(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }

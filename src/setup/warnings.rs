@@ -1,6 +1,6 @@
 //! Warnings about surfaces for which the numbers of a contact mean little.
 
-use super::{Recipe, Setup, Solid};
+use super::{Recipe, Setup};
 use crate::elastic::stress::USUAL_POISSON;
 use crate::seen::capital;
 use crate::surface::{
@@ -39,31 +39,6 @@ impl Setup {
             )
             .with_remedy("path.tangential", None)
         })
-    }
-
-    /// Warnings about a solid that creeps: a path that begins late, and a creep that two bodies share.
-    pub fn warnings_of_creep(&self) -> Vec<Warning> {
-        if self.viscoelastic.is_none() {
-            return Vec::new();
-        }
-        let times = self.path.as_ref().map_or(&[][..], |path| &path.time);
-        let late = times.first().filter(|first| times.len() > 1 && **first > 0.0).map(|first| {
-            Warning::new(
-                format!("The path begins at the time {first:?}, so its first load acts from the time 0 on"),
-                "Begin the path at the time 0 with the load that acts there",
-            )
-            .with_remedy("path.time", None)
-        });
-        let shared = self.solid.as_ref().and_then(Solid::compliance_shares).map(|[first, second]| {
-            Warning::new(
-                "Two bodies and one creep are given, so both bodies creep alike",
-                format!(
-                    "If only one body creeps, multiply the ratios of its creep by its share of the compliance: {first:.3} for the first \
-                     body, {second:.3} for the second"
-                ),
-            )
-        });
-        late.into_iter().chain(shared).collect()
     }
 
     /// The warning that the stress uses an assumed Poisson's ratio.

@@ -9,11 +9,6 @@ use crate::setup::{Cost, Extras, Method};
 /// as are the numbers of transforms, on rough lines of 2^10 to 2^20 nodes and surfaces of 2^14 to 2^20.
 const SECONDS: f64 = 0.8e-9;
 
-/// Transforms of a state that begins with the last one: of a rough line that creeps, as measured.
-const TRANSFORMS_OF_WARM_STATE: f64 = 60.0;
-/// Transforms of a state with adhesion, measured on rough lines of 2^14 nodes and surfaces of 2^16.
-const TRANSFORMS_OF_STATE: f64 = 400.0;
-
 /// Transforms that take as long as the leakage along both axes, measured on rough surfaces of 2^18 and 2^20 nodes.
 const TRANSFORMS_OF_LEAKAGE: f64 = 1000.0;
 
@@ -46,13 +41,9 @@ impl Expense {
             Method::PolonskyKeer {} => 30.0 * side.powf(0.28),
             Method::Gfmd(_) => 20.0 * side.sqrt() * lightness(load),
         };
-        let states = match (setup.is_history()?, &setup.adhesion) {
-            (true, Some(_)) => TRANSFORMS_OF_STATE * setup.expected_states()? as f64,
-            (true, None) if setup.yields() => {
-                setup.transforms_of_yielding(&cost.grid)? * setup.expected_states()? as f64
-            }
-            (true, None) => TRANSFORMS_OF_WARM_STATE * setup.expected_states()? as f64,
-            (false, _) => 0.0,
+        let states = match setup.history_drive()? {
+            Some(drive) => (drive.transforms)(&setup, &cost.grid)? * setup.expected_states()? as f64,
+            None => 0.0,
         };
         let transforms = |load: &Load| if states > 0.0 { states } else { transforms(load) };
         let transforms = |load: &Load| transforms(load) + if setup.flow.leakage { TRANSFORMS_OF_LEAKAGE } else { 0.0 };

@@ -3,7 +3,7 @@
 use super::expense::Expense;
 use super::realisation::Realisation;
 use super::shard::Shard;
-use crate::contact::{Law, Load};
+use crate::contact::{Feels, Law, Load};
 use crate::error::{SetupError, StudyError};
 use crate::files::read_text_bytes;
 use crate::quantity::{has_length_unit, has_pressure_unit};
@@ -156,8 +156,8 @@ impl Plan {
     /// The law under which all contacts are elastic or yield; none for a solid that creeps, whose modulus depends on the time, and for one that yields
     /// below its surface, which has a law of its own.
     pub(super) fn law(&self) -> Option<Law> {
-        let creeps = self.first.viscoelastic.is_some() && self.first.sliding.is_none();
-        (!creeps && !self.first.yields()).then_some(self.first.law)
+        let feels = self.first.drive().ok().flatten().map_or(Feels::PRESSURE, |drive| drive.feels);
+        (!feels.memory && !feels.eigenstrain).then_some(self.first.law)
     }
 
     /// The paths of all files that it names, those in lists as well.

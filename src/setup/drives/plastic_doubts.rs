@@ -18,11 +18,8 @@ const THICKNESS_ROUNDING: f64 = 1e-9;
 /// Accumulated plastic strains above this one are not small.
 const LARGEST_STRAIN: f64 = 0.1;
 
-/// The warnings of some states of a setup; none of those of other solids.
+/// The warnings of some states of a setup.
 pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<Warning> {
-    if states.first().is_none_or(|first| !first.contact.values().feels.eigenstrain) {
-        return Vec::new();
-    }
     let most = |of: Quantity| states.iter().filter_map(|state| state.get(of)).fold(0.0, f64::max);
     let reaches_the_bottom = |state: &Arc<State>| {
         let bottom = state.layers.as_ref().and_then(|layers| layers.interfaces.last().copied());

@@ -1,0 +1,98 @@
+//! What a drive declares: how it is asked for, what makes its states, and what is shown of them.
+
+use super::{Ingredient, Setup};
+use crate::contact::{Feels, Problem, Quantity, State};
+use crate::error::SetupError;
+use crate::grid::Grid;
+use crate::history::Process;
+use crate::warning::Warning;
+use std::sync::Arc;
+
+/// What leads a contact from one state to the next, such as creep or sliding, as its one declaration.
+///
+/// Each drive is a constant in a file of its own, and [`DRIVES`](super::DRIVES) lists them. Checks, costs, tables, recordings, the page and Python read the
+/// declaration and name no drive.
+#[derive(Debug)]
+pub struct Drive {
+    /// Its name in files and reports.
+    pub name: &'static str,
+    /// The section or key of a setup that asks for it, one of the [ingredients](super::INGREDIENTS).
+    pub(super) given_by: &'static str,
+    /// The ingredients that it can have beside it. Any other one that is given is refused.
+    pub(super) takes: &'static [&'static str],
+    /// The ingredients that it cannot be without.
+    pub(super) needs: &'static [&'static str],
+    /// The number of its states along the path or the list of a setup, an estimate where steps are chosen by the error in time.
+    pub(super) states: fn(&Setup) -> usize,
+    /// Refuses what it cannot have on a grid.
+    pub(super) check: fn(&Setup, &Grid) -> Result<(), SetupError>,
+    /// The bytes that it takes besides the solves.
+    pub(super) bytes: fn(&Setup, &Grid) -> Result<f64, SetupError>,
+    /// The transforms of the surface that take as long as one of its states, for forecasts of run times.
+    pub(crate) transforms: fn(&Setup, &Grid) -> Result<f64, SetupError>,
+    /// What makes its states.
+    pub(super) make: MakeProcess,
+    /// Reasons to doubt its states, besides those that hold for the states of all drives.
+    pub doubts: fn(&Setup, &[Arc<State>]) -> Vec<Warning>,
+    /// Whether its load must be a pressure, since friction follows that.
+    pub(super) needs_pressure: bool,
+    /// Whether it is a list of loads: contacts of which each is what it is without the others.
+    pub is_list: bool,
+    /// What states that are not converged have missed.
+    pub missed: &'static str,
+    /// The quantity along which states are drawn; none for the number of the state.
+    pub axis: Option<Quantity>,
+    /// Whether this axis is logarithmic.
+    pub is_logarithmic: bool,
+    /// The charts of its pictures.
+    pub charts: [StateChart; 2],
+    /// The columns of the table for reading.
+    pub columns: &'static [Quantity],
+    /// What names a state in a recording.
+    pub caption: &'static [Quantity],
+    /// Whether the states differ in what they claim, so that each states its own claim.
+    pub has_claims: bool,
+    /// What the solid feels besides the pressure between the surfaces.
+    pub feels: Feels,
+}
+
+/// What makes the states of a problem, which is that of a setup.
+pub(super) type MakeProcess = for<'a> fn(&'a Setup, Problem) -> Result<Box<dyn Process + 'a>, SetupError>;
+
+/// A chart of the states of a drive: one quantity against another one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StateChart {
+    /// The quantity on the horizontal axis; none for the number of the state.
+    pub x: Option<Quantity>,
+    /// The quantity on the vertical axis.
+    pub y: Quantity,
+}
+
+impl StateChart {
+    /// The chart of `y` against `x`.
+    pub(super) const fn against(x: Quantity, y: Quantity) -> Self {
+        Self { x: Some(x), y }
+    }
+}
+
+impl Drive {
+    /// Transforms of a state that begins with the last one, measured on a rough line that creeps.
+    pub(super) const TRANSFORMS_OF_WARM_STATE: f64 = 60.0;
+
+    /// What is said of states whose certificate is above the tolerance.
+    pub(super) const WITHOUT_CERTIFICATE: &'static str = "did not reach their certificate";
+
+    /// What asks for it, in sentences: the name of its ingredient.
+    pub fn in_sentences(&self) -> &'static str {
+        Ingredient::find(self.given_by).map_or(self.name, |it| it.name)
+    }
+}
+
+/// Two drives are the same if their names are, which differ in the list.
+impl PartialEq for Drive {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Drive {}

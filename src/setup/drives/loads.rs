@@ -1,0 +1,42 @@
+//! One load after the other.
+
+use crate::contact::{Feels, Quantity};
+use crate::history::Loading;
+use crate::setup::drive::{Drive, StateChart};
+
+/// A list of loads: contacts one after the other, each solved from the one before.
+pub const LOADS: Drive = Drive {
+    name: "loads",
+    given_by: "load",
+    takes: &["law.hardness", "solver.method"],
+    needs: &[],
+    states: |_| 0,
+    check: |_, _| Ok(()),
+    bytes: |_, _| Ok(0.0),
+    transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
+    make: |it, problem| Ok(Box::new(Loading::new(problem, it.solver(), it.stop).along(vec![it.load]))),
+    doubts: |_, _| Vec::new(),
+    needs_pressure: false,
+    is_list: true,
+    missed: Drive::WITHOUT_CERTIFICATE,
+    axis: Some(Quantity::ReducedPressure),
+    is_logarithmic: true,
+    charts: [
+        StateChart::against(Quantity::ReducedPressure, Quantity::RelativeArea),
+        StateChart::against(Quantity::ReducedPressure, Quantity::KappaR),
+    ],
+    columns: &[
+        Quantity::ReducedPressure,
+        Quantity::MeanPressure,
+        Quantity::MeanGap,
+        Quantity::RelativeArea,
+        Quantity::RelativeAreaCounted,
+        Quantity::Kappa,
+        Quantity::KappaR,
+        Quantity::Patches,
+        Quantity::Certificate,
+    ],
+    caption: &[Quantity::ReducedPressure],
+    has_claims: false,
+    feels: Feels::PRESSURE,
+};
