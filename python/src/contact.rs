@@ -254,9 +254,9 @@ impl Contact {
         let asperity::Contact { status, certificate, solver, .. } = &*self.contact;
         let points = &self.contact.problem.surface().grid().shape()[2 - self.rank..];
         let shape = in_parentheses(points);
-        match self.process() {
-            Some(process) => {
-                let (process, pressure): (&str, _) = (process.into(), self.contact.mean_pressure());
+        match self.drive() {
+            Some(drive) => {
+                let (process, pressure) = (drive.name, self.contact.mean_pressure());
                 format!("Contact(shape={shape}, a state of {process}, contact pressure {pressure:e}, {status})")
             }
             None => {

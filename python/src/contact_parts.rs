@@ -6,7 +6,7 @@ use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use crate::problem::Problem;
 use asperity::contact::{Friction, PartialSlip, Quantity, Resolved, StateValues, Status};
-use asperity::setup::ProcessKind;
+use asperity::setup::Drive;
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 
@@ -122,8 +122,8 @@ impl Contact {
         );
         let contact = contact.map_err(py_error)?;
         let is_of_history = state.is_some();
-        let contact = match (state, setup.setup.process().map_err(py_error)?) {
-            (Some((numbers, _)), Some(process)) => contact.with_values(values(process, &numbers)),
+        let contact = match (state, setup.setup.drive().map_err(py_error)?) {
+            (Some((numbers, _)), Some(drive)) => contact.with_values(values(drive, &numbers)),
             _ => contact,
         };
         let slip = slip.map(|([coefficient, tangential, ratio], stick)| PartialSlip {
@@ -153,7 +153,7 @@ fn has_same_numbers(one: &asperity::Contact, two: &asperity::Contact) -> bool {
 }
 
 /// The numbers that a process has given for a state.
-fn values(process: ProcessKind, numbers: &[(String, f64)]) -> StateValues {
+fn values(drive: &Drive, numbers: &[(String, f64)]) -> StateValues {
     let known = numbers.iter().filter_map(|(name, value)| Some((Quantity::find(name)?, *value)));
-    known.fold(StateValues::new(process.row().feels), |values, (quantity, value)| values.with(quantity, value))
+    known.fold(StateValues::new(drive.feels), |values, (quantity, value)| values.with(quantity, value))
 }

@@ -50,8 +50,8 @@ impl Contact {
         resistivity: Option<&Bound<'_, PyAny>>,
         conductivity: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<f64> {
-        if let Some(process) = self.process() {
-            let process: &str = process.into();
+        if let Some(drive) = self.drive() {
+            let process = drive.name;
             return bail(format!(
                 "the conductance follows from the stiffness of an elastic contact at rest, but this is a state of {process}"
             ));

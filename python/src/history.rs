@@ -14,7 +14,7 @@ use crate::states::States;
 use asperity::contact::{Quantity, State, archive_of_states};
 use asperity::files::write_beside;
 use asperity::job::HistoryOutcome;
-use asperity::setup::ProcessChart;
+use asperity::setup::StateChart;
 use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
@@ -66,7 +66,7 @@ impl History {
     /// What the contact does: "creep", "slip", "sliding", "rolling", "adhesion" or "plastic".
     #[getter]
     fn process(&self) -> &'static str {
-        self.outcome.kind.into()
+        self.outcome.drive.name
     }
 
     /// What the states claim to be, in words: the solution, steps of a path with friction, a pressure whose error is bounded, rounds that have
@@ -158,11 +158,11 @@ impl History {
 
     /// The charts of a figure: names of the quantities on both axes, their titles, and whether the first axis is logarithmic.
     fn _charts(&self) -> [([&'static str; 2], [&'static str; 2], bool); 2] {
-        let row = self.outcome.kind.row();
-        let ends = |it: ProcessChart| [it.x, Some(it.y)];
+        let drive = self.outcome.drive;
+        let ends = |it: StateChart| [it.x, Some(it.y)];
         let name = |it: Option<Quantity>| it.map_or("state", Quantity::name);
         let title = |it: Option<Quantity>| it.map_or("state", |it| it.row().title);
-        row.charts.map(|it| (ends(it).map(name), ends(it).map(title), row.is_logarithmic))
+        drive.charts.map(|it| (ends(it).map(name), ends(it).map(title), drive.is_logarithmic))
     }
 
     /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the

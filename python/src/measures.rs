@@ -6,7 +6,7 @@ use crate::detached::Detached;
 use crate::error::bail;
 use asperity::contact::{Quantity, QuantityKind, Reading};
 use asperity::error::FlowError;
-use asperity::setup::{FlowFound, ProcessKind};
+use asperity::setup::{Drive, FlowFound};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -19,9 +19,9 @@ pub enum Measure {
 }
 
 impl Contact {
-    /// The process of the history of which the contact is a state, if it is one.
-    pub fn process(&self) -> Option<ProcessKind> {
-        self.setup.process().ok().flatten().filter(|_| self.is_of_history)
+    /// The drive of the history of which the contact is a state, if it is one.
+    pub fn drive(&self) -> Option<&'static Drive> {
+        self.setup.drive().ok().flatten().filter(|_| self.is_of_history)
     }
 
     /// All numbers by their names: the observables, what yields where there is a hardness, and what flows where the setup asks for it. Numbers
@@ -130,7 +130,7 @@ impl Contact {
 
     /// Contact stiffness, computed on first use with about a tenth of the work of a solve; then also in `measures`. A pressure per length.
     fn stiffness(&self, py: Python<'_>) -> PyResult<f64> {
-        if self.process() == Some(ProcessKind::Adhesion) {
+        if self.contact.values().feels.attraction {
             return bail("the stiffness is that of a contact without adhesion: leave the adhesion out");
         }
         py.detached(|| self.contact.stiffness())

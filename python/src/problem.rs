@@ -157,7 +157,7 @@ impl Problem {
         }
         let under = |load| self.problem.clone().with_load(load).map_err(py_error);
         setup.loads.iter().flatten().try_for_each(|load| under(*load).map(drop))?;
-        if let (Some(friction), None) = (setup.setup.friction, setup.setup.process().map_err(py_error)?) {
+        if let (Some(friction), None) = (setup.setup.friction, setup.setup.drive().map_err(py_error)?) {
             friction.ratio(setup.setup.load).map_err(py_error)?;
         }
         Ok(self.under(under(setup.setup.load)?, setup))

@@ -108,12 +108,12 @@ def test_what_cannot_be_is_refused_in_words_of_python() -> None:
     ("keys", "solver", "sentence"),
     [
         ({"viscoelastic": {"creep": [9.0, 1.0]}, "path": {"time": 1.0}}, "gfmd", "gfmd cannot solve histories"),
-        ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": 1.0}}, "polonsky-keer", "sliding has a solver of its own, not polonsky-keer"),
+        ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": 1.0}}, "polonsky-keer", "sliding and a solver other than multilevel cannot be combined"),
         ({"viscoelastic": {"creep": [9.0, 1.0]}, "sliding": {"speed": 1.0}}, "gfmd", "gfmd cannot solve histories"),
         ({"friction": {"coefficient": 0.3}, "rolling": {"creepage": 1e-4}}, "gfmd", "gfmd cannot solve histories"),
         ({"friction": {"coefficient": 0.3}, "path": {"tangential": [0.001, 0.0]}}, "gfmd", "gfmd cannot solve histories"),
         ({"adhesion": {"work": 0.01, "range": 0.1}}, "gfmd", "give gfmd as the method of the adhesion"),
-        ({"adhesion": {"work": 0.01, "range": 0.1}}, "polonsky-keer", "adhesion has methods of its own, not polonsky-keer"),
+        ({"adhesion": {"work": 0.01, "range": 0.1}}, "polonsky-keer", "adhesion and a solver other than multilevel cannot be combined"),
     ],
 )
 def test_a_solver_that_a_process_does_not_have_is_refused(keys: dict[str, dict[str, object]], solver: str, sentence: str) -> None:

@@ -93,7 +93,7 @@ fn write_files(
     warnings: Vec<String>,
 ) -> Result<()> {
     let subject = ProblemSummary::new(setup, problem)?;
-    let has_claims = outcome.kind.row().has_claims;
+    let has_claims = outcome.drive.has_claims;
     if let Some(path) = outputs.table() {
         outcome.write_table(path)?;
     }
@@ -108,7 +108,7 @@ fn write_files(
     }
     let cycles = outcome.cycles(setup);
     let summary = HistorySummary {
-        process: outcome.kind.into(),
+        process: outcome.drive.name,
         claim: match has_claims {
             true => "each state has a claim of its own",
             false => outcome.claim().map_or("", ResultClaim::words),
@@ -178,7 +178,7 @@ impl HistorySummary {
             }
             _ => outcome.states.iter().any(|state| state.get(*it).is_some()),
         };
-        let columns: Vec<Quantity> = outcome.kind.row().columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
+        let columns: Vec<Quantity> = outcome.drive.columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
         writeln!(out)?;
         columns.iter().try_for_each(|it| write!(out, " {:>15}", it.row().short))?;
         let is_claimed = self.adhesion.is_some();

@@ -5,7 +5,7 @@ use asperity::contact::{Quantity, ResultClaim, State, Unit};
 use asperity::job::HistoryOutcome;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, label, unit};
 use asperity::quantity::{LENGTHS, PRESSURES};
-use asperity::setup::ProcessChart;
+use asperity::setup::StateChart;
 
 /// Room beyond the extreme values of a curve, over their distance.
 const ROOM: f64 = 0.05;
@@ -17,12 +17,12 @@ const CLOSED: f64 = 1e-6;
 pub fn draw(title: &str, outcome: &HistoryOutcome, units: Units) -> Figure {
     let states: Vec<&State> =
         outcome.states.iter().map(|it| &**it).filter(|it| it.claim != ResultClaim::Moving).collect();
-    let panels = outcome.kind.row().charts.map(|chart| panel(outcome, chart, &states, units));
+    let panels = outcome.drive.charts.map(|chart| panel(outcome, chart, &states, units));
     Figure { title: title.into(), panels: panels.into() }
 }
 
 /// A panel of the picture.
-fn panel(outcome: &HistoryOutcome, chart: ProcessChart, states: &[&State], units: Units) -> Panel {
+fn panel(outcome: &HistoryOutcome, chart: StateChart, states: &[&State], units: Units) -> Panel {
     let [x, y] = [chart.x, Some(chart.y)].map(|quantity| {
         let value = |(number, state): (usize, &State)| match quantity {
             _ if state.claim == ResultClaim::Separated => f64::NAN,
@@ -45,7 +45,7 @@ fn panel(outcome: &HistoryOutcome, chart: ProcessChart, states: &[&State], units
     let dots: Vec<Dot> = x.1.iter().zip(&y.1).map(|(x, y)| Dot::at(*x, *y)).collect();
     let name = |quantity: Option<Quantity>| quantity.map_or("state", |it| it.row().title);
     let title = format!("{} against {}", name(Some(chart.y)), name(chart.x));
-    let mut panel = Panel::new(title, axis(&x, outcome.kind.row().is_logarithmic), axis(&y, false));
+    let mut panel = Panel::new(title, axis(&x, outcome.drive.is_logarithmic), axis(&y, false));
     let is_loop = is_closed(&x.1) || is_closed(&y.1);
     if is_loop && chart.y == Quantity::MeanPressure {
         panel.add("", Colour::ORANGE, Mark::Area, dots.iter().copied());

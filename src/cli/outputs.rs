@@ -8,7 +8,7 @@ use asperity::files::check_named;
 use asperity::job::{StateArchive, StateTable};
 use asperity::plot::{FigureStyle, is_figure};
 use asperity::record::LeftOut;
-use asperity::setup::{Extras, Part, ProcessKind, Setup};
+use asperity::setup::{Drive, Extras, Part, Setup};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -126,8 +126,8 @@ impl Outputs {
     }
 
     /// Refuses outputs that the states of a run do not have.
-    pub fn check_states(&self, kind: ProcessKind, setup: &Setup) -> Result<()> {
-        let is_list = kind == ProcessKind::Loads;
+    pub fn check_states(&self, drive: &Drive, setup: &Setup) -> Result<()> {
+        let is_list = drive.is_list;
         if self.stiffness && !is_list {
             return usage("--stiffness is for one contact, but a history has many states: leave it out");
         }

@@ -30,7 +30,7 @@ use asperity::flow::Leakage;
 use asperity::job::{Job, JobRun, Solved, write_nodes};
 use asperity::plot::write_figure;
 use asperity::quantity::bytes_in_words;
-use asperity::setup::{Auto, Cost, ProcessKind, Setup, SetupTable, warning_of_leakage};
+use asperity::setup::{Auto, Cost, Drive, Setup, SetupTable, warning_of_leakage};
 use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write};
@@ -109,27 +109,27 @@ impl Solve {
     /// Solves a run: one contact, on a grid that is found first if it is not given, or several states.
     fn solve(&self, run: JobRun<'static>, auto: Option<Auto>) -> Result<ExitStatus> {
         let Self { outputs, .. } = self;
-        let (kind, loads) = (run.kind()?, run.loads.clone());
+        let (drive, loads) = (run.drive()?, run.loads.clone());
         imprint::check(outputs.imprint.as_deref(), &run.setup, self.scene.units())?;
-        kind.map_or(Ok(()), |kind| outputs.check_states(kind, &run.setup))?;
+        drive.map_or(Ok(()), |drive| outputs.check_states(drive, &run.setup))?;
         let mut growing = outputs.growing();
         let contacts = run.setup.expected_states()?.max(loads.len()).max(1);
-        let job = self.job(run, kind, auto, &mut growing).with_extras(outputs.extras(contacts));
+        let job = self.job(run, drive, auto, &mut growing).with_extras(outputs.extras(contacts));
         let cost = job.cost()?;
         self.check_memory(&cost)?;
         outputs.check()?;
-        if kind.is_none() {
+        if drive.is_none() {
             self.check_contact(&job, &cost)?;
         }
         if self.dry_run {
-            return self.plan(&job, &cost, kind, loads.len());
+            return self.plan(&job, &cost, drive, loads.len());
         }
         cost.check(job.setup().solver.name())?;
         let ready = job.prepare()?;
         if outputs.strict {
             warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;
         }
-        let Some(kind) = kind else {
+        let Some(drive) = drive else {
             let mut outcome = ready.run(&mut Bars::default())?;
             let solved = outcome.solved.swap_remove(0);
             outputs.complete(&solved.contact);
@@ -138,12 +138,13 @@ impl Solve {
         };
         let setup = ready.setup().clone();
         let problem = ready.problem().clone();
-        let mut watch = StateWatch::new(&setup, outputs, kind)?;
+        let mut watch = StateWatch::new(&setup, outputs, drive)?;
         let solved = ready.run(&mut watch).map_err(before_the_first)?.solved.swap_remove(0);
         say_left_out(&outputs.left_out);
-        let written = match kind {
-            ProcessKind::Loads => load_curve::write(solved, &loads, &problem, watch, (outputs, self.scene.units())),
-            _ => history::write(solved, &problem, (outputs, self.scene.units())),
+        let units = self.scene.units();
+        let written = match drive.is_list {
+            true => load_curve::write(solved, &loads, &problem, watch, (outputs, units)),
+            false => history::write(solved, &problem, (outputs, units)),
         };
         // where the end cannot be written, what grew beside it is kept
         if !written.as_ref().is_err_and(|error| error.is::<FileError>()) {
@@ -178,9 +179,9 @@ impl Solve {
     }
 
     /// Says what the run would cost, and solves nothing.
-    fn plan(&self, job: &Job<'_>, cost: &Cost, kind: Option<ProcessKind>, loads: usize) -> Result<ExitStatus> {
+    fn plan(&self, job: &Job<'_>, cost: &Cost, drive: Option<&Drive>, loads: usize) -> Result<ExitStatus> {
         let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
-        let is_history = kind.is_some_and(|kind| kind != ProcessKind::Loads);
+        let is_history = drive.is_some_and(|drive| !drive.is_list);
         let is_recorded = self.outputs.recording().is_some() && !is_history;
         let loads = (loads > 0).then_some(loads);
         solve_plan::write(&SolvePlan { setup, cost, loads, is_recorded, is_passed_twice }, &mut stdout())?;
@@ -200,7 +201,7 @@ impl Solve {
     fn job<'a>(
         &self,
         run: JobRun<'static>,
-        kind: Option<ProcessKind>,
+        drive: Option<&Drive>,
         auto: Option<Auto>,
         growing: &'a mut GrowingOutputs,
     ) -> Job<'a> {
@@ -214,8 +215,8 @@ impl Solve {
             Some(target) => job.recorded(target),
             None => job,
         };
-        let Some(kind) = kind else { return job };
-        let job = job.keeping_last(kind == ProcessKind::Loads && outputs.archive().is_none());
+        let Some(drive) = drive else { return job };
+        let job = job.keeping_last(drive.is_list && outputs.archive().is_none());
         let job = match &mut growing.table {
             Some(table) => job.with_sink(table),
             None => job,

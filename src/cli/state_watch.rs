@@ -9,7 +9,7 @@ use super::progress::Bars;
 use anyhow::Result;
 use asperity::contact::{Observer, State, warnings_of_contact};
 use asperity::job::{Pass, Watcher};
-use asperity::setup::{ProcessKind, Setup};
+use asperity::setup::{Drive, Setup};
 use asperity::warning::Warning;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -19,7 +19,7 @@ pub struct StateWatch<'a> {
     bars: Bars,
     setup: &'a Setup,
     outputs: &'a Outputs,
-    kind: ProcessKind,
+    drive: &'static Drive,
     /// The findings, of a list of loads.
     pub findings: Vec<Finding>,
     /// Warnings about the first contact of a list of loads that has some which do not follow from its findings.
@@ -32,13 +32,13 @@ pub struct StateWatch<'a> {
 
 impl<'a> StateWatch<'a> {
     /// A watch of the states of a setup, which Ctrl-C ends.
-    pub fn new(setup: &'a Setup, outputs: &'a Outputs, kind: ProcessKind) -> Result<Self> {
+    pub fn new(setup: &'a Setup, outputs: &'a Outputs, drive: &'static Drive) -> Result<Self> {
         let bars = Bars::until(interrupted()?);
         Ok(Self {
             bars,
             setup,
             outputs,
-            kind,
+            drive,
             findings: Vec::new(),
             of_contact: Vec::new(),
             status: ExitStatus::Done,
@@ -57,7 +57,7 @@ impl Watcher for StateWatch<'_> {
     }
 
     fn state(&mut self, _: usize, state: &State) {
-        if self.kind != ProcessKind::Loads {
+        if !self.drive.is_list {
             return;
         }
         self.outputs.complete(&state.contact);

@@ -9,7 +9,7 @@ use super::sticking_hand::StickingHand;
 use super::top::Top;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
 use crate::history::{Loading, PathPoint, Process};
-use crate::setup::{ProcessKind, Setup};
+use crate::setup::Setup;
 use crate::surface::Field;
 use serde::{Deserialize, Serialize};
 
@@ -72,14 +72,10 @@ impl Hold {
     /// A refusal for invalid knobs, and for a gap at which nothing or everything touches.
     pub(super) fn solve(&self, source: Option<&SurfaceSource>, memory: &mut HandMemory) -> Result<Held, Refusal> {
         let setup = self.knobs.setup_with(source)?;
-        if setup.adhesion.is_some() {
-            return self.stick(&setup, source, memory);
-        }
-        match setup.process()? {
-            Some(ProcessKind::Creep) => return Err(RefusalRule::DragOfCreep.into()),
-            Some(ProcessKind::Slip | ProcessKind::Rolling) => return Err(RefusalRule::DragOfSlip.into()),
-            Some(ProcessKind::Plastic) => return Err(RefusalRule::DragOfYield.into()),
-            _ => (),
+        match setup.history_drive()? {
+            Some(drive) if drive.feels.attraction => return self.stick(&setup, source, memory),
+            Some(drive) => return Err(RefusalRule::DragOfHistory.with([("drive", drive.in_sentences().into())])),
+            None => (),
         }
         let mut problem = setup.problem()?;
         if let Some(mean_gap) = self.mean_gap {

@@ -8,11 +8,11 @@ use super::refusal::{Refusal, RefusalRule};
 use super::scale::{MODULUS, RETARDATION_TIME};
 use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_HARDENING, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
-use crate::contact::{Friction, Law, Load, Stop};
+use crate::contact::{Feels, Friction, Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
 use crate::setup::{
-    Body, LayerModulus, Method, Part, ProcessKind, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic, YieldLaw,
+    Body, LayerModulus, Method, Part, Record, Setup, SlidingMotion, Solid, Theme, Viscoelastic, YieldLaw,
 };
 use crate::surface::RolloffForm;
 use serde::{Deserialize, Serialize};
@@ -298,24 +298,23 @@ impl Knobs {
         let pressed = self.pressed(source)?;
         let grid = pressed.surface.grid(&pressed.grid)?;
         let load = if self.is_at_gaps() { pressed.load } else { Load::ReducedPressure(self.load) };
+        let feels = pressed.drive()?.map_or(Feels::PRESSURE, |drive| drive.feels);
         let setup = Setup {
             load,
             solver: self.solver,
             stop: self.stop,
             record: Record {
-                what: self.recorded_parts(&grid, pressed.adhesion.is_some() || pressed.yields()),
+                what: self.recorded_parts(&grid, feels.attraction || feels.eigenstrain),
                 theme: self.theme,
                 ..Record::default()
             },
             ..pressed
         };
         setup.check()?;
-        let is_shown = match setup.process()? {
-            Some(ProcessKind::Adhesion) => !self.takes_scene() || setup.path.is_none(),
-            Some(ProcessKind::Creep | ProcessKind::Slip | ProcessKind::Rolling | ProcessKind::Plastic) => true,
-            _ => !setup.is_history()?,
-        };
-        if !is_shown {
+        let drive = setup.history_drive()?;
+        let is_several_speeds = setup.sliding.is_some() && drive.is_some();
+        let is_path_of_scene = self.takes_scene() && setup.path.is_some();
+        if is_several_speeds || is_path_of_scene && drive.is_some_and(|drive| drive.feels.attraction) {
             return Err(RefusalRule::SceneNotShown.into());
         }
         Ok(setup)

@@ -50,20 +50,10 @@ pub enum RefusalRule {
     FrictionByGfmd,
     #[strum(message = "{points} points are too many where the solid yields below its surface: give at most {most}, or set the yield stress to 0")]
     YieldPoints,
-    #[strum(message = "the load of a contact with adhesion cannot be swept: set the work of adhesion to 0")]
-    SweepOfAdhesion,
-    #[strum(message = "the load of a contact that creeps cannot be swept: set the time to 0")]
-    SweepOfCreep,
-    #[strum(message = "the load of a contact under a tangential load cannot be swept: set the tangential load to 0")]
-    SweepOfSlip,
-    #[strum(message = "the load on a solid that yields below its surface cannot be swept: set the yield stress to 0")]
-    SweepOfYield,
-    #[strum(message = "a contact whose solid yields below its surface cannot be dragged: set the yield stress to 0")]
-    DragOfYield,
-    #[strum(message = "a contact that creeps cannot be dragged: set the time to 0")]
-    DragOfCreep,
-    #[strum(message = "a contact under a tangential load cannot be dragged: set the tangential load to 0")]
-    DragOfSlip,
+    #[strum(message = "the load of a contact with {drive} cannot be swept: leave that out")]
+    SweepOfHistory,
+    #[strum(message = "a contact with {drive} cannot be dragged: leave that out")]
+    DragOfHistory,
     #[strum(message = "there is no file of heights: drop one on the page, or open it")]
     NoHeights,
     #[strum(message = "there is no file of heights to describe: drop one on the page, or open it")]

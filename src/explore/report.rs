@@ -7,7 +7,7 @@ use super::section::Section;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Contact, Failure, Observables, Problem, Quantity, Reading, State, Step, Work};
 use crate::error::{HistoryError, PlasticError, ProblemError, SetupError};
-use crate::setup::{ProcessChart, ProcessKind, ProcessRow, Setup};
+use crate::setup::{Drive, Setup, StateChart};
 use crate::theory::{Exact, PullOff};
 use crate::warning::Warning;
 use serde::{Serialize, Serializer};
@@ -101,27 +101,27 @@ pub struct RunReport {
 /// The process of a run with several states, and what the page shows of them.
 #[derive(Clone, Serialize)]
 pub struct ProcessReport {
-    /// The process.
-    #[serde(serialize_with = "name_of")]
-    pub kind: ProcessKind,
+    /// What leads from state to state.
+    #[serde(rename = "kind", serialize_with = "name_of")]
+    pub drive: &'static Drive,
     /// Two charts: the quantities on both axes, or none for the number of the state.
     pub charts: [[Option<&'static str>; 2]; 2],
     /// The numbers of a state that its process knows.
     pub numbers: Vec<&'static str>,
 }
 
-impl From<ProcessKind> for ProcessReport {
-    fn from(kind: ProcessKind) -> Self {
-        let ProcessRow { charts, columns, .. } = kind.row();
-        let chart = |it: &ProcessChart| [it.x.map(Quantity::name), Some(it.y.name())];
+impl From<&'static Drive> for ProcessReport {
+    fn from(drive: &'static Drive) -> Self {
+        let Drive { charts, columns, .. } = drive;
+        let chart = |it: &StateChart| [it.x.map(Quantity::name), Some(it.y.name())];
         let known = columns.iter().filter(|it| it.row().is_known_by_process());
-        Self { kind, charts: [chart(&charts[0]), chart(&charts[1])], numbers: known.map(|it| it.name()).collect() }
+        Self { drive, charts: [chart(&charts[0]), chart(&charts[1])], numbers: known.map(|it| it.name()).collect() }
     }
 }
 
-/// The name of a process.
-fn name_of<S: Serializer>(kind: &ProcessKind, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(kind.into())
+/// The name of a drive.
+fn name_of<S: Serializer>(drive: &Drive, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(drive.name)
 }
 
 /// A warning about one of the surfaces of a run.

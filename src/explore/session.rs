@@ -138,15 +138,8 @@ impl Session {
     pub fn order(&self, kind: RunKind, knobs: Knobs) -> Result<u64, Refusal> {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
-        if kind == RunKind::Sweep && setup.adhesion.is_some() {
-            return Err(RefusalRule::SweepOfAdhesion.into());
-        }
-        if kind == RunKind::Sweep && setup.is_history()? {
-            return Err(match (setup.friction, setup.yields()) {
-                (Some(_), _) => RefusalRule::SweepOfSlip.into(),
-                (None, true) => RefusalRule::SweepOfYield.into(),
-                (None, false) => RefusalRule::SweepOfCreep.into(),
-            });
+        if let (RunKind::Sweep, Some(drive)) = (kind, setup.history_drive()?) {
+            return Err(RefusalRule::SweepOfHistory.with([("drive", drive.in_sentences().into())]));
         }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));

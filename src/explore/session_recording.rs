@@ -124,7 +124,7 @@ impl SolvedRun {
 
     /// What the solid feels besides the pressure.
     fn feels(&self) -> Feels {
-        self.report.process.as_ref().map_or(Feels::PRESSURE, |it| it.kind.row().feels)
+        self.report.process.as_ref().map_or(Feels::PRESSURE, |it| it.drive.feels)
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.

@@ -34,7 +34,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
     let [load, load_for_files] = knobs.load_in_words();
     let [motion, motion_for_files] = knobs.motion_in_words();
     let title = format!("{surface}, {load}{motion}");
-    let process = setup.process()?.filter(|_| setup.speed().is_none());
+    let drive = setup.history_drive()?;
     let report = RunReport {
         id: format!("run-{}", turn.number),
         file_stem: file_stem(&surface, &format!("{load_for_files}{motion_for_files}"), setup.solver().name()),
@@ -44,7 +44,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         prepared: prepared(&setup, problem.surface())?,
         warnings: Vec::new(),
         knobs,
-        process: process.map(ProcessReport::from),
+        process: drive.map(ProcessReport::from),
         ended: false,
         numbers: None,
         exact: exact.as_ref().map(ExactNumbers::from),
@@ -70,7 +70,7 @@ pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) ->
         turn,
         reported: Instant::now(),
         curves: tape::curves(&id),
-        steps: StepNumbers::new(process),
+        steps: StepNumbers::new(drive),
         ends: Default::default(),
         motion: Motion::default(),
         work: [Work::default(); 2],

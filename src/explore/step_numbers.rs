@@ -1,7 +1,7 @@
 //! The numbers of the steps of a run.
 
 use crate::contact::{Contact, Failure, Observer, Quantity, Reading, State, Step, Wish, Work};
-use crate::setup::{ProcessKind, ProcessRow};
+use crate::setup::Drive;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
@@ -33,15 +33,15 @@ pub struct StepNumbers {
 }
 
 impl StepNumbers {
-    /// No numbers yet; those of states of a process hold all that is shown of them.
-    pub fn new(process: Option<ProcessKind>) -> Self {
-        let shown = |kind: ProcessKind| {
-            let ProcessRow { charts, columns, .. } = kind.row();
+    /// No numbers yet; those of states of a drive hold all that is shown of them.
+    pub fn new(drive: Option<&Drive>) -> Self {
+        let shown = |drive: &Drive| {
+            let Drive { charts, columns, .. } = drive;
             let drawn = charts.iter().flat_map(|chart| [chart.x, Some(chart.y)]).flatten();
             let shown: BTreeSet<Quantity> = drawn.chain(columns.iter().copied()).collect();
             shown.into_iter().filter(|it| !is_kept(*it)).collect()
         };
-        Self { of_states: process.map(shown).unwrap_or_default(), ..Self::default() }
+        Self { of_states: drive.map(shown).unwrap_or_default(), ..Self::default() }
     }
 
     /// Adds the next state of a history, with the work so far.

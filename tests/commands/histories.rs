@@ -304,7 +304,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--creep=-9,1 --path-time 1"), "-9"),
         (rough("--relaxation 0.6,1,0.6,2 --path-time 1"), "1.2"),
         (rough("--creep 9,1 --relaxation 0.5,1 --path-time 1"), "give one of them"),
-        (rough("--speed 1"), "needs a solid that creeps"),
+        (rough("--speed 1"), "sliding without creep cannot be solved"),
         (rough("--creep 9,1 --speed=-1,1"), "-1"),
         (rough("--creep 9,1 --speed 0"), "positive"),
         (rough("--creep 9,1 --speed 1 --path-time 1"), "leave the path out, or the motion"),
@@ -322,7 +322,10 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--path-load 0.1,0.2"), "no tangential loads"),
         (cylinder("--path-tangential 0.01"), "slide"),
         (cylinder("--rolling 0.01"), "slide"),
-        (cylinder("--rolling 1e-3 --solver polonsky-keer"), "rolling has a solver of its own, not polonsky-keer"),
+        (
+            cylinder("--rolling 1e-3 --solver polonsky-keer"),
+            "rolling and a solver other than multilevel cannot be combined",
+        ),
         (cylinder("--rolling 1e-3 --rolling-step 1"), "the step of rolling is 1.0, longer than the line of 0.5"),
         (cylinder("--rolling 1e-3 --rolling-step 0.4"), "the step of rolling is 0.4, longer than the contact of 0.2"),
         (coefficient("-1", "--path-tangential=-1e-3,1e-3"), "the coefficient of friction is -1: give a number above 0"),
@@ -331,7 +334,10 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (coefficient("inf", "--creepage=-1e-4"), "the coefficient of friction is inf: give a finite number above 0"),
         (cylinder("--rolling 0 --creepage 1e-3"), "give one of them"),
         (cylinder("--rolling 0 --creep 9,1"), "elastic"),
-        (cylinder("--path-tangential 1e-3 --path-time 1"), "does not depend on time"),
+        (
+            cylinder("--path-tangential 1e-3 --path-time 1"),
+            "tangential loads of a path and times of a path cannot be combined",
+        ),
         (cylinder("--tangential 1e-3 --hardness 1"), "elastic contacts only"),
     ];
     for (line, sentence) in cases {

@@ -198,7 +198,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (sticky("--mean-gap 1um --friction 0.3"), "adhesion and friction cannot be combined"),
         (sticky("--mean-gap 1um --creep 9,1s"), "adhesion and creep cannot be combined"),
         (sticky("--mean-gap 1um --creep 9,1s --speed 1mm/s"), "adhesion and creep cannot be combined"),
-        (sticky("--mean-gap 1um --hardness 1MPa"), "adhesion and hardness cannot be combined"),
+        (sticky("--mean-gap 1um --hardness 1MPa"), "adhesion and a hardness cannot be combined"),
         (sticky("--mean-gap 1um --solver gfmd"), "--adhesion-method"),
         (sticky("--force 0 --boundary free --adhesion-method gfmd"), "damped motion needs a periodic boundary"),
         (sticky("--mean-gap 1um --solver polonsky-keer"), "methods of its own"),

@@ -33,7 +33,10 @@ fn flags_without_an_effect_are_refused() {
         ),
         (cylinder("--rolling 0 --path-tolerance 1e-2"), "only on a path with friction"),
         (rough("--creep 9,1 --speed 1 --path-steps 3"), "leave the path out, or the motion"),
-        (cylinder("--rolling 0 --solver polonsky-keer"), "rolling has a solver of its own"),
+        (
+            cylinder("--rolling 0 --solver polonsky-keer"),
+            "rolling and a solver other than multilevel cannot be combined",
+        ),
         (cylinder("--rolling 0 --time-tolerance 1e-2"), "only on a solid that creeps"),
         (rough("--boundary free --layer 0.1 --poisson 0.3 --datum 5"), "only on a half-space"),
         (rough("--record r.rrd --raster-at 0,0"), "the part raster is not recorded"),

@@ -5,7 +5,7 @@ use asperity::contact::Quantity;
 use asperity::explore::{Knobs, Session, Start, Stock};
 use asperity::history::Sliding;
 use asperity::job::HistoryOutcome;
-use asperity::setup::{ProcessKind, Setup};
+use asperity::setup::Setup;
 use serde_json::{Value, json};
 
 const CELL: f64 = 160e-6;
@@ -20,10 +20,10 @@ fn creep_speed_and_time_make_the_setup() {
     assert_eq!(sliding.viscoelastic.as_ref().unwrap().creep, [9.0, 1.0]);
     assert_eq!(sliding.sliding.as_ref().unwrap().speed, [0.02 * CELL]);
     assert!(sliding.path.is_none(), "the time is of no use to a surface that slides");
-    assert!(sliding.process().unwrap() == Some(ProcessKind::Sliding) && !sliding.is_history().unwrap());
+    assert!(sliding.drive().unwrap().unwrap().name == "sliding" && !sliding.is_history().unwrap());
     let aging = setup(json!({"creep": 9, "time": 5}));
     assert_eq!((aging.path.as_ref().unwrap().time.as_slice(), &aging.sliding), (&[5.0][..], &None));
-    assert_eq!(aging.process().unwrap(), Some(ProcessKind::Creep));
+    assert_eq!(aging.drive().unwrap().unwrap().name, "creep");
     let elastic = setup(json!({}));
     for changes in [json!({"creep": 9}), json!({"speed": 0.02, "time": 5})] {
         assert_eq!(setup(changes.clone()), elastic, "{changes}");

@@ -4,7 +4,7 @@ use super::{Page, number, with};
 use asperity::contact::Quantity;
 use asperity::explore::{Knobs, Start};
 use asperity::job::HistoryOutcome;
-use asperity::setup::{ProcessKind, Setup};
+use asperity::setup::Setup;
 use serde_json::{Value, json};
 
 const CELL: f64 = 160e-6;
@@ -29,7 +29,7 @@ fn work_range_and_pull_make_the_setup() {
     assert_eq!(adhesion.work, Some(6e-7 * MODULUS * CELL));
     assert_eq!(adhesion.range, Some(1e-4 * CELL));
     assert_eq!(pulled.path.as_ref().unwrap().load, [0.0, 0.001, -0.03]);
-    assert_eq!(pulled.process().unwrap(), Some(ProcessKind::Adhesion));
+    assert_eq!(pulled.drive().unwrap().unwrap().name, "adhesion");
     let pressed = setup(&wave(json!({})));
     assert!(pressed.path.is_none() && pressed.is_history().unwrap());
     let plain = setup(&wave(json!({"adhesion": 0})));
