@@ -84,7 +84,8 @@
 //! - The simplest complete solver: `examples/minimal_polonsky_keer.rs`. A solver outside the crate can do all that those of the crate do.
 //! - What can be read of a state: [`contact::Quantity`]. A new quantity is one row of its table.
 //! - How states follow each other: [`history::Process`]; the simplest one is [`history::Loading`].
-//! - The keys of a scene with their flags, units and files: [`setup::KEYS`]. A new key is one row of this table.
+//! - The drives, each declared in one file: [`setup::DRIVES`]. A new one is a file of its own and one line of this list.
+//! - The keys of a scene with their flags, units and files: [`setup::Key::all`]. A new key is one row.
 //!
 //! # Conventions
 //! - *Signs.* Heights `h` of the rigid surface are positive towards the solid. Pressure `p` is positive in compression. The displacement `u` of the surface of the solid is

@@ -74,7 +74,7 @@ impl Hold {
         let setup = self.knobs.setup_with(source)?;
         match setup.history_drive()? {
             Some(drive) if drive.feels.attraction => return self.stick(&setup, source, memory),
-            Some(drive) => return Err(RefusalRule::DragOfHistory.with([("drive", drive.in_sentences().into())])),
+            Some(drive) => return Err(RefusalRule::DragOfHistory.with([("drive", drive.given.name.into())])),
             None => (),
         }
         let mut problem = setup.problem()?;

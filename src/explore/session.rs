@@ -139,7 +139,7 @@ impl Session {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         if let (RunKind::Sweep, Some(drive)) = (kind, setup.history_drive()?) {
-            return Err(RefusalRule::SweepOfHistory.with([("drive", drive.in_sentences().into())]));
+            return Err(RefusalRule::SweepOfHistory.with([("drive", drive.given.name.into())]));
         }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));

@@ -7,7 +7,6 @@ use super::sink::StateSink;
 use super::watch::{Pass, ShowSteps, Watcher};
 use crate::contact::{Observer, Problem, State, Status, goes_on};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
-use crate::history::{Loading, Process};
 use crate::setup::{Flow, Setup};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,23 +21,13 @@ pub(super) struct StateKeeping {
 }
 
 impl JobRun<'_> {
-    /// What makes the states of the run of a problem.
-    fn process(&self, problem: &Problem) -> Result<Box<dyn Process + '_>, SetupError> {
-        let setup = &self.setup;
-        if !self.loads.is_empty() {
-            let loading = Loading::new(problem.clone(), setup.solver(), setup.stop);
-            return Ok(Box::new(loading.along(self.loads.clone())));
-        }
-        setup.history(problem.clone())?.ok_or(ConflictRule::NoHistory.into())
-    }
-
     /// The run with its problem, under its number in the job.
     ///
     /// # Errors
-    /// For a setup without a history.
+    /// For a setup of one contact.
     pub(super) fn posed<'p>(&'p self, run: usize, problem: &'p Problem) -> Result<Posed<'p>, SetupError> {
         let drive = self.drive()?.ok_or(ConflictRule::NoHistory)?;
-        Ok(Posed { run, setup: &self.setup, problem, drive, loads: &self.loads })
+        Ok(Posed { run, setup: &self.setup, problem, drive })
     }
 
     /// Follows the run to its end, or until an observer stops it, and gives each state to the sinks. States have the fields of what flows through them
@@ -55,7 +44,7 @@ impl JobRun<'_> {
         watch: &mut dyn Watcher,
     ) -> Result<HistoryOutcome, SetupError> {
         let posed = self.posed(number, problem)?;
-        let mut process = self.process(problem)?;
+        let mut process = self.setup.history(problem.clone())?.ok_or(ConflictRule::NoHistory)?;
         let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
         let is_ended = watch.ended().unwrap_or_default();
         let ended = loop {

@@ -62,7 +62,7 @@ impl HistoryOutcome {
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
         let drive = setup.drive()?.ok_or(ConflictRule::NoHistory)?;
-        Self::from_posed(&Posed { run: 0, setup, problem, drive, loads: &[] }, states)
+        Self::from_posed(&Posed { run: 0, setup, problem, drive }, states)
     }
 
     pub(super) fn from_posed(posed: &Posed<'_>, states: Vec<Arc<State>>) -> Result<Self, SetupError> {

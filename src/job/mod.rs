@@ -172,7 +172,7 @@ impl<'a> Job<'a> {
     /// # Errors
     /// The errors of [`Setup::cost`].
     pub fn cost(&self) -> Result<Cost, SetupError> {
-        self.runs[0].cost(&self.extras())
+        self.runs[0].setup.cost(&self.extras())
     }
 
     /// The work in addition to the solve.

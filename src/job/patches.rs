@@ -21,8 +21,7 @@ impl SavedResult {
         let mut patches = PatchHistory::new(self.setup.surface.own_shape(self.surface.grid().shape()));
         match &self.found {
             SavedFound::Contact(state, _) => patches.add(&state.contact),
-            SavedFound::Curve(states) => states.iter().for_each(|state| patches.add(&state.contact)),
-            SavedFound::History(history) => history.states.iter().for_each(|state| patches.add(&state.contact)),
+            SavedFound::States(outcome) => outcome.states.iter().for_each(|state| patches.add(&state.contact)),
         }
         patches
     }

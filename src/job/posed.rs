@@ -1,8 +1,7 @@
 //! A run that can begin.
 
-use crate::contact::{Load, Problem};
+use crate::contact::Problem;
 use crate::setup::{Drive, Setup};
-use crate::study::LoadCurve;
 
 /// A run whose setup was checked and whose surface was made.
 #[derive(Clone, Copy)]
@@ -15,14 +14,12 @@ pub struct Posed<'a> {
     pub problem: &'a Problem,
     /// What leads from state to state.
     pub drive: &'static Drive,
-    /// The list of loads, if there is one.
-    pub loads: &'a [Load],
 }
 
 impl Posed<'_> {
     /// The text of the setup that repeats the run.
     pub fn text(&self) -> String {
-        LoadCurve { setup: self.setup.clone(), loads: self.loads.into() }.to_toml()
+        self.setup.to_saved_toml()
     }
 
     /// The number of axes of its arrays.

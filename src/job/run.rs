@@ -1,12 +1,11 @@
 //! One solve of a job.
 
-use crate::contact::{Load, Problem, Solver};
+use crate::contact::{Problem, Solver};
 use crate::diagnosis::Reference;
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Parts, Scene};
-use crate::setup::{Cost, Drive, Extras, LOADS, Setup};
-use crate::study::LoadCurve;
+use crate::setup::{Cost, Drive, Extras, Setup};
 use crate::surface::Surface;
 use std::sync::Arc;
 
@@ -24,8 +23,6 @@ pub struct JobRun<'a> {
     pub title: Option<String>,
     /// What is solved.
     pub setup: Setup,
-    /// Loads that replace that of the setup, each solved from the contact before; none for its own load.
-    pub loads: Vec<Load>,
     /// Heights in memory, which replace those that the setup names. Finer grids interpolate them.
     pub heights: Option<Arc<Surface>>,
     /// The problem of the setup, where it already exists.
@@ -45,7 +42,6 @@ impl<'a> JobRun<'a> {
             name: "contact".into(),
             title: None,
             setup,
-            loads: Vec::new(),
             heights: None,
             problem: None,
             reference: None,
@@ -60,25 +56,12 @@ impl<'a> JobRun<'a> {
         Self { title: Some(title.into()), problem: Some(problem), other: Some(steps), ..Self::new(setup) }
     }
 
-    /// The run of a list of loads, and of the setup that they are laid over.
-    pub fn of_loads(curve: LoadCurve) -> Self {
-        Self { loads: curve.loads, ..Self::new(curve.setup) }
-    }
-
     /// What leads from state to state; none for one contact.
     ///
     /// # Errors
     /// The errors of [`Setup::drive`].
     pub fn drive(&self) -> Result<Option<&'static Drive>, SetupError> {
-        if !self.loads.is_empty() {
-            return Ok(Some(&LOADS));
-        }
-        if self.other.is_some() { Ok(None) } else { self.setup.history_drive() }
-    }
-
-    /// Its setup with its loads.
-    fn curve(&self) -> LoadCurve {
-        LoadCurve { setup: self.setup.clone(), loads: self.loads.clone() }
+        if self.other.is_some() { Ok(None) } else { self.setup.drive_of_states() }
     }
 
     /// Its name in a progress bar: its title, if it has one, else its solver.
@@ -109,7 +92,6 @@ impl<'a> JobRun<'a> {
     pub(super) fn problem_of(&self, setup: &Setup) -> Result<Problem, SetupError> {
         match &self.heights {
             Some(heights) => setup.problem_of(heights.refined(self.refinement_to(setup))?),
-            None if !self.loads.is_empty() => self.curve().problem(),
             None => setup.problem(),
         }
     }
@@ -121,18 +103,9 @@ impl<'a> JobRun<'a> {
                 let grid = heights.grid().refined(self.refinement_to(setup))?;
                 Cost::from_fields(&grid, setup.solver.fields(&grid, 0.0).max(RESULT_FIELDS) + OTHER_FIELDS)
             }
-            None if self.loads.is_empty() => setup.cost(extras)?,
-            None => self.cost(extras)?,
+            None => setup.cost(extras)?,
         };
         cost.check(setup.solver.name())
-    }
-
-    /// What the run costs, under the largest of its loads.
-    ///
-    /// # Errors
-    /// The errors of [`Setup::cost`].
-    pub fn cost(&self, extras: &Extras) -> Result<Cost, SetupError> {
-        if self.loads.is_empty() { self.setup.cost(extras) } else { self.curve().cost(extras) }
     }
 
     /// Refinement of the grid of the heights in memory, along each axis.

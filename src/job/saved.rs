@@ -3,14 +3,13 @@
 use super::HistoryOutcome;
 use super::saved_states::saved_states;
 use crate::contact::{
-    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, Load, PartialSlip, Problem, SavedContact, State,
-    StateField, Status, read_state_fields,
+    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, PartialSlip, Problem, SavedContact, State, StateField,
+    Status, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
 use crate::history::{Loading, Sliding};
 use crate::setup::{Cell, Setup, SetupTable};
-use crate::study::LoadCurve;
 use crate::surface::{Field, Plateaus, Surface};
 use std::path::Path;
 use std::sync::Arc;
@@ -32,7 +31,7 @@ const LEVEL: f64 = 1e-12;
 pub struct SavedResult {
     /// The text of the setup.
     pub text: String,
-    /// The setup, under the first load.
+    /// The setup.
     pub setup: Setup,
     /// The surface.
     pub surface: Arc<Surface>,
@@ -49,10 +48,8 @@ pub struct SavedResult {
 pub enum SavedFound {
     /// A contact with the further fields of its state, and its stick and slip areas if it has a tangential load.
     Contact(Box<State>, Option<Box<PartialSlip>>),
-    /// The states under a list of loads.
-    Curve(Vec<State>),
-    /// The states of a history.
-    History(Box<HistoryOutcome>),
+    /// The states of a list of loads or of a history.
+    States(Box<HistoryOutcome>),
 }
 
 impl SavedResult {
@@ -68,7 +65,6 @@ impl SavedResult {
         let has_files = table.has_files_of_surface();
         let mut table = table.without_digests();
         let text = table.to_toml();
-        let loads = table.take_loads().map_err(in_file)?;
         table.take_auto().map_err(in_file)?;
         let setup = table.setup().map_err(in_file)?;
         let (name, seal) = (path.display().to_string(), reader.seal()?);
@@ -82,7 +78,7 @@ impl SavedResult {
                 let reason = "it has one state of a history, without the states before it: save and load the history";
                 return Err(unfit(path, reason.into()).into());
             }
-            (true, false) => archive.curve(loads.unwrap_or_default())?,
+            (true, false) => archive.loads()?,
             (true, true) => archive.history()?,
         };
         Ok(Self { text, rank: reader.rank(), setup, surface, found, doubts })
@@ -268,35 +264,35 @@ impl SavedArchive<'_> {
     }
 
     /// The contacts under a list of loads.
-    fn curve(&self, loads: Vec<Load>) -> Result<SavedFound, StudyError> {
+    fn loads(&self) -> Result<SavedFound, StudyError> {
         let (setup, count) = (self.setup, self.reader.count());
+        let loads = &setup.loads;
         if loads.len() < count {
             let reason = format!("it has {count} contacts, but {} loads", loads.len());
             return Err(unfit(self.reader.path(), reason).into());
         }
-        let curve = LoadCurve { setup: setup.clone(), loads };
-        let problem = curve.problem_of(self.surface.clone())?;
+        let problem = setup.problem_of(self.surface.clone())?;
         // a hard indenter flattens the surface at each load, and the next load begins there
-        let mut loading = Loading::new(problem, setup.solver(), setup.stop);
+        let mut loading = Loading::new(problem.clone(), setup.solver(), setup.stop);
         let fields: Vec<Vec<StateField>> = self.fields()?.collect();
         let mut states = Vec::with_capacity(count);
-        for (number, (saved, &load)) in self.contacts()?.into_iter().zip(&curve.loads).enumerate() {
+        for (number, (saved, &load)) in self.contacts()?.into_iter().zip(loads).enumerate() {
             let contact = self.restored(saved, loading.problem(load)?)?;
             loading.take(&contact);
             let own = fields.iter().map(|of_all| of_all[number].clone()).collect();
-            states.push(State::from_contact(Sliding::measured(contact), Some(number)).with_fields(own));
+            states.push(Arc::new(State::from_contact(Sliding::measured(contact), Some(number)).with_fields(own)));
         }
-        Ok(SavedFound::Curve(states))
+        self.found(&problem, states)
     }
 
     /// The states of a history.
     fn history(&self) -> Result<SavedFound, StudyError> {
         let problem = self.setup.problem_of(self.surface.clone())?;
         let states = saved_states(self.reader, self.contacts()?, self.setup, &problem)?;
-        Ok(SavedFound::History(Box::new(HistoryOutcome::from_states(
-            self.setup,
-            &problem,
-            states.into_iter().map(Arc::new).collect(),
-        )?)))
+        self.found(&problem, states.into_iter().map(Arc::new).collect())
+    }
+
+    fn found(&self, problem: &Problem, states: Vec<Arc<State>>) -> Result<SavedFound, StudyError> {
+        Ok(SavedFound::States(Box::new(HistoryOutcome::from_states(self.setup, problem, states)?)))
     }
 }

@@ -11,6 +11,7 @@ use crate::foreign::{Frame, GivenField, Replay};
 use crate::record::{Options, Target};
 use crate::setup::LOADS;
 use std::path::Path;
+use std::sync::Arc;
 
 impl SavedResult {
     /// Writes a recording of the result: of a contact its last step, of loads and histories one frame for each state.
@@ -20,8 +21,8 @@ impl SavedResult {
     pub fn record(&self, path: &Path) -> Result<(), SetupError> {
         match &self.found {
             SavedFound::Contact(state, _) => self.record_contact(&state.contact, path),
-            SavedFound::Curve(states) => self.record_loads(states, path),
-            SavedFound::History(outcome) => {
+            SavedFound::States(outcome) if outcome.drive.is_list => self.record_loads(&outcome.states, path),
+            SavedFound::States(outcome) => {
                 let problem = self.setup.problem_of(self.surface.clone())?;
                 Ok(outcome.record(path, &self.setup, &problem)?)
             }
@@ -37,13 +38,13 @@ impl SavedResult {
         Job::from_run(run).recorded(Target::File(path.into())).run(&mut ()).map(drop)
     }
 
-    fn record_loads(&self, states: &[State], path: &Path) -> Result<(), SetupError> {
+    fn record_loads(&self, states: &[Arc<State>], path: &Path) -> Result<(), SetupError> {
         let contacts = || states.iter().map(|state| &state.contact);
         let heaviest = contacts().max_by(|one, two| one.mean_pressure().total_cmp(&two.mean_pressure()));
         let Some(heaviest) = heaviest else { return Ok(()) };
-        let loads: Vec<_> = contacts().map(|contact| contact.problem.load()).collect();
+        let setup = self.setup.clone().under_loads(contacts().map(|contact| contact.problem.load()).collect());
         let problem = self.setup.problem_of(self.surface.clone())?.with_load(heaviest.problem.load())?;
-        let posed = Posed { run: 0, setup: &self.setup, problem: &problem, drive: &LOADS, loads: &loads };
+        let posed = Posed { run: 0, setup: &setup, problem: &problem, drive: &LOADS };
         let mut recording = StateRecording::open(Target::File(path.into()), Options::from(&self.setup))?;
         for (number, state) in states.iter().enumerate() {
             recording.state(&posed, number, state)?;

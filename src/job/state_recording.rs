@@ -96,14 +96,14 @@ impl<'a> StateRecording<'a> {
         let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
         let scene = Scene {
             exact: None,
-            loads: posed.loads.to_vec(),
             further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
             zone: YieldZone::new(posed.setup, &[first], ROOM),
             ..Scene::from_setup(&setup, posed.problem)
         };
         let title = self.title.clone().unwrap_or_else(|| scene.title.clone());
         let description = surface_in_words(posed.setup, &units);
-        let count = posed.loads.len();
+        let given = &posed.setup.loads;
+        let count = given.len();
         let beside =
             self.beside.iter().filter_map(|run| Some(Scene { exact: None, ..run.scene(run.problem.as_ref()?) }));
         let scenes: Vec<Scene<'_>> = std::iter::once(Scene { title: title.clone(), ..scene }).chain(beside).collect();
@@ -113,9 +113,9 @@ impl<'a> StateRecording<'a> {
                 true => format!("{description}, each load solved from the previous contact."),
                 false => format!("{description}. {}.", first.claim.words()),
             },
-            captions: posed.loads.iter().map(|load| load_in_words(*load, is_line, &units)).collect(),
+            captions: given.iter().map(|load| load_in_words(*load, is_line, &units)).collect(),
             curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
-            axis: if is_list { axis_of_loads(posed.loads, is_line, &units) } else { numbered(expected) },
+            axis: if is_list { axis_of_loads(given, is_line, &units) } else { numbered(expected) },
             figure: None,
             timeline: if is_list { Timeline::Loads } else { Timeline::States(Vec::new()) },
             followed: is_list.then(|| posed.setup.surface.own_shape(posed.problem.surface().grid().shape())),
@@ -174,7 +174,7 @@ impl HistoryOutcome {
         let states: Vec<&State> = self.states.iter().map(|it| &**it).collect();
         let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
         let Some(highest) = highest else { return Ok(()) };
-        let posed = Posed { run: 0, setup, problem, drive: self.drive, loads: &[] };
+        let posed = Posed { run: 0, setup, problem, drive: self.drive };
         let scene = Scene {
             exact: None,
             apart: self.apart(problem),

@@ -3,7 +3,6 @@
 use crate::contact::{FieldKind, Forecast, Load, Problem, State};
 use crate::diagnosis::Reference;
 use crate::setup::Setup;
-use crate::study::LoadCurve;
 use crate::theory::Exact;
 use std::sync::Arc;
 
@@ -18,8 +17,6 @@ pub struct Scene<'a> {
     pub problem: &'a Problem,
     /// The setup that repeats it, if there is one: the recording carries it.
     pub setup: Option<Setup>,
-    /// The list of loads of the setup, if it has one.
-    pub loads: Vec<Load>,
     /// The exact solution, where there is one; its pressure is drawn beside the computed one. A line is then shown around
     /// its contact only.
     pub exact: Option<Exact>,
@@ -107,7 +104,6 @@ impl<'a> Scene<'a> {
             title: name.into(),
             problem,
             setup: None,
-            loads: Vec::new(),
             exact: None,
             reference: None,
             apart: 0.0,
@@ -118,8 +114,7 @@ impl<'a> Scene<'a> {
 
     /// The text of the setup that repeats it.
     pub(super) fn text(&self) -> Option<String> {
-        let setup = self.setup.clone()?;
-        Some(LoadCurve { setup, loads: self.loads.clone() }.to_toml())
+        self.setup.as_ref().map(Setup::to_saved_toml)
     }
 
     /// The scene `contact` of the problem of a setup.

@@ -3,7 +3,7 @@
 use super::key_checks::{is_list_of_section, list_of_section};
 use super::text::SetupTable;
 use super::words::plain;
-use super::{FlagValue, KEYS, Key};
+use super::{FlagValue, Key};
 use crate::error::SetupError;
 use std::collections::BTreeSet;
 
@@ -110,7 +110,7 @@ fn wrong(path: &str, reason: String) -> SetupError {
 impl SetupTable {
     /// Removes the lists of values and keeps the first value of each, so that a setup remains. Loads are handled by
     /// [`SetupTable::take_loads`]. A quantity that is a list itself, such as the points of a surface, needs a list of
-    /// lists. The lists are in the order of [`KEYS`], the seeds last.
+    /// lists. The lists are in the order of [`Key::all`], the seeds last.
     ///
     /// # Errors
     /// [`SetupError::Text`] for an empty list and for an invalid range.
@@ -137,7 +137,7 @@ impl SetupTable {
 /// The position of a list among the others.
 fn place(path: &str) -> (bool, usize) {
     let is_at = |key: &Key| key.path.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    (path == ParameterAxis::SEED, KEYS.iter().position(is_at).unwrap_or(KEYS.len()))
+    (path == ParameterAxis::SEED, Key::all().position(is_at).unwrap_or(usize::MAX))
 }
 
 /// Adds the lists at and below a path.

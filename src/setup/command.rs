@@ -5,7 +5,7 @@ use super::{FlagValue, Key, Setup, SetupTable, Solid};
 /// The place of the contact modulus in a setup.
 const CONTACT_MODULUS: &str = "solid.contact-modulus";
 
-/// Lays flags with their words over a setup, in the order of [`KEYS`](super::KEYS).
+/// Lays flags with their words over a setup, in the order of [`Key::all`](super::Key::all).
 pub fn lay(given: &[(&Key, Vec<String>)], over: &mut SetupTable) {
     if given.iter().any(|(key, _)| key.section() == "load") {
         over.remove("load");

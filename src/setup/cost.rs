@@ -81,12 +81,18 @@ const KEPT_FLOW_FIELDS: f64 = 4.0;
 const ARCHIVED_FLOW_FIELDS: f64 = 12.0;
 
 impl Setup {
-    /// The cost of the solve with the additional work.
+    /// The cost of the solve with the additional work; that of a list of loads is the one under the largest of them.
     ///
     /// # Errors
     /// The errors of [`Setup::check`], and those of reading measured heights.
     pub fn cost(&self, extras: &Extras) -> Result<Cost, SetupError> {
         let grid = self.check()?;
+        let heaviest = self.loads.iter().copied().max_by(|a, b| a.value().total_cmp(&b.value()));
+        if let Some(heaviest) = heaviest {
+            let cost = self.under(heaviest).cost(extras)?;
+            // the pressure of the load before included
+            return Ok(Cost { bytes: cost.bytes + bytes(&grid, 1.0), ..cost });
+        }
         let area = self.expected_area(&grid)?;
         let solid = Compliance::fields(&grid, self.elastic()?.as_ref());
         let (of_dimension, archived) = (usize::from(!grid.is_line()), extras.archived as f64);

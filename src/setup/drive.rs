@@ -1,24 +1,26 @@
 //! What a drive declares: how it is asked for, what makes its states, and what is shown of them.
 
-use super::{Ingredient, Setup};
+use super::{Ingredient, Key, Setup};
 use crate::contact::{Feels, Problem, Quantity, State};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::history::Process;
 use crate::warning::Warning;
+use std::fmt;
 use std::sync::Arc;
 
 /// What leads a contact from one state to the next, such as creep or sliding, as its one declaration.
 ///
 /// Each drive is a constant in a file of its own, and [`DRIVES`](super::DRIVES) lists them. Checks, costs, tables, recordings, the page and Python read the
 /// declaration and name no drive.
-#[derive(Debug)]
 pub struct Drive {
     /// Its name in files and reports.
     pub name: &'static str,
-    /// The section or key of a setup that asks for it, one of the [ingredients](super::INGREDIENTS).
-    pub(super) given_by: &'static str,
-    /// The ingredients that it can have beside it. Any other one that is given is refused.
+    /// Its own keys of a scene, which no other drive has.
+    pub keys: &'static [Key],
+    /// What of a setup asks for it.
+    pub given: Ingredient,
+    /// The other [ingredients](Ingredient) that it can have beside it. Any other one that is given is refused.
     pub(super) takes: &'static [&'static str],
     /// The ingredients that it cannot be without.
     pub(super) needs: &'static [&'static str],
@@ -81,10 +83,11 @@ impl Drive {
 
     /// What is said of states whose certificate is above the tolerance.
     pub(super) const WITHOUT_CERTIFICATE: &'static str = "did not reach their certificate";
+}
 
-    /// What asks for it, in sentences: the name of its ingredient.
-    pub fn in_sentences(&self) -> &'static str {
-        Ingredient::find(self.given_by).map_or(self.name, |it| it.name)
+impl fmt::Debug for Drive {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Drive").field("name", &self.name).finish_non_exhaustive()
     }
 }
 

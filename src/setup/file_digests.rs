@@ -63,12 +63,15 @@ impl<'a> SavedSetup<'a> {
 impl Setup {
     /// The setup as it is saved with a result: its files have the names that were given, and the section `files` has their digests.
     pub fn to_saved_table(&self) -> SetupTable {
-        SetupTable::from_value(&SavedSetup::new(self))
+        SetupTable::from_value(&SavedSetup::new(self)).with_loads(&self.loads)
     }
 
     /// The text of [`Setup::to_saved_table`], with the sections in their usual order.
     pub fn to_saved_toml(&self) -> String {
-        toml::to_string(&SavedSetup::new(self)).expect("a setup has a form in TOML")
+        match self.loads.as_slice() {
+            [] => toml::to_string(&SavedSetup::new(self)).expect("a setup has a form in TOML"),
+            _ => self.to_saved_table().to_toml(),
+        }
     }
 
     /// Serialises the setup as it is saved, for summaries in JSON.
@@ -76,7 +79,10 @@ impl Setup {
     /// # Errors
     /// The errors of the serializer.
     pub fn serialize_saved<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        SavedSetup::new(self).serialize(to)
+        match self.loads.as_slice() {
+            [] => SavedSetup::new(self).serialize(to),
+            _ => self.to_saved_table().serialize(to),
+        }
     }
 }
 

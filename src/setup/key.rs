@@ -1,11 +1,10 @@
 //! The keys of a scene, and the flags of the command line that set them.
 //!
-//! A new key is one row of [`KEYS`]: the flag and its help, the units that its value takes, whether it is a file, and where it would have no effect are read
+//! A new key is one row, here or in the file of its drive: the flag and its help, the units that its value takes, whether it is a file, and where it would have no effect are read
 //! from there.
 
 use super::idle::{GIVEN_STEPS, Idle, NO_CREEP, NO_FRICTION_PATH, NO_HALF_SPACE, NO_RASTER, NO_YIELDING, YIELDING};
-use super::{Boundary, Method, Part, Theme};
-use crate::adhesion::{AdhesiveMethod, AttractionForm};
+use super::{Boundary, DRIVES, Method, Part, Theme};
 use crate::contact::{Dynamics, Masses};
 use crate::elastic::Base;
 use crate::surface::{
@@ -133,9 +132,9 @@ pub fn choices<T: IntoEnumIterator + EnumMessage + Into<&'static str>>() -> Vec<
     T::iter().map(choice).collect()
 }
 
-/// All keys. Those with flags are in the order of a command line.
+/// The keys before those of the drives.
 #[rustfmt::skip]
-pub const KEYS: &[Key] = &[
+const OF_CONTACTS: &[Key] = &[
     key("surface.height", "height", FlagValue::One, Dimension::File, "FILE", "File of heights of a line or a surface: an instrument's format, .npy, .npz or text; peaks towards the solid are positive"),
     key("surface.against", "against", FlagValue::One, Dimension::File, "FILE", "File of heights of the second body, of the same shape; peaks towards the first body are positive; both heights are added"),
     key("surface.channel", "channel", FlagValue::One, Dimension::Word, "NAME", "Channel of a file with several channels, by name or number"),
@@ -211,12 +210,6 @@ pub const KEYS: &[Key] = &[
     key("solid.poisson", "poisson", FlagValue::List, Dimension::One, "NU[,NU]", "Poisson's ratio of the elastic body, or of both bodies"),
     key("solid.layer", "layer", FlagValue::One, Dimension::Length, "T", "Thickness of an elastic layer on a rigid base, instead of a half-space; needs --poisson"),
     key("solid.base", "base", FlagValue::Choice(choices::<Base>), Dimension::Word, "BASE", "How the layer is held on its base [default: bonded]"),
-    key("solid.yield-stress", "yield-stress", FlagValue::One, Dimension::Pressure, "Y", "Yield stress in tension of a body that yields below its surface (J2 plasticity) and keeps an imprint; needs --young, --poisson and --hardening-modulus; loads, up and down, follow each other").over_modulus(),
-    key("solid.hardening-modulus", "hardening-modulus", FlagValue::One, Dimension::Pressure, "H", "Modulus of isotropic hardening: after a plastic strain alpha the body yields at Y + H alpha; a millionth of Young's modulus hardly differs from none").over_modulus(),
-    key("solid.kinematic-hardening", "kinematic-hardening", FlagValue::One, Dimension::Pressure, "C", "Modulus of linear kinematic hardening besides, which moves the yield limits [default: 0]").over_modulus(),
-    key("solid.yield-depth", "yield-depth", FlagValue::One, Dimension::Length, "D", "Depth at which the layers end in which the body may yield [default: half the longest side of the cell, and deeper where the body yields down to there]"),
-    key("solid.yield-layers", "yield-layers", FlagValue::One, Dimension::One, "N", "Number of layers, all of equal thickness [default: the first is half as thick as the spacing of the grid, each further one thicker by a tenth]"),
-    key("solid.yield-errors", "yield-errors", FlagValue::Switch, Dimension::Switch, "", "Estimate the errors of imprint and area by the load steps, by the layers and by the grid, from the same loads solved in finer steps, in coarser layers and on a coarser grid; takes about four times as long"),
     without_flag("solid.wavenumber", Dimension::One),
     without_flag("solid.stiffness", Dimension::One),
     without_flag("solid.uniform-stiffness", Dimension::One),
@@ -226,17 +219,11 @@ pub const KEYS: &[Key] = &[
     key("load.mean-gap", "mean-gap", FlagValue::List, Dimension::Length, "G[,G]", "Mean gap: distance between the mean planes of both surfaces, less than the height of the highest peak; not with --solver gfmd"),
     key("friction.coefficient", "friction", FlagValue::One, Dimension::One, "MU", "Coefficient of friction; needs --tangential, --path-tangential, --creepage or --rolling"),
     key("friction.tangential", "tangential", FlagValue::One, Dimension::Load, "Q", "Tangential load along x, less than MU times the normal load, and of the same kind as it: a mean traction, a reduced traction or a force").named("tangential load"),
-    key("adhesion.work", "adhesion", FlagValue::One, Dimension::EnergyPerArea, "W", "Work of adhesion, an energy per area such as 50mJ/m^2; needs --adhesion-range").named("work of adhesion").over_modulus(),
-    key("adhesion.range", "adhesion-range", FlagValue::One, Dimension::Length, "RHO", "Range of the attraction: the work of adhesion over its largest traction, a length"),
-    key("adhesion.form", "adhesion-form", FlagValue::Choice(choices::<AttractionForm>), Dimension::Word, "FORM", "How the attraction falls with the gap [default: exponential]"),
-    key("adhesion.table", "adhesion-table", FlagValue::One, Dimension::File, "FILE.csv", "Table of the attraction with the columns gap and traction, instead of the three flags above"),
-    key("adhesion.method", "adhesion-method", FlagValue::Choice(choices::<AdhesiveMethod>), Dimension::Word, "METHOD", "Method that finds states with adhesion; gfmd is a motion, in which jumps can be watched [default: fast]"),
-    key("viscoelastic.creep", "creep", FlagValue::List, Dimension::Time, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is the one at once after loading; needs --path-time, --path or --speed").named("retardation time"),
-    key("viscoelastic.relaxation", "relaxation", FlagValue::List, Dimension::Time, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time").named("relaxation time"),
-    key("sliding.speed", "speed", FlagValue::List, Dimension::Speed, "V[,V]", "Speed at which the surface slides steadily over a viscoelastic solid along x; 1e-3..1e3:13 for 13 speeds with equal ratios"),
-    key("rolling.creepage", "creepage", FlagValue::List, Dimension::One, "XI[,XI]", "Steady rolling along x of a line with friction, at this creepage; a negative creepage pulls the solid towards +x; needs --friction"),
-    key("rolling.tangential", "rolling", FlagValue::List, Dimension::Load, "Q[,Q]", "Steady rolling under this tangential load, of the same kind as the normal one; 0 for free rolling; needs --friction").named("tangential load of rolling"),
-    key("rolling.step", "rolling-step", FlagValue::One, Dimension::Length, "L", "Length of a step of rolling [default: the spacing of the grid]").named("step of rolling"),
+];
+
+/// The keys after those of the drives: of paths, which several drives have, and of what is done with any contact.
+#[rustfmt::skip]
+const OF_RUNS: &[Key] = &[
     key("path.file", "path", FlagValue::One, Dimension::File, "FILE.csv", "Path of a history: a table with columns time, load and tangential, of which some may be missing; loads change linearly between rows"),
     key("path.time", "path-time", FlagValue::List, Dimension::Time, "T[,T]", "Times of the path; with a single time, the load is held until then; needs --creep or --relaxation").named("time of the path"),
     key("path.load", "path-load", FlagValue::List, Dimension::Load, "P[,P]", "Normal loads of the path, of the same kind as the load; 1..8:4 for 4 loads with equal ratios [default: the load at all points]").named("load of the path"),
@@ -266,7 +253,8 @@ pub const KEYS: &[Key] = &[
     key("record.theme", "theme", FlagValue::Choice(choices::<Theme>), Dimension::Word, "THEME", "Background of the pictures in the recording [default: dark]"),
 ];
 
-const fn key(
+/// A key that a flag sets.
+pub(super) const fn key(
     path: &'static str,
     flag: &'static str,
     value: FlagValue,
@@ -283,36 +271,41 @@ const fn without_flag(path: &'static str, dimension: Dimension) -> Key {
 }
 
 impl Key {
-    const fn named(self, quantity: &'static str) -> Self {
+    pub(super) const fn named(self, quantity: &'static str) -> Self {
         Self { quantity: Some(quantity), ..self }
     }
 
-    const fn over_modulus(self) -> Self {
+    pub(super) const fn over_modulus(self) -> Self {
         Self { is_over_modulus: true, ..self }
     }
 
-    const fn idle_where(self, idle: &'static [Idle]) -> Self {
+    pub(super) const fn idle_where(self, idle: &'static [Idle]) -> Self {
         Self { idle, ..self }
+    }
+
+    /// All keys. Those with flags are in the order of a command line.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        OF_CONTACTS.iter().chain(DRIVES.iter().flat_map(|drive| drive.keys)).chain(OF_RUNS)
     }
 
     /// The keys that flags set, in the order of a command line.
     pub fn with_flags() -> impl Iterator<Item = &'static Self> {
-        KEYS.iter().filter(|key| !key.flag.is_empty())
+        Self::all().filter(|key| !key.flag.is_empty())
     }
 
     /// The keys of a dimension.
     pub fn of_dimension(dimension: Dimension) -> impl Iterator<Item = &'static Self> {
-        KEYS.iter().filter(move |key| key.dimension == dimension)
+        Self::all().filter(move |key| key.dimension == dimension)
     }
 
     /// The key at a path.
     pub fn find(path: &str) -> Option<&'static Self> {
-        KEYS.iter().find(|key| key.path == path)
+        Self::all().find(|key| key.path == path)
     }
 
-    /// Whether it belongs to a body that yields below its surface.
-    pub fn is_of_yielding(&self) -> bool {
-        ["solid.yield", "solid.hardening", "solid.kinematic"].iter().any(|start| self.path.starts_with(start))
+    /// Whether it is a key of a drive.
+    pub fn is_of_drive(&self) -> bool {
+        DRIVES.iter().flat_map(|drive| drive.keys).any(|key| key.path == self.path)
     }
 
     /// The section of the setup that it belongs to.

@@ -1,8 +1,8 @@
 //! Keys of a setup that have no effect, and sections that are given as lists.
 
+use super::Key;
 use super::idle::IdleCause;
 use super::text::SetupTable;
-use super::{KEYS, Key};
 use crate::error::{ExpectedValue, FoundValue, SetupError, TextFault, TextPlace};
 use toml::Value;
 
@@ -12,7 +12,7 @@ impl SetupTable {
     /// # Errors
     /// [`SetupError::Text`].
     pub fn check_idle(&self) -> Result<(), SetupError> {
-        for key in KEYS.iter().filter(|key| self.find(key.path).is_some()) {
+        for key in Key::all().filter(|key| self.find(key.path).is_some()) {
             if let Some(idle) = key.idle.iter().find(|idle| self.has(&idle.cause)) {
                 return Err(SetupError::text(key.path, idle.reason));
             }
@@ -27,7 +27,7 @@ impl SetupTable {
     pub(super) fn check_sections(&self) -> Result<(), SetupError> {
         // what is wrong with a load is said where loads are read
         let above = |key: &Key| key.path.rsplit_once('.').map(|(above, _)| above).filter(|above| *above != "load");
-        match KEYS.iter().filter_map(above).find(|path| self.find(path).is_some_and(Value::is_array)) {
+        match Key::all().filter_map(above).find(|path| self.find(path).is_some_and(Value::is_array)) {
             Some(path) => Err(list_of_section(path)),
             None => Ok(()),
         }
@@ -52,13 +52,13 @@ impl SetupTable {
 
 /// Whether a list at a path of keys stands in the place of a section, and not for several sections of a study.
 pub(super) fn is_list_of_section(path: &str, values: &[Value]) -> bool {
-    let is_section = KEYS.iter().any(|key| key.path.rsplit_once('.').is_some_and(|(above, _)| above == path));
+    let is_section = Key::all().any(|key| key.path.rsplit_once('.').is_some_and(|(above, _)| above == path));
     is_section && !values.iter().all(|value| value.is_table() || value.is_str())
 }
 
 /// The error of a list in the place of a section.
 pub(super) fn list_of_section(path: &str) -> SetupError {
-    let keys = KEYS.iter().filter_map(|key| key.path.strip_prefix(path)?.strip_prefix('.'));
+    let keys = Key::all().filter_map(|key| key.path.strip_prefix(path)?.strip_prefix('.'));
     let keys: Vec<String> = keys.filter(|key| !key.contains('.')).map(|key| format!("`{key}`")).collect();
     let expected = ExpectedValue::Section(format!("keys {}", keys.join(", ")));
     SetupError::Text {

@@ -1,5 +1,6 @@
 //! Lists of loads in setups.
 
+use super::Setup;
 use super::range::Range;
 use super::text::{SetupTable, wrong_load};
 use crate::contact::Load;
@@ -16,16 +17,6 @@ impl SetupTable {
     /// with equal ratios.
     ///
     /// A solid that yields below its surface remembers its loads: there the list becomes the path of the history, and none is returned.
-    ///
-    /// ```
-    /// use asperity::contact::Load;
-    /// use asperity::setup::SetupTable;
-    /// let mut table = SetupTable::from_toml("load.reduced-pressure = [1e-4, '1e-3..1e-1:3']")?;
-    /// let loads = table.take_loads()?.expect("a list is there");
-    /// assert_eq!(loads, [1e-4, 1e-3, 1e-2, 1e-1].map(Load::ReducedPressure));
-    /// assert!(table.take_loads()?.is_none());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     ///
     /// # Errors
     /// For an empty list, and for what is no load or range.
@@ -54,13 +45,59 @@ impl SetupTable {
         Ok(Some(loads))
     }
 
-    /// Sets a list of loads, all of the same kind, in the section `load`.
-    pub fn lay_loads(&mut self, loads: &[Load]) {
-        let Some(first) = loads.first() else { return };
+    /// The table with a list of loads, all of the same kind, in the section `load`; as it is without loads.
+    pub(super) fn with_loads(mut self, loads: &[Load]) -> Self {
+        let Some(first) = loads.first() else { return self };
         let named = toml::Table::try_from(first).expect("a load has a form in TOML");
         let values: Vec<toml::Value> = loads.iter().map(|load| load.value().into()).collect();
         self.remove("load");
         named.keys().for_each(|kind| self.lay(&format!("load.{kind}"), values.clone().into()));
+        self
+    }
+}
+
+impl Setup {
+    /// The setup with a list of loads, all of the same kind, which are applied one after the other.
+    ///
+    /// ```
+    /// use asperity::contact::{Load, Quantity};
+    /// use asperity::job::Job;
+    /// use asperity::setup::{Cell, Recipe, Setup};
+    /// use asperity::Indenter;
+    ///
+    /// let cylinder = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
+    /// let loads = [0.001, 0.002, 0.004].map(Load::ReducedPressure);
+    /// let setup = Setup::new(cylinder, Cell::line(1024, 4.0), loads[0]).under_loads(loads.into()).unloaded();
+    /// let outcome = Job::new(setup).run(&mut ())?;
+    /// let areas = outcome.solved[0].history.as_ref().expect("several states").values(Quantity::RelativeAreaCounted);
+    /// assert!(areas[0] < areas[1] && areas[1] < areas[2]);
+    /// // without friction and adhesion there is no hysteresis
+    /// assert_eq!(areas[..2], [areas[4], areas[3]]);
+    /// # Ok::<(), asperity::error::SetupError>(())
+    /// ```
+    pub fn under_loads(self, loads: Vec<Load>) -> Self {
+        Self { load: loads.first().copied().unwrap_or(self.load), loads, ..self }
+    }
+
+    /// The setup under one load, in place of its load or its list of loads.
+    pub fn under(&self, load: Load) -> Self {
+        Self { load, loads: Vec::new(), ..self.clone() }
+    }
+
+    /// The setup whose loads go back after the last one: a list through the same loads, and the path of a solid that yields below its surface also to 0.
+    /// Mean gaps go back to the first one.
+    pub fn unloaded(mut self) -> Self {
+        if !self.loads.is_empty() {
+            let back: Vec<Load> = self.loads.iter().rev().skip(1).copied().collect();
+            self.loads.extend(back);
+            return self;
+        }
+        let mut loads: Vec<f64> = self.path_points().iter().map(|point| point.load.value()).collect();
+        let back: Vec<f64> = loads.iter().rev().skip(1).copied().collect();
+        loads.extend(back);
+        loads.extend((!matches!(self.load, Load::MeanGap(_))).then_some(0.0));
+        self.path.get_or_insert_default().load = loads;
+        self
     }
 }
 

@@ -6,8 +6,7 @@
 //!                                   +----- carried by every result
 //! ```
 //!
-//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`:
-//! [`SetupTable::take_loads`] removes it, for [`crate::study::LoadCurve`], and a setup with the first load remains.
+//! A scene may hold a list of loads, `load.reduced-pressure = [1e-3, 1e-2]` or `"1e-3..1e-1:13"`: these are [`Setup::loads`].
 //! [`SetupTable::take_axes`] removes all other lists, for [`crate::study::Plan`].
 //!
 //! A setup is read from TOML, or from JSON with the feature `units`. Lengths and pressures are numbers in any consistent set of
@@ -79,8 +78,8 @@ pub use cost::{Cost, Extras};
 pub use drive::{Drive, StateChart};
 pub use drives::{DRIVES, LOADS};
 pub use flow::{AxisFlow, Flow, FlowFound, warning_of_leakage};
-pub use ingredient::{INGREDIENTS, Ingredient};
-pub use key::{Choices, Dimension, FlagValue, KEYS, Key, choices};
+pub use ingredient::Ingredient;
+pub use key::{Choices, Dimension, FlagValue, Key, choices};
 pub use method::Method;
 pub use part::{Part, Record};
 pub use path::LoadPath;
@@ -138,8 +137,11 @@ pub struct Setup {
     /// The allowed pressures.
     #[serde(default, skip_serializing_if = "Law::is_hard_wall")]
     pub law: Law,
-    /// The load.
+    /// The load; the first one of a list.
     pub load: Load,
+    /// The loads of a list, which are applied one after the other; empty for one load. In a scene they stand in the section `load`.
+    #[serde(skip)]
+    pub loads: Vec<Load>,
     /// The tangential load that follows the normal one, and the friction that carries it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<Friction>,
@@ -184,6 +186,7 @@ impl Setup {
             solid,
             law,
             load,
+            loads: Vec::new(),
             friction,
             adhesion,
             viscoelastic,
@@ -288,7 +291,7 @@ impl Setup {
         }
         let (conducts, solid) = (self.flow.resistivities()?.is_some(), self.elastic()?);
         Err(match () {
-            () if conducts && self.drive()?.is_some() => FlowError::NeedsRest,
+            () if conducts && (self.is_history()? || self.sliding.is_some()) => FlowError::NeedsRest,
             () if conducts && !solid.is_half_space() => FlowError::NeedsHalfSpace { solid: solid.description() },
             () => return Ok(()),
         }
@@ -324,10 +327,10 @@ impl Setup {
         self.surface.surface(self.check()?)
     }
 
-    /// The problem.
+    /// The problem; that of a list of loads is under the largest of them.
     ///
     /// # Errors
-    /// The errors of [`Setup::surface`], of [`Problem::new`] and of [`Problem::with_law`].
+    /// The errors of [`Setup::surface`], of [`Problem::new`] and of [`Problem::with_law`], under any of the loads.
     pub fn problem(&self) -> Result<Problem, SetupError> {
         self.problem_of(self.surface()?)
     }
@@ -335,10 +338,19 @@ impl Setup {
     /// The problem of heights that are given, instead of those that the recipe makes.
     ///
     /// # Errors
-    /// The errors of [`Setup::check`] that do not concern the surface, of [`Problem::new`] and of [`Problem::with_law`].
+    /// The errors of [`Setup::check`] that do not concern the surface, of [`Problem::new`] and of [`Problem::with_law`], under any of the loads.
     pub fn problem_of(&self, surface: impl Into<Arc<Surface>>) -> Result<Problem, SetupError> {
         let surface = surface.into();
         self.check_on(surface.grid())?;
+        let first = self.problem_under_load(surface)?;
+        let under = |load: &Load| first.clone().with_load(*load);
+        let all = self.loads.iter().map(under).collect::<Result<Vec<_>, _>>()?;
+        let heaviest = all.into_iter().max_by(|a, b| a.expected_mean_pressure().total_cmp(&b.expected_mean_pressure()));
+        Ok(heaviest.unwrap_or(first))
+    }
+
+    /// The problem of some heights under the load.
+    fn problem_under_load(&self, surface: Arc<Surface>) -> Result<Problem, SetupError> {
         // a history may begin with a load that no other contact has: a pull with adhesion, a gap or an approach at which nothing touches with creep
         let is_apart = matches!(self.load, Load::Approach(approach) if approach <= 0.0) && self.creeps();
         let load = if self.adhesion.is_some() || is_apart { Load::ReducedPressure(ANY) } else { self.load };
@@ -376,7 +388,7 @@ impl Setup {
     /// For a file that cannot be read.
     pub fn fingerprint(&self) -> Result<String, SetupError> {
         let (load, record) = (Load::ReducedPressure(1.0), Record::default());
-        let rest = Self { load, friction: None, record, ..self.clone() }.with_names_by_content()?;
+        let rest = Self { load, loads: Vec::new(), friction: None, record, ..self.clone() }.with_names_by_content()?;
         Ok(format!("{:016x}", fnv1a([rest.to_toml().as_bytes()])))
     }
 }

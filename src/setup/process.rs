@@ -7,15 +7,23 @@ use crate::grid::Grid;
 use crate::history::{PathPoint, Process};
 
 impl Setup {
-    /// The drive that makes more than one state. A contact that slides at one speed is a single state, solved like any other.
+    /// The drive of a run with several states. A contact that slides at one speed is a single state, solved like any other.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::drive`].
+    pub fn drive_of_states(&self) -> Result<Option<&'static Drive>, SetupError> {
+        Ok(self.drive()?.filter(|drive| drive.is_list || self.speed().is_none()))
+    }
+
+    /// The drive of a history: of states that depend on those before, which the contacts under a list of loads do not.
     ///
     /// # Errors
     /// The errors of [`Setup::drive`].
     pub fn history_drive(&self) -> Result<Option<&'static Drive>, SetupError> {
-        Ok(self.drive()?.filter(|_| self.speed().is_none()))
+        Ok(self.drive_of_states()?.filter(|drive| !drive.is_list))
     }
 
-    /// Whether the setup describes more than one state.
+    /// Whether the setup describes a history.
     ///
     /// # Errors
     /// The errors of [`Setup::drive`].
@@ -23,12 +31,12 @@ impl Setup {
         Ok(self.history_drive()?.is_some())
     }
 
-    /// The number of states of a history, an estimate where steps are chosen by the error in time; 0 for one contact.
+    /// The number of states of a history or a list of loads, an estimate where steps are chosen by the error in time; 0 for one contact.
     ///
     /// # Errors
     /// The errors of [`Setup::drive`].
     pub fn expected_states(&self) -> Result<usize, SetupError> {
-        Ok(self.history_drive()?.map_or(0, |drive| (drive.states)(self)))
+        Ok(self.drive_of_states()?.map_or(0, |drive| (drive.states)(self)))
     }
 
     /// The states along the path, with a number of steps between two points if none is given.
@@ -54,16 +62,6 @@ impl Setup {
         if points.is_empty() && has_load { vec![PathPoint::under(self.load)] } else { points }
     }
 
-    /// The setup whose loads go back after the last one, and then to 0. Mean gaps go back to the first one.
-    pub fn unloaded(mut self) -> Self {
-        let mut loads: Vec<f64> = self.path_points().iter().map(|point| point.load.value()).collect();
-        let back: Vec<f64> = loads.iter().rev().skip(1).copied().collect();
-        loads.extend(back);
-        loads.extend((!matches!(self.load, Load::MeanGap(_))).then_some(0.0));
-        self.path.get_or_insert_default().load = loads;
-        self
-    }
-
     /// Checks what belongs to a drive.
     pub(super) fn check_drive(&self, drive: &Drive, grid: &Grid) -> Result<(), SetupError> {
         self.viscoelastic.as_ref().map_or(Ok(()), |it| it.prony().map(drop))?;
@@ -78,7 +76,7 @@ impl Setup {
         (drive.check)(self, grid)
     }
 
-    /// What makes the history of a problem, which is that of this setup; none for a contact without a history.
+    /// What makes the states of a problem, which is that of this setup; none for one contact.
     ///
     /// # Errors
     /// The errors of [`Setup::drive`] and of the process.

@@ -200,6 +200,7 @@ impl SetupTable {
     /// [`SetupError::Text`] that names the section and the key, and for an unknown one the nearest that is known;
     /// [`SetupError::UnitWithoutModulus`] for a hardness, yield stress or work of adhesion with a unit on no modulus.
     pub fn setup(mut self) -> Result<Setup, SetupError> {
+        let list = self.take_loads()?.unwrap_or_default();
         self.check_digests()?;
         self.check_surface()?;
         self.check_sections()?;
@@ -209,7 +210,9 @@ impl SetupTable {
         let modulus = self.check_modulus();
         let loads = self.check_load().and_then(|()| self.read_tangential()).and_then(|()| self.read_path());
         // an unknown key, such as a misspelt load, is said first
-        self.read_as().and_then(|setup| modulus.and(loads).map(|()| setup))
+        let setup: Setup = self.read_as()?;
+        modulus.and(loads)?;
+        Ok(Setup { loads: list, ..setup })
     }
 
     /// Checks that there is a surface.
@@ -322,12 +325,15 @@ impl Setup {
 
     /// The setup as TOML, all numbers to the last bit.
     pub fn to_toml(&self) -> String {
-        toml::to_string(self).expect("a setup has a form in TOML")
+        match self.loads.as_slice() {
+            [] => toml::to_string(self).expect("a setup has a form in TOML"),
+            _ => self.to_table().to_toml(),
+        }
     }
 
     /// The setup with its sections and keys apart.
     pub fn to_table(&self) -> SetupTable {
-        SetupTable::from_value(self)
+        SetupTable::from_value(self).with_loads(&self.loads)
     }
 
     /// Writes the setup as a scene, with the digests of its files. These keep the names that were given; where the scene is given by a path

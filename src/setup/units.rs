@@ -1,7 +1,7 @@
 //! Units that are given for some quantities and not for others.
 
 use super::range::has_unit;
-use super::{Dimension, KEYS, Key, SetupTable};
+use super::{Dimension, Key, SetupTable};
 use crate::error::SetupError;
 use crate::quantity::{ForceUnit, force_unit, has_length_unit, has_pressure_unit};
 use toml::Value;
@@ -104,7 +104,7 @@ impl SetupTable {
             return Ok(());
         }
         // Without a modulus these are numbers over it, which a unit contradicts. Mean pressures and forces are refused without a modulus in any case.
-        for key in KEYS.iter().filter(|key| key.is_over_modulus) {
+        for key in Key::all().filter(|key| key.is_over_modulus) {
             if let Some(word) = self.words_of(key.path).into_iter().find(|word| is_with_unit(word)) {
                 return Err(SetupError::UnitWithoutModulus { given: named(&(key, word)) });
             }

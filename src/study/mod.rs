@@ -2,7 +2,6 @@
 //! evaluation.
 //!
 //! ```text
-//! LoadCurve { setup, loads } --> Contacts
 //! Refinement { setup, tolerance } --> Settled { setup, contact }
 //! Realisation { name, setup, loads } --> Sweep --> Table (CSV) of Points --> SeedMean, Spread, Estimate, Limit
 //! Plan, a setup with lists --> Realisations, in one Sweep or in Shards on many machines --> Table, columns, Parquet, figure
@@ -26,7 +25,6 @@ mod identity;
 mod known;
 mod ledger;
 mod limit;
-mod load_curve;
 mod means;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -51,7 +49,6 @@ pub use estimate::Estimate;
 pub use expense::Expense;
 pub use ledger::{Batch, Ledger};
 pub use limit::{GridValues, Limit};
-pub use load_curve::LoadCurve;
 pub use means::{AdhesionMeans, LoadMeans, SeedMean, YieldMeans};
 pub use plan::{Plan, StudyRow};
 pub use point::Point;

@@ -17,7 +17,7 @@ const NAME: &str = "study";
 /// solved under all loads.
 ///
 /// The rows of the study are numbered from 1. The loads vary fastest, then the seeds, then the other lists (in the
-/// order of [`crate::setup::KEYS`], the last list first). The result of a row depends on its realisation only, not on
+/// order of [`crate::setup::Key::all`], the last list first). The result of a row depends on its realisation only, not on
 /// the share or on other rows.
 ///
 /// ```

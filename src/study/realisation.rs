@@ -1,9 +1,9 @@
 //! A setup and its loads.
 
-use super::load_curve::LoadCurve;
 use crate::contact::{Contact, Load, Observer};
 use crate::error::{ProblemError, SetupError, StudyError};
 use crate::grid::Grid;
+use crate::history::{Loading, Process};
 use crate::setup::Setup;
 
 /// A setup and its loads, which are solved one after the other.
@@ -26,16 +26,20 @@ impl Realisation {
     /// too.
     pub fn press<O: Observer, E: From<StudyError>>(
         &self,
-        watch: impl FnMut(usize) -> O,
+        mut watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(&Contact) -> Result<(), E>,
     ) -> Result<(), E> {
         let Some(&first) = self.loads.first() else { return Ok(()) };
         if self.setup.is_history().map_err(StudyError::from)? {
             return Err(StudyError::OneContact.into());
         }
-        let curve = LoadCurve { setup: self.under(first), loads: self.loads.clone() };
-        let problem = curve.setup.problem().map_err(StudyError::from)?;
-        curve.press(&problem, watch, |_, contact| each(contact))
+        let problem = self.under(first).problem().map_err(StudyError::from)?;
+        let mut loading = Loading::new(problem, self.setup.solver(), self.setup.stop).along(self.loads.clone());
+        for number in 0..self.loads.len() {
+            let Some(state) = loading.next(&mut watch(number)) else { break };
+            each(&state.map_err(StudyError::from)?.contact)?;
+        }
+        Ok(())
     }
 
     /// Checks everything that can be checked without generating a surface, and returns the grid.
@@ -55,7 +59,7 @@ impl Realisation {
 
     /// The setup under a load.
     pub fn under(&self, load: Load) -> Setup {
-        Setup { load, ..self.setup.clone() }
+        self.setup.under(load)
     }
 
     /// Loads that are reduced pressures `p* = <p>/(gbar E*)`.

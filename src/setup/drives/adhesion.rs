@@ -1,6 +1,6 @@
 //! Adhesion under loads up and down.
 
-use crate::adhesion::{AdhesionScales, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem};
+use crate::adhesion::{AdhesionScales, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem, AttractionForm};
 use crate::contact::{Feels, Load, Problem, Quantity, ResultClaim, State};
 use crate::error::{AdhesionError, SetupError};
 use crate::grid::Grid;
@@ -8,6 +8,8 @@ use crate::history::{AdhesiveProcess, PathPoint};
 use crate::setup::Setup;
 use crate::setup::cost::bytes;
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
+use crate::setup::key::{Dimension, FlagValue, Key, choices, key};
 use crate::warning::Warning;
 use std::sync::Arc;
 
@@ -26,10 +28,20 @@ const FEW_SPACINGS: f64 = 4.0;
 /// An error of the grid above this part gets a warning.
 const LARGE_GRID_ERROR: f64 = 0.02;
 
+#[rustfmt::skip]
+const KEYS: &[Key] = &[
+    key("adhesion.work", "adhesion", FlagValue::One, Dimension::EnergyPerArea, "W", "Work of adhesion, an energy per area such as 50mJ/m^2; needs --adhesion-range").named("work of adhesion").over_modulus(),
+    key("adhesion.range", "adhesion-range", FlagValue::One, Dimension::Length, "RHO", "Range of the attraction: the work of adhesion over its largest traction, a length"),
+    key("adhesion.form", "adhesion-form", FlagValue::Choice(choices::<AttractionForm>), Dimension::Word, "FORM", "How the attraction falls with the gap [default: exponential]"),
+    key("adhesion.table", "adhesion-table", FlagValue::One, Dimension::File, "FILE.csv", "Table of the attraction with the columns gap and traction, instead of the three flags above"),
+    key("adhesion.method", "adhesion-method", FlagValue::Choice(choices::<AdhesiveMethod>), Dimension::Word, "METHOD", "Method that finds states with adhesion; gfmd is a motion, in which jumps can be watched [default: fast]"),
+];
+
 /// Adhesion, under loads that go up and down along a path.
 pub const ADHESION: Drive = Drive {
     name: "adhesion",
-    given_by: "adhesion",
+    keys: KEYS,
+    given: Ingredient { path: "adhesion", name: "adhesion", is_given: |it| it.adhesion.is_some() },
     takes: &["path"],
     needs: &[],
     states: |it| it.states_of_path(STEPS).max(1).saturating_add(it.expected_frames()),

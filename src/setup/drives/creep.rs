@@ -6,6 +6,8 @@ use crate::error::SetupError;
 use crate::history::CreepProcess;
 use crate::setup::cost::bytes;
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
+use crate::setup::key::{Dimension, FlagValue, Key, key};
 use crate::setup::{Setup, Solid};
 use crate::warning::Warning;
 use std::sync::Arc;
@@ -25,10 +27,17 @@ const TERM_FIELDS: f64 = 10.3;
 /// gap are divided by at least this part of the rms height.
 const SMALL: f64 = 1e-2;
 
+#[rustfmt::skip]
+const KEYS: &[Key] = &[
+    key("viscoelastic.creep", "creep", FlagValue::List, Dimension::Time, "F,TAU[,...]", "Creep of a viscoelastic solid: pairs of a ratio and a retardation time; the modulus is the one at once after loading; needs --path-time, --path or --speed").named("retardation time"),
+    key("viscoelastic.relaxation", "relaxation", FlagValue::List, Dimension::Time, "G,TAU[,...]", "Relaxation of a viscoelastic solid, instead of --creep: pairs of a share of the modulus and a relaxation time").named("relaxation time"),
+];
+
 /// A viscoelastic solid in time, under loads that change along a path.
 pub const CREEP: Drive = Drive {
     name: "creep",
-    given_by: "viscoelastic",
+    keys: KEYS,
+    given: Ingredient { path: "viscoelastic", name: "creep", is_given: |it| it.viscoelastic.is_some() },
     takes: &["path", "law.hardness", "solver.method"],
     needs: &["path.time"],
     states: |it| it.states_of_path(EXPECTED_STEPS),

@@ -1,20 +1,23 @@
 //! One load after the other.
 
+use super::sliding::SLIDING;
 use crate::contact::{Feels, Quantity};
 use crate::history::Loading;
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
 
 /// A list of loads: contacts one after the other, each solved from the one before.
 pub const LOADS: Drive = Drive {
     name: "loads",
-    given_by: "load",
-    takes: &["law.hardness", "solver.method"],
+    keys: &[],
+    given: Ingredient { path: "load", name: "several loads without a path", is_given: |it| !it.loads.is_empty() },
+    takes: &["law.hardness", "solver.method", "sliding", "viscoelastic"],
     needs: &[],
-    states: |_| 0,
-    check: |_, _| Ok(()),
+    states: |it| it.loads.len(),
+    check: |it, grid| if it.sliding.is_some() { (SLIDING.check)(it, grid) } else { Ok(()) },
     bytes: |_, _| Ok(0.0),
     transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
-    make: |it, problem| Ok(Box::new(Loading::new(problem, it.solver(), it.stop).along(vec![it.load]))),
+    make: |it, problem| Ok(Box::new(Loading::new(problem, it.solver(), it.stop).along(it.loads.clone()))),
     doubts: |_, _| Vec::new(),
     needs_pressure: false,
     is_list: true,

@@ -13,7 +13,7 @@ pub use loads::LOADS;
 
 use super::Drive;
 
-/// All drives that a setup asks for by its sections and keys. Where several are asked for, the first one reports what it cannot have beside it: so sliding
-/// stands before creep, which it needs, and slip, which a path alone asks for, is the last one.
+/// All drives. Their keys are in this order on a command line. Of several that a setup asks for, the last one is meant: sliding stands behind creep, which
+/// it needs.
 pub const DRIVES: &[&Drive] =
-    &[&plastic::PLASTIC, &adhesion::ADHESION, &sliding::SLIDING, &rolling::ROLLING, &creep::CREEP, &slip::SLIP];
+    &[&LOADS, &plastic::PLASTIC, &adhesion::ADHESION, &creep::CREEP, &sliding::SLIDING, &rolling::ROLLING, &slip::SLIP];

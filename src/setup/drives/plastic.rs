@@ -7,6 +7,8 @@ use crate::error::{ConflictRule, HistoryError, PlasticError, SetupError};
 use crate::grid::Grid;
 use crate::history::{Plastic, PlasticLoading, PlasticSolid};
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
+use crate::setup::key::{Dimension, FlagValue, Key, key};
 use crate::setup::{Setup, Solid, YieldLaw};
 
 /// The iterations of a load step that are expected.
@@ -21,10 +23,21 @@ const TIMES_OF_ERRORS: f64 = 4.0;
 /// Load steps by which the pressure of a given mean gap is found.
 const TRIALS_OF_GAP: f64 = 6.0;
 
+#[rustfmt::skip]
+const KEYS: &[Key] = &[
+    key("solid.yield-stress", "yield-stress", FlagValue::One, Dimension::Pressure, "Y", "Yield stress in tension of a body that yields below its surface (J2 plasticity) and keeps an imprint; needs --young, --poisson and --hardening-modulus; loads, up and down, follow each other").over_modulus(),
+    key("solid.hardening-modulus", "hardening-modulus", FlagValue::One, Dimension::Pressure, "H", "Modulus of isotropic hardening: after a plastic strain alpha the body yields at Y + H alpha; a millionth of Young's modulus hardly differs from none").over_modulus(),
+    key("solid.kinematic-hardening", "kinematic-hardening", FlagValue::One, Dimension::Pressure, "C", "Modulus of linear kinematic hardening besides, which moves the yield limits [default: 0]").over_modulus(),
+    key("solid.yield-depth", "yield-depth", FlagValue::One, Dimension::Length, "D", "Depth at which the layers end in which the body may yield [default: half the longest side of the cell, and deeper where the body yields down to there]"),
+    key("solid.yield-layers", "yield-layers", FlagValue::One, Dimension::One, "N", "Number of layers, all of equal thickness [default: the first is half as thick as the spacing of the grid, each further one thicker by a tenth]"),
+    key("solid.yield-errors", "yield-errors", FlagValue::Switch, Dimension::Switch, "", "Estimate the errors of imprint and area by the load steps, by the layers and by the grid, from the same loads solved in finer steps, in coarser layers and on a coarser grid; takes about four times as long"),
+];
+
 /// A solid that yields below its surface, under loads that go up and down along a path.
 pub const PLASTIC: Drive = Drive {
     name: "plastic",
-    given_by: "solid.yield-stress",
+    keys: KEYS,
+    given: Ingredient { path: "solid.yield-stress", name: "a yield stress", is_given: Setup::yields },
     takes: &["path"],
     needs: &[],
     states: Setup::states_of_yielding,

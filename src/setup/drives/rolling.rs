@@ -6,15 +6,25 @@ use crate::grid::Grid;
 use crate::history::{RollingConditions, RollingDrive, RollingProcess};
 use crate::setup::cost::bytes;
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
+use crate::setup::key::{Dimension, FlagValue, Key, key};
 use crate::setup::{RollingMotion, Setup};
 
 /// Fields that rolling takes besides its solves, lines and surfaces. Measured as the peak of resident memory.
 const FIELDS: [f64; 2] = [33.0, 33.0];
 
+#[rustfmt::skip]
+const KEYS: &[Key] = &[
+    key("rolling.creepage", "creepage", FlagValue::List, Dimension::One, "XI[,XI]", "Steady rolling along x of a line with friction, at this creepage; a negative creepage pulls the solid towards +x; needs --friction"),
+    key("rolling.tangential", "rolling", FlagValue::List, Dimension::Load, "Q[,Q]", "Steady rolling under this tangential load, of the same kind as the normal one; 0 for free rolling; needs --friction").named("tangential load of rolling"),
+    key("rolling.step", "rolling-step", FlagValue::One, Dimension::Length, "L", "Length of a step of rolling [default: the spacing of the grid]").named("step of rolling"),
+];
+
 /// Steady rolling of a line with friction, one state for each creepage or tangential load.
 pub const ROLLING: Drive = Drive {
     name: "rolling",
-    given_by: "rolling",
+    keys: KEYS,
+    given: Ingredient { path: "rolling", name: "rolling", is_given: |it| it.rolling.is_some() },
     takes: &[],
     needs: &["friction.coefficient"],
     states: |it| it.rolling.as_ref().map_or(0, |it| it.creepage.len() + it.tangential.len()),

@@ -6,16 +6,24 @@ use crate::history::SlidingProcess;
 use crate::setup::Setup;
 use crate::setup::cost::bytes;
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
+use crate::setup::key::{Dimension, FlagValue, Key, key};
 
 /// Fields that sliding takes besides its solves, lines and surfaces, and for each term of the Prony series. Measured as the peak of resident memory.
 const FIELDS: [f64; 2] = [22.0, 14.0];
 const TERM_FIELDS: f64 = 2.0;
 
+#[rustfmt::skip]
+const KEYS: &[Key] = &[
+    key("sliding.speed", "speed", FlagValue::List, Dimension::Speed, "V[,V]", "Speed at which the surface slides steadily over a viscoelastic solid along x; 1e-3..1e3:13 for 13 speeds with equal ratios"),
+];
+
 /// Steady sliding over a viscoelastic solid, one state for each speed.
 pub const SLIDING: Drive = Drive {
     name: "sliding",
-    given_by: "sliding",
-    takes: &[],
+    keys: KEYS,
+    given: Ingredient { path: "sliding", name: "sliding", is_given: |it| it.sliding.is_some() },
+    takes: &["load"],
     needs: &["viscoelastic"],
     states: |it| it.sliding.as_ref().map_or(0, |it| it.speed.len()),
     check: |_, grid| if grid.is_periodic() { Ok(()) } else { Err(ConflictRule::SlidingOfFree.into()) },

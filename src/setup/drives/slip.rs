@@ -5,6 +5,7 @@ use crate::error::{ConflictRule, SetupError, SlipError};
 use crate::history::{LEAST_LOSS, LEAST_SHIFT, SlipHistory, SlipPace, SlipProcess};
 use crate::setup::cost::bytes;
 use crate::setup::drive::{Drive, StateChart};
+use crate::setup::ingredient::Ingredient;
 use crate::setup::{Setup, Solid};
 use crate::warning::Warning;
 use std::sync::Arc;
@@ -20,7 +21,12 @@ const STATE_FIELDS: [f64; 2] = [3.0, 5.0];
 /// Partial slip along a path of normal and tangential loads.
 pub const SLIP: Drive = Drive {
     name: "slip",
-    given_by: "path.tangential",
+    keys: &[],
+    given: Ingredient {
+        path: "path.tangential",
+        name: "tangential loads of a path",
+        is_given: |it| it.path.as_ref().is_some_and(|path| !path.tangential.is_empty()),
+    },
     takes: &["path", "solver.method"],
     needs: &["friction.coefficient"],
     states: |it| it.states_of_path(1),
