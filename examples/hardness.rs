@@ -2,22 +2,23 @@
 //!
 //! cargo run --release --example hardness
 
-use asperity::contact::{Contact, Law, Load};
-use asperity::error::StudyError;
+use asperity::contact::{Law, Load};
+use asperity::error::SetupError;
+use asperity::job::HistoryOutcome;
 use asperity::setup::{Cell, Recipe, Setup};
-use asperity::study::LoadCurve;
 use asperity::surface::Spectrum;
 
-fn main() -> Result<(), StudyError> {
+fn main() -> Result<(), SetupError> {
     let spectrum = Spectrum { hurst: 0.8, rolloff_wavelength: 0.25, short_cutoff: 1.0 / 64.0, rms_gradient: 0.1 };
     let loads = [1e-3, 1e-2, 3e-2, 0.1, 0.2].map(Load::ReducedPressure);
     let wall = Setup::new(Recipe::rough(spectrum, 1), Cell::line(4096, 1.0), loads[0]);
     // the softer body yields at 5 % of the contact modulus
     let setup = Setup { law: Law::Hardness(0.05), ..wall };
-    let curve = LoadCurve { setup, loads: loads.into() }.and_back();
+    let setup = setup.under_loads(loads.into()).unloaded();
 
     println!("{:>12} {:>10} {:>10} {:>12} {:>12}", "<p> / E*", "area", "yields", "of the load", "overlap");
-    let each = |_, contact: &Contact| -> Result<(), StudyError> {
+    let outcome = HistoryOutcome::solve(&setup, &setup.problem()?, &mut ())?;
+    for contact in outcome.states.iter().map(|state| &state.contact) {
         // on the way back the body is elastic, and what has yielded fits
         let plastic = contact.plasticity();
         println!(
@@ -28,7 +29,6 @@ fn main() -> Result<(), StudyError> {
             plastic.load_share,
             plastic.overlap
         );
-        Ok(())
-    };
-    curve.press(&curve.problem()?, |_| (), each)
+    }
+    Ok(())
 }

@@ -3,11 +3,10 @@
 //! `cargo run --release --example yielding_rough` prints both and draws them into `yielding_rough.png` in the folder for temporary files.
 
 use asperity::contact::{Contact, Law, Load, Quantity};
-use asperity::error::StudyError;
+use asperity::error::SetupError;
 use asperity::job::HistoryOutcome;
 use asperity::plot::{Axis, Colour, Dot, Figure, FigureStyle, Mark, Panel, write_figure};
 use asperity::setup::{LoadPath, Setup};
-use asperity::study::LoadCurve;
 
 /// Under one load: mean pressure over yield stress, relative area, and mean gap and depth of the imprint over the rms height.
 type Row = [f64; 4];
@@ -21,25 +20,20 @@ const SCENE: &str = "
     load.mean-pressure = '10 MPa'
     solid = { young = '210 GPa', poisson = 0.3";
 
-fn capped(loads: &[f64]) -> Result<Vec<Row>, StudyError> {
+fn capped(loads: &[f64]) -> Result<Vec<Row>, SetupError> {
     let setup = Setup { law: Law::Hardness(TABOR * YIELD_STRESS), ..Setup::from_toml(&format!("{SCENE} }}"))? };
-    let curve = LoadCurve { setup, loads: loads.iter().map(|load| Load::MeanPressure(*load)).collect() };
-    let mut rows = Vec::new();
-    curve.press(
-        &curve.problem()?,
-        |_| (),
-        |_, contact: &Contact| {
-            let height = contact.problem.rms_height();
-            let deepest = contact.overlap().iter().copied().fold(0.0, f64::max);
-            let area = contact.resolved().relative_area;
-            rows.push([contact.mean_pressure() / YIELD_STRESS, area, contact.mean_gap() / height, deepest / height]);
-            Ok::<(), StudyError>(())
-        },
-    )?;
-    Ok(rows)
+    let setup = setup.under_loads(loads.iter().map(|load| Load::MeanPressure(*load)).collect());
+    let outcome = HistoryOutcome::solve(&setup, &setup.problem()?, &mut ())?;
+    let row = |contact: &Contact| {
+        let height = contact.problem.rms_height();
+        let deepest = contact.overlap().iter().copied().fold(0.0, f64::max);
+        let area = contact.resolved().relative_area;
+        [contact.mean_pressure() / YIELD_STRESS, area, contact.mean_gap() / height, deepest / height]
+    };
+    Ok(outcome.states.iter().map(|state| row(&state.contact)).collect())
 }
 
-fn flowing(loads: &[f64]) -> Result<Vec<Row>, StudyError> {
+fn flowing(loads: &[f64]) -> Result<Vec<Row>, SetupError> {
     let scene = format!("{SCENE}, yield-stress = '1 GPa', hardening-modulus = '2 GPa', yield-depth = '50 um' }}");
     let path = LoadPath { load: [loads, &[0.0]].concat(), ..LoadPath::default() };
     let setup = Setup { path: Some(path), ..Setup::from_toml(&scene)? };

@@ -194,7 +194,7 @@ impl Problem {
                 "a yield stress is given, but results are certified of bodies that have not yielded before: leave it out",
             );
         }
-        if slf.get().setup.loads.is_some() {
+        if slf.get().setup.has_loads() {
             return bail("a result belongs to one load, but a list of loads is given: give one load");
         }
         match (pressure, gap, displacement) {

@@ -9,10 +9,11 @@ use crate::load_curve::LoadCurve;
 use crate::prepared_array::sections_of_array;
 use crate::problem::Problem;
 use crate::setup::Setup;
+use crate::shared_state::SharedState;
 use crate::surface::Surface;
 use crate::warn::warn_sentence;
+use asperity::contact::State;
 use asperity::job::{SavedFound, SavedResult};
-use asperity::setup;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -39,13 +40,15 @@ pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
             let contact = Contact { slip, ..Contact::new(*state, surface, setup.setup, rank) };
             Ok(Py::new(py, contact)?.into_any())
         }
-        SavedFound::Curve(states) => {
-            let under = |load| setup::Setup { load, ..setup.setup.clone() };
-            let contacts = states.into_iter().map(|it| (under(it.contact.problem.load()), it));
-            let contacts = contacts.map(|(under, it)| Contact::new(it, surface.clone(), under, rank)).collect();
+        SavedFound::States(outcome) if outcome.drive.is_list => {
+            let contact = |state: &Arc<State>| {
+                let under = setup.setup.under(state.contact.problem.load());
+                Contact::new(SharedState(state.clone()), surface.clone(), under, rank)
+            };
+            let contacts = outcome.states.iter().map(contact).collect();
             Ok(LoadCurve::new(py, contacts, setup)?.into_any())
         }
-        SavedFound::History(outcome) => {
+        SavedFound::States(outcome) => {
             let problem = setup.setup.problem_of(surface.clone()).map_err(py_error)?;
             let problem = Problem { problem, surface, setup: setup.clone(), rank, preparation: Arc::default() };
             Ok(History::new(py, *outcome, &problem, setup)?.into_any())

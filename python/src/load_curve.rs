@@ -46,7 +46,7 @@ impl LoadCurve {
     #[getter]
     fn loads<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyAny> {
         let setup = &slf.as_super().get().setup;
-        vector(slf.py(), setup.loads.iter().flatten().map(|load| load.value()).collect()).into_any()
+        vector(slf.py(), setup.setup.loads.iter().map(|load| load.value()).collect()).into_any()
     }
 
     /// All numbers of Contact.measures by their names, each an array with a value for every load.

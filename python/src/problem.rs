@@ -7,7 +7,7 @@ use crate::error::{bail, py_error, unexpected_keyword, wrong_type};
 use crate::fork;
 use crate::setup::Setup;
 use crate::surface::Surface;
-use asperity::study::{LoadCurve, Refinement};
+use asperity::study::Refinement;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::Value;
@@ -55,15 +55,10 @@ impl Problem {
     /// The problem of a surface that presses as a setup describes.
     pub fn new(py: Python<'_>, surface: &Arc<asperity::Surface>, setup: Setup, rank: usize) -> PyResult<Self> {
         fork::check_not_forked()?;
-        if setup.loads.is_some() && setup.refinement.is_some() {
+        if setup.has_loads() && setup.refinement.is_some() {
             return bail("refine='auto' needs one load, but several are given: give one load, or a number for refine");
         }
-        let Setup { setup: first, loads, .. } = &setup;
-        let problem = || match loads {
-            Some(loads) => LoadCurve { setup: first.clone(), loads: loads.clone() }.problem_of(surface.clone()),
-            None => first.problem_of(surface.clone()),
-        };
-        let problem = py.try_detached(problem)?;
+        let problem = py.try_detached(|| setup.setup.problem_of(surface.clone()))?;
         Ok(Self { problem, surface: surface.clone(), setup, rank, preparation: Arc::default() })
     }
 
@@ -156,7 +151,7 @@ impl Problem {
             return Ok(self.under(self.problem.clone(), setup));
         }
         let under = |load| self.problem.clone().with_load(load).map_err(py_error);
-        setup.loads.iter().flatten().try_for_each(|load| under(*load).map(drop))?;
+        setup.setup.loads.iter().try_for_each(|load| under(*load).map(drop))?;
         if let (Some(friction), None) = (setup.setup.friction, setup.setup.drive().map_err(py_error)?) {
             friction.ratio(setup.setup.load).map_err(py_error)?;
         }
@@ -226,9 +221,9 @@ impl Problem {
     fn __repr__(&self) -> String {
         let grid = self.problem.surface().grid();
         let points = &grid.shape()[2 - self.rank..];
-        let loads = match &self.setup.loads {
-            Some(loads) => format!("{} loads", loads.len()),
-            None => self.problem.load().to_string(),
+        let loads = match self.setup.setup.loads.len() {
+            0 => self.problem.load().to_string(),
+            several => format!("{several} loads"),
         };
         format!(
             "Problem(shape={}, contact_modulus={:e}, {loads})",

@@ -198,7 +198,7 @@ impl Recorder {
         let Ok(quantity) = quantity.parse::<GivenField>() else {
             return bail(format!("there is no quantity {quantity:?}: give pressure, gap or displacement"));
         };
-        if problem.setup.loads.is_some() {
+        if problem.setup.has_loads() {
             return bail("a recording shows the steps under one load, but a list of loads is given: give one load");
         }
         let mut sections = problem.setup.sections();

@@ -5,7 +5,6 @@ use crate::detached::Detached;
 use crate::error::{bail, error_in_text, error_of_keywords, py_error};
 use crate::output::check_output;
 use crate::surface::Surface;
-use asperity::contact::Load;
 use asperity::error::SetupError;
 use asperity::setup::{self, Auto, SetupTable};
 use pyo3::prelude::*;
@@ -22,18 +21,16 @@ use std::path::PathBuf;
 #[pyclass(frozen, eq, from_py_object, module = "asperity")]
 #[derive(Clone, PartialEq)]
 pub struct Setup {
-    /// The setup under the first load, on the first grid.
+    /// The setup, on the first grid.
     pub setup: setup::Setup,
-    /// All loads, if there is a list of them.
-    pub loads: Option<Vec<Load>>,
     /// The tolerance of an automatic grid, if there is one.
     pub refinement: Option<Auto>,
 }
 
 impl Setup {
-    /// The setup of one load on one grid.
+    /// The setup on one grid.
     pub fn new(setup: setup::Setup) -> Self {
-        Self { setup, loads: None, refinement: None }
+        Self { setup, refinement: None }
     }
 
     /// The setup that a table describes.
@@ -41,9 +38,13 @@ impl Setup {
         table.check_idle()?;
         table.check_force_numbers()?;
         table.check_force_units()?;
-        let loads = table.take_loads()?;
         let refinement = table.take_auto()?;
-        Ok(Self { setup: table.setup()?, loads, refinement })
+        Ok(Self { setup: table.setup()?, refinement })
+    }
+
+    /// Whether it has a list of loads.
+    pub fn has_loads(&self) -> bool {
+        !self.setup.loads.is_empty()
     }
 
     /// The setup of a table that a person wrote, in which all quantities of a kind have units or none has.
@@ -59,17 +60,16 @@ impl Setup {
 
     /// The table as it is saved: with the digests of its files.
     pub fn to_saved_table(&self) -> SetupTable {
-        self.with_lists(self.setup.to_saved_table())
+        self.with_grids(self.setup.to_saved_table())
     }
 
-    /// The table with its list of loads and its request for a grid.
+    /// The table with its request for a grid.
     fn table(&self) -> SetupTable {
-        self.with_lists(self.setup.to_table())
+        self.with_grids(self.setup.to_table())
     }
 
-    /// A table of this setup with what the setup alone does not have: the list of loads and the request for a grid.
-    fn with_lists(&self, mut table: SetupTable) -> SetupTable {
-        table.lay_loads(self.loads.as_deref().unwrap_or_default());
+    /// A table of this setup with the request for a grid, which the setup alone does not have.
+    fn with_grids(&self, mut table: SetupTable) -> SetupTable {
         if let Some(Auto { tolerance, axes }) = self.refinement {
             table.lay("grid.area-tolerance", tolerance.into());
             match axes {
@@ -144,7 +144,7 @@ impl Setup {
 
     /// The command that repeats the solve under the first load, without a recording.
     fn command(&self) -> String {
-        setup::command(&self.setup)
+        setup::command(&self.setup.under(self.setup.load))
     }
 
     /// The surface, generated or read.

@@ -14,11 +14,11 @@ use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warn::warn_sentence;
 use crate::warnings::{warn, warning_of_failure, warnings_about};
-use asperity::contact::{Load, Observer, State, Status};
+use asperity::contact::{Observer, State, Status};
 use asperity::error::{HistoryError, StudyError};
 use asperity::foreign::{GivenField, Replay};
 use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
-use asperity::setup::{self, Cost};
+use asperity::setup::Cost;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -65,13 +65,9 @@ impl Problem {
     pub fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
         let (options, setup) = SolveOptions::from_keywords(options, &self.setup, self.problem.surface().grid())?;
         let solve = Solve { problem: self, setup: &setup, options: &options };
-        let is_history = setup.setup.is_history().map_err(py_error)?;
-        match &setup.loads {
-            None if is_history => Ok(solve.history(py)?.into_any()),
-            Some(_) if is_history => {
-                bail("a history needs one load, but a list of loads is given: give one load and a path")
-            }
-            Some(loads) => Ok(solve.curve(py, loads)?.into_any()),
+        match setup.setup.drive_of_states().map_err(py_error)? {
+            Some(drive) if drive.is_list => Ok(solve.curve(py)?.into_any()),
+            Some(_) => Ok(solve.history(py)?.into_any()),
             None => Ok(Py::new(py, solve.contact(py)?)?.into_any()),
         }
     }
@@ -138,7 +134,6 @@ impl Solve<'_> {
         let run = JobRun {
             heights: self.problem.is_array().then(|| surface.clone()),
             problem: Some(problem.clone()),
-            loads: self.setup.loads.clone().unwrap_or_default(),
             ..JobRun::new(self.setup.setup.clone())
         };
         let job = Job::from_run(run).diagnosed(*diagnose).started_from(start.as_ref());
@@ -153,8 +148,8 @@ impl Solve<'_> {
     }
 
     /// Solves under one load after the other.
-    fn curve(&self, py: Python<'_>, loads: &[Load]) -> PyResult<Py<LoadCurve>> {
-        self.check_fields(FIELDS_OF_CONTACT * loads.len().saturating_sub(1) as f64)?;
+    fn curve(&self, py: Python<'_>) -> PyResult<Py<LoadCurve>> {
+        self.check_fields(FIELDS_OF_CONTACT * self.setup.setup.loads.len().saturating_sub(1) as f64)?;
         let outcome = self.states(py)?;
         if let Some(failure) = outcome.failure {
             return Err(py_error(failure));
@@ -207,7 +202,7 @@ impl Solve<'_> {
 
     /// The contact of a curve as an object of Python.
     fn under_its_load(&self, state: Arc<State>) -> Contact {
-        let setup = setup::Setup { load: state.contact.problem.load(), ..self.setup.setup.clone() };
+        let setup = self.setup.setup.under(state.contact.problem.load());
         let Problem { surface, rank, preparation, .. } = self.problem;
         let preparation = preparation.clone();
         Contact { preparation, ..Contact::new(SharedState(state), surface.clone(), setup, *rank) }

@@ -108,7 +108,7 @@ impl SolveOptions {
             ("diagnose", self.diagnose, "use a Recorder, which has a diagnosis"),
             ("start", self.start.is_some(), "start your function where you like"),
             ("refine='auto'", setup.refinement.is_some(), "give a Surface with the grid that you need"),
-            ("a list of loads", setup.loads.is_some(), "solve under one load after the other"),
+            ("a list of loads", setup.has_loads(), "solve under one load after the other"),
             ("friction", setup.setup.friction.is_some(), "choose multilevel"),
             ("a history", setup.setup.is_history().map_err(py_error)?, "leave the solver out"),
         ];
@@ -129,7 +129,7 @@ impl SolveOptions {
             ("start needs", self.start.is_some()),
             ("friction needs", setup.setup.friction.is_some()),
         ];
-        let is_several = setup.loads.is_some() || setup.setup.is_history().map_err(py_error)?;
+        let is_several = setup.has_loads() || setup.setup.is_history().map_err(py_error)?;
         if let Some(part) = setup.setup.record.what.iter().find(|part| is_several && Part::OF_A_RUN.contains(part)) {
             let part = part.name();
             return bail(format!(
@@ -137,10 +137,10 @@ impl SolveOptions {
             ));
         }
         match only_once.iter().find(|(_, is_given)| *is_given) {
-            Some((what, _)) if setup.loads.is_some() => {
+            Some((what, _)) if setup.has_loads() => {
                 bail(format!("{what} one load, but a list of loads is given: give one load"))
             }
-            _ if setup.loads.is_some() && setup.refinement.is_some() => {
+            _ if setup.has_loads() && setup.refinement.is_some() => {
                 bail("refine='auto' needs one load, but a list of loads is given: give one load")
             }
             _ if self.start.is_some() && setup.refinement.is_some() => {

@@ -1,7 +1,7 @@
 //! Sentences of the library in the words of Python: keywords in place of flags and of the keys of scenes, and values as Python writes them.
 
 use asperity::error::{ExpectedValue, FoundValue, TextFault, TextPlace};
-use asperity::setup::{FlagValue, KEYS, Key};
+use asperity::setup::{FlagValue, Key};
 
 /// Sections and tables whose keys are keywords of functions; keys of all other sections stand in dictionaries.
 const KEYWORDS: [&str; 6] = ["grid", "stop", "load", "surface", "surface.spectrum", "surface.indenter"];
@@ -118,7 +118,7 @@ pub fn without_flags(sentence: &str) -> String {
 /// What stands in backticks: a key with `_` for `-`, keys with dots as a keyword, and anything else as it is.
 fn in_quotes(word: &str) -> String {
     let is_key = |key: &Key| key.path.split('.').any(|key| key == word);
-    if KEYS.iter().any(is_key) { word.replace('-', "_") } else { word.to_owned() }
+    if Key::all().any(is_key) { word.replace('-', "_") } else { word.to_owned() }
 }
 
 fn quoted(name: &str) -> String {

@@ -126,14 +126,14 @@ fn begin(text: &str) -> Result<Begin, String> {
 /// Sessions with the scene of a file, and the initial knobs. The errors are those of `solve`.
 fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     let mut table = SceneArgs::<OfSetup>::from_file(path.into()).table()?;
-    if table.take_loads()?.is_some() {
-        return usage("the page solves one load at a time, but several are given: give one");
-    }
     if table.take_auto()?.is_some() {
         return usage("the page cannot use refine = auto or points = auto: give numbers");
     }
     let refused = |refusal: Refusal| Usage(refusal.sentence);
     let setup = table.setup()?;
+    if !setup.loads.is_empty() {
+        return usage("the page solves one load at a time, but several are given: give one");
+    }
     setup.problem()?;
     let scene = SceneFile::new(setup).map_err(refused)?;
     let knobs = Knobs::from_scene(&scene).map_err(refused)?;

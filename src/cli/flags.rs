@@ -67,7 +67,7 @@ impl Extent for OfProblem {
 
     fn takes(key: &Key) -> bool {
         let is_goal = ["tolerance", "pressure-tolerance"].contains(&key.flag);
-        is_goal || !OF_A_SOLVE.contains(&key.section()) && !key.is_of_yielding()
+        is_goal || !OF_A_SOLVE.contains(&key.section()) && !key.is_of_drive()
     }
 
     fn name(key: &'static Key) -> &'static str {
@@ -86,7 +86,7 @@ impl Extent for OfSealing {
     const LOAD: &'static str = LOAD;
 
     fn takes(key: &Key) -> bool {
-        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&key.section()) && !key.is_of_yielding()
+        ["surface", "grid", "solid", "law", "solver", "stop"].contains(&key.section()) && !key.is_of_drive()
     }
 }
 

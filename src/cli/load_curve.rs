@@ -12,13 +12,12 @@ use super::units::Units;
 use super::warnings;
 use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{Load, Observables, Problem, Quantity, Status, archive_of_states, warnings_of};
+use asperity::contact::{Observables, Problem, Quantity, Status, archive_of_states, warnings_of};
 use asperity::error::{HistoryError, StudyError, is_input};
 use asperity::files::write_beside;
 use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
 use asperity::plot::write_figure;
-use asperity::setup::SetupTable;
-use asperity::study::LoadCurve;
+use asperity::setup::{Setup, SetupTable};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
@@ -43,7 +42,6 @@ struct LoadCurveSummary {
 /// Writes and prints what came out under a list of loads.
 pub fn write(
     solved: Solved,
-    loads: &[Load],
     problem: &Problem,
     watch: StateWatch<'_>,
     (outputs, units): (&Outputs, Units),
@@ -58,16 +56,17 @@ pub fn write(
         return Err(Interrupted.into());
     }
     history.states.retain(|state| state.contact.status != Status::StoppedByObserver);
-    let curve = LoadCurve { setup: solved.setup, loads: loads[..findings].into() };
+    let mut setup = solved.setup;
+    let all = setup.loads.len();
+    setup.loads.truncate(findings);
     let failure = history.failure.take();
     let written = (outputs, units);
-    write_files(&curve, problem, watch, &history, written)?;
+    write_files(&setup, problem, watch, &history, written)?;
     let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
     outputs.files().filter(is_whole).for_each(wrote);
-    let (solved, all) = (curve.loads.len(), loads.len());
     if let Some(error) = &history.ended {
         let cause = if is_stopped { "interrupted".to_owned() } else { error.to_string() };
-        warnings::print(&[format!("{cause}: {solved} of {all} loads were solved and written")]);
+        warnings::print(&[format!("{cause}: {findings} of {all} loads were solved and written")]);
     }
     match (failure, &history.ended) {
         (Some(failure), _) => Err(failure.into()),
@@ -78,23 +77,23 @@ pub fn write(
 }
 
 fn write_files(
-    curve: &LoadCurve,
+    setup: &Setup,
     problem: &Problem,
     watch: StateWatch<'_>,
     history: &HistoryOutcome,
     (outputs, units): (&Outputs, Units),
 ) -> Result<()> {
     let StateWatch { findings, of_contact, shortfalls, .. } = watch;
-    let (subject, setup) = (ProblemSummary::new(&curve.setup, problem)?, curve.to_table());
+    let (subject, table) = (ProblemSummary::new(setup, problem)?, setup.to_saved_table());
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
-    let mut warnings = curve.setup.surface.warnings(problem.surface());
+    let mut warnings = setup.surface.warnings(problem.surface());
     warnings.extend(warnings_of(&observables, problem.law()));
     warnings.extend(of_contact);
     let mut warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
     warnings.extend(shortfalls);
     if let Some(path) = outputs.archive() {
-        let bytes = archive_of_states(&history.states, subject.rank, &setup.to_toml());
+        let bytes = archive_of_states(&history.states, subject.rank, &table.to_toml());
         write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
     }
     if let Some(path) = outputs.table() {
@@ -102,15 +101,22 @@ fn write_files(
         write_loads(path, &findings.iter().zip(&further).map(numbers_of).collect::<Vec<_>>())?;
     }
     if let Some(path) = outputs.picture() {
-        let figure = picture::of_loads(&subject.title, &observables, curve.setup.load, units);
+        let figure = picture::of_loads(&subject.title, &observables, setup.load, units);
         write_figure(path, &figure, &outputs.style()?)?;
     }
     if let Some(path) = &outputs.save_setup {
-        setup.write(path)?;
+        table.write(path)?;
     }
     let ended = history.ended.as_ref().map(HistoryError::to_string);
-    let summary =
-        LoadCurveSummary { subject, loads: findings, ended, warnings, setup, units, is_verbose: outputs.verbose };
+    let summary = LoadCurveSummary {
+        subject,
+        loads: findings,
+        ended,
+        warnings,
+        setup: table,
+        units,
+        is_verbose: outputs.verbose,
+    };
     if outputs.json {
         write_json(&summary, &mut stdout())?
     } else {

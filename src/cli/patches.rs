@@ -17,7 +17,6 @@ use asperity::error::HistoryError;
 use asperity::files::{check_apart, check_named, write_csv};
 use asperity::job::{Job, JobRun, SavedResult};
 use asperity::setup::Setup;
-use asperity::study::LoadCurve;
 use clap::Args;
 use serde::Serialize;
 use std::io::Write;
@@ -104,16 +103,12 @@ impl PatchesCommand {
         let mut table = self.scene.table()?;
         check_apart(&self.out, self.scene.files(&table))?;
         refuse_study(&table)?;
-        let loads = table.take_loads()?;
         if table.take_auto()?.is_some() {
             return usage("patches are counted on one grid: give a number for --refine or --points instead of auto");
         }
         let setup = table.setup()?;
-        let is_list = loads.is_some();
-        let run = match loads {
-            Some(loads) => JobRun::of_loads(LoadCurve { setup, loads }),
-            None => JobRun::new(setup),
-        };
+        let run = JobRun::new(setup);
+        let is_list = run.drive()?.is_some_and(|drive| drive.is_list);
         let own = run.setup.surface.own_shape(run.setup.surface.grid(&run.setup.grid)?.shape());
         let mut patches = PatchHistory::new(own);
         let job = Job::from_run(run).keeping_last(is_list).with_sink(&mut patches);

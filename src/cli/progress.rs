@@ -49,7 +49,7 @@ impl Watcher for Bars {
             Pass::Grid(run) | Pass::Solve(run, _) => run.label().to_owned(),
             Pass::Reference(run) => format!("{}, first pass", run.label()),
             Pass::Stick(_) => "stick zone".into(),
-            Pass::State(run, _, number) => match run.loads.len() {
+            Pass::State(run, _, number) => match run.setup.loads.len() {
                 0 => format!("state {}", number + 1),
                 loads => format!("load {} of {loads}", number + 1),
             },

@@ -31,7 +31,6 @@ use asperity::job::{Job, JobRun, Solved, write_nodes};
 use asperity::plot::write_figure;
 use asperity::quantity::bytes_in_words;
 use asperity::setup::{Auto, Cost, Drive, Setup, SetupTable, warning_of_leakage};
-use asperity::study::LoadCurve;
 use clap::Args;
 use std::io::{self, Write};
 use std::path::Path;
@@ -69,25 +68,17 @@ impl Solve {
         let mut table = self.scene.table()?;
         check_apart(self.outputs.files(), self.scene.files(&table))?;
         refuse_study(&table)?;
-        let (loads, auto) = (table.take_loads()?, table.take_auto()?);
+        let auto = table.take_auto()?;
         let setup = table.setup()?;
-        self.check(&setup, loads.is_some(), auto.is_some())?;
-        let setup = if self.unload && setup.yields() { setup.unloaded() } else { setup };
-        let run = match loads {
-            Some(loads) if self.unload => JobRun::of_loads(LoadCurve { setup, loads }.and_back()),
-            Some(loads) => JobRun::of_loads(LoadCurve { setup, loads }),
-            None => JobRun::new(setup),
-        };
-        self.solve(run, auto)
+        self.check(&setup, auto.is_some())?;
+        let setup = if self.unload { setup.unloaded() } else { setup };
+        self.solve(JobRun::new(setup), auto)
     }
 
     /// Refuses flags that do not go together.
-    fn check(&self, setup: &Setup, has_loads: bool, is_auto: bool) -> Result<()> {
-        let is_history = setup.is_history()?;
+    fn check(&self, setup: &Setup, is_auto: bool) -> Result<()> {
+        let (has_loads, is_history) = (!setup.loads.is_empty(), setup.is_history()?);
         match has_loads {
-            true if is_history => {
-                usage("a history needs one load, but several are given: give one, and a path of loads")
-            }
             false if is_history && (is_auto || self.diagnose || self.unload && !setup.yields()) => {
                 usage("--refine auto, --diagnose and --unload do not go with a history: leave them out")
             }
@@ -109,11 +100,11 @@ impl Solve {
     /// Solves a run: one contact, on a grid that is found first if it is not given, or several states.
     fn solve(&self, run: JobRun<'static>, auto: Option<Auto>) -> Result<ExitStatus> {
         let Self { outputs, .. } = self;
-        let (drive, loads) = (run.drive()?, run.loads.clone());
+        let drive = run.drive()?;
         imprint::check(outputs.imprint.as_deref(), &run.setup, self.scene.units())?;
         drive.map_or(Ok(()), |drive| outputs.check_states(drive, &run.setup))?;
         let mut growing = outputs.growing();
-        let contacts = run.setup.expected_states()?.max(loads.len()).max(1);
+        let contacts = run.setup.expected_states()?.max(1);
         let job = self.job(run, drive, auto, &mut growing).with_extras(outputs.extras(contacts));
         let cost = job.cost()?;
         self.check_memory(&cost)?;
@@ -122,7 +113,7 @@ impl Solve {
             self.check_contact(&job, &cost)?;
         }
         if self.dry_run {
-            return self.plan(&job, &cost, drive, loads.len());
+            return self.plan(&job, &cost, drive);
         }
         cost.check(job.setup().solver.name())?;
         let ready = job.prepare()?;
@@ -143,7 +134,7 @@ impl Solve {
         say_left_out(&outputs.left_out);
         let units = self.scene.units();
         let written = match drive.is_list {
-            true => load_curve::write(solved, &loads, &problem, watch, (outputs, units)),
+            true => load_curve::write(solved, &problem, watch, (outputs, units)),
             false => history::write(solved, &problem, (outputs, units)),
         };
         // where the end cannot be written, what grew beside it is kept
@@ -179,11 +170,11 @@ impl Solve {
     }
 
     /// Says what the run would cost, and solves nothing.
-    fn plan(&self, job: &Job<'_>, cost: &Cost, drive: Option<&Drive>, loads: usize) -> Result<ExitStatus> {
+    fn plan(&self, job: &Job<'_>, cost: &Cost, drive: Option<&Drive>) -> Result<ExitStatus> {
         let (setup, is_passed_twice) = (job.setup(), job.is_passed_twice());
         let is_history = drive.is_some_and(|drive| !drive.is_list);
         let is_recorded = self.outputs.recording().is_some() && !is_history;
-        let loads = (loads > 0).then_some(loads);
+        let loads = (!setup.loads.is_empty()).then_some(setup.loads.len());
         solve_plan::write(&SolvePlan { setup, cost, loads, is_recorded, is_passed_twice }, &mut stdout())?;
         if is_history {
             let states = setup.expected_states()?;

@@ -10,8 +10,8 @@ use asperity::files::check_named;
 use asperity::history::{Loading, PathPoint, Process};
 use asperity::job::{Job, JobRun};
 use asperity::record::{LeftOut, Target};
-use asperity::setup::{Extras, Setup};
-use asperity::study::{LoadCurve, Plan, Realisation};
+use asperity::setup::Extras;
+use asperity::study::{Plan, Realisation};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
@@ -59,11 +59,12 @@ fn show(plan: &Plan, number: usize, left_out: &LeftOut) -> Result<ExitStatus> {
     let title = setup.surface.title(&setup.surface.grid(&setup.grid)?);
     let words = plan.words(number);
     let title = if words.is_empty() { title } else { format!("{title}, {words}") };
-    let run = match loads.as_slice() {
-        [load] => JobRun::new(Setup { load: *load, ..setup }),
-        _ => JobRun::of_loads(LoadCurve { setup, loads }),
+    let setup = match loads.as_slice() {
+        [load] => setup.under(*load),
+        _ => setup.under_loads(loads),
     };
-    let job = Job::from_run(JobRun { title: Some(title), ..run }).recorded(Target::Viewer(None, left_out.clone()));
+    let job = Job::from_run(JobRun { title: Some(title), ..JobRun::new(setup) })
+        .recorded(Target::Viewer(None, left_out.clone()));
     job.cost()?.check(job.setup().solver.name())?;
     let solved = job.run(&mut Bars::default())?.solved.swap_remove(0);
     warnings::print(&warnings::in_flags(&solved.warnings()));

@@ -299,7 +299,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         format!("{} {rest}", CYLINDER.replace("--friction 0.3", &format!("--friction={value}")))
     };
     let cases = [
-        (rough("--creep 9,1"), "needs a time or a speed"),
+        (rough("--creep 9,1"), "creep without times of a path cannot be solved"),
         (rough("--creep 9 --path-time 1"), "give pairs of a ratio and a time"),
         (rough("--creep=-9,1 --path-time 1"), "-9"),
         (rough("--relaxation 0.6,1,0.6,2 --path-time 1"), "1.2"),
@@ -307,7 +307,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--speed 1"), "sliding without creep cannot be solved"),
         (rough("--creep 9,1 --speed=-1,1"), "-1"),
         (rough("--creep 9,1 --speed 0"), "positive"),
-        (rough("--creep 9,1 --speed 1 --path-time 1"), "leave the path out, or the motion"),
+        (rough("--creep 9,1 --speed 1 --path-time 1"), "sliding and times of a path cannot be combined"),
         (rough("--creep 9,1 --path-time 2,1"), "ascending"),
         (rough("--creep 9,1 --path-time 0,1 --path-load 1,2,3"), "2 times, 3 loads"),
         (rough("--creep 9,1 --path-time 1 --path-steps 0"), "1 or more"),
@@ -316,7 +316,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (rough("--creep 9,1 --path missing.csv"), "missing.csv"),
         (rough("--creep 9,1 --path wrong.csv"), "`force` is not known"),
         (rough("--creep 9,1 --path empty.csv"), "is empty"),
-        (rough("--creep 9,1 --speed 1 --hardness 0.1"), "leave the hardness out"),
+        (rough("--creep 9,1 --speed 1 --hardness 0.1"), "sliding and a hardness cannot be combined"),
         (rough("--creep 9,1 --path-time 1 --solver gfmd"), "gfmd"),
         (rough("--creep 9,1 --path-time 1 --diagnose"), "--diagnose"),
         (rough("--path-load 0.1,0.2"), "no tangential loads"),
@@ -333,7 +333,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (coefficient("nan", "--tangential 1e-3"), "the coefficient of friction is NaN: give a number above 0"),
         (coefficient("inf", "--creepage=-1e-4"), "the coefficient of friction is inf: give a finite number above 0"),
         (cylinder("--rolling 0 --creepage 1e-3"), "give one of them"),
-        (cylinder("--rolling 0 --creep 9,1"), "elastic"),
+        (cylinder("--rolling 0 --creep 9,1"), "rolling and creep cannot be combined"),
         (
             cylinder("--path-tangential 1e-3 --path-time 1"),
             "tangential loads of a path and times of a path cannot be combined",

@@ -1,10 +1,10 @@
 //! Results that are read again: what is as it was written comes back, and what is not is said in a sentence.
 
-use asperity::contact::{Contact, FieldKind, ResultClaim, State, Status, archive, archive_of_slip, archive_of_states};
+use asperity::contact::{Contact, FieldKind, ResultClaim, Status, archive, archive_of_slip, archive_of_states};
 use asperity::error::{FileError, StudyError};
-use asperity::job::{HistoryOutcome, Job, JobRun, SavedFound, SavedResult};
+use asperity::job::{HistoryOutcome, Job, SavedFound, SavedResult};
 use asperity::setup::{Extras, Setup, SetupTable};
-use asperity::study::{LoadCurve, NUMERICS};
+use asperity::study::NUMERICS;
 use asperity::surface::{has_field, read_fields};
 use ndarray::{Array1, ArrayD, ArrayView1, IxDyn};
 use ndarray_npy::{NpzReader, ReadNpyExt, WriteNpyExt};
@@ -47,22 +47,10 @@ fn scenes() -> Vec<(&'static str, String)> {
 
 /// The bytes of the archive of a scene.
 fn saved(scene: &str) -> Vec<u8> {
-    let mut table = SetupTable::from_toml(scene).unwrap();
-    let loads = table.take_loads().unwrap();
-    let text = SetupTable::from_toml(scene).unwrap().to_toml();
+    let table = SetupTable::from_toml(scene).unwrap();
+    let text = table.to_toml();
     let setup: Setup = table.setup().unwrap();
-    if let Some(loads) = loads {
-        let curve = LoadCurve { setup, loads };
-        let mut states = Vec::new();
-        let problem = curve.problem().unwrap();
-        let keep = |load, contact: &asperity::Contact| {
-            states.push(State::from_contact(contact.clone(), Some(load)));
-            Ok::<_, StudyError>(())
-        };
-        curve.press(&problem, |_| (), keep).unwrap();
-        return archive_of_states(&states, 1, &text).unwrap();
-    }
-    if setup.is_history().unwrap() {
+    if setup.drive_of_states().unwrap().is_some() {
         let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
         assert!(outcome.ended.is_none());
         return archive_of_states(&outcome.states, 1, &text).unwrap();
@@ -206,8 +194,7 @@ fn read(bytes: &[u8]) -> Result<SavedResult, StudyError> {
 fn contacts(result: &SavedResult) -> Vec<&Contact> {
     match &result.found {
         SavedFound::Contact(state, _) => vec![&state.contact],
-        SavedFound::Curve(states) => states.iter().map(|state| &state.contact).collect(),
-        SavedFound::History(outcome) => outcome.states.iter().map(|state| &state.contact).collect(),
+        SavedFound::States(outcome) => outcome.states.iter().map(|state| &state.contact).collect(),
     }
 }
 
@@ -219,10 +206,9 @@ fn told(result: &SavedResult) -> String {
         format!("{fields:?} {:?} {} {:?} {:?}", it.certificate, it.work.transforms, it.status, it.coarser)
     };
     let states = match &result.found {
-        SavedFound::History(outcome) => {
+        SavedFound::States(outcome) => {
             outcome.states.iter().map(|it| format!("{:?} {:?}", it.claim, it.numbers())).collect()
         }
-        SavedFound::Curve(states) => states.iter().map(|it| format!("{:?} {:?}", it.claim, it.numbers())).collect(),
         SavedFound::Contact(state, slip) => {
             let stick = slip.as_ref().map(|slip| slip.stuck.pressure.sum());
             vec![format!("{:?} {:?} {stick:?}", state.claim, state.numbers())]
@@ -245,7 +231,7 @@ fn what_was_saved_comes_back() {
             certificates.iter().step_by(9).zip(found).all(|(saved, found)| saved.to_bits() == found.to_bits()),
             "{name}"
         );
-        if let SavedFound::History(outcome) = &read.found {
+        if let SavedFound::States(outcome) = &read.found {
             let found: Vec<&str> = outcome.states.iter().map(|state| state.claim.into()).collect();
             assert_eq!(found, parts.text("claim").lines().collect::<Vec<_>>(), "{name}");
         }
@@ -258,13 +244,10 @@ fn what_flows_comes_back() {
     let scene = format!("{ROUGH}load = {{ mean-pressure = [1e-3, 2e-3] }}\nflow = {{ leakage = true }}\n")
         .replace("points = 256", "points = [32, 32]")
         .replace("0.02", "0.1");
-    let mut table = SetupTable::from_toml(&scene).unwrap();
-    let loads = table.take_loads().unwrap().unwrap();
-    let setup: Setup = table.setup().unwrap();
-    let run = JobRun::of_loads(LoadCurve { setup, loads });
+    let setup = Setup::from_toml(&scene).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("it.npz");
-    let solved = Job::from_run(run)
+    let solved = Job::new(setup)
         .with_extras(Extras { archived: 2, ..Extras::default() })
         .run(&mut ())
         .unwrap()
@@ -274,9 +257,9 @@ fn what_flows_comes_back() {
     std::fs::write(&path, archive_of_states(&states, 2, &SetupTable::from_toml(&scene).unwrap().to_toml()).unwrap())
         .unwrap();
     let read = SavedResult::read(&path).unwrap();
-    let SavedFound::Curve(found) = &read.found else { panic!("it is a list of loads") };
-    assert_eq!((found.len(), read.doubts.len()), (2, 0));
-    for (found, state) in found.iter().zip(&states) {
+    let SavedFound::States(found) = &read.found else { panic!("it is a list of loads") };
+    assert_eq!((found.states.len(), read.doubts.len()), (2, 0));
+    for (found, state) in found.states.iter().zip(&states) {
         for kind in [FieldKind::FluxX, FieldKind::FluidPressureX, FieldKind::FluxY, FieldKind::FluidPressureY] {
             let [found, own] = [found.field(kind).unwrap(), state.field(kind).unwrap()];
             let is_same = |(a, b): (&f64, &f64)| a == b || a.is_nan() && b.is_nan();
@@ -291,7 +274,7 @@ fn check_unchecked(what: &str, parts: &Parts, words: &str) {
     assert!(read.doubts.iter().any(|doubt| doubt.contains(words)), "{what}: {:?}", read.doubts);
     assert!(read.doubts.iter().all(|doubt| doubt.ends_with('.') && !doubt.contains('\n')));
     assert!(contacts(&read).iter().all(|contact| contact.status == Status::Unconfirmed), "{what}");
-    if let SavedFound::History(outcome) = &read.found {
+    if let SavedFound::States(outcome) = &read.found {
         assert!(outcome.states.iter().all(|state| state.claim == ResultClaim::Unchecked), "{what}");
     }
     if let SavedFound::Contact(_, Some(slip)) = &read.found {

@@ -299,10 +299,10 @@ fn lists_and_ranges_of_loads_are_read_and_written() {
     let (list, table) = loads("mean-gap = [0.3, 0.2]").unwrap();
     let list = list.unwrap();
     assert_eq!(list, [Load::MeanGap(0.3), Load::MeanGap(0.2)]);
-    let mut again = table.clone();
-    assert_eq!(table.setup().unwrap().load, list[0]);
-    again.lay_loads(&list);
-    assert_eq!(SetupTable::from_toml(&again.to_toml()).unwrap().take_loads().unwrap(), Some(list));
+    let setup = table.setup().unwrap().under_loads(list.clone());
+    assert_eq!((setup.load, &setup.loads), (list[0], &list));
+    assert_eq!(Setup::from_toml(&setup.to_toml()).unwrap(), setup);
+    assert_eq!(setup.to_table().setup().unwrap(), setup);
     let (range, _) = loads("reduced-pressure = '1e-3..1e-1:13'").unwrap();
     let range: Vec<f64> = range.unwrap().iter().map(Load::value).collect();
     assert_eq!((range.len(), range[0], range[12]), (13, 1e-3, 1e-1));

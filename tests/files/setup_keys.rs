@@ -2,7 +2,7 @@
 
 use crate::named_files::{ROUGH, keys_in, sentence};
 use asperity::error::SetupError;
-use asperity::setup::{Dimension, KEYS, Key, SetupTable, choices};
+use asperity::setup::{Dimension, Key, SetupTable, choices};
 use asperity::surface::Indenter;
 use std::collections::BTreeSet;
 
@@ -20,8 +20,8 @@ fn keys_below(section: &str, depth: usize, found: &mut BTreeSet<String>) {
 
 #[test]
 fn every_key_of_a_scene_is_declared_once() {
-    let declared: BTreeSet<String> = KEYS.iter().map(|key| key.path.to_owned()).collect();
-    assert_eq!(declared.len(), KEYS.len(), "a key is declared twice");
+    let declared: BTreeSet<String> = Key::all().map(|key| key.path.to_owned()).collect();
+    assert_eq!(declared.len(), Key::all().count(), "a key is declared twice");
     let mut found = BTreeSet::new();
     keys_below("", 3, &mut found);
     // a section that is chosen by a name lists its keys once the name is given
@@ -61,7 +61,7 @@ fn said(key: &Key, number: toml::Value) -> String {
 /// Each key whose number measures something takes it with its unit; one without a dimension takes no unit at all.
 #[test]
 fn a_key_takes_the_units_of_its_dimension_and_no_others() {
-    for key in KEYS {
+    for key in Key::all() {
         let units = match key.dimension {
             Dimension::Length => "mm",
             Dimension::Pressure => "MPa",
@@ -75,7 +75,7 @@ fn a_key_takes_the_units_of_its_dimension_and_no_others() {
         assert!(!said.contains("unit") || said.contains("modulus"), "{}: {said}", key.path);
     }
     let mut undecided = Vec::new();
-    for key in KEYS.iter().filter(|key| key.dimension == Dimension::One) {
+    for key in Key::all().filter(|key| key.dimension == Dimension::One) {
         let alone = said(key, 5.into());
         for unit in ["mm", "MPa", "N", "J/m^2", "s", "m/s", "nohm*m"] {
             let with = said(key, format!("5{unit}").into());

@@ -6,8 +6,8 @@ use asperity::contact::{
     archive,
 };
 use asperity::error::{InputError, ProblemError, SolveError};
+use asperity::job::HistoryOutcome;
 use asperity::setup::{Cell, Recipe, Setup};
-use asperity::study::LoadCurve;
 use asperity::surface::{Field, Spectrum, read_heights};
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
 use serde_json::Value;
@@ -215,14 +215,10 @@ fn a_load_curve_comes_back_by_another_way() {
     let cylinder = Recipe::indenter(Indenter::Cylinder { radius: 1.0 });
     let loads = [1e-4, 5e-4, 1e-3, 2e-3].map(Load::ReducedPressure);
     let setup = Setup { law: Law::Hardness(0.01), ..Setup::new(cylinder, Cell::line(1024, 4.0), loads[0]) };
-    let curve = LoadCurve { setup, loads: loads.into() }.and_back();
-    let mut found = Vec::new();
-    let problem = curve.problem().unwrap();
-    let each = |_, contact: &Contact| -> Result<(), asperity::error::StudyError> {
-        found.push((contact.counted().relative_area, contact.problem.law(), contact.mean_pressure()));
-        Ok(())
-    };
-    curve.press(&problem, |_| (), each).unwrap();
+    let setup = setup.under_loads(loads.into()).unloaded();
+    let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
+    let found = outcome.states.iter().map(|state| &state.contact);
+    let found: Vec<_> = found.map(|it| (it.counted().relative_area, it.problem.law(), it.mean_pressure())).collect();
     assert_eq!(found.len(), 7);
     assert!(found[..4].iter().all(|(_, law, _)| *law == Law::Hardness(0.01)));
     for (up, down) in [(0, 6), (1, 5), (2, 4)] {
@@ -486,13 +482,10 @@ fn a_load_curve_has_one_meaning_up_and_back() {
     let rough = Recipe::rough(roughness, 3);
     let mut setup = Setup { law: Law::Hardness(0.02), ..Setup::new(rough, Cell::line(1024, 1.0), loads[0]) };
     setup.stop = Stop::new(1e-12, 10_000).unwrap();
-    let curve = LoadCurve { setup, loads: loads.into() };
-    let mut found = Vec::new();
-    let each = |_, contact: &Contact| -> Result<(), asperity::error::StudyError> {
-        found.push((Observables::new(contact), contact.plasticity().overlap));
-        Ok(())
-    };
-    curve.press(&curve.problem().unwrap(), |_| (), each).unwrap();
+    let setup = setup.under_loads(loads.into());
+    let outcome = HistoryOutcome::solve(&setup, &setup.problem().unwrap(), &mut ()).unwrap();
+    let found = outcome.states.iter().map(|state| &state.contact);
+    let found: Vec<_> = found.map(|it| (Observables::new(it), it.plasticity().overlap)).collect();
     let [low, (high, overlap), (again, _), back] = found[..] else { panic!("four loads") };
     assert!(overlap > 0.01 * high.rms_height);
     assert!((again.mean_gap - high.mean_gap).abs() < 1e-6 * high.rms_height, "{} {}", again.mean_gap, high.mean_gap);

@@ -32,7 +32,7 @@ fn flags_without_an_effect_are_refused() {
             "leave the steps out, or the tolerance",
         ),
         (cylinder("--rolling 0 --path-tolerance 1e-2"), "only on a path with friction"),
-        (rough("--creep 9,1 --speed 1 --path-steps 3"), "leave the path out, or the motion"),
+        (rough("--creep 9,1 --speed 1 --path-steps 3"), "sliding and a path cannot be combined"),
         (
             cylinder("--rolling 0 --solver polonsky-keer"),
             "rolling and a solver other than multilevel cannot be combined",

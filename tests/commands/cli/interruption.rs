@@ -238,7 +238,7 @@ fn a_history_that_is_killed_leaves_the_states_that_it_reached() {
     // what was reached is read like an archive, and certified again
     let saved = asperity::job::SavedResult::read(&left).unwrap();
     assert!(saved.doubts.is_empty(), "{:?}", saved.doubts);
-    let asperity::job::SavedFound::History(history) = saved.found else { panic!("it is a history") };
+    let asperity::job::SavedFound::States(history) = saved.found else { panic!("it is a history") };
     let states = history.states.len();
     assert!((parts - 1..=parts).contains(&states) && states > 30 && states < 300, "{states} of {parts}");
     let times = history.values(asperity::contact::Quantity::Time);

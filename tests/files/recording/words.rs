@@ -2,10 +2,9 @@
 
 use super::{rough_line, stores};
 use asperity::contact::{Load, PolonskyKeer, Solver};
-use asperity::job::{Job, JobRun};
+use asperity::job::Job;
 use asperity::record::{Options, Recording, Scene, Target};
 use asperity::setup::{Setup, SetupTable};
-use asperity::study::LoadCurve;
 use asperity::{Problem, Stop};
 use rerun::{SeriesLines, StoreKind, TextDocument};
 use std::path::Path;
@@ -42,10 +41,8 @@ fn tables_and_titles_have_the_units_in_which_quantities_are_given() {
     for row in ["| surface | sphere, radius 1 mm |", "| contact modulus E* | 1 GPa |", "| mean pressure | 2 MPa |"] {
         assert!(text.contains(row), "{text}");
     }
-    let mut table = table("load.mean-pressure = ['0.5 MPa', '2 MPa']");
-    let loads = table.take_loads().unwrap().unwrap();
-    let run = JobRun::of_loads(LoadCurve { setup: table.setup().unwrap(), loads });
-    Job::from_run(run).recorded(Target::File(path.clone())).run(&mut ()).unwrap();
+    let setup = table("load.mean-pressure = ['0.5 MPa', '2 MPa']").setup().unwrap();
+    Job::new(setup).recorded(Target::File(path.clone())).run(&mut ()).unwrap();
     let load = texts(&path, "/load");
     assert!(load.iter().any(|text| text.starts_with("# p = 500 kPa")), "{load:?}");
     let named: Vec<String> = stores(&path, StoreKind::Recording)
