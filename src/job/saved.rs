@@ -3,8 +3,8 @@
 use super::HistoryOutcome;
 use super::saved_states::saved_states;
 use crate::contact::{
-    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, PartialSlip, Problem, SavedContact, State, StateField,
-    Status, read_state_fields,
+    ArchiveReader, ArchiveSeal, Contact, FieldKind, Friction, PartialSlip, Problem, ResultClaim, SavedContact, State,
+    StateField, Status, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::files::open_regular;
@@ -280,7 +280,7 @@ impl SavedArchive<'_> {
             let contact = self.restored(saved, loading.problem(load)?)?;
             loading.take(&contact);
             let own = fields.iter().map(|of_all| of_all[number].clone()).collect();
-            states.push(Arc::new(State::from_contact(Sliding::measured(contact), Some(number)).with_fields(own)));
+            states.push(State::from_contact(Sliding::measured(contact), Some(number)).with_fields(own));
         }
         self.found(&problem, states)
     }
@@ -289,10 +289,18 @@ impl SavedArchive<'_> {
     fn history(&self) -> Result<SavedFound, StudyError> {
         let problem = self.setup.problem_of(self.surface.clone())?;
         let states = saved_states(self.reader, self.contacts()?, self.setup, &problem)?;
-        self.found(&problem, states.into_iter().map(Arc::new).collect())
+        self.found(&problem, states)
     }
 
-    fn found(&self, problem: &Problem, states: Vec<Arc<State>>) -> Result<SavedFound, StudyError> {
+    /// Some states as what was found. Those whose contact is not confirmed claim nothing.
+    fn found(&self, problem: &Problem, states: Vec<State>) -> Result<SavedFound, StudyError> {
+        let checked = |mut state: State| {
+            if state.contact.status == Status::Unconfirmed {
+                state.claim = ResultClaim::Unchecked;
+            }
+            Arc::new(state)
+        };
+        let states = states.into_iter().map(checked).collect();
         Ok(SavedFound::States(Box::new(HistoryOutcome::from_states(self.setup, problem, states)?)))
     }
 }

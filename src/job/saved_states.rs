@@ -2,7 +2,7 @@
 
 use crate::contact::{
     ArchiveReader, CutLayers, Feels, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField,
-    StateValues, Status, read_cut_layers, read_state_fields,
+    StateValues, read_cut_layers, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
 use crate::setup::Setup;
@@ -50,7 +50,7 @@ impl StateColumns {
     }
 }
 
-/// The states of a history of a problem, as they were saved. A state whose contact is not confirmed has no claim.
+/// The states of a history of a problem, as they were saved.
 ///
 /// # Errors
 /// For arrays that do not fit each other.
@@ -68,11 +68,7 @@ pub(super) fn saved_states(
         let of = |quantity: Quantity| columns.number(quantity, number);
         let under = moving(setup, under_load(setup, problem, point, &saved), of(Quantity::Speed))?;
         let contact = saved.into_contact(under).map_err(SetupError::from)?.with_values(StateValues::new(feels));
-        let is_confirmed = contact.status != Status::Unconfirmed;
-        let mut state = State::from_parts(contact, (point, claim), of, columns.fields(number));
-        if !is_confirmed {
-            state.claim = ResultClaim::Unchecked;
-        }
+        let state = State::from_parts(contact, (point, claim), of, columns.fields(number));
         states.push(state.with_layers(columns.layers.clone()));
     }
     Ok(states)

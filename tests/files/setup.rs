@@ -246,7 +246,7 @@ fn what_is_wrong_is_said_in_one_sentence() {
             "young = 1, poisson = 0.6",
             "Poisson's ratio is 0.6: it must lie above -1 and at most",
         ),
-        ("mean-pressure = 0.01", "mean-pressure = []", "load.mean-pressure: invalid type: list"),
+        ("mean-pressure = 0.01", "mean-pressure = []", "load: the list is empty: give at least one load"),
         (
             "1.0 }",
             "1.0 }, prepare.detrend = \"mean\"",

@@ -38,7 +38,7 @@ pub const PLASTIC: Drive = Drive {
     name: "plastic",
     keys: KEYS,
     given: Ingredient { path: "solid.yield-stress", name: "a yield stress", is_given: Setup::yields },
-    takes: &["path"],
+    takes: &["path", "solver.method"],
     needs: &[],
     states: Setup::states_of_yielding,
     check: Setup::check_plastic,

@@ -201,7 +201,10 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (sticky("--mean-gap 1um --hardness 1MPa"), "adhesion and a hardness cannot be combined"),
         (sticky("--mean-gap 1um --solver gfmd"), "--adhesion-method"),
         (sticky("--force 0 --boundary free --adhesion-method gfmd"), "damped motion needs a periodic boundary"),
-        (sticky("--mean-gap 1um --solver polonsky-keer"), "adhesion and a solver other than multilevel cannot be combined"),
+        (
+            sticky("--mean-gap 1um --solver polonsky-keer"),
+            "adhesion and a solver other than multilevel cannot be combined",
+        ),
         (sticky("--mean-gap 1um --path-time 1s"), "adhesion and times of a path cannot be combined"),
         (sticky("--mean-gap 1um --path-load 1um,2um --path-steps 0"), "1 or more"),
         (sticky("--mean-gap 1um --diagnose"), "--diagnose"),
