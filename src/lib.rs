@@ -125,6 +125,7 @@ pub mod files;
 pub mod flow;
 pub mod foreign;
 mod forest;
+pub mod formats;
 pub mod fourier;
 pub mod grid;
 pub mod guide;

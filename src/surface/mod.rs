@@ -3,7 +3,6 @@
 mod bends;
 mod bumps;
 mod filled;
-mod formats;
 mod indenter;
 mod level;
 mod moments;
@@ -17,11 +16,11 @@ mod spectrum;
 mod survey;
 mod texture;
 
-pub use bumps::{Bump, Bumps};
-pub use formats::{
+pub use crate::formats::{
     FileUnits, HeightFile, Layout, Measurement, MemberSum, has_field, read_field, read_fields, read_fields_shape,
     read_heights, read_member_sums, read_shape, read_text, write_heights,
 };
+pub use bumps::{Bump, Bumps};
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
 pub use moments::{MomentErrors, SpectralMoments};
@@ -315,7 +314,7 @@ fn checked(grid: &Grid, height: Field) -> Result<Field, SurfaceError> {
 }
 
 /// The lowest and the highest of some heights, if the sum of the squares of their differences may overflow.
-fn overflowing(heights: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+pub(crate) fn overflowing(heights: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let none = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
     let (least, most, count) = heights.fold(none, |(least, most, n), h| (least.min(h), most.max(h), n + 1.0));
     (count > 0.0 && !((most - least).powi(2) * count).is_finite()).then_some([least, most])
