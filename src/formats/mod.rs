@@ -68,6 +68,7 @@ mod profile;
 mod raster;
 mod remarks;
 mod said;
+mod scan;
 mod sdf;
 #[cfg(feature = "instruments")]
 mod sur;
@@ -101,6 +102,8 @@ pub use height_file::HeightFile;
 pub use layout::{FileUnits, Layout};
 pub use measurement::Measurement;
 pub use npz::MemberSum;
+pub use scan::Scan;
+pub(crate) use scan::overflowing;
 
 use crate::error::FileError;
 use crate::files::{open_regular, write_beside};
@@ -296,7 +299,7 @@ fn explained(path: &Path, what: &'static str, error: io::Error) -> FileError {
 /// The errors of [`write_beside`].
 ///
 /// ```
-/// use asperity::surface::{read_heights, write_heights};
+/// use asperity::formats::{read_heights, write_heights};
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("heights.npy");
 /// let heights = ndarray::arr1(&[0.0, 1.0, 0.5, -1.0]).into_dyn();

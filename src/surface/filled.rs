@@ -1,7 +1,8 @@
 //! Heights that were not measured but filled in.
 
-use super::{Fill, Scan, Surface};
+use super::{Fill, Surface};
 use crate::error::SurfaceError;
+use crate::formats::Scan;
 use crate::grid::Grid;
 use ndarray::Array2;
 use std::sync::Arc;

@@ -16,17 +16,13 @@ mod spectrum;
 mod survey;
 mod texture;
 
-pub use crate::formats::{
-    FileUnits, HeightFile, Layout, Measurement, MemberSum, has_field, read_field, read_fields, read_fields_shape,
-    read_heights, read_member_sums, read_shape, read_text, write_heights,
-};
 pub use bumps::{Bump, Bumps};
 pub use indenter::Indenter;
 pub(crate) use indenter::{about_peak, shortest_period};
 pub use moments::{MomentErrors, SpectralMoments};
 pub use plateau::Plateaus;
 pub use preparation::{
-    Crop, Detrend, Fill, Form, LineLevel, LineOffsets, Mirror, Outliers, Preparation, Prepared, Resample, Scan, Scars,
+    Crop, Detrend, Fill, Form, LineLevel, LineOffsets, Mirror, Outliers, Preparation, Prepared, Resample, Scars,
     Settling,
 };
 pub use random::{
@@ -45,6 +41,7 @@ pub use texture::{
 
 use crate::chunks;
 use crate::error::SurfaceError;
+use crate::formats::overflowing;
 use crate::grid::Grid;
 use ndarray::{Array2, ArrayView1};
 use std::sync::Arc;
@@ -311,13 +308,6 @@ fn checked(grid: &Grid, height: Field) -> Result<Field, SurfaceError> {
         return Err(SurfaceError::Overflow { least, most });
     }
     Ok(if height.is_standard_layout() { height } else { height.as_standard_layout().into_owned() })
-}
-
-/// The lowest and the highest of some heights, if the sum of the squares of their differences may overflow.
-pub(crate) fn overflowing(heights: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    let none = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-    let (least, most, count) = heights.fold(none, |(least, most, n), h| (least.min(h), most.max(h), n + 1.0));
-    (count > 0.0 && !((most - least).powi(2) * count).is_finite()).then_some([least, most])
 }
 
 /// Refuses the first of some named values that is not positive and finite.

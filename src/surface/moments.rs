@@ -1,6 +1,7 @@
 //! Spectral moments of a surface.
 
-use super::{Detrend, Scan, Surface};
+use super::{Detrend, Surface};
+use crate::formats::Scan;
 use crate::fourier::{Complex, Fourier};
 use crate::grid::Grid;
 use std::borrow::Cow;

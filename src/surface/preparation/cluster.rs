@@ -1,6 +1,6 @@
 //! Clusters of a few heights that stand far above those around them.
 
-use super::Scan;
+use crate::formats::Scan;
 use crate::surface::bends::median;
 use ndarray::{Array2, Axis};
 

@@ -1,6 +1,6 @@
 //! A part of a map.
 
-use super::Scan;
+use crate::formats::Scan;
 use ndarray::{Array2, Slice};
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Heights without their trend.
 
-use super::Scan;
 use super::least_squares::linear;
+use crate::formats::Scan;
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -16,7 +16,8 @@ const TILTED: f64 = 0.05;
 /// The trend to subtract from measured heights: the least-squares polynomial through all heights that are not void.
 ///
 /// ```
-/// use asperity::surface::{Detrend, Scan};
+/// use asperity::formats::Scan;
+/// use asperity::surface::Detrend;
 /// let height = ndarray::Array2::from_shape_fn((4, 6), |(y, x)| 7.0 + 0.5 * y as f64 - 0.25 * (x * x) as f64);
 /// let bent = Scan { height, spacing: [1.0, 1.0] };
 /// assert!(Detrend::Curvature.apply(bent.clone()).height.iter().all(|h| h.abs() < 1e-13));

@@ -1,7 +1,7 @@
 //! Voids filled with heights.
 
-use super::Scan;
 use super::laplace::Laplace;
+use crate::formats::Scan;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 

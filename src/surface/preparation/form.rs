@@ -1,8 +1,8 @@
 //! Heights without the form of the measured body.
 
-use super::Scan;
 use super::detrend::legendre;
 use super::least_squares::{linear, nearest};
+use crate::formats::Scan;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};

@@ -1,6 +1,6 @@
 //! Filters of wavelengths.
 
-use super::Scan;
+use crate::formats::Scan;
 use crate::fourier::{Complex, Filter, Fourier, Padded, smooth};
 use crate::grid::Grid;
 use crate::surface::Field;

@@ -1,7 +1,7 @@
 //! Scan lines brought to one level.
 
-use super::Scan;
 use super::least_squares::linear;
+use crate::formats::Scan;
 use crate::surface::bends::{bends, median};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;

@@ -1,6 +1,6 @@
 //! Heights made periodic by their mirror images.
 
-use super::Scan;
+use crate::formats::Scan;
 use crate::surface::Field;
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};

@@ -26,10 +26,10 @@ pub use line_level::{LineLevel, LineOffsets, Settling};
 pub use mirror::Mirror;
 pub use outliers::Outliers;
 pub use resample::Resample;
-pub use scan::Scan;
 pub use scars::Scars;
 
 use crate::error::PreparationError;
+use crate::formats::Scan;
 use crate::quantity::{number_in_words, some_length};
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};

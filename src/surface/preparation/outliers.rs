@@ -1,8 +1,8 @@
 //! Single heights that stand off all their neighbours.
 
-use super::Scan;
 use super::cluster::clusters;
 use super::stand_off::{StandOff, rounding};
+use crate::formats::Scan;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 

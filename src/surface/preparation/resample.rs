@@ -1,6 +1,6 @@
 //! Heights at uneven positions, or there several times, interpolated to even spacing.
 
-use super::Scan;
+use crate::formats::Scan;
 use ndarray::Axis;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};

@@ -1,18 +1,10 @@
-//! Heights between measurement and surface.
+//! What a preparation reads of heights between measurement and surface.
 
 use crate::error::GridError;
+use crate::formats::Scan;
 use crate::grid::Grid;
-use crate::surface::{Field, Surface};
+use crate::surface::Surface;
 use ndarray::Axis;
-
-/// Heights on an even grid, some of which may be void.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scan {
-    /// Heights, shape `(ny, nx)`, a line one row; NaN where there is none.
-    pub height: Field,
-    /// Distances of neighbours along y and x.
-    pub spacing: [f64; 2],
-}
 
 impl Scan {
     /// The heights of a surface at every `every`-th node along each axis; for a line, along x only.
@@ -34,16 +26,6 @@ impl Scan {
             1 => Grid::line(nx, nx as f64 * dx),
             _ => Grid::surface([ny, nx], [ny as f64 * dy, nx as f64 * dx]),
         }
-    }
-
-    /// The number of voids.
-    pub fn voids(&self) -> usize {
-        self.height.iter().filter(|h| h.is_nan()).count()
-    }
-
-    /// Rows and columns.
-    pub fn shape(&self) -> [usize; 2] {
-        self.height.dim().into()
     }
 
     /// The height of the highest peak above the deepest valley.

@@ -1,7 +1,7 @@
 //! Stretches of scan lines that stand off the lines beside them.
 
-use super::Scan;
 use super::stand_off::{StandOff, rounding};
+use crate::formats::Scan;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 

@@ -1,6 +1,6 @@
 //! How far nodes stand off those on both sides of them.
 
-use super::Scan;
+use crate::formats::Scan;
 use crate::surface::bends::{DEVIATION, median};
 
 /// The most heights that a scale is found from: more of them hardly change it.

@@ -1,6 +1,6 @@
 //! Heights that go to their mean at the rim.
 
-use super::Scan;
+use crate::formats::Scan;
 use std::f64::consts::PI;
 
 impl Scan {

@@ -3,7 +3,7 @@
 use super::johnson::Johnson;
 use super::rank_map::ExactPart;
 use crate::error::{FileError, RoughnessError, SurfaceError};
-use crate::surface::HeightFile;
+use crate::formats::HeightFile;
 use statrs::distribution::{Beta, ContinuousCDF, Normal};
 
 /// The most corrections of a distribution for the steps of probability that there are, and the sum of the error of the skewness and the relative

@@ -4,8 +4,8 @@ use super::{
     ExactPart, HeightDistribution, Lay, MeasuredSpectrum, Rolloff, RoughnessScale, SelfAffine, SpectralDensity,
     SpectrumConvention, SpectrumFile, TargetHeights,
 };
+use crate::formats::HeightFile;
 use crate::quantity::{some_angle, some_length};
-use crate::surface::HeightFile;
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 

@@ -7,9 +7,10 @@ use super::jump::jump_of_parts;
 use super::scales::sample;
 use super::shift::LineShift;
 use super::waves::{Alone, WavePower};
+use crate::formats::Scan;
 use crate::surface::bends::{DEVIATION, median};
 use crate::surface::preparation::clusters;
-use crate::surface::{Fill, LineLevel, LineOffsets, Outliers, Preparation, Resample, Scan, Scars};
+use crate::surface::{Fill, LineLevel, LineOffsets, Outliers, Preparation, Resample, Scars};
 use std::borrow::Cow;
 
 /// Offsets of lines are an artefact where those that are independent make this share of the mean square gradient.

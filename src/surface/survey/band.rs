@@ -1,8 +1,9 @@
 //! The power spectrum of heights in bands, and its power law.
 
 use crate::error::SurfaceError;
+use crate::formats::Scan;
 use crate::grid::Grid;
-use crate::surface::{PowerSpectrum, Scan, Surface};
+use crate::surface::{PowerSpectrum, Surface};
 use std::f64::consts::{LN_2, PI, TAU};
 
 /// Bands per octave, in which densities are averaged.

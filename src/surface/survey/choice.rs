@@ -3,8 +3,9 @@
 use super::seam::{form_of, has_kink};
 use super::{Artefact, Artefacts, Noise, Survey};
 use crate::error::SurfaceError;
+use crate::formats::Scan;
 use crate::quantity::number_in_words;
-use crate::surface::{Crop, Detrend, Fill, Mirror, Preparation, Resample, Scan};
+use crate::surface::{Crop, Detrend, Fill, Mirror, Preparation, Resample};
 
 /// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
 const NOISE: f64 = 0.12;

@@ -1,7 +1,8 @@
 //! Peaks or valleys that were cut off.
 
 use super::scales::{sample, usual};
-use crate::surface::{Detrend, Scan};
+use crate::formats::Scan;
+use crate::surface::Detrend;
 use ndarray::{Array2, Axis, Slice};
 
 /// The shares of the heights at which peaks are cut off, and the fewest of these heights: with less they are no plateaus, and with more they

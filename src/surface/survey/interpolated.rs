@@ -1,6 +1,6 @@
 //! Heights between which a program has interpolated.
 
-use crate::surface::Scan;
+use crate::formats::Scan;
 use ndarray::{ArrayView1, Axis};
 
 /// The factors by which maps are enlarged, the largest first: a map that is enlarged four times has bends at every second node at most, as well.

@@ -1,7 +1,7 @@
 //! Parts of a map that are higher than the rest by one height, as jumps of an interferometer by half a wavelength make them.
 
 use super::scales::usual;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use crate::surface::bends::median;
 use ndarray::{Array2, Axis, Slice};
 

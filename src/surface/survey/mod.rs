@@ -25,14 +25,16 @@ pub use repeat::RepeatNoise;
 pub use scales::{Scale, Scales};
 pub use tip::TipReach;
 
-use super::{Detrend, Fill, Scan, Surface};
+use super::{Detrend, Fill, Surface};
 use crate::error::SurfaceError;
+use crate::formats::Scan;
 
 /// A survey of measured heights: tilt, jumps across the period, noise and resolution. They show whether a contact with
 /// these heights is meaningful.
 ///
 /// ```
-/// use asperity::surface::{Scan, Survey};
+/// use asperity::formats::Scan;
+/// use asperity::surface::Survey;
 /// // a tilted wave of 1024 nodes, with noise of 1e-3 that is different at each node
 /// let noise = |x: usize| 1e-3 * 2f64.sqrt() * (x as f64 * x as f64 * 0.7).sin();
 /// let wave = |x: usize| (std::f64::consts::TAU * x as f64 / 1024.0).sin();

@@ -2,7 +2,8 @@
 
 use super::{Band, Scales};
 use crate::error::SurfaceError;
-use crate::surface::{Detrend, Fill, Scan};
+use crate::formats::Scan;
+use crate::surface::{Detrend, Fill};
 use std::f64::consts::{PI, TAU};
 
 /// The share of the gradient by bends from which on there is noise, and its level is looked for in the spectrum.

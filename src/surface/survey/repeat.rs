@@ -2,7 +2,8 @@
 
 use super::Band;
 use crate::error::SurfaceError;
-use crate::surface::{Detrend, Fill, PowerSpectrum, Scan, Surface};
+use crate::formats::Scan;
+use crate::surface::{Detrend, Fill, PowerSpectrum, Surface};
 use ndarray::{Array2, Axis};
 
 /// The farthest shift between both measurements that is looked for, along each axis, in nodes.

@@ -1,8 +1,9 @@
 //! Heights along an axis at several scales.
 
 use crate::chunks;
+use crate::formats::Scan;
+use crate::surface::Surface;
 use crate::surface::bends::{DEVIATION, median, white};
-use crate::surface::{Scan, Surface};
 
 /// Exponent of the growth of bends from which on heights are smooth at a scale: 4 where they have a curvature, at most 2 where they are
 /// self-affine.

@@ -1,6 +1,7 @@
 //! Kinks where the last node of a period meets the first.
 
-use crate::surface::{Detrend, Scan};
+use crate::formats::Scan;
+use crate::surface::Detrend;
 use ndarray::Axis;
 
 /// How many times the largest kink inside, and the rms of all of them, that of the seam is at least. A periodic surface has kinks like those inside

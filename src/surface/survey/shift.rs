@@ -1,6 +1,6 @@
 //! Every second scan line shifted along the lines, as where trace and retrace are one map.
 
-use crate::surface::Scan;
+use crate::formats::Scan;
 use ndarray::Axis;
 
 /// The largest shift that is looked for, in nodes.

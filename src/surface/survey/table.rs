@@ -2,7 +2,8 @@
 
 use super::{Band, Survey};
 use crate::error::SurfaceError;
-use crate::surface::{PowerSpectrum, Scan, SpectrumKind, SpectrumTable, Surface};
+use crate::formats::Scan;
+use crate::surface::{PowerSpectrum, SpectrumKind, SpectrumTable, Surface};
 use std::f64::consts::TAU;
 
 impl SpectrumTable {

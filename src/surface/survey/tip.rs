@@ -1,7 +1,7 @@
 //! What a ball-shaped tip has reached of the heights that it measured.
 
 use crate::error::SurfaceError;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use ndarray::Array2;
 
 /// The least that the place of the tip moves for each node along the surface, in all directions, where it touches alone: by `(rho - R) / rho` in a valley of
@@ -26,7 +26,8 @@ const REACH: usize = 1;
 /// J. S. Villarrubia, J. Res. Natl. Inst. Stand. Technol. 102 (1997) 425, "certified reconstruction".
 ///
 /// ```
-/// use asperity::surface::{Scan, TipReach};
+/// use asperity::formats::Scan;
+/// use asperity::surface::TipReach;
 /// // the image of a ball of radius 20 on a plane by a tip of radius 30 is a ball of radius 50
 /// let square = |i: usize| (i as f64 - 64.0).powi(2);
 /// let image = |(y, x): (usize, usize)| ((2500.0 - square(y) - square(x)).max(0.0).sqrt() - 30.0).max(0.0);

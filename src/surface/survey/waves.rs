@@ -1,8 +1,9 @@
 //! The waves of a map by their wave vectors: those that stand alone, and those that rows or columns have alone.
 
+use crate::formats::Scan;
 use crate::fourier::{Complex, Fourier};
+use crate::surface::Detrend;
 use crate::surface::bends::median;
-use crate::surface::{Detrend, Scan};
 use std::f64::consts::TAU;
 
 /// The fewest nodes along each axis.

@@ -1,6 +1,7 @@
 //! The material ratio of heights.
 
-use crate::surface::{Scan, Surface};
+use crate::formats::Scan;
+use crate::surface::Surface;
 
 /// The share of the heights in the central region.
 const CENTRAL: f64 = 0.4;
@@ -58,7 +59,8 @@ impl AbbottCurve {
     /// The curve of a scan without its voids; none if all heights are void.
     ///
     /// ```
-    /// use asperity::surface::{AbbottCurve, Scan};
+    /// use asperity::formats::Scan;
+    /// use asperity::surface::AbbottCurve;
     /// let height = ndarray::arr2(&[[5.0, f64::NAN, 3.0, 7.0]]);
     /// let curve = AbbottCurve::from_scan(&Scan { height, spacing: [1.0; 2] }).expect("three heights are there");
     /// assert_eq!([curve.height(0.0), curve.height(0.5), curve.height(1.0)], [2.0, 0.0, -2.0]);
@@ -101,7 +103,8 @@ impl AbbottCurve {
     /// The volume of material above the height of the share `ratio`, over the area: Vmp for 0.1; a length.
     ///
     /// ```
-    /// use asperity::surface::{AbbottCurve, Scan};
+    /// use asperity::formats::Scan;
+    /// use asperity::surface::AbbottCurve;
     /// // a ramp: above the height of a tenth of it lies a triangle of that base
     /// let height = ndarray::Array2::from_shape_fn((1, 1000), |(_, i)| i as f64);
     /// let curve = AbbottCurve::from_scan(&Scan { height, spacing: [1.0; 2] }).expect("heights are there");
