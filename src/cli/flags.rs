@@ -8,8 +8,8 @@ use super::warnings::print_if_cut_off;
 use anyhow::Result;
 use asperity::contact::first_archive;
 use asperity::files::path_in_text;
+use asperity::formats::has_field;
 use asperity::setup::{FlagValue, Key, SetupTable, lay};
-use asperity::surface::has_field;
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command, Error, FromArgMatches};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
@@ -101,9 +101,8 @@ impl Extent for OfPatches {
     }
 }
 
-/// Sections that describe how a contact is solved, or what follows it.
-const OF_A_SOLVE: [&str; 9] =
-    ["friction", "adhesion", "viscoelastic", "sliding", "rolling", "path", "flow", "solver", "stop"];
+/// Sections besides those of the drives that describe how a contact is solved, or what follows it.
+const OF_A_SOLVE: [&str; 5] = ["friction", "path", "flow", "solver", "stop"];
 
 /// A scene and the flags that are laid over it.
 pub struct SceneArgs<E> {
@@ -261,6 +260,9 @@ fn arg<E: Extent>(key: &'static Key) -> Arg {
     }
 }
 
+/// The heading of the flags of drives that have none of their own, and of their paths.
+const HISTORY: &str = "History (creep, slip, sliding, rolling or adhesion)";
+
 fn heading<E: Extent>(key: &Key) -> &'static str {
     match key.section() {
         "surface" if key.path.starts_with("surface.indenter.") => "Indenter",
@@ -271,9 +273,10 @@ fn heading<E: Extent>(key: &Key) -> &'static str {
         "solid" | "law" => "Solid (contact modulus, or elastic constants; required with a mean pressure)",
         "friction" => "Friction (a tangential load after the normal one)",
         "adhesion" => "Adhesion (an attraction between the surfaces)",
-        "viscoelastic" | "sliding" | "rolling" | "path" => "History (creep, slip, sliding, rolling or adhesion)",
+        "path" => HISTORY,
         "flow" => "Flow through the contact",
         "record" => "Recording",
+        _ if key.is_of_drive() => HISTORY,
         _ => "Solver",
     }
 }

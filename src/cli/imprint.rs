@@ -5,8 +5,8 @@ use super::units::Units;
 use anyhow::Result;
 use asperity::contact::{FieldKind, State};
 use asperity::files::check_named;
+use asperity::formats::Scan;
 use asperity::setup::Setup;
-use asperity::surface::Scan;
 use std::path::Path;
 
 /// The ending of arrays, which have no unit; all other formats are in metres.

@@ -3,9 +3,10 @@
 use super::exit_status::usage;
 use super::units::Units;
 use anyhow::Result;
+use asperity::formats::{HeightFile, Scan};
 use asperity::quantity::length_of;
 use asperity::setup::{Cell, Recipe};
-use asperity::surface::{HeightFile, Prepared, RepeatNoise, Scan, TipReach};
+use asperity::surface::{Prepared, RepeatNoise, TipReach};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};

@@ -17,8 +17,9 @@ use super::wrote::wrote;
 use anyhow::Result;
 use asperity::Grid;
 use asperity::files::{check_apart, check_named};
+use asperity::formats::Scan;
 use asperity::plot::{FIGURES, is_figure, write_figure};
-use asperity::surface::{Field, Scan, SpectrumConvention, SpectrumTable, Surface};
+use asperity::surface::{Field, SpectrumConvention, SpectrumTable, Surface};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

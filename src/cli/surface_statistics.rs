@@ -11,12 +11,11 @@ use super::warnings::in_flags;
 use anyhow::Result;
 use asperity::Grid;
 use asperity::error::FileError;
+use asperity::formats::{HeightFile, Measurement, Scan};
 use asperity::record::record_survey;
 use asperity::seen::capital;
 use asperity::setup::{Cell, Cost, Recipe};
-use asperity::surface::{
-    Artefacts, Field, HeightFile, Measurement, PreparationChoice, RankMap, Resample, Roughness, Scan, Surface, Survey,
-};
+use asperity::surface::{Artefacts, Field, PreparationChoice, RankMap, Resample, Roughness, Surface, Survey};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;

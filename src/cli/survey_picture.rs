@@ -3,9 +3,10 @@
 use super::height_picture::{density, material_ratio};
 use super::picture::{range, wider};
 use super::units::Units;
+use asperity::formats::Scan;
 use asperity::plot::{Axis, Colour, Dot, Figure, Mark, Panel, Symbol, label, unit};
 use asperity::quantity::LENGTHS;
-use asperity::surface::{AbbottCurve, Artefacts, Detrend, Scan, Survey};
+use asperity::surface::{AbbottCurve, Artefacts, Detrend, Survey};
 use std::f64::consts::{PI, TAU};
 
 /// The most tiles of a map along an axis.

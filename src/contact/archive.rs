@@ -3,7 +3,8 @@
 use super::archive_seal::{ArchiveDigest, SEAL};
 use crate::contact::{Contact, On, PartialSlip, Quantity, Reading, Resolved, State};
 use crate::elastic::Stress;
-use crate::surface::{MemberSum, PowerSpectrum};
+use crate::formats::MemberSum;
+use crate::surface::PowerSpectrum;
 use crc32fast::Hasher;
 use ndarray::{
     Array1, ArrayBase, ArrayView1, ArrayView2, Axis, CowArray, Data, Dimension, Ix2, RemoveAxis, arr0, arr1, arr2,

@@ -3,7 +3,8 @@
 use super::archive::CERTIFICATE;
 use crate::contact::{ArchiveSeal, Certificate, Resolved, SavedContact, Status, Work};
 use crate::error::FileError;
-use crate::surface::{Field, has_field, read_fields, read_fields_shape, read_text};
+use crate::formats::{has_field, read_fields, read_fields_shape, read_text};
+use crate::surface::Field;
 use ndarray::{ArrayD, Axis, Ix2, concatenate};
 use std::path::{Path, PathBuf};
 

@@ -5,7 +5,7 @@
 
 use crate::digest::{fnv1a, fnv1a_after, has_own_numerics, version};
 use crate::error::FileError;
-use crate::surface::{MemberSum, read_member_sums, read_text};
+use crate::formats::{MemberSum, read_member_sums, read_text};
 use std::path::Path;
 
 /// The array that holds the seal: the digest and the version of the program with the revision of its numerics, in words.

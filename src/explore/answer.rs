@@ -6,7 +6,7 @@ use super::knobs::Knobs;
 use super::refusal::Refusal;
 use super::session::{RunKind, Session};
 use crate::contact::Quantity;
-use crate::surface::HeightFile;
+use crate::formats::HeightFile;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::json;

@@ -3,8 +3,9 @@
 use super::height_knobs::HeightKnobs;
 use super::refusal::{KnownFault, Refusal, RefusalRule};
 use crate::digest::fnv1a;
+use crate::formats::{HeightFile, Measurement, Scan};
 use crate::quantity::{length_in_words as length, number_in_words as figure};
-use crate::surface::{HeightFile, Measurement, Preparation, Scan, Survey};
+use crate::surface::{Preparation, Survey};
 use serde::Serialize;
 
 /// Lines of a file's own header that are shown, and letters of each.

@@ -2,10 +2,11 @@
 
 use super::refusal::{Refusal, RefusalRule};
 use super::schema::MOST_POINTS;
+use crate::formats::{HeightFile, Layout};
 use crate::grid::Grid;
 use crate::quantity::some_length;
 use crate::setup::{Boundary, Cell, Recipe};
-use crate::surface::{Crop, HeightFile, Layout, Preparation, PreparationChoice};
+use crate::surface::{Crop, Preparation, PreparationChoice};
 use serde::{Deserialize, Serialize};
 
 /// How often the steps are chosen anew for a smaller part of a file: mirror images make more points of it, and a smaller part

@@ -3,8 +3,8 @@
 use super::refusal::Refusal;
 use super::schema::MOST_POINTS;
 use crate::digest::fnv1a;
+use crate::formats::HeightFile;
 use crate::setup::Setup;
-use crate::surface::HeightFile;
 use std::sync::Arc;
 
 /// What a surface is taken from that the knobs do not make.

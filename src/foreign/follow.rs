@@ -2,7 +2,7 @@
 
 use super::steps::in_folder;
 use crate::error::FileError;
-use crate::surface::read_fields_shape;
+use crate::formats::read_fields_shape;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
 use std::thread::sleep;

@@ -5,8 +5,9 @@ use super::given_field::GivenField;
 use super::order::natural;
 use super::replay::Frame;
 use crate::error::{ClaimError, Failure, FileError, StepsError};
+use crate::formats::{has_field, read_fields};
 use crate::grid::Grid;
-use crate::surface::{Field, has_field, read_fields};
+use crate::surface::Field;
 use ndarray::{ArrayD, Axis};
 use std::path::{Path, PathBuf};
 

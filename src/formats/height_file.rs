@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// cached and shared with clones, so that it is read once.
 ///
 /// ```
-/// use asperity::surface::HeightFile;
+/// use asperity::formats::HeightFile;
 /// let file = HeightFile::in_memory("ramp.txt", *b"0 1 2 3\n4 5 6 7\n1 1 1 1\n2 2 2 2\n");
 /// assert_eq!(file.layout(None)?.shape, [4, 4]);
 /// assert_eq!(file.measurement(None)?.height[[1, 0]], 4.0);

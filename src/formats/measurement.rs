@@ -6,12 +6,12 @@ use super::format::{ReadSeek, malformed};
 use super::instrument::Instrument;
 use super::layout::{FileUnits, Layout, doubt_of_spacing};
 use super::limits::check_points;
+use super::scan::overflowing;
 use super::{HEIGHTS, INSTRUMENTS, npy, npz, profile_of, shape_of};
 use crate::error::FileError;
 use crate::files::{open_regular, read_whole};
-use crate::surface::{Field, overflowing};
 use crate::warning::Warning;
-use ndarray::Axis;
+use ndarray::{Array2, Axis};
 use std::io::{self, Cursor};
 use std::path::Path;
 
@@ -30,7 +30,7 @@ pub struct Measurement {
     /// The names of the channels that cannot be read, and why.
     pub unreadable: Vec<(String, String)>,
     /// Heights, shape `(ny, nx)` (a profile has one row); NaN if not measured.
-    pub height: Field,
+    pub height: Array2<f64>,
     /// Whether it is a profile, not a map of one row.
     pub is_profile: bool,
     /// Spacing along y and x (the mean for uneven positions); none if the file has none.
@@ -126,7 +126,7 @@ impl Measurement {
         let (array, positions) = profile_of(source, &name)?;
         let is_profile = array.ndim() == 1;
         let array = if is_profile { array.insert_axis(Axis(0)) } else { array };
-        let height: Field = array.into_dimensionality().map_err(|error| malformed(error.to_string()))?;
+        let height: Array2<f64> = array.into_dimensionality().map_err(|error| malformed(error.to_string()))?;
         let shape = height.dim().into();
         let values = move || Ok(height.into_iter().collect());
         let positions = positions.map(|it| it.to_vec());
@@ -155,7 +155,7 @@ impl Measurement {
         let Layout { shape, is_profile, spacing, is_in_metres, units, is_even } = layout;
         let values = values()?;
         let found = values.len();
-        let height = Field::from_shape_vec(shape, values).map_err(|_| {
+        let height = Array2::from_shape_vec(shape, values).map_err(|_| {
             malformed(format!("it contains {found} heights, but {} rows of {} are needed", shape[0], shape[1]))
         })?;
         let unit = units.height.unwrap_or(1.0);
@@ -192,7 +192,7 @@ impl Measurement {
 }
 
 /// Heights with the last column first.
-fn reversed(mut height: Field) -> Field {
+fn reversed(mut height: Array2<f64>) -> Array2<f64> {
     height.invert_axis(Axis(1));
     height.as_standard_layout().into_owned()
 }

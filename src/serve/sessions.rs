@@ -2,7 +2,7 @@
 
 use super::worker;
 use crate::explore::{Description, HeightKnobs, Refusal, RefusalRule, SceneFile, Session, Stock};
-use crate::surface::HeightFile;
+use crate::formats::HeightFile;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;

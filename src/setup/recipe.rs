@@ -3,12 +3,10 @@
 use super::{Cell, Dimension, Key};
 use crate::error::{ConflictRule, SetupError, SurfaceError};
 use crate::files::InputFile;
+use crate::formats::{FileUnits, HeightFile, Layout, Scan};
 use crate::grid::Grid;
 use crate::quantity::some_length;
-use crate::surface::{
-    Bumps, FileUnits, HeightFile, Indenter, Layout, Preparation, PreparationChoice, Prepared, RandomRoughness,
-    Resample, Scan, Surface,
-};
+use crate::surface::{Bumps, Indenter, Preparation, PreparationChoice, Prepared, RandomRoughness, Resample, Surface};
 use serde::{Deserialize, Deserializer, Serialize};
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
 

@@ -5,7 +5,7 @@ use super::{Cell, Key, Method, Recipe, Setup};
 use crate::contact::first_archive;
 use crate::error::{ConflictRule, FileError, SetupError, TextFault, TextPlace};
 use crate::files::{path_in_text, read_text_bytes, write_beside};
-use crate::surface::{has_field, read_fields, read_text};
+use crate::formats::{has_field, read_fields, read_text};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::Write;

@@ -2,10 +2,11 @@
 
 use super::{Recipe, Setup};
 use crate::elastic::stress::USUAL_POISSON;
+use crate::formats::{HeightFile, Layout, Measurement, Scan};
 use crate::seen::capital;
 use crate::surface::{
-    Artefact, Artefacts, Detrend, HeightDistribution, HeightFile, Layout, Measurement, Mirror, Noise, Preparation,
-    PreparationChoice, Roughness, Scan, Surface, Survey,
+    Artefact, Artefacts, Detrend, HeightDistribution, Mirror, Noise, Preparation, PreparationChoice, Roughness,
+    Surface, Survey,
 };
 use crate::warning::Warning;
 use std::cell::LazyCell;

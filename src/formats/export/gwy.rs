@@ -1,7 +1,7 @@
 //! The file of Gwyddion.
 
 use super::file_writer::FileWriter;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use std::io::{self, Write};
 
 /// Writes a file with one channel in metres. Voids are masked, and have the mean height below the mask, as Gwyddion keeps them.

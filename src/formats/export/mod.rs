@@ -11,7 +11,7 @@ mod xyz;
 use super::npy;
 use crate::error::FileError;
 use crate::files::{check_named, write_beside};
-use crate::surface::Scan;
+use crate::formats::Scan;
 use file_writer::FileWriter;
 use std::io;
 use std::path::Path;
@@ -71,7 +71,7 @@ impl Scan {
     /// [`FileError::Target`] for another ending and for what the format cannot hold, and the errors of [`write_beside`].
     ///
     /// ```
-    /// use asperity::surface::{Measurement, Scan};
+    /// use asperity::formats::{Measurement, Scan};
     /// let height = ndarray::arr2(&[[1e-6, 2e-6, 3e-6], [4e-6, f64::NAN, 6e-6]]);
     /// let scan = Scan { height, spacing: [5e-6, 2e-6] };
     /// let folder = tempfile::tempdir()?;

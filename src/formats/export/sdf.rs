@@ -1,7 +1,7 @@
 //! The text of ISO 25178-71.
 
 use super::file_writer::FileWriter;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use std::io::{self, Write};
 
 /// Writes a text of ISO-1.0 with heights in metres, whose unit is 1 and whose voids are `BAD`. The dates of the header are those of a file

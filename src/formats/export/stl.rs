@@ -2,7 +2,7 @@
 
 use super::super::triangles::TITLE;
 use super::file_writer::FileWriter;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use std::io::{self, Write};
 
 /// Millimetres in a metre: STL has no unit, and programs for printing take millimetres.

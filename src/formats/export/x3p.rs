@@ -1,7 +1,7 @@
 //! The archive of ISO 25178-72.
 
 use super::file_writer::FileWriter;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use md5::{Context, Digest};
 use std::io::{self, Seek, Write};
 use zip::ZipWriter;

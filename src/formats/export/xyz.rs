@@ -1,7 +1,7 @@
 //! Positions and heights in columns of a text.
 
 use super::file_writer::FileWriter;
-use crate::surface::Scan;
+use crate::formats::Scan;
 use std::io::{self, Write};
 
 /// Writes x, y and height of each point of a map, or x and height of a profile, in metres, below a header that states

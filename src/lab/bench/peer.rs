@@ -2,7 +2,8 @@
 
 use crate::contact::Problem;
 use crate::error::reason;
-use crate::surface::{Surface, read_field, write_heights};
+use crate::formats::{read_field, write_heights};
+use crate::surface::Surface;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::fs::File;
