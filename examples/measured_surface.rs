@@ -5,8 +5,9 @@
 //! Without a file a text of heights is made first, as an instrument may write it: tilted, in micrometres, with a void.
 
 use asperity::contact::Load;
+use asperity::formats::{HeightFile, Scan};
 use asperity::setup::{Cell, Recipe, Setup};
-use asperity::surface::{HeightFile, Scan, Spectrum, Survey};
+use asperity::surface::{Spectrum, Survey};
 use asperity::{Grid, Surface};
 use std::path::PathBuf;
 

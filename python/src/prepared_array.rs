@@ -5,8 +5,9 @@ use crate::conversion::{Sections, section_mut, table_from_sections};
 use crate::detached::Detached;
 use crate::error::{bail, error_of_keywords, py_error};
 use crate::fork;
+use asperity::formats::Scan;
 use asperity::setup::{Cost, Recipe};
-use asperity::surface::{Preparation, PreparationChoice, Scan};
+use asperity::surface::{Preparation, PreparationChoice};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 

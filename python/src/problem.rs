@@ -7,6 +7,7 @@ use crate::error::{bail, py_error, unexpected_keyword, wrong_type};
 use crate::fork;
 use crate::setup::Setup;
 use crate::surface::Surface;
+use asperity::setup::Key;
 use asperity::study::Refinement;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,9 +17,19 @@ use std::sync::Arc;
 /// Names of the loads.
 const LOADS: [&str; 5] = ["mean-pressure", "reduced-pressure", "mean-gap", "force", "approach"];
 
-/// Sections that are keywords of a problem.
-const SECTIONS: [&str; 10] =
-    ["solid", "law", "friction", "adhesion", "viscoelastic", "path", "sliding", "rolling", "flow", "record"];
+/// Sections that a problem takes from its surface, its load and its solve, so that they are no keywords.
+const OTHERS: [&str; 5] = ["surface", "grid", "load", "solver", "stop"];
+
+/// The sections that are keywords of a problem.
+fn sections() -> Vec<&'static str> {
+    let mut sections = Vec::new();
+    for section in Key::all().map(Key::section) {
+        if !OTHERS.contains(&section) && !sections.contains(&section) {
+            sections.push(section);
+        }
+    }
+    sections
+}
 
 /// A rigid surface pressed on an elastic solid.
 ///
@@ -106,14 +117,14 @@ fn described(py: Python<'_>, surface: &Surface, keywords: Option<&Bound<'_, PyDi
     let keywords = keywords.map(|keywords| with_sampled_solid(surface, keywords)).transpose()?;
     for (key, value) in sections_from_keywords(keywords.as_ref())? {
         match key.as_str() {
-            section if SECTIONS.contains(&section) => {
+            section if sections().contains(&section) => {
                 given.insert(key, value);
             }
             load if LOADS.contains(&load) => {
                 section_mut(&mut given, "load").insert(key, value);
             }
             other => {
-                let known = [&SECTIONS[..], &LOADS].concat();
+                let known = [&sections()[..], &LOADS].concat();
                 return Err(unexpected_keyword(py, "Problem", other, &known));
             }
         }

@@ -6,7 +6,8 @@ use crate::error::{BoxedError, py_error};
 use crate::surface::Surface;
 use crate::surface_numbers::convention_of;
 use asperity::files::{check_apart, check_named};
-use asperity::surface::{Scan, SpectrumConvention, SpectrumTable};
+use asperity::formats::Scan;
+use asperity::surface::{SpectrumConvention, SpectrumTable};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 

@@ -5,8 +5,9 @@ use crate::conversion::to_python;
 use crate::detached::Detached;
 use crate::error::py_error;
 use crate::surface::Surface;
+use asperity::formats::Scan;
 use asperity::surface::{
-    PowerSpectrum, Roughness, Scan, SpectrumConvention, SpectrumTable, SurfaceParameter, SurfaceParameters, Survey,
+    PowerSpectrum, Roughness, SpectrumConvention, SpectrumTable, SurfaceParameter, SurfaceParameters, Survey,
 };
 use numpy::PyArray1;
 use pyo3::prelude::*;

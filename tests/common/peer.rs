@@ -1,7 +1,8 @@
 //! Results of another code, Tamaas 2.9.0, as they lie in `tests/data`.
 
 use asperity::contact::Load;
-use asperity::surface::{Field, read_heights};
+use asperity::formats::read_heights;
+use asperity::surface::Field;
 use asperity::{Grid, Surface};
 use serde_json::Value;
 use std::path::{Path, PathBuf};

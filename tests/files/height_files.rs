@@ -2,7 +2,7 @@
 
 use crate::real_files::real_files;
 use asperity::error::FileError;
-use asperity::surface::{Measurement, read_heights, read_shape, write_heights};
+use asperity::formats::{Measurement, read_heights, read_shape, write_heights};
 use ndarray::{Array2, ShapeBuilder, arr1, arr2};
 use ndarray_npy::{NpzWriter, WriteNpyExt};
 use std::fs::File;

@@ -3,8 +3,8 @@
 #[cfg(feature = "cli")]
 use crate::command::{Folder, text};
 use crate::height_files::directory;
+use asperity::formats::write_heights;
 use asperity::setup::{Dimension, Key, Setup, SetupTable};
-use asperity::surface::write_heights;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::Write;

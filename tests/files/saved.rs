@@ -2,10 +2,10 @@
 
 use asperity::contact::{Contact, FieldKind, ResultClaim, Status, archive, archive_of_slip, archive_of_states};
 use asperity::error::{FileError, StudyError};
+use asperity::formats::{has_field, read_fields};
 use asperity::job::{HistoryOutcome, Job, SavedFound, SavedResult};
 use asperity::setup::{Extras, Setup, SetupTable};
 use asperity::study::NUMERICS;
-use asperity::surface::{has_field, read_fields};
 use ndarray::{Array1, ArrayD, ArrayView1, IxDyn};
 use ndarray_npy::{NpzReader, ReadNpyExt, WriteNpyExt};
 use rand::rngs::ChaCha8Rng;

@@ -3,8 +3,9 @@
 
 use asperity::contact::{Contact, Dynamics, Gfmd, Load, Masses};
 use asperity::error::SetupError;
+use asperity::formats::{read_heights, write_heights};
 use asperity::setup::{Body, Cell, Cost, Method, Part, Recipe, Record, Setup, SetupTable, Solid, Theme, YieldLaw};
-use asperity::surface::{Spectrum, read_heights, write_heights};
+use asperity::surface::Spectrum;
 use asperity::{Grid, Indenter, Stop, Surface};
 use std::fs;
 

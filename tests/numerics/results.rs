@@ -1,8 +1,8 @@
 //! Results that are solved again from themselves.
 
 use asperity::contact::archive;
+use asperity::formats::{read_heights, write_heights};
 use asperity::setup::{Setup, SetupTable};
-use asperity::surface::{read_heights, write_heights};
 use ndarray::Array1;
 use std::path::Path;
 

@@ -2,7 +2,8 @@
 
 use asperity::contact::{Contact, ContactModulus, Load, Multilevel, Problem, Solver, Stop};
 
-use asperity::surface::{Artefact, Artefacts, Mirror, Noise, Preparation, PreparationChoice, Scan, Spectrum, Survey};
+use asperity::formats::Scan;
+use asperity::surface::{Artefact, Artefacts, Mirror, Noise, Preparation, PreparationChoice, Spectrum, Survey};
 use asperity::{Grid, Surface};
 use ndarray::Array2;
 use rand::rngs::ChaCha8Rng;

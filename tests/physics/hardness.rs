@@ -6,9 +6,10 @@ use asperity::contact::{
     archive,
 };
 use asperity::error::{InputError, ProblemError, SolveError};
+use asperity::formats::read_heights;
 use asperity::job::HistoryOutcome;
 use asperity::setup::{Cell, Recipe, Setup};
-use asperity::surface::{Field, Spectrum, read_heights};
+use asperity::surface::{Field, Spectrum};
 use asperity::{Grid, Indenter, Problem, Stop, Surface};
 use serde_json::Value;
 use std::sync::Arc;

@@ -1,7 +1,8 @@
 //! What the tip of an instrument and a second measurement tell of heights whose truth is known.
 
 use asperity::contact::{ContactModulus, Load, Multilevel, Problem, Solver, Stop};
-use asperity::surface::{RepeatNoise, Scan, Spectrum, TipReach};
+use asperity::formats::Scan;
+use asperity::surface::{RepeatNoise, Spectrum, TipReach};
 use asperity::{Grid, Surface};
 use ndarray::Array2;
 use rand::SeedableRng;

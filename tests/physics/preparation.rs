@@ -1,7 +1,8 @@
 //! What is done to measured heights, against heights of which it is known what must be left.
 
 use asperity::error::PreparationError;
-use asperity::surface::{Crop, Detrend, Fill, Form, Mirror, Preparation, Scan};
+use asperity::formats::Scan;
+use asperity::surface::{Crop, Detrend, Fill, Form, Mirror, Preparation};
 use ndarray::Array2;
 use std::f64::consts::{LN_2, PI, TAU};
 

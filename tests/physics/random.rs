@@ -2,10 +2,11 @@
 
 use asperity::contact::{ContactModulus, Load, Multilevel, Solver};
 use asperity::error::{RoughnessError, SurfaceError};
+use asperity::formats::HeightFile;
 use asperity::surface::{
-    ExactPart, HeightDistribution, HeightFile, Lay, MeasuredSpectrum, PowerSpectrum, RandomRoughness, Rolloff,
-    Roughness, RoughnessScale, SelfAffine, SpectralDensity, SpectrumConvention, SpectrumFile, SpectrumKind,
-    SpectrumTable, TargetHeights, Texture,
+    ExactPart, HeightDistribution, Lay, MeasuredSpectrum, PowerSpectrum, RandomRoughness, Rolloff, Roughness,
+    RoughnessScale, SelfAffine, SpectralDensity, SpectrumConvention, SpectrumFile, SpectrumKind, SpectrumTable,
+    TargetHeights, Texture,
 };
 use asperity::{Grid, Problem, Stop, Surface};
 use std::f64::consts::{PI, TAU};

@@ -1,6 +1,7 @@
 //! Errors of surface parameters against the scatter of samples.
 
-use asperity::surface::{Mirror, Scan, SpectralMoments, Spectrum, SurfaceParameter, SurfaceParameters};
+use asperity::formats::Scan;
+use asperity::surface::{Mirror, SpectralMoments, Spectrum, SurfaceParameter, SurfaceParameters};
 use asperity::{Grid, Surface};
 use ndarray::Array2;
 

@@ -1,8 +1,7 @@
 //! What measured heights are like, told of heights of which it is known, and the preparation that they need.
 
-use asperity::surface::{
-    Detrend, Fill, Mirror, Preparation, PreparationChoice, Resample, Scales, Scan, Spectrum, Survey,
-};
+use asperity::formats::Scan;
+use asperity::surface::{Detrend, Fill, Mirror, Preparation, PreparationChoice, Resample, Scales, Spectrum, Survey};
 use asperity::{Grid, Surface};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};

@@ -1,7 +1,8 @@
 //! Parameters of surface texture against closed forms and a peer.
 
 use crate::real_files::real_files;
-use asperity::surface::{AbbottCurve, Autocorrelation, Measurement, SpectralMoments, Spectrum, Texture};
+use asperity::formats::Measurement;
+use asperity::surface::{AbbottCurve, Autocorrelation, SpectralMoments, Spectrum, Texture};
 use asperity::{Grid, Surface};
 use ndarray::Array2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, PI, TAU};

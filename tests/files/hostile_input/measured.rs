@@ -5,7 +5,7 @@ use crate::measured::binaries::{
     self, al3d, bcr, frt, ibw, jpk, metropro, mi, nanoscope, nid, opd, opdx, plu, sdf, tmd, vk4, wsxm,
 };
 use crate::measured::containers::{self, gwy, hdf5, netcdf, plux, sur, x3p};
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 

@@ -2,7 +2,8 @@
 
 use super::binaries::{nanoscope, opd, plu};
 use super::containers::{gwy, netcdf, sur};
-use asperity::surface::{Field, Measurement, Surface};
+use asperity::formats::Measurement;
+use asperity::surface::{Field, Surface};
 use asperity::{Grid, error::SurfaceError};
 
 /// A file with other bytes where these are first.

@@ -1,7 +1,7 @@
 //! Small files of every format, read back point by point.
 
 use super::containers::{self, ALL, SHAPE, VOID, height};
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 
 /// A measurement in a file that is written here.
 fn read(file: &[u8], channel: Option<&str>) -> Measurement {

@@ -2,7 +2,8 @@
 
 use super::binaries::{self, POINTS, bcr, frt, ibw, metropro, mi, nanoscope, nid, opd, opdx, plu, sdf, tmd, vk4, wsxm};
 use super::containers::{sur, x3p};
-use asperity::surface::{Field, Measurement, Scan};
+use asperity::formats::{Measurement, Scan};
+use asperity::surface::Field;
 use std::io::{Cursor, Read, Write};
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};

@@ -1,6 +1,7 @@
 //! Files that are written for other programs, and what is read of them.
 
-use asperity::surface::{Field, Measurement, Scan};
+use asperity::formats::{Measurement, Scan};
+use asperity::surface::Field;
 use std::path::Path;
 
 /// Heights of a map, none of which has few digits, with voids inside and all along a row and a column.

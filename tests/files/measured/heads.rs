@@ -1,6 +1,6 @@
 //! Texts of programs that say distances, units and voids in their heads, and tables whose columns have names.
 
-use asperity::surface::{FileUnits, Measurement};
+use asperity::formats::{FileUnits, Measurement};
 
 /// Heights of the maps here, row by row, of which none is at the place [1, 2].
 const MAP: [[f64; 5]; 4] = [

@@ -1,6 +1,6 @@
 //! Grey values of images as heights.
 
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use std::io::Write;

@@ -1,7 +1,7 @@
 //! Small files of every format, whose heights, distances, voids and header are known.
 
 use super::binaries::{self, POINTS, VOID, height, nanoscope, opd, opdx, plu, sdf, tmd, vk4};
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 
 /// Distances along y and x that the files of most formats state, in metres.
 pub const SPACING: [f64; 2] = [3e-6, 2e-6];

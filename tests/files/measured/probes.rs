@@ -2,7 +2,7 @@
 
 use super::binaries::{POINTS, bcr, frt, height, ibw, jpk, metropro, mi, nid, wsxm};
 use super::made::{SPACING, assert_map, assert_says, changed, is_close, read, reason};
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 
 /// A file with other bytes of the same number wherever these are.
 fn changed_everywhere(file: &[u8], from: &[u8], to: &[u8]) -> Vec<u8> {

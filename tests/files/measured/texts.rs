@@ -1,6 +1,6 @@
 //! Small texts of numbers, and what is read of them.
 
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 
 /// A name of a file and what makes it.
 pub type Writer = (&'static str, fn() -> Vec<u8>);

@@ -1,7 +1,7 @@
 //! Real files against what a peer's reader makes of them.
 
 use crate::real_files::real_files;
-use asperity::surface::Measurement;
+use asperity::formats::Measurement;
 use ndarray::Array2;
 use serde_json::Value;
 

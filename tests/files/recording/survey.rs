@@ -1,8 +1,9 @@
 //! What is recorded of a surface without a contact.
 
 use super::*;
+use asperity::formats::Scan;
 use asperity::record::record_survey;
-use asperity::surface::{Scan, Survey};
+use asperity::surface::Survey;
 
 #[test]
 fn a_surface_is_a_relief_and_a_line_is_a_curve_beside_their_spectra() {

@@ -383,7 +383,7 @@ fn a_height_file_is_known_by_its_heights() {
     let write = |name: &str, scale: f64| {
         let path = folder.path().join(name);
         let heights = ndarray::Array1::from_shape_fn(32, |i| scale * (i as f64).sin());
-        asperity::surface::write_heights(&path, heights.view().into_dyn()).unwrap();
+        asperity::formats::write_heights(&path, heights.view().into_dyn()).unwrap();
         let surface = Recipe { height: Some(path.into()), ..Recipe::default() };
         Setup::new(
             surface,

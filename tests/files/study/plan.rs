@@ -143,7 +143,7 @@ fn lists_of_sections_and_of_height_files_are_lists_too() {
     let folder = tempfile::tempdir().unwrap();
     for (name, height) in [("a.npy", 1.0), ("b.npy", 2.0)] {
         let heights = ndarray::Array1::from_shape_fn(64, |i| height * (i as f64 / 5.0).sin());
-        asperity::surface::write_heights(folder.path().join(name), heights.view().into_dyn()).unwrap();
+        asperity::formats::write_heights(folder.path().join(name), heights.view().into_dyn()).unwrap();
     }
     let path = folder.path().join("study.toml");
     let solvers = "[[solver]]\nmethod = 'multilevel'\n[[solver]]\nmethod = 'gfmd'\ndamping = 0.5\n";

@@ -2,7 +2,8 @@
 //! skipped. `MODULE` names another module than that of the page: `browser/build --check` names what it has built.
 
 use asperity::explore::{Answer, Request, Session, Start, Stock};
-use asperity::surface::{Field, Scan};
+use asperity::formats::Scan;
+use asperity::surface::Field;
 use base64::prelude::{BASE64_STANDARD, Engine};
 use ndarray::Array1;
 use ndarray_npy::NpzReader;

@@ -6,7 +6,8 @@
 
 use asperity::contact::{ContactModulus, Load, Multilevel, PolonskyKeer, Solver};
 use asperity::elastic::{Base, ElasticSolid, Layer};
-use asperity::surface::{Field, read_heights};
+use asperity::formats::read_heights;
+use asperity::surface::Field;
 use asperity::{Grid, Problem, Stop, Surface};
 use std::path::Path;
 use std::sync::Arc;
