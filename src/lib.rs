@@ -56,7 +56,8 @@
 //! | 0 | [`quantity`] | lengths and pressures with units | (`units`) |
 //! | 1 | [`grid`] | grids of lines and surfaces, periodic or free along each axis | |
 //! | 1 | [`fourier`] | pairs of real Fourier transforms | |
-//! | 2 | [`surface`] | indenters, random roughness, statistics; measured heights: read, described, prepared, written | (`instruments`) |
+//! | 2 | [`formats`] | files of heights and fields, those of instruments among them: read and written | (`instruments`) |
+//! | 2 | [`surface`] | indenters, random roughness, statistics; measured heights: described, prepared | |
 //! | 2 | [`elastic`] | solids: half-space, layer, free boundaries; the stress in the solid, also by a plastic strain | |
 //! | 2 | [`theory`] | closed forms: Hertz, Westergaard, power laws, Persson, Greenwood and Williamson, Bush, Gibson and Thomas | |
 //! | 3 | [`contact`] | the problem, its certificate, solvers, observers, measures, and patches from state to state | |
