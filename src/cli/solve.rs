@@ -43,7 +43,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Solve {
+pub(crate) struct Solve {
     #[command(flatten)]
     scene: SceneArgs<OfSetup>,
     /// After the last load, also solve the loads in reverse order; a body that yields below its surface is unloaded to 0 then
@@ -64,7 +64,7 @@ pub struct Solve {
 }
 
 impl Solve {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let mut table = self.scene.table()?;
         check_apart(self.outputs.files(), self.scene.files(&table))?;
         refuse_study(&table)?;
@@ -86,9 +86,6 @@ impl Solve {
                 usage("--refine auto needs one load, but several are given: give one load, or a number for --refine")
             }
             true if self.diagnose => usage("--diagnose needs one load, but several are given: give one"),
-            true if setup.friction.is_some() => {
-                usage("a tangential load needs one normal load, but several are given: give one")
-            }
             true if self.outputs.stress.is_some() => usage("--stress needs one load, but several are given: give one"),
             false if self.unload && !is_history => {
                 usage("--unload needs several loads, but one is given: give more, such as 1e-3..1e-1:13")
@@ -281,7 +278,7 @@ impl Solve {
 }
 
 /// Refuses a setup with lists of values, which is a study.
-pub fn refuse_study(table: &SetupTable) -> Result<()> {
+pub(crate) fn refuse_study(table: &SetupTable) -> Result<()> {
     match table.clone().take_axes()?.first() {
         Some(axis) => usage(format!(
             "`{}` has {} values, so this scene is a study: run `asperity study`, or give one value",

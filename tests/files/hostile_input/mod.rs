@@ -303,7 +303,11 @@ fn friction_and_stress_that_cannot_be_are_refused() {
         refuse_in_one_sentence(&folder, &format!("{line_in_metres} {load} {OUTPUTS} --tangential {tangential}"), form);
     }
     let several = line.replace("--pressure 0.01", "--pressure 0.01,0.02");
-    refuse_in_one_sentence(&folder, &format!("{several} --friction 0.5 --tangential 1e-3"), "give one");
+    refuse_in_one_sentence(
+        &folder,
+        &format!("{several} --friction 0.5 --tangential 1e-3"),
+        "several loads without a path and friction cannot be combined",
+    );
     refuse_in_one_sentence(&folder, &format!("{several} --stress new-stress.npz"), "give one");
     refuse_in_one_sentence(&folder, &format!("{line} --stress new-stress.csv"), "npz");
     refuse_in_one_sentence(&folder, &format!("{line} --stress new-stress.npz --stress-row 0"), "leave it out");
