@@ -72,7 +72,7 @@ pub(super) struct ConvexSteps<'a> {
 }
 
 impl<'a> ConvexSteps<'a> {
-    pub fn new(
+    pub(crate) fn new(
         problem: &'a Problem,
         attraction: &'a Attraction,
         control: AdhesiveControl,
@@ -90,7 +90,7 @@ impl<'a> ConvexSteps<'a> {
     /// `V` is concave, so the energy lies below its tangent: the contact with the attraction `sigma_k` held fast has less energy than the
     /// last state, whatever its length. It is the contact without adhesion of the heights `h + A sigma_k` under the pressure `P + <sigma_k>`.
     /// Anderson's method combines the last tractions; where its step does not lower the energy, the plain one is taken.
-    pub fn lower(
+    pub(crate) fn lower(
         &mut self,
         start: Vec<f64>,
         pressed: Option<Field>,

@@ -40,7 +40,7 @@ pub(super) struct LeastCurvature {
 
 impl LeastCurvature {
     /// Whether a state is a saddle, on a solid of a softest stiffness.
-    pub fn is_saddle(&self, softest: f64) -> bool {
+    pub(crate) fn is_saddle(&self, softest: f64) -> bool {
         self.value < -MARGINAL * softest
     }
 }

@@ -20,19 +20,19 @@ pub(super) struct MotionFrames {
 
 impl MotionFrames {
     /// No frames yet, of a motion that begins with a state.
-    pub fn new(range: f64, start: &GapState) -> Self {
+    pub(crate) fn new(range: f64, start: &GapState) -> Self {
         let (gap, touching) = (start.gap.clone(), touching(start));
         Self { frames: Vec::new(), length: MOVED * range, nodes: AREA * gap.len() as f64, gap, touching }
     }
 
     /// Whether a state is far enough from the last frame to be the next one.
-    pub fn is_due(&self, state: &GapState) -> bool {
+    pub(crate) fn is_due(&self, state: &GapState) -> bool {
         touching(state).abs_diff(self.touching) as f64 >= self.nodes
             || state.gap.iter().zip(&self.gap).any(|(to, from)| (to - from).abs() >= self.length)
     }
 
     /// Keeps a frame of a state.
-    pub fn keep(&mut self, state: &GapState, frame: AdhesiveState) {
+    pub(crate) fn keep(&mut self, state: &GapState, frame: AdhesiveState) {
         (self.gap, self.touching) = (state.gap.clone(), touching(state));
         self.frames.push(frame);
         if self.frames.len() >= AdhesiveMotion::MOST_FRAMES {
@@ -46,7 +46,7 @@ impl MotionFrames {
     }
 
     /// The frames, in their order.
-    pub fn into_vec(self) -> Vec<AdhesiveState> {
+    pub(crate) fn into_vec(self) -> Vec<AdhesiveState> {
         self.frames
     }
 }

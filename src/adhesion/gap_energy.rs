@@ -40,7 +40,7 @@ pub(super) struct GapState {
 }
 
 impl<'a> GapEnergy<'a> {
-    pub fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl) -> Self {
+    pub(crate) fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl) -> Self {
         let uniform = match control {
             AdhesiveControl::Approach(_) => problem.solid().uniform_compliance().map_or(0.0, f64::recip),
             _ => 0.0,
@@ -52,27 +52,27 @@ impl<'a> GapEnergy<'a> {
     }
 
     /// Transforms so far.
-    pub fn transforms(&self) -> u64 {
+    pub(crate) fn transforms(&self) -> u64 {
         self.response.transforms()
     }
 
     /// The softest stiffness of a wave, a pressure per length.
-    pub fn softest(&self) -> f64 {
+    pub(crate) fn softest(&self) -> f64 {
         self.response.softest_stiffness()
     }
 
     /// The stiffness of each wave, a pressure per length, and that of the mean where it counts.
-    pub fn stiffnesses(&self) -> impl Iterator<Item = f64> + use<> {
+    pub(crate) fn stiffnesses(&self) -> impl Iterator<Item = f64> + use<> {
         self.response.stiffnesses().chain([self.uniform])
     }
 
     /// Whether the mean of the gap is given.
-    pub fn keeps_mean(&self) -> bool {
+    pub(crate) fn keeps_mean(&self) -> bool {
         matches!(self.control, AdhesiveControl::MeanGap(_))
     }
 
     /// `K x`: two transforms.
-    pub fn stiffness(&mut self, x: &[f64], result: &mut [f64]) {
+    pub(crate) fn stiffness(&mut self, x: &[f64], result: &mut [f64]) {
         self.response.pressure(x, result);
         if self.uniform > 0.0 {
             let mean = self.uniform * mean(x);
@@ -81,7 +81,7 @@ impl<'a> GapEnergy<'a> {
     }
 
     /// An approximate inverse of `K` between open nodes: the compliance, and `1/k_min` for the mean where the solid has none.
-    pub fn precondition(&mut self, x: &[f64], result: &mut [f64]) {
+    pub(crate) fn precondition(&mut self, x: &[f64], result: &mut [f64]) {
         self.response.displacement(x, result);
         if self.uniform == 0.0 && !self.keeps_mean() {
             let mean = mean(x) / self.softest();
@@ -95,7 +95,7 @@ impl<'a> GapEnergy<'a> {
     }
 
     /// The state of a gap that is not negative; at a mean gap it must have this mean.
-    pub fn state(&mut self, gap: Vec<f64>) -> GapState {
+    pub(crate) fn state(&mut self, gap: Vec<f64>) -> GapState {
         let datum = self.datum_of(&gap);
         let displacement: Vec<f64> = gap.iter().zip(self.height).map(|(g, h)| g - datum + h).collect();
         let mut force = vec![0.0; gap.len()];
@@ -104,7 +104,7 @@ impl<'a> GapEnergy<'a> {
     }
 
     /// The state of a gap whose `K u` is known.
-    pub fn with_force(&self, gap: Vec<f64>, force: Vec<f64>) -> GapState {
+    pub(crate) fn with_force(&self, gap: Vec<f64>, force: Vec<f64>) -> GapState {
         let mut gradient = force.clone();
         chunks::update(&mut gradient, |range, gradient| {
             gradient.iter_mut().zip(&gap[range]).for_each(|(r, g)| *r += self.attraction.traction(*g));
@@ -120,7 +120,7 @@ impl<'a> GapEnergy<'a> {
 
     /// The change of the energy from a state by a change of its gap with its `K dg`: `<r dg> + 1/2 <dg K dg>` and what the attraction adds
     /// beyond its traction. At a mean gap the changes must have the sum zero.
-    pub fn change(&self, from: &GapState, by: &[f64], stiff: &[f64]) -> f64 {
+    pub(crate) fn change(&self, from: &GapState, by: &[f64], stiff: &[f64]) -> f64 {
         chunks::sum(by.len(), |i| match by[i] {
             0.0 => 0.0,
             by => by * (from.gradient[i] + 0.5 * stiff[i]) + self.attraction.excess(from.gap[i], by),
@@ -135,14 +135,14 @@ impl<'a> GapEnergy<'a> {
     }
 
     /// Whether rounding may hide how well a state is in equilibrium.
-    pub fn is_hidden(&self, state: &GapState) -> bool {
+    pub(crate) fn is_hidden(&self, state: &GapState) -> bool {
         state.violation() <= self.rounding(state)
     }
 
     /// The residual of a state: the largest pressure out of balance at an open node, over the strength. Where it misses the goal and rounding may
     /// cause that, it is the largest displacement `A r` by the pressures out of balance, over the range, if that is smaller: the compliance hardly
     /// moves the solid by rounding, since that has short waves.
-    pub fn residual(&mut self, state: &GapState, goal: f64) -> f64 {
+    pub(crate) fn residual(&mut self, state: &GapState, goal: f64) -> f64 {
         let of_pressure = state.violation() / self.attraction.strength();
         if of_pressure <= goal || !self.is_hidden(state) {
             return of_pressure;
@@ -174,7 +174,7 @@ impl<'a> GapEnergy<'a> {
     }
 
     /// The elastic energy and that of the attraction, per area.
-    pub fn parts(&self, state: &GapState) -> [f64; 2] {
+    pub(crate) fn parts(&self, state: &GapState) -> [f64; 2] {
         let (n, datum) = (state.gap.len(), self.datum_of(&state.gap));
         let elastic = chunks::sum(n, |i| 0.5 * state.force[i] * (state.gap[i] - datum + self.height[i])) / n as f64;
         [elastic, chunks::sum(n, |i| self.attraction.energy(state.gap[i])) / n as f64]
@@ -182,7 +182,7 @@ impl<'a> GapEnergy<'a> {
 
     /// Moves a gap to the nearest one that is not negative and has the given mean, if one is given. Only nodes for which `may_move` holds are
     /// shifted, so that nodes in contact stay there.
-    pub fn carry(&self, gap: &mut [f64], may_move: impl Fn(usize) -> bool) {
+    pub(crate) fn carry(&self, gap: &mut [f64], may_move: impl Fn(usize) -> bool) {
         if let AdhesiveControl::MeanGap(goal) = self.control {
             let goal = goal * gap.len() as f64;
             // the sum of max(g + c, 0) is convex in c, and so Newton's method is monotone after its first step
@@ -212,12 +212,12 @@ impl<'a> GapEnergy<'a> {
 
 impl GapState {
     /// Whether a node touches: its gap is zero, and the surfaces press there.
-    pub fn touches(&self, i: usize) -> bool {
+    pub(crate) fn touches(&self, i: usize) -> bool {
         self.gap[i] <= 0.0 && self.gradient[i] >= 0.0
     }
 
     /// The largest violation of the conditions of equilibrium, a pressure: of the gradient where the surfaces do not touch.
-    pub fn violation(&self) -> f64 {
+    pub(crate) fn violation(&self) -> f64 {
         let open = (0..self.gap.len()).filter(|&i| !self.touches(i));
         open.map(|i| self.gradient[i].abs()).fold(0.0, f64::max)
     }

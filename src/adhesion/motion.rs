@@ -17,13 +17,13 @@ pub(super) struct DampedMotion {
 
 impl DampedMotion {
     /// The surface at rest.
-    pub fn new(energy: &GapEnergy<'_>) -> Self {
+    pub(crate) fn new(energy: &GapEnergy<'_>) -> Self {
         let stiffness: Vec<f64> = energy.stiffnesses().collect();
         Self { pace: Pace::new(&Gfmd::default(), &stiffness), advance: vec![0.0; energy.height.len()] }
     }
 
     /// Moves the surface until the residual is at most `tolerance`, or for some steps. `watch` sees each state, and whether to go on.
-    pub fn run(
+    pub(crate) fn run(
         &mut self,
         energy: &mut GapEnergy<'_>,
         state: &mut GapState,

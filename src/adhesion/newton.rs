@@ -168,7 +168,7 @@ pub(super) struct OpenNodes {
 }
 
 impl OpenNodes {
-    pub fn new(energy: &GapEnergy<'_>, state: &GapState) -> Self {
+    pub(crate) fn new(energy: &GapEnergy<'_>, state: &GapState) -> Self {
         let weights: Vec<f64> = (0..state.gap.len()).map(|i| f64::from(u8::from(!state.touches(i)))).collect();
         let count = weights.iter().filter(|weight| **weight > 0.0).count();
         let mut slopes = vec![0.0; state.gap.len()];
@@ -178,12 +178,12 @@ impl OpenNodes {
         Self { weights, slopes, count, keeps_mean: energy.keeps_mean() }
     }
 
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.count
     }
 
     /// Sets closed nodes to zero, and takes the mean of the open ones off where it is kept.
-    pub fn project(&self, x: &mut [f64]) {
+    pub(crate) fn project(&self, x: &mut [f64]) {
         let off = self.kept_mean(dot(x, &self.weights));
         chunks::update(x, |range, x| {
             x.iter_mut().zip(&self.weights[range]).for_each(|(x, weight)| *x = weight * (*x - off));
@@ -206,7 +206,7 @@ impl OpenNodes {
     }
 
     /// `(K + V'') x` on the open nodes.
-    pub fn curved(&self, energy: &mut GapEnergy<'_>, x: &[f64], result: &mut [f64]) {
+    pub(crate) fn curved(&self, energy: &mut GapEnergy<'_>, x: &[f64], result: &mut [f64]) {
         energy.stiffness(x, result);
         self.add_slopes(x, result);
         self.project(result);

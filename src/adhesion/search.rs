@@ -62,18 +62,18 @@ struct FoundState {
 }
 
 impl<'a> StateSearch<'a> {
-    pub fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl, stop: Stop) -> Self {
+    pub(crate) fn new(problem: &'a Problem, attraction: &'a Attraction, control: AdhesiveControl, stop: Stop) -> Self {
         let (work, start) = (Work::default(), Instant::now());
         Self { problem, attraction, control, stop, work, start, tests_stability: true }
     }
 
     /// The search for a state whose stability is not tested.
-    pub fn without_stability(self) -> Self {
+    pub(crate) fn without_stability(self) -> Self {
         Self { tests_stability: false, ..self }
     }
 
     /// The state that is found from the last one, or, without one, from the contact without adhesion.
-    pub fn run(
+    pub(crate) fn run(
         mut self,
         from: Option<&AdhesiveState>,
         method: AdhesiveMethod,
@@ -106,7 +106,7 @@ impl<'a> StateSearch<'a> {
     }
 
     /// A damped motion until the surface is at rest in a state that is no saddle, with its frames.
-    pub fn motion(
+    pub(crate) fn motion(
         mut self,
         from: Option<&AdhesiveState>,
         observer: &mut dyn Observer,

@@ -69,12 +69,12 @@ impl ArchiveDigest {
     }
 
     /// The digest of an archive that this program begins.
-    pub fn own() -> Self {
+    pub(crate) fn own() -> Self {
         Self::new(&version())
     }
 
     /// Adds a member: its name, its length and its check sum, which stand for its bytes.
-    pub fn add(&mut self, MemberSum { name, bytes, crc }: &MemberSum) {
+    pub(crate) fn add(&mut self, MemberSum { name, bytes, crc }: &MemberSum) {
         let own = fnv1a([name.as_bytes(), &bytes.to_le_bytes(), &crc.to_le_bytes()]);
         self.0 = fnv1a_after(self.0, &own.to_le_bytes());
     }
@@ -85,7 +85,7 @@ impl ArchiveDigest {
     }
 
     /// The text of the seal of this program.
-    pub fn own_seal(&self) -> String {
+    pub(crate) fn own_seal(&self) -> String {
         self.seal(&version())
     }
 }

@@ -10,12 +10,12 @@ pub(super) struct Best<P = Vec<f64>> {
 
 impl<P: Clone> Best<P> {
     /// Nothing yet, at the given iteration.
-    pub fn none(iteration: usize) -> Self {
+    pub(crate) fn none(iteration: usize) -> Self {
         Self { distance: f64::INFINITY, pressure: None, found_at: iteration }
     }
 
     /// Keeps `pressure` if its distance is smaller than before.
-    pub fn offer(&mut self, distance: f64, pressure: &P, iteration: usize) {
+    pub(crate) fn offer(&mut self, distance: f64, pressure: &P, iteration: usize) {
         if distance < self.distance {
             self.distance = distance;
             self.found_at = iteration;
@@ -27,7 +27,7 @@ impl<P: Clone> Best<P> {
     }
 
     /// Whether nothing better has been found for `patience` iterations, besides as many again as it took to find this.
-    pub fn is_stale(&self, iteration: usize, patience: usize) -> bool {
+    pub(crate) fn is_stale(&self, iteration: usize, patience: usize) -> bool {
         iteration > 2 * self.found_at + patience
     }
 }

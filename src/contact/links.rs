@@ -6,7 +6,12 @@ use std::ops::Range;
 
 /// Calls `see` with each node of `range` that is in contact (`pressure > 0`), in order, and with the number of its links: its neighbours that are not in
 /// contact. It finds runs of contact along rows first, so that it asks for neighbours along rows only at the ends of a run.
-pub fn for_each_in_contact(grid: &Grid, pressure: &[f64], range: Range<usize>, mut see: impl FnMut(usize, usize)) {
+pub(crate) fn for_each_in_contact(
+    grid: &Grid,
+    pressure: &[f64],
+    range: Range<usize>,
+    mut see: impl FnMut(usize, usize),
+) {
     let is_gap = |node: usize| usize::from(pressure[node] <= 0.0);
     for run in chunks::positive_runs(pressure, range) {
         for part in within_rows(run, grid.shape()[1]) {

@@ -42,7 +42,7 @@ pub(super) struct Rounding {
 
 impl Rounding {
     /// The bounds for the sums of a state.
-    pub fn new(problem: &Problem, sums: &CertificateSums) -> Self {
+    pub(crate) fn new(problem: &Problem, sums: &CertificateSums) -> Self {
         let n = problem.nodes() as f64;
         let epsilon = TRANSFORM * n.log2();
         let [_, stiffest] = problem.compliance().stiffness_range();
@@ -64,7 +64,7 @@ impl Rounding {
     }
 
     /// The bounds where the depth is itself a mean of positive terms.
-    pub fn with_depth(self, depth: f64) -> Self {
+    pub(crate) fn with_depth(self, depth: f64) -> Self {
         Self { depth: 2.0 * self.sum * depth, ..self }
     }
 }

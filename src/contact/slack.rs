@@ -25,7 +25,7 @@ pub(super) struct Slack {
 
 impl Slack {
     /// The sums of a pressure with its displacement, both row by row.
-    pub fn new(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
+    pub(crate) fn new(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let (ceiling, h) = (problem.ceiling(), problem.height());
         let share = |i: usize| ceiling.share(i, pressure[i]);
         let highest = chunks::visit(pressure.len(), |range| range.fold(0.0, |high: f64, i| high.max(share(i))));

@@ -18,7 +18,7 @@ pub(super) struct CertificateSums {
 
 impl CertificateSums {
     /// The sums over no nodes, with the value of `v` at the reference.
-    pub fn none(reference_v: f64) -> Self {
+    pub(crate) fn none(reference_v: f64) -> Self {
         Self {
             reference_v,
             pressure: 0.0,
@@ -32,7 +32,7 @@ impl CertificateSums {
     }
 
     /// The sums over all nodes, in one pass.
-    pub fn new(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
+    pub(crate) fn new(problem: &Problem, pressure: &[f64], displacement: &[f64]) -> Self {
         let height = problem.height();
         let reference = pressure.iter().position(|&p| p > 0.0);
         let none = Self::none(reference.map_or(0.0, |i| displacement[i] - height[i]));
@@ -48,13 +48,13 @@ impl CertificateSums {
     }
 
     /// Adds what does not depend on the pressure of a node.
-    pub fn add_displacement(&mut self, u: f64, h: f64) {
+    pub(crate) fn add_displacement(&mut self, u: f64, h: f64) {
         self.square_displacement += u * u;
         self.lowest_v = self.lowest_v.min(u - h - self.reference_v);
     }
 
     /// Adds the pressure of a node.
-    pub fn add_pressure(&mut self, p: f64, u: f64, h: f64) {
+    pub(crate) fn add_pressure(&mut self, p: f64, u: f64, h: f64) {
         self.pressure += p;
         self.pressure_v += p * (u - h - self.reference_v);
         self.elastic += p * u;
@@ -63,7 +63,7 @@ impl CertificateSums {
     }
 
     /// The sums over both sets of nodes, which have the same reference.
-    pub fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             reference_v: self.reference_v,
             pressure: self.pressure + other.pressure,

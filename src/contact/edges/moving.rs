@@ -34,7 +34,7 @@ pub(super) struct EdgeLaws {
 
 impl EdgeLaws {
     /// The laws of a problem.
-    pub fn new(problem: &Problem) -> Self {
+    pub(crate) fn new(problem: &Problem) -> Self {
         let elastic = EdgeLaw::ELASTIC;
         let Some(motion @ SteadyMotion::Sliding { .. }) = problem.compliance().motion() else {
             return Self { along_x: elastic, along_y: elastic, by_slope: Vec::new() };
@@ -48,7 +48,7 @@ impl EdgeLaws {
     }
 
     /// The law on a link with a share `k^2` in the contour, `k` the cosine of its angle to the normal of the edge.
-    pub fn at(&self, [dy, _]: [isize; 2], share: f64) -> EdgeLaw {
+    pub(crate) fn at(&self, [dy, _]: [isize; 2], share: f64) -> EdgeLaw {
         match self.by_slope.as_slice() {
             _ if dy == 0 => self.along_x,
             [] => self.along_y,

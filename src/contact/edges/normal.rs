@@ -18,14 +18,19 @@ pub(super) struct EdgeNormal {
 
 impl EdgeNormal {
     /// Along the link.
-    pub const ALONG: Self = Self { cosine: 1.0, weight: 1.0 };
+    pub(crate) const ALONG: Self = Self { cosine: 1.0, weight: 1.0 };
     /// Where nothing is known.
     const UNKNOWN: Self = Self { cosine: 1.0, weight: 0.5 };
 
     /// The normal by how the distance from the edge changes along a link, from its node in contact to the other, and from each of
     /// them to its neighbours on both sides; `ratio` is the spacing along the link over that across it. Distances take the
     /// cosine, so that it is found in rounds, each with the law for the share of the link in the contour.
-    pub fn new(link: [EdgeSide; 2], aside: [[EdgeSide; 2]; 2], ratio: f64, law: impl Fn(f64) -> EdgeLaw) -> Self {
+    pub(crate) fn new(
+        link: [EdgeSide; 2],
+        aside: [[EdgeSide; 2]; 2],
+        ratio: f64,
+        law: impl Fn(f64) -> EdgeLaw,
+    ) -> Self {
         let first = Self { cosine: FIRST_COSINE, ..Self::UNKNOWN };
         let found = (0..ROUNDS).fold(first, |last, _| last.next(link, aside, ratio, law(last.weight)));
         if found.cosine.is_finite() && found.weight.is_finite() { found } else { Self::UNKNOWN }

@@ -15,7 +15,7 @@ const LARGEST_HALF_WIDTH: f64 = 0.5;
 
 /// The pressure on both sides of a link, and how far the surfaces come apart along it.
 #[derive(Clone, Copy)]
-pub struct SaturatedSide {
+pub(crate) struct SaturatedSide {
     /// Pressure of the last node in contact, over that of the plateau: 1 where the node itself is on it.
     pub filled: f64,
     /// Gap of the next node plus overlap of the last one, over `2 l H / (pi E*)`, with the spacing `l` of the link along the normal of the edge.
@@ -27,7 +27,7 @@ impl SaturatedSide {
     ///
     /// The plateau ends where its load does: the last node carries what a plateau up to `filled - 1/2` would. The contact ends farther out by the
     /// half-width of the zone over which the pressure falls.
-    pub fn place(self) -> Option<f64> {
+    pub(crate) fn place(self) -> Option<f64> {
         let half_width = half_width(self);
         (half_width < LARGEST_HALF_WIDTH).then_some(self.filled - 0.5 + half_width)
     }
@@ -60,6 +60,6 @@ fn half_width(side: SaturatedSide) -> f64 {
 }
 
 /// The factor by which the opening of a link is divided, for the pressure of the plateau as a length `H l / E*`.
-pub fn unit_of_opening(plateau: f64) -> f64 {
+pub(crate) fn unit_of_opening(plateau: f64) -> f64 {
     2.0 * plateau / PI
 }

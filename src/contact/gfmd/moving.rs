@@ -21,7 +21,7 @@ pub(super) struct Moving<'a> {
 
 impl<'a> Moving<'a> {
     /// The surface at rest under the pressure `start`, or undeformed, touching the indenter.
-    pub fn new(start: Option<&Field>, problem: &'a Problem, masses: Masses) -> Self {
+    pub(crate) fn new(start: Option<&Field>, problem: &'a Problem, masses: Masses) -> Self {
         let n = problem.nodes();
         let h = problem.height();
         let mut response = problem.response();
@@ -39,7 +39,7 @@ impl<'a> Moving<'a> {
 
     /// Finds the forces: elasticity and load; what the wall needs to hold the nodes that touch it and push; and what is left
     /// as net force, which is zero on those nodes.
-    pub fn pull(&mut self) {
+    pub(crate) fn pull(&mut self) {
         self.response.respond(&self.w, &mut self.f, |k| -k);
         let (w, h, load) = (&self.w, self.problem.height(), self.problem.expected_mean_pressure());
         chunks::update_both(&mut self.f, &mut self.p, |range, f, p| {
@@ -52,13 +52,13 @@ impl<'a> Moving<'a> {
     }
 
     /// The state as it is shown to observers. Held nodes lie on the wall, so that `<p g> = 0` in the frame of the indenter.
-    pub fn step(&self, work: Work, certificate: Option<Certificate>) -> Step<'_> {
+    pub(crate) fn step(&self, work: Work, certificate: Option<Certificate>) -> Step<'_> {
         let step = Step::new(self.problem, work, &self.p, &self.w).with_datum(0.0).with_force(&self.f);
         step.with_certificate(certificate)
     }
 
     /// One step of the dynamics, and back onto the wall where it was passed.
-    pub fn advance(&mut self, pace: &mut Pace) {
+    pub(crate) fn advance(&mut self, pace: &mut Pace) {
         self.accelerate();
         let a = if self.masses == Masses::Uniform { &self.f } else { &self.a };
         let [keep, add] = pace.push(&self.f, &self.dw, a);

@@ -31,7 +31,7 @@ enum Damping {
 impl Pace {
     /// Chooses the time step from the stiffest mode and the damping from the softest, given the `stiffness` of the
     /// modes.
-    pub fn new(settings: &Gfmd, stiffness: &[f64]) -> Self {
+    pub(crate) fn new(settings: &Gfmd, stiffness: &[f64]) -> Self {
         let positive = || stiffness.iter().copied().filter(|&k| k > 0.0);
         let stiffest = positive().fold(0.0, f64::max);
         let softest = positive().fold(f64::INFINITY, f64::min);
@@ -53,7 +53,7 @@ impl Pace {
     }
 
     /// The friction, if it stays.
-    pub fn friction(&self) -> Option<f64> {
+    pub(crate) fn friction(&self) -> Option<f64> {
         match self.kind {
             Damping::Damped { friction } => Some(friction),
             Damping::Fire { .. } => None,
@@ -61,13 +61,13 @@ impl Pace {
     }
 
     /// What the last push was.
-    pub fn decision(&self) -> Decision {
+    pub(crate) fn decision(&self) -> Decision {
         self.decision
     }
 
     /// The shares `keep` and `add` of the next advance `keep * dw + add * a`, after an advance `dw`, under the net force `f` and
     /// the acceleration `a`.
-    pub fn push(&mut self, f: &[f64], dw: &[f64], a: &[f64]) -> [f64; 2] {
+    pub(crate) fn push(&mut self, f: &[f64], dw: &[f64], a: &[f64]) -> [f64; 2] {
         let step = self.step;
         match &mut self.kind {
             // the friction acts on the mean of the advances before and after, which leaves the stability limit where it is

@@ -15,19 +15,19 @@ pub(super) struct Probe {
 }
 
 impl Probe {
-    pub fn new(problem: &Problem) -> Self {
+    pub(crate) fn new(problem: &Problem) -> Self {
         let n = problem.nodes();
         let response = problem.response();
         Self { response, pressure: vec![0.0; n], displacement: vec![0.0; n], next: 0 }
     }
 
     /// The half-space of the probe, when all is done.
-    pub fn into_response(self) -> Response {
+    pub(crate) fn into_response(self) -> Response {
         self.response
     }
 
     /// The certificate, if a check is due and anything is in contact.
-    pub fn certify(&mut self, problem: &Problem, forces: &[f64], run: &mut Run<'_>) -> Option<Certificate> {
+    pub(crate) fn certify(&mut self, problem: &Problem, forces: &[f64], run: &mut Run<'_>) -> Option<Certificate> {
         let iteration = run.iterations();
         let load = if iteration < self.next { 0.0 } else { chunks::sum(forces.len(), |i| forces[i]) };
         if load <= 0.0 {

@@ -30,7 +30,7 @@ pub(super) struct Gmres<'a, O> {
 }
 
 impl<'a, O: SetOperator> Gmres<'a, O> {
-    pub fn new(support: &'a Support, operator: &'a mut O, keeps_load: bool) -> Self {
+    pub(crate) fn new(support: &'a Support, operator: &'a mut O, keeps_load: bool) -> Self {
         operator.prepare(support);
         let kept = if keeps_load {
             KeptMean::Load
@@ -46,7 +46,12 @@ impl<'a, O: SetOperator> Gmres<'a, O> {
 
     /// The correction for a residual, whose norm falls by `reduction`, unless it takes too many steps. `watch` is called at each step,
     /// and may end it.
-    pub fn solve(&mut self, mut residual: Vec<f64>, reduction: f64, watch: &mut dyn FnMut(f64) -> bool) -> Vec<f64> {
+    pub(crate) fn solve(
+        &mut self,
+        mut residual: Vec<f64>,
+        reduction: f64,
+        watch: &mut dyn FnMut(f64) -> bool,
+    ) -> Vec<f64> {
         let mut delta = vec![0.0; residual.len()];
         self.project(&mut residual);
         let goal = reduction * norm(&residual);

@@ -96,7 +96,7 @@ pub(crate) struct SetIteration<'a> {
 
 impl<'a> SetIteration<'a> {
     /// The iteration of a problem from a pressure.
-    pub fn from_problem(problem: &'a Problem, first: Vec<f64>) -> Self {
+    pub(crate) fn from_problem(problem: &'a Problem, first: Vec<f64>) -> Self {
         let goal = match problem.datum() {
             Some(datum) => LoadOrDatum::Datum(datum),
             None => LoadOrDatum::Sum(problem.expected_mean_pressure() * problem.nodes() as f64),
@@ -107,7 +107,7 @@ impl<'a> SetIteration<'a> {
     }
 
     /// Starts from a pressure within the bounds, and of the given sum.
-    pub fn new(task: BoxInequality<'a>, compliance: &Arc<Compliance>, grid: &Grid, start: Vec<f64>) -> Self {
+    pub(crate) fn new(task: BoxInequality<'a>, compliance: &Arc<Compliance>, grid: &Grid, start: Vec<f64>) -> Self {
         let mut response = Response::from_compliance(compliance.clone());
         let mut u = vec![0.0; start.len()];
         response.displacement(&start, &mut u);
@@ -129,18 +129,18 @@ impl<'a> SetIteration<'a> {
     }
 
     /// Transforms so far.
-    pub fn transforms(&self) -> u64 {
+    pub(crate) fn transforms(&self) -> u64 {
         self.response.transforms() + self.operator.transforms() as u64
     }
 
     /// The response, to end with.
-    pub fn into_response(self) -> Response {
+    pub(crate) fn into_response(self) -> Response {
         self.response
     }
 
     /// An update of the state, which lies at some distance from the goals. `watch` is called at each inner step with the transforms so
     /// far, and ends the update early if it returns false.
-    pub fn advance(&mut self, distance: f64, watch: &mut dyn FnMut(u64) -> bool) -> UpdateKind {
+    pub(crate) fn advance(&mut self, distance: f64, watch: &mut dyn FnMut(u64) -> bool) -> UpdateKind {
         if distance < BETTER * self.best.0 {
             self.best = (distance, self.p.clone(), self.u.clone());
             self.stale = 0;
@@ -168,12 +168,12 @@ impl<'a> SetIteration<'a> {
     }
 
     /// Whether updates of whole sets have come no nearer for a while.
-    pub fn is_stale(&self) -> bool {
+    pub(crate) fn is_stale(&self) -> bool {
         self.stale >= STALE || self.guarded_until.is_some()
     }
 
     /// Starts again from another pressure.
-    pub fn restart(&mut self, pressure: Vec<f64>) {
+    pub(crate) fn restart(&mut self, pressure: Vec<f64>) {
         self.p = pressure;
         self.response.displacement(&self.p, &mut self.u);
         (self.places, self.guarded_until, self.stale) = (None, None, 0);
@@ -336,7 +336,7 @@ impl<'a> SetIteration<'a> {
 
     /// `G = <p max(v - lambda, 0)> + <(c - p) max(lambda - v, 0)>` and `lambda`: the level at which the nodes of lowest `v` carry the load,
     /// all at their ceilings, or minus the given datum. Ceilings must be finite.
-    pub fn gap(&self) -> (f64, f64) {
+    pub(crate) fn gap(&self) -> (f64, f64) {
         let n = self.p.len();
         let level = match self.task.goal {
             LoadOrDatum::Datum(datum) => -datum,

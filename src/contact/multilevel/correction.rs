@@ -52,7 +52,7 @@ enum MeanRule {
 
 impl<'a> Correction<'a> {
     /// A zero correction, for the `residual` `lambda - v` on `support`, whose displacement is asked for at the nodes of `reach`.
-    pub fn new(
+    pub(crate) fn new(
         [support, reach]: [&'a Support; 2],
         residual: Vec<f64>,
         keeps_load: bool,
@@ -77,7 +77,7 @@ impl<'a> Correction<'a> {
 
     /// Iterates until the norm of the residual has fallen by `reduction`, showing each step to `watch`, which may end it, with the
     /// transforms of the operator so far.
-    pub fn solve(
+    pub(crate) fn solve(
         &mut self,
         reduction: f64,
         operator: &mut (impl SetOperator + ?Sized),
@@ -87,12 +87,12 @@ impl<'a> Correction<'a> {
     }
 
     /// Whether the norm of the residual has fallen by `reduction`.
-    pub fn is_reduced(&self, reduction: f64) -> bool {
+    pub(crate) fn is_reduced(&self, reduction: f64) -> bool {
         dot(&self.residual, &self.residual) <= reduction * reduction * self.first
     }
 
     /// Iterates like [`Correction::solve`] until it `is_done`.
-    pub fn solve_until(
+    pub(crate) fn solve_until(
         &mut self,
         is_done: &mut dyn FnMut(&Self) -> bool,
         operator: &mut (impl SetOperator + ?Sized),
@@ -151,7 +151,7 @@ impl<'a> Correction<'a> {
     }
 
     /// Ends the iteration: `delta` and `moved` are left, and the other vectors go back to the workspace.
-    pub fn finish(self, workspace: &mut Workspace) -> [Vec<f64>; 2] {
+    pub(crate) fn finish(self, workspace: &mut Workspace) -> [Vec<f64>; 2] {
         let StepVectors { preconditioned, on_set, on_reach } = self.steps;
         workspace.keep([self.residual, self.direction, preconditioned, on_set, on_reach]);
         [self.delta, self.moved]

@@ -8,7 +8,7 @@ use std::ops::Range;
 impl Level<'_> {
     /// Makes the set that of the pressure, and of the nodes where `v < lambda`; of those that yield, the ones where `v > lambda` are
     /// free again.
-    pub fn admit(&mut self) {
+    pub(crate) fn admit(&mut self) {
         let lambda = self.lambda();
         self.exchange(lambda, |_| true);
     }
@@ -16,7 +16,7 @@ impl Level<'_> {
     /// Exchanges nodes after a correction. Where some yield, all that want it are exchanged only if they are fewer than ever
     /// before. Else, of neighbours in the order of nodes, the one that wants it most is: those that change together may overshoot
     /// together, and so for ever. If too few nodes were left to carry the load, none leaves. Returns whether the pressure changed, or the set.
-    pub fn exchange_corrected(&mut self, lambda: f64) -> bool {
+    pub(crate) fn exchange_corrected(&mut self, lambda: f64) -> bool {
         if !self.pressure.reaches(self.ceiling()) {
             return self.exchange(lambda, |_| true);
         }
@@ -62,7 +62,7 @@ impl Level<'_> {
     /// Takes nodes out of the set that have no pressure and in that have `v < lambda`; lets those yield that are above the ceiling, where
     /// [`SparsePressure::carry`] cuts them, frees those that yield and have `v > lambda`: as far as they `may`. Returns whether the
     /// pressure changed by that, or the set.
-    pub fn exchange(&mut self, lambda: f64, may: impl Fn(usize) -> bool + Sync) -> bool {
+    pub(crate) fn exchange(&mut self, lambda: f64, may: impl Fn(usize) -> bool + Sync) -> bool {
         let (u, h, SparsePressure { support, values }) = (&self.u, self.problem.height(), &self.pressure);
         let (ceiling, on_set) = (self.ceiling(), self.ceiling_on_set());
         let mut changed = ceiling.is_finite() && values.iter().enumerate().any(|(i, &p)| p > on_set.at(i));

@@ -56,7 +56,7 @@ struct Cells<T> {
 impl<T: Real> Extension<T> {
     /// The extension from `support` on a grid of `shape` nodes to `wide` ones, with finest cells of `side` nodes along each side, and
     /// coarsest ones of at most `largest` nodes.
-    pub fn new(support: &Support, [shape, wide]: [[usize; 2]; 2], side: usize, largest: f64) -> Self {
+    pub(crate) fn new(support: &Support, [shape, wide]: [[usize; 2]; 2], side: usize, largest: f64) -> Self {
         let mut levels = Vec::new();
         let (mut finer, mut nodes) = (wide, side as f64);
         while finer != [1, 1] && nodes <= largest {
@@ -74,7 +74,7 @@ impl<T: Real> Extension<T> {
     }
 
     /// Extends a vector to the cells.
-    pub fn extend(&mut self, support: &Support, value: impl Fn(usize) -> T + Sync) {
+    pub(crate) fn extend(&mut self, support: &Support, value: impl Fn(usize) -> T + Sync) {
         self.pool(support, value);
         let mut coarser: Option<&Cells<T>> = None;
         for cells in self.levels.iter_mut().rev() {
@@ -97,13 +97,13 @@ impl<T: Real> Extension<T> {
     }
 
     /// The values at the finest cells, row by row.
-    pub fn cells(&self) -> &[T] {
+    pub(crate) fn cells(&self) -> &[T] {
         self.levels.first().map_or(&[], |cells| &cells.values)
     }
 
     /// Writes the extended vector to a row of all nodes, or to a piece of a line; the nodes of the set are left to the caller. The finest
     /// cells must have two nodes per side.
-    pub fn fill(&self, row: usize, to: &mut [T]) {
+    pub(crate) fn fill(&self, row: usize, to: &mut [T]) {
         let Some(finest) = self.levels.first() else { return to.fill(T::zero()) };
         let at = row * to.len();
         let (y, first) = (at / self.wide[1], at % self.wide[1]);
@@ -111,7 +111,7 @@ impl<T: Real> Extension<T> {
     }
 
     /// Adds to `values` on the set what the transpose of the extension makes of the `field` off the set; `field` is zero on it.
-    pub fn restrict(&mut self, field: &[T], support: &Support, values: &mut [f64], scale: f64) {
+    pub(crate) fn restrict(&mut self, field: &[T], support: &Support, values: &mut [f64], scale: f64) {
         let nx = self.wide[1];
         if let Some(finest) = self.levels.first_mut() {
             finest.collect(self.wide, |y, x| field[y * nx + x]);
@@ -121,7 +121,7 @@ impl<T: Real> Extension<T> {
 
     /// Adds to `values` on the set `scale` times what the transpose of the extension makes of values at the finest cells, which are
     /// put into [`Extension::cells_mut`] before.
-    pub fn restrict_cells(&mut self, support: &Support, values: &mut [f64], scale: f64) {
+    pub(crate) fn restrict_cells(&mut self, support: &Support, values: &mut [f64], scale: f64) {
         for level in 1..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(level);
             let Cells { shape, share, values, .. } = &finer[level - 1];
@@ -148,7 +148,7 @@ impl<T: Real> Extension<T> {
     }
 
     /// Room for values at the finest cells, row by row.
-    pub fn cells_mut(&mut self) -> &mut [T] {
+    pub(crate) fn cells_mut(&mut self) -> &mut [T] {
         self.levels.first_mut().map_or(&mut [], |cells| &mut cells.values)
     }
 

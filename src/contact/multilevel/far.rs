@@ -30,7 +30,7 @@ pub(super) struct Smooth {
 impl Smooth {
     /// The kernel whose transform on the `coarse` grid has the value `factor([ky, kx])` at wave numbers; it is divided by that
     /// of the splines.
-    pub fn new(coarse: &Grid, side: usize, factor: impl Fn([usize; 2]) -> f64) -> Self {
+    pub(crate) fn new(coarse: &Grid, side: usize, factor: impl Fn([usize; 2]) -> f64) -> Self {
         let shape = coarse.shape();
         let spline = |k: usize, n: usize| {
             let x = PI * k as f64 / n as f64;
@@ -57,12 +57,12 @@ impl Smooth {
     }
 
     /// Points of the coarse grid.
-    pub fn points(&self) -> usize {
+    pub(crate) fn points(&self) -> usize {
         self.field.len()
     }
 
     /// Adds to `sums` on `to` the values `down * values` on `from` convolved with the kernel, times `up`.
-    pub fn add(&mut self, from: &Support, values: &[f64], to: &Support, [down, up]: [f64; 2], sums: &mut [f64]) {
+    pub(crate) fn add(&mut self, from: &Support, values: &[f64], to: &Support, [down, up]: [f64; 2], sums: &mut [f64]) {
         self.spread(from, values, down);
         self.convolve();
         self.gather(to, up, sums);

@@ -46,7 +46,7 @@ enum FilmPlace<T> {
 
 impl<T: Real> Film<T> {
     /// The film of a problem, if its solid is thin on a periodic grid.
-    pub fn new(problem: &Problem, unit: f64) -> Option<Self> {
+    pub(crate) fn new(problem: &Problem, unit: f64) -> Option<Self> {
         let grid = problem.surface().grid();
         let waves = problem.compliance().solid().long_waves()?;
         let is_thin = waves.thickness < THINNEST * grid.longest_wavelength();
@@ -62,17 +62,17 @@ impl<T: Real> Film<T> {
     }
 
     /// `K_l` of a wave.
-    pub fn stiffness(&self, q: f64) -> f64 {
+    pub(crate) fn stiffness(&self, q: f64) -> f64 {
         self.waves.stiffness(q)
     }
 
     /// The nodes along each side of the largest cells of the extension.
-    pub fn largest_cell(&self) -> f64 {
+    pub(crate) fn largest_cell(&self) -> f64 {
         0.5 * if self.shape[0] == 1 { self.range[1] } else { self.range[0].min(self.range[1]) }
     }
 
     /// Lies under a set.
-    pub fn prepare(&mut self, support: &Support) {
+    pub(crate) fn prepare(&mut self, support: &Support) {
         // the memory of an earlier one is free for this one
         self.place = FilmPlace::Nowhere;
         let gaps = self.range.map(|range| range as usize);
@@ -84,7 +84,7 @@ impl<T: Real> Film<T> {
     }
 
     /// Takes the pressure on the film from a displacement at all nodes.
-    pub fn press(&mut self, field: &[T]) {
+    pub(crate) fn press(&mut self, field: &[T]) {
         match &mut self.place {
             FilmPlace::Nowhere => {}
             FilmPlace::Line(segments) => segments.press(field),
@@ -93,7 +93,7 @@ impl<T: Real> Film<T> {
     }
 
     /// Adds the pressure to a field.
-    pub fn add_to(&self, field: &mut [T]) {
+    pub(crate) fn add_to(&self, field: &mut [T]) {
         match &self.place {
             FilmPlace::Nowhere => {}
             FilmPlace::Line(segments) => segments.add_to(field),

@@ -14,7 +14,7 @@ const NEWTON_PARTS: [f64; 6] = [1.0, 0.25, 0.0625, 1.6e-2, 4e-3, 1e-3];
 impl Level<'_> {
     /// A guarded step: on the finest grid below a hardness a projected Newton step, elsewhere towards the pressure of a whole-set update
     /// if that is wished for, and towards that of a projected gradient step if `f` does not fall by these.
-    pub fn descend(&mut self, by_set: bool, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+    pub(crate) fn descend(&mut self, by_set: bool, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.admit();
         if self.is_newton_guarded() {
             let (status, is_taken) = self.newton_step(watch);

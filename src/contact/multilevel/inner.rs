@@ -31,7 +31,7 @@ impl Level<'_> {
     /// that of this state by what the operator of inner steps makes of the change of the pressure. It ends where the certificate has
     /// fallen to the part `goal`, as far as the candidates show it, or as far as the operator is accurate. The best pressure is
     /// taken. A set without an edge is left to [`Level::update`].
-    pub fn settle(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+    pub(crate) fn settle(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         let nodes = self.pressure.values.len();
         if nodes == 0 || nodes == self.problem.nodes() {
             self.refresh();
@@ -73,7 +73,7 @@ impl Level<'_> {
     }
 
     /// Goes on in the next more accurate way, after a free update that was no better.
-    pub fn slow_down(&mut self) {
+    pub(crate) fn slow_down(&mut self) {
         if self.method.has_inner_iterations() && !self.method.slower().has_inner_iterations() {
             self.admit();
         }
@@ -81,7 +81,7 @@ impl Level<'_> {
     }
 
     /// Lets whole-set updates take over from inner iterations if there are nodes that yield, which only they know.
-    pub fn see_yielding(&mut self) {
+    pub(crate) fn see_yielding(&mut self) {
         if self.method.has_inner_iterations() && self.pressure.reaches(self.ceiling()) {
             while self.method.has_inner_iterations() {
                 self.change_method(self.method.slower());
@@ -97,7 +97,7 @@ impl Level<'_> {
     }
 
     /// The operator of inner steps.
-    pub fn take_operator(&mut self) -> Box<dyn SetOperator> {
+    pub(crate) fn take_operator(&mut self) -> Box<dyn SetOperator> {
         self.operator.take().unwrap_or_else(|| match self.method {
             UpdateMethod::Split => match Split::new(self.problem, self.pressure.values.len()) {
                 Some(split) => Box::new(split),
@@ -112,7 +112,7 @@ impl Level<'_> {
     }
 
     /// Transforms on this grid so far, without those of an operator that is taken.
-    pub fn transforms(&self) -> f64 {
+    pub(crate) fn transforms(&self) -> f64 {
         let of_operator = self.operator.as_ref().map_or(0.0, |operator| operator.transforms());
         self.spent + self.response.transforms() as f64 + of_operator
     }

@@ -96,7 +96,7 @@ pub(super) type InnerStepCallback<'w> = dyn FnMut(InnerStep<'_>, &mut Response) 
 
 impl<'a> Level<'a> {
     /// Starts from a pressure, or from the uniform one, made for the rows of the half-space.
-    pub fn new(problem: &'a Problem, start: impl FnOnce([usize; 2]) -> SparsePressure) -> Self {
+    pub(crate) fn new(problem: &'a Problem, start: impl FnOnce([usize; 2]) -> SparsePressure) -> Self {
         let response = problem.response();
         let mut pressure = start(response.rows());
         pressure.carry(problem);
@@ -123,13 +123,13 @@ impl<'a> Level<'a> {
     }
 
     /// The same state, from a given pressure that is near the solution.
-    pub fn near(self) -> Self {
+    pub(crate) fn near(self) -> Self {
         let method = UpdateMethod::near(self.problem, &self.pressure);
         Self { method, pace: InnerPace::Near, ..self }
     }
 
     /// This state with a displacement that `interpolated` makes from the coarser grid, where inner iterations can begin with it.
-    pub fn with_interpolated(self, interpolated: impl FnOnce() -> Vec<f64>) -> Self {
+    pub(crate) fn with_interpolated(self, interpolated: impl FnOnce() -> Vec<f64>) -> Self {
         if !self.method.has_inner_iterations() {
             return self;
         }
@@ -137,12 +137,12 @@ impl<'a> Level<'a> {
     }
 
     /// The same state on a grid that lies `depth` below the finest.
-    pub fn at_depth(self, depth: usize) -> Self {
+    pub(crate) fn at_depth(self, depth: usize) -> Self {
         Self { is_finest: depth == 0, ..self }
     }
 
     /// Sees to it that the displacement is that of the pressure, and returns the certificate of both.
-    pub fn certify(&mut self) -> Certificate {
+    pub(crate) fn certify(&mut self) -> Certificate {
         self.refresh();
         if self.ceiling().is_finite() {
             return Certificate::from_displacement(self.problem, &self.pressure.spread(), &self.u);
@@ -151,7 +151,7 @@ impl<'a> Level<'a> {
     }
 
     /// The pressure for others to see: nodes that lie at the ceiling but for rounding yield.
-    pub fn completed(&self) -> Cow<'_, SparsePressure> {
+    pub(crate) fn completed(&self) -> Cow<'_, SparsePressure> {
         if !self.ceiling().is_finite() {
             return Cow::Borrowed(&self.pressure);
         }
@@ -167,24 +167,24 @@ impl<'a> Level<'a> {
     }
 
     /// Area and gradient of this state with its edges resolved.
-    pub fn resolved(&self) -> Resolved {
+    pub(crate) fn resolved(&self) -> Resolved {
         let (u, h, lambda) = (&self.u, self.problem.height(), self.lambda());
         Edges::new(self.problem, &self.pressure.spread(), |node| u[node] - h[node] - lambda).resolved()
     }
 
     /// The highest pressure that is allowed at each node.
-    pub fn ceiling(&self) -> &'a Ceiling {
+    pub(crate) fn ceiling(&self) -> &'a Ceiling {
         self.problem.ceiling()
     }
 
     /// The same at each node of the set.
-    pub fn ceiling_on_set(&self) -> Ceiling {
+    pub(crate) fn ceiling_on_set(&self) -> Ceiling {
         self.pressure.support.ceiling(self.ceiling())
     }
 
     /// `lambda` of this state: the mean of `v` weighted by the pressure, or below a hardness by its room, or, at a given mean gap,
     /// minus that.
-    pub fn lambda(&self) -> f64 {
+    pub(crate) fn lambda(&self) -> f64 {
         let of_pressure = || {
             if self.ceiling().is_finite() {
                 return slack::level(self.problem, &self.pressure.spread(), &self.u);
@@ -196,7 +196,7 @@ impl<'a> Level<'a> {
     }
 
     /// One free update or guarded step, as [`Level::choose_mode`] has it.
-    pub fn advance(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+    pub(crate) fn advance(&mut self, goal: f64, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         match self.mode {
             Mode::Free { .. } if self.method.has_inner_iterations() => self.settle(goal, watch),
             Mode::Free { .. } => {
@@ -211,7 +211,7 @@ impl<'a> Level<'a> {
     }
 
     /// Decides how to go on from a state that is this far from the goals.
-    pub fn choose_mode(&mut self, distance: f64, best: &Best<SparsePressure>) {
+    pub(crate) fn choose_mode(&mut self, distance: f64, best: &Best<SparsePressure>) {
         self.mode = match self.mode {
             Mode::Free { mark, .. } if distance <= BETTER * mark => Mode::Free { mark: distance, stale: 0 },
             Mode::Free { mark, .. } if self.has_fewer => Mode::Free { mark, stale: 0 },
@@ -235,7 +235,7 @@ impl<'a> Level<'a> {
     }
 
     /// Whether guarded steps are projected Newton steps, which pay on the finest grid below a hardness.
-    pub fn is_newton_guarded(&self) -> bool {
+    pub(crate) fn is_newton_guarded(&self) -> bool {
         self.is_finest && self.ceiling().is_finite()
     }
 
@@ -247,14 +247,14 @@ impl<'a> Level<'a> {
     }
 
     /// Takes the displacement from a transform of the pressure.
-    pub fn refresh(&mut self) {
+    pub(crate) fn refresh(&mut self) {
         if self.displacement != Displacement::Exact {
             self.refresh_from_pressure();
         }
     }
 
     /// Takes the displacement from a transform of the pressure, which has changed.
-    pub fn refresh_from_pressure(&mut self) {
+    pub(crate) fn refresh_from_pressure(&mut self) {
         // memory that comes as zeros is first touched by all threads
         if self.u.is_empty() {
             self.u = vec![0.0; self.problem.nodes()];
@@ -290,7 +290,7 @@ impl<'a> Level<'a> {
     }
 
     /// The whole-set update: corrects the free nodes of the set, exchanges nodes by the signs of pressure and gap, clips and scales.
-    pub fn update(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
+    pub(crate) fn update(&mut self, watch: &mut InnerStepCallback<'_>) -> Option<Status> {
         self.has_fewer = false;
         self.leave_extremes();
         let ceiling = self.ceiling_on_set();
@@ -316,7 +316,7 @@ impl<'a> Level<'a> {
 
     /// The correction of the pressure on the `free` nodes of the set, or on all of it, and whether the run is to end; none on no
     /// nodes.
-    pub fn correction(
+    pub(crate) fn correction(
         &mut self,
         free: Option<&Support>,
         watch: &mut InnerStepCallback<'_>,
@@ -363,7 +363,7 @@ impl<'a> Level<'a> {
     }
 
     /// `of(v)` on the set, or on `other` nodes.
-    pub fn on_set(&self, other: Option<&Support>, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
+    pub(crate) fn on_set(&self, other: Option<&Support>, of: impl Fn(f64) -> f64 + Sync) -> Vec<f64> {
         let (h, support) = (self.problem.height(), other.unwrap_or(&self.pressure.support));
         let mut values = support.of_field(&self.u);
         let width = support.shape()[1];
@@ -375,17 +375,17 @@ impl<'a> Level<'a> {
     }
 
     /// The displacement alone: all else is freed before the fields of the contact are made.
-    pub fn into_displacement(self) -> Vec<f64> {
+    pub(crate) fn into_displacement(self) -> Vec<f64> {
         self.u
     }
 
     /// The response alone.
-    pub fn into_response(self) -> Response {
+    pub(crate) fn into_response(self) -> Response {
         self.response
     }
 
     /// Whether the stored displacement is that of `pressure`.
-    pub fn is_displaced(&self, pressure: Option<&SparsePressure>) -> bool {
+    pub(crate) fn is_displaced(&self, pressure: Option<&SparsePressure>) -> bool {
         self.displacement == Displacement::Exact && pressure == Some(&self.pressure)
     }
 }

@@ -48,7 +48,7 @@ struct MembraneGround {
 
 impl<T: Real> Membrane<T> {
     /// The membrane on the nodes that are `inside`, with `foundation` `c0` and the `links` `c2 / dy^2` and `c2 / dx^2`.
-    pub fn new(inside: &[bool], shape: [usize; 2], foundation: f64, links: [f64; 2]) -> Self {
+    pub(crate) fn new(inside: &[bool], shape: [usize; 2], foundation: f64, links: [f64; 2]) -> Self {
         let foundation = foundation as f32;
         let (ground, links) = finest(inside, shape, links.map(|link| link as f32));
         let mut grids = vec![MembraneGrid::new(shape, &ground, links, foundation)];
@@ -62,13 +62,13 @@ impl<T: Real> Membrane<T> {
     }
 
     /// Takes the values from a load at all nodes.
-    pub fn press(&mut self, load: &[T]) {
+    pub(crate) fn press(&mut self, load: &[T]) {
         self.grids[0].load.copy_from_slice(load);
         cycle(&mut self.grids);
     }
 
     /// Adds the values to a field.
-    pub fn add_to(&self, field: &mut [T]) {
+    pub(crate) fn add_to(&self, field: &mut [T]) {
         let values = &self.grids[0].values;
         let width = self.grids[0].shape[1];
         chunks::rows_mut(field, width, |y, row| {

@@ -37,7 +37,7 @@ const NEAR_REDUCTION: f64 = 0.1;
 impl UpdateMethod {
     /// The way to begin with. Lines, on which transforms are cheap and the stiffnesses of waves differ most, do not gain from single
     /// precision, and inner iterations know nothing of nodes that yield.
-    pub fn first(problem: &Problem, pressure: &SparsePressure) -> Self {
+    pub(crate) fn first(problem: &Problem, pressure: &SparsePressure) -> Self {
         let compliance = problem.compliance();
         let [softest, stiffest] = compliance.stiffness_range();
         let widest = if compliance.is_diagonal() { WIDEST } else { WIDEST_FREE };
@@ -52,7 +52,7 @@ impl UpdateMethod {
 
     /// The way to begin with from a given pressure that is near the solution: inner iterations wherever they are possible. Each of their
     /// updates saves a displacement, and few updates are needed.
-    pub fn near(problem: &Problem, pressure: &SparsePressure) -> Self {
+    pub(crate) fn near(problem: &Problem, pressure: &SparsePressure) -> Self {
         match Self::first(problem, pressure) {
             Self::Double
                 if matches!(problem.ceiling(), Ceiling::Uniform(_)) && !pressure.reaches(problem.ceiling()) =>
@@ -64,7 +64,7 @@ impl UpdateMethod {
     }
 
     /// The next more accurate way.
-    pub fn slower(self) -> Self {
+    pub(crate) fn slower(self) -> Self {
         match self {
             Self::Split => Self::Single,
             Self::Single => Self::Exact,
@@ -73,7 +73,7 @@ impl UpdateMethod {
     }
 
     /// The kind of step that recordings and diagnoses show for a free update in this way.
-    pub fn decision(self) -> Decision {
+    pub(crate) fn decision(self) -> Decision {
         match self {
             Self::Split => Decision::SplitCompliance,
             Self::Single => Decision::SinglePrecision,
@@ -82,7 +82,7 @@ impl UpdateMethod {
     }
 
     /// Whether a free update is an inner iteration.
-    pub fn has_inner_iterations(self) -> bool {
+    pub(crate) fn has_inner_iterations(self) -> bool {
         matches!(self, Self::Split | Self::Single | Self::Nested)
     }
 }
@@ -99,12 +99,12 @@ pub(super) enum InnerPace {
 
 impl InnerPace {
     /// The part of the deepest penetration from which on a node belongs to the first set, at a certificate.
-    pub fn deep(self, eta: f64) -> f64 {
+    pub(crate) fn deep(self, eta: f64) -> f64 {
         if self == Self::Near { DEEP.min(DEEPENING * eta) } else { DEEP }
     }
 
     /// The reduction of the residual in the first updates.
-    pub fn reduction(self) -> f64 {
+    pub(crate) fn reduction(self) -> f64 {
         if self == Self::Near { NEAR_REDUCTION } else { REDUCTION }
     }
 }

@@ -26,7 +26,7 @@ struct StencilRow {
 
 impl Stencil {
     /// The kernel with the value `kernel([dy, dx])` at nodes within the ellipse of the half axes `reach`, on a grid of `shape`.
-    pub fn new(
+    pub(crate) fn new(
         shape: [usize; 2],
         periodic: [bool; 2],
         [along_y, along_x]: [f64; 2],
@@ -42,18 +42,18 @@ impl Stencil {
     }
 
     /// Values of the kernel that are not zero.
-    pub fn values(&self) -> usize {
+    pub(crate) fn values(&self) -> usize {
         self.rows.iter().enumerate().map(|(dy, row)| (2 * row.half + 1) * if dy == 0 { 1 } else { 2 }).sum()
     }
 
     /// The sum of the values of the kernel.
-    pub fn sum(&self) -> f64 {
+    pub(crate) fn sum(&self) -> f64 {
         let of = |row: &StencilRow| row.padded.iter().map(|&value| f64::from(value)).sum::<f64>();
         self.rows.iter().enumerate().map(|(dy, row)| of(row) * if dy == 0 { 1.0 } else { 2.0 }).sum()
     }
 
     /// Adds to `sums` on `to` the values `down * values` on `from` spread by the kernel, times `up`.
-    pub fn add(&self, from: &Support, values: &[f64], to: &Support, [down, up]: [f64; 2], sums: &mut [f64]) {
+    pub(crate) fn add(&self, from: &Support, values: &[f64], to: &Support, [down, up]: [f64; 2], sums: &mut [f64]) {
         let [ny, nx] = self.shape;
         let values: Vec<f32> = values.iter().map(|value| (down * value) as f32).collect();
         let mut pieces = to.pieces(sums);

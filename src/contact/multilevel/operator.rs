@@ -91,14 +91,14 @@ pub(super) fn with_margins(grid: &Grid) -> Grid {
 }
 
 impl<T: Real> Spectral<T> {
-    pub fn new(problem: &Problem) -> Self {
+    pub(crate) fn new(problem: &Problem) -> Self {
         let unit = unit_of(problem.shared_compliance());
         let film = if problem.is_moving() { None } else { Film::new(problem, unit) };
         Self { film, ..Self::from_compliance(problem.shared_compliance(), problem.surface().grid()) }
     }
 
     /// The operator of a compliance over a grid, without a film. That of a contact that moves takes the complex stiffness for `K`.
-    pub fn from_compliance(compliance: &Arc<Compliance>, grid: &Grid) -> Self {
+    pub(crate) fn from_compliance(compliance: &Arc<Compliance>, grid: &Grid) -> Self {
         let unit = unit_of(compliance);
         let wide = with_margins(grid);
         let on_margins =

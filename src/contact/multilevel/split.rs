@@ -90,7 +90,7 @@ struct SplitStiffness {
 impl Split {
     /// The split compliance of the problem; none if it is not that of a half-space over a suitable grid, or if transforms of the whole
     /// grid cost less on a set of `set` nodes.
-    pub fn new(problem: &Problem, set: usize) -> Option<Self> {
+    pub(crate) fn new(problem: &Problem, set: usize) -> Option<Self> {
         let grid = problem.surface().grid();
         if !suits(grid) || !problem.solid().is_half_space() {
             return None;

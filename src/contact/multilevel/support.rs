@@ -32,7 +32,7 @@ pub(in crate::contact) struct RowOfNodes {
 
 impl RowOfNodes {
     /// Adds a node.
-    pub fn push(&mut self, column: usize) {
+    pub(crate) fn push(&mut self, column: usize) {
         match self.runs.last_mut() {
             Some(run) if run.end == column => run.end += 1,
             _ => self.runs.push(column..column + 1),
@@ -50,7 +50,7 @@ pub(in crate::contact) struct RowOfValues {
 
 impl RowOfValues {
     /// Adds a node.
-    pub fn push(&mut self, column: usize, value: f64) {
+    pub(crate) fn push(&mut self, column: usize, value: f64) {
         self.nodes.push(column);
         self.values.push(value);
     }
@@ -58,7 +58,7 @@ impl RowOfValues {
 
 impl Support {
     /// The nodes that `choose` puts into each of `count` rows of `width` nodes.
-    pub fn choose([count, width]: [usize; 2], choose: impl Fn(usize, &mut RowOfNodes) + Sync) -> Self {
+    pub(crate) fn choose([count, width]: [usize; 2], choose: impl Fn(usize, &mut RowOfNodes) + Sync) -> Self {
         let rows = chunks::rows(count, width, |row| {
             let mut nodes = RowOfNodes::default();
             choose(row, &mut nodes);
@@ -68,7 +68,7 @@ impl Support {
     }
 
     /// The nodes that `choose` puts into each of `count` rows of `width` nodes, and their values.
-    pub fn choose_values(
+    pub(crate) fn choose_values(
         [count, width]: [usize; 2],
         choose: impl Fn(usize, &mut RowOfValues) + Sync,
     ) -> (Self, Vec<f64>) {
@@ -95,23 +95,23 @@ impl Support {
     }
 
     /// The first node.
-    pub fn first(&self) -> Option<usize> {
+    pub(crate) fn first(&self) -> Option<usize> {
         let row = self.rows.iter().rposition(|start| start.node == 0)?;
         self.runs.first().map(|run| row * self.width + run.start)
     }
 
     /// Number of nodes.
-    pub fn nodes(&self) -> usize {
+    pub(crate) fn nodes(&self) -> usize {
         self.rows.last().map_or(0, |end| end.node)
     }
 
     /// Number of rows and their length.
-    pub fn shape(&self) -> [usize; 2] {
+    pub(crate) fn shape(&self) -> [usize; 2] {
         [self.rows.len() - 1, self.width]
     }
 
     /// The runs of a row, each with the range of its values.
-    pub fn runs(&self, row: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
+    pub(crate) fn runs(&self, row: usize) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
         let [start, end] = [self.rows[row], self.rows[row + 1]];
         self.runs[start.run..end.run].iter().scan(start.node, |node, run| {
             let values = *node..*node + run.len();
@@ -121,14 +121,14 @@ impl Support {
     }
 
     /// Writes `values` times `scale` to the nodes of a row and leaves the others.
-    pub fn scatter<T: Real>(&self, row: usize, values: &[f64], scale: f64, to: &mut [T]) {
+    pub(crate) fn scatter<T: Real>(&self, row: usize, values: &[f64], scale: f64, to: &mut [T]) {
         for (run, at) in self.runs(row) {
             to[run].iter_mut().zip(&values[at]).for_each(|(to, value)| *to = T::from_double(scale * value));
         }
     }
 
     /// Takes the values of a row at its nodes, times `scale`, to the piece of a vector, see [`Support::pieces`].
-    pub fn gather<T: Real>(&self, row: usize, from: &[T], scale: f64, piece: &mut [f64]) {
+    pub(crate) fn gather<T: Real>(&self, row: usize, from: &[T], scale: f64, piece: &mut [f64]) {
         let first = self.rows[row].node;
         for (run, at) in self.runs(row) {
             let to = &mut piece[at.start - first..at.end - first];
@@ -137,7 +137,7 @@ impl Support {
     }
 
     /// The values of a field on the set.
-    pub fn of_field(&self, field: &[f64]) -> Vec<f64> {
+    pub(crate) fn of_field(&self, field: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; self.nodes()];
         chunks::each(&mut self.pieces(&mut values), self.width, |row, piece| {
             self.gather(row, &field[row * self.width..][..self.width], 1.0, piece);
@@ -146,12 +146,12 @@ impl Support {
     }
 
     /// The ceilings of the nodes of the set, in their order.
-    pub fn ceiling(&self, ceiling: &Ceiling) -> Ceiling {
+    pub(crate) fn ceiling(&self, ceiling: &Ceiling) -> Ceiling {
         ceiling.chosen(|field| self.of_field(field))
     }
 
     /// The nodes that `keep` keeps of this set, by their places in its vectors.
-    pub fn filter(&self, keep: impl Fn(usize) -> bool + Sync) -> Self {
+    pub(crate) fn filter(&self, keep: impl Fn(usize) -> bool + Sync) -> Self {
         let choose = |row: usize, nodes: &mut RowOfNodes| {
             for (run, at) in self.runs(row) {
                 run.zip(at).filter(|(_, node)| keep(*node)).for_each(|(x, _)| nodes.push(x));
@@ -161,7 +161,7 @@ impl Support {
     }
 
     /// The values of this set at the nodes of another one, zero where this set has none, written to `result`.
-    pub fn transfer(&self, values: &[f64], to: &Self, result: &mut [f64]) {
+    pub(crate) fn transfer(&self, values: &[f64], to: &Self, result: &mut [f64]) {
         chunks::each(&mut to.pieces(result), self.width, |row, piece| {
             piece.fill(0.0);
             let first = to.rows[row].node;
@@ -184,14 +184,14 @@ impl Support {
     }
 
     /// A vector, row by row.
-    pub fn pieces<'v>(&self, values: &'v mut [f64]) -> Vec<&'v mut [f64]> {
+    pub(crate) fn pieces<'v>(&self, values: &'v mut [f64]) -> Vec<&'v mut [f64]> {
         let mut rest = values;
         let lengths = self.rows.windows(2).map(|pair| pair[1].node - pair[0].node);
         lengths.map(|length| rest.split_off_mut(..length).expect("one value per node")).collect()
     }
 
     /// A vector, with zeros where no nodes are.
-    pub fn spread(&self, values: &[f64]) -> Vec<f64> {
+    pub(crate) fn spread(&self, values: &[f64]) -> Vec<f64> {
         let [count, width] = self.shape();
         let mut field = vec![0.0; count * width];
         chunks::rows_mut(&mut field, width, |row, field| self.scatter(row, values, 1.0, field));
@@ -208,7 +208,7 @@ pub(in crate::contact) struct SparsePressure {
 
 impl SparsePressure {
     /// The pressure of a whole field.
-    pub fn from_field(field: &[f64], rows: [usize; 2]) -> Self {
+    pub(crate) fn from_field(field: &[f64], rows: [usize; 2]) -> Self {
         let (support, values) = Support::choose_values(rows, |row, nodes| {
             let pressures = field[row * rows[1]..][..rows[1]].iter().enumerate();
             pressures.filter(|(_, p)| **p > 0.0).for_each(|(column, &p)| nodes.push(column, p));
@@ -218,7 +218,7 @@ impl SparsePressure {
 
     /// The pressure to start from without a better one: the uniform one, or the same share of the ceiling of each node; at a given
     /// mean gap, none.
-    pub fn first(problem: &Problem, [count, width]: [usize; 2]) -> Self {
+    pub(crate) fn first(problem: &Problem, [count, width]: [usize; 2]) -> Self {
         let (mean_pressure, ceiling) = (problem.mean_pressure(), problem.ceiling());
         let highest = ceiling.mean(problem.nodes());
         let of_node = |node: usize, mean: f64| match ceiling {
@@ -234,22 +234,22 @@ impl SparsePressure {
     }
 
     /// The whole field.
-    pub fn spread(&self) -> Vec<f64> {
+    pub(crate) fn spread(&self) -> Vec<f64> {
         self.support.spread(&self.values)
     }
 
     /// Whether a node has reached the `ceiling` of the field.
-    pub fn reaches(&self, ceiling: &Ceiling) -> bool {
+    pub(crate) fn reaches(&self, ceiling: &Ceiling) -> bool {
         ceiling.is_finite() && self.reaches_on_set(&self.support.ceiling(ceiling))
     }
 
     /// Whether a node has reached the `ceiling` of the set.
-    pub fn reaches_on_set(&self, ceiling: &Ceiling) -> bool {
+    pub(crate) fn reaches_on_set(&self, ceiling: &Ceiling) -> bool {
         ceiling.is_finite() && self.values.iter().enumerate().any(|(i, &p)| p >= ceiling.at(i))
     }
 
     /// Scales it to the mean pressure of `problem`, if that is given, and cuts it at the ceiling if there is one.
-    pub fn carry(&mut self, problem: &Problem) {
+    pub(crate) fn carry(&mut self, problem: &Problem) {
         if problem.ceiling().is_finite() {
             return self.carry_below(problem);
         }
@@ -277,7 +277,7 @@ impl SparsePressure {
     }
 
     /// The nodes that are free, whose pressure is below the `ceiling` of the set; none if all of them are.
-    pub fn free(&self, ceiling: &Ceiling) -> Option<Support> {
+    pub(crate) fn free(&self, ceiling: &Ceiling) -> Option<Support> {
         if !self.reaches_on_set(ceiling) {
             return None;
         }

@@ -11,12 +11,12 @@ pub(super) struct Workspace {
 
 impl Workspace {
     /// No vectors yet; none will have more than `longest` entries.
-    pub fn new(longest: usize) -> Self {
+    pub(crate) fn new(longest: usize) -> Self {
         Self { longest, spare: Vec::new() }
     }
 
     /// A vector of `length` zeros.
-    pub fn zeros(&mut self, length: usize) -> Vec<f64> {
+    pub(crate) fn zeros(&mut self, length: usize) -> Vec<f64> {
         let mut vector = self.spare.pop().unwrap_or_else(|| Vec::with_capacity(self.longest));
         vector.clear();
         vector.resize(length, 0.0);
@@ -24,7 +24,7 @@ impl Workspace {
     }
 
     /// Keeps vectors for later use.
-    pub fn keep(&mut self, vectors: impl IntoIterator<Item = Vec<f64>>) {
+    pub(crate) fn keep(&mut self, vectors: impl IntoIterator<Item = Vec<f64>>) {
         self.spare.extend(vectors);
     }
 }
