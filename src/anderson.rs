@@ -19,22 +19,22 @@ pub(crate) struct Anderson {
 
 impl Anderson {
     /// Forgets all points, so that the next step is the plain one.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.memory.clear();
     }
 
     /// Lengthens all points by values that have been zero so far and did not change.
-    pub fn lengthen(&mut self, len: usize) {
+    pub(crate) fn lengthen(&mut self, len: usize) {
         self.memory.iter_mut().flatten().for_each(|values| values.resize(len, 0.0));
     }
 
     /// Whether a step combined several points.
-    pub fn is_combined(&self) -> bool {
+    pub(crate) fn is_combined(&self) -> bool {
         self.memory.len() > 1
     }
 
     /// The point after `point`, from which the iteration moves by `change`: with the part `pace` of the combined change.
-    pub fn next(&mut self, point: Vec<f64>, change: Vec<f64>, pace: f64) -> Vec<f64> {
+    pub(crate) fn next(&mut self, point: Vec<f64>, change: Vec<f64>, pace: f64) -> Vec<f64> {
         if self.memory.len() == DEPTH {
             self.memory.remove(0);
         }

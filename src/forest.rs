@@ -7,12 +7,12 @@ pub(crate) struct Forest {
 
 impl Forest {
     /// Each of the items in a set of its own.
-    pub fn new(items: usize) -> Self {
+    pub(crate) fn new(items: usize) -> Self {
         Self { parent: (0..items).collect() }
     }
 
     /// The root over an item; the path there is halved on the way, so that later searches are short.
-    pub fn root(&mut self, mut item: usize) -> usize {
+    pub(crate) fn root(&mut self, mut item: usize) -> usize {
         while self.parent[item] != item {
             self.parent[item] = self.parent[self.parent[item]];
             item = self.parent[item];
@@ -21,7 +21,7 @@ impl Forest {
     }
 
     /// Joins the sets of two items under the earlier root, and says whether they were two sets.
-    pub fn join(&mut self, a: usize, b: usize) -> bool {
+    pub(crate) fn join(&mut self, a: usize, b: usize) -> bool {
         let (a, b) = (self.root(a), self.root(b));
         self.parent[a.max(b)] = a.min(b);
         a != b

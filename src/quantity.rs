@@ -301,25 +301,25 @@ mod units {
     /// A unit that no contact needs, which is probably a mistake for the megapascal.
     const MILLIPASCAL: &str = "mPa";
 
-    pub fn length(text: &str) -> Option<f64> {
+    pub(crate) fn length(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Length>().ok().map(|one| one.get::<meter>()))
     }
 
-    pub fn pressure(text: &str) -> Option<f64> {
+    pub(crate) fn pressure(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Pressure>().ok().map(|one| one.get::<pascal>()))
     }
 
-    pub fn force(text: &str) -> Option<f64> {
+    pub(crate) fn force(text: &str) -> Option<f64> {
         let force = read(text, |unit| unit.parse::<Force>().ok().map(|one| one.get::<newton>()));
         force.or_else(|| force_per_length(text))
     }
 
-    pub fn force_per_length(text: &str) -> Option<f64> {
+    pub(crate) fn force_per_length(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<SurfaceTension>().ok().map(|one| one.get::<newton_per_meter>()))
     }
 
     /// A joule per square metre is a newton per metre.
-    pub fn energy_per_area(text: &str) -> Option<f64> {
+    pub(crate) fn energy_per_area(text: &str) -> Option<f64> {
         read(text, |unit| {
             let squares = ["J/m²", "J/m^2", "J/m2"];
             let same = squares.iter().find_map(|square| unit.strip_suffix(square)).map(|prefix| format!("{prefix}N/m"));
@@ -327,11 +327,11 @@ mod units {
         })
     }
 
-    pub fn time(text: &str) -> Option<f64> {
+    pub(crate) fn time(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Time>().ok().map(|one| one.get::<second>()))
     }
 
-    pub fn speed(text: &str) -> Option<f64> {
+    pub(crate) fn speed(text: &str) -> Option<f64> {
         read(text, |unit| unit.parse::<Velocity>().ok().map(|one| one.get::<meter_per_second>()))
     }
 
@@ -351,15 +351,15 @@ mod units {
     const THERMAL_CONDUCTIVITIES: [(&str, f64); 6] =
         [("W/(mK)", 1.0), ("W/mK", 1.0), ("W/m/K", 1.0), ("kW/(mK)", 1e3), ("mW/(mK)", 1e-3), ("W/(cmK)", 1e2)];
 
-    pub fn resistivity(text: &str) -> Option<f64> {
+    pub(crate) fn resistivity(text: &str) -> Option<f64> {
         of_conduction(text, &[&RESISTIVITIES, &THERMAL_RESISTIVITIES])
     }
 
-    pub fn conductivity(text: &str) -> Option<f64> {
+    pub(crate) fn conductivity(text: &str) -> Option<f64> {
         of_conduction(text, &[&CONDUCTIVITIES, &THERMAL_CONDUCTIVITIES])
     }
 
-    pub fn conductance(text: &str) -> Option<&'static str> {
+    pub(crate) fn conductance(text: &str) -> Option<&'static str> {
         let is_of = |tables: &[&[(&str, f64)]]| of_conduction(text, tables).is_some();
         match () {
             () if is_of(&[&RESISTIVITIES, &CONDUCTIVITIES]) => Some("S/m²"),
@@ -396,16 +396,16 @@ mod units {
 
 #[cfg(not(feature = "units"))]
 mod units {
-    pub use {
+    pub(crate) use {
         length as conductivity, length as energy_per_area, length as force, length as force_per_length,
         length as pressure, length as resistivity, length as speed, length as time,
     };
 
-    pub fn conductance(_: &str) -> Option<&'static str> {
+    pub(crate) fn conductance(_: &str) -> Option<&'static str> {
         None
     }
 
-    pub fn length(_: &str) -> Option<f64> {
+    pub(crate) fn length(_: &str) -> Option<f64> {
         None
     }
 }

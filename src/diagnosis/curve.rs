@@ -12,7 +12,7 @@ const PACE: f64 = 0.25;
 
 /// A certified step.
 #[derive(Debug, Clone, Copy)]
-pub struct CertifiedStep {
+pub(crate) struct CertifiedStep {
     pub step: usize,
     pub level: usize,
     pub eta: f64,
@@ -23,7 +23,7 @@ pub struct CertifiedStep {
 
 /// A stretch of steps in which the certificate stood still.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plateau {
+pub(crate) struct Plateau {
     /// Its first and last step.
     pub steps: [usize; 2],
     /// The best certificate in it.
@@ -34,7 +34,7 @@ pub struct Plateau {
 
 /// The step that ended a plateau.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Next {
+pub(crate) struct Next {
     /// What the solver did, if it reports it.
     pub decision: Option<Decision>,
     /// Whether nodes entered or left the contact.
@@ -42,7 +42,7 @@ pub struct Next {
 }
 
 /// The longest plateau on the finest grid, if there is one.
-pub fn plateau(points: &[CertifiedStep]) -> Option<Plateau> {
+pub(crate) fn plateau(points: &[CertifiedStep]) -> Option<Plateau> {
     let finest: Vec<&CertifiedStep> = points.iter().filter(|point| point.level == 0 && point.eta.is_finite()).collect();
     let best: Vec<f64> = finest
         .iter()

@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Finds contact sets that recur in a run.
 #[derive(Debug, Clone, Default)]
-pub struct Returns {
+pub(crate) struct Returns {
     /// When each set was there last, by its hash.
     last: HashMap<u64, usize>,
     previous: Option<u64>,
@@ -20,7 +20,7 @@ pub struct Returns {
 
 /// A cycle of contact sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Cycle {
+pub(crate) struct Cycle {
     /// Changes of the set until it is the same again.
     pub period: usize,
     /// The number of times that the cycle was repeated.
@@ -31,7 +31,7 @@ pub struct Cycle {
 
 impl Returns {
     /// Adds the contact set of a step.
-    pub fn add(&mut self, step: usize, pressure: &[f64]) {
+    pub(crate) fn add(&mut self, step: usize, pressure: &[f64]) {
         let mut hasher = DefaultHasher::new();
         for nodes in pressure.chunks(64) {
             nodes.iter().fold(0u64, |bits, &p| bits << 1 | u64::from(p > 0.0)).hash(&mut hasher);
@@ -56,7 +56,7 @@ impl Returns {
     }
 
     /// The cycle that was gone through most often.
-    pub fn cycle(&self) -> Option<Cycle> {
+    pub(crate) fn cycle(&self) -> Option<Cycle> {
         self.longest
     }
 }

@@ -25,23 +25,23 @@ pub(crate) struct Convolution<T: Real> {
 
 impl<T: Real> Convolution<T> {
     /// The waves of a solid; transforms are planned on first use.
-    pub fn new(compliance: Arc<Compliance>, unit: f64) -> Self {
+    pub(crate) fn new(compliance: Arc<Compliance>, unit: f64) -> Self {
         let rows = Filter::rows_of(&compliance.grid);
         Self { unit, rows, filter: None, padded: None, ewald: None, directed: None, compliance }
     }
 
-    pub fn compliance(&self) -> &Arc<Compliance> {
+    pub(crate) fn compliance(&self) -> &Arc<Compliance> {
         &self.compliance
     }
 
     /// The number of rows in which fields are taken and given, and their length: the rows of a surface, or pieces of a line that
     /// follow each other.
-    pub fn rows(&self) -> [usize; 2] {
+    pub(crate) fn rows(&self) -> [usize; 2] {
         self.rows
     }
 
     /// Frees the memory of the transforms until they are used again.
-    pub fn release(&mut self) {
+    pub(crate) fn release(&mut self) {
         (self.filter, self.padded, self.ewald, self.directed) = (None, None, None, None);
     }
 
@@ -49,7 +49,7 @@ impl<T: Real> Convolution<T> {
     ///
     /// `fill(r, row)` writes row `r` of the pressure to `row`, whose content is undefined before; `store(r, row, sink)` takes row
     /// `r` of the displacement with the sink of that row, one of [`Convolution::rows`].
-    pub fn displace<S: Send>(
+    pub(crate) fn displace<S: Send>(
         &mut self,
         fill: impl Fn(usize, &mut [T]) + Sync,
         sinks: &mut [S],
@@ -77,7 +77,7 @@ impl<T: Real> Convolution<T> {
 
     /// The inverse of [`Convolution::displace`] on a periodic grid, with zero mean, of a field that becomes the pressure. The stiffness
     /// of each wave is lowered by `less(q)`, but not below zero; nothing is lowered where the contact moves over the solid.
-    pub fn press(&mut self, field: &mut [T], less: impl Fn(f64) -> f64 + Sync) {
+    pub(crate) fn press(&mut self, field: &mut [T], less: impl Fn(f64) -> f64 + Sync) {
         let (per_unit, width) = (self.unit.recip(), self.rows[1]);
         if let ComplianceKind::Directed { table, .. } = &self.compliance.kind
             && table.is_periodic()
@@ -94,7 +94,7 @@ impl<T: Real> Convolution<T> {
     }
 
     /// Multiplies the modes by `factor(k)`; the mean has the stiffness of a uniform pressure if `with_uniform`, or else zero.
-    pub fn multiply<S: Send>(
+    pub(crate) fn multiply<S: Send>(
         &mut self,
         factor: impl Fn(f64) -> f64 + Sync,
         with_uniform: bool,

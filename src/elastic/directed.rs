@@ -26,7 +26,7 @@ pub(crate) enum SteadyMotion {
 
 impl SteadyMotion {
     /// The factor of the compliance of a wave whose wavenumber along `x` is `qx`.
-    pub fn factor(&self, qx: f64) -> Complex {
+    pub(crate) fn factor(&self, qx: f64) -> Complex {
         match self {
             Self::Sliding { speed, terms } => {
                 let one = Complex::new(1.0, 0.0);
@@ -52,7 +52,7 @@ pub(super) struct DirectedTable {
 impl DirectedTable {
     /// The weights of the waves `[q_y, q_x]` of a periodic grid. At the Nyquist wave along `x`, which runs in no direction, it is the
     /// real part.
-    pub fn periodic(grid: &Grid, weight: impl Fn([f64; 2]) -> Complex) -> Self {
+    pub(crate) fn periodic(grid: &Grid, weight: impl Fn([f64; 2]) -> Complex) -> Self {
         let nx = grid.shape()[1];
         let nyquist = 0.5 * TAU / grid.spacing()[1];
         let at = |[qy, qx]: [f64; 2]| {
@@ -64,7 +64,7 @@ impl DirectedTable {
     }
 
     /// The weights of a free line: `kernel(x)` is the displacement at the signed distance `x` from an element.
-    pub fn free(grid: &Grid, kernel: impl Fn(f64) -> f64) -> Result<Self, GridError> {
+    pub(crate) fn free(grid: &Grid, kernel: impl Fn(f64) -> f64) -> Result<Self, GridError> {
         let padded = padded(grid)?;
         let (points, spacing) = (padded.shape()[1], grid.spacing()[1]);
         let distance = |i: usize| if 2 * i <= points { i as f64 } else { i as f64 - points as f64 };
@@ -76,13 +76,13 @@ impl DirectedTable {
     }
 
     /// Whether waves are independent.
-    pub fn is_periodic(&self) -> bool {
+    pub(crate) fn is_periodic(&self) -> bool {
         self.padded.is_none()
     }
 
     /// Stiffness of the softest and of the stiffest wave of the symmetric part, and the softest real part of the stiffness. Waves that
     /// are not displaced are left out.
-    pub fn range(&self) -> ([f64; 2], f64) {
+    pub(crate) fn range(&self) -> ([f64; 2], f64) {
         let waves = self.weights.iter().filter(|weight| weight.norm_sqr() > 0.0);
         let ends = ([f64::INFINITY, 0.0], f64::INFINITY);
         waves.fold(ends, |([soft, stiff], softest), weight| {
@@ -92,7 +92,7 @@ impl DirectedTable {
     }
 
     /// Whether the mean is displaced.
-    pub fn has_uniform(&self) -> bool {
+    pub(crate) fn has_uniform(&self) -> bool {
         self.padded.is_some() || self.weights[0].re > 0.0
     }
 }
@@ -116,7 +116,7 @@ pub(super) struct DirectedConvolution<T> {
 }
 
 impl<T: Real> DirectedConvolution<T> {
-    pub fn new(grid: &Grid, table: &DirectedTable) -> Self {
+    pub(crate) fn new(grid: &Grid, table: &DirectedTable) -> Self {
         let padded = table.padded.as_ref().unwrap_or(grid);
         Self {
             fourier: Fourier::new(padded),
@@ -127,7 +127,7 @@ impl<T: Real> DirectedConvolution<T> {
     }
 
     /// Gives `unit` times the displacement under a pressure, both in `rows`, as [`super::Convolution::displace`] has them.
-    pub fn displace<S: Send>(
+    pub(crate) fn displace<S: Send>(
         &mut self,
         table: &DirectedTable,
         unit: f64,
@@ -143,7 +143,7 @@ impl<T: Real> DirectedConvolution<T> {
     }
 
     /// Makes of a displacement on a periodic grid the pressure, times `per_unit`; waves that are not displaced vanish.
-    pub fn press(&mut self, table: &DirectedTable, per_unit: f64, field: &mut [T]) {
+    pub(crate) fn press(&mut self, table: &DirectedTable, per_unit: f64, field: &mut [T]) {
         self.stage.copy_from_slice(field);
         self.multiply(|place| {
             let weight = table.weights[place];

@@ -21,7 +21,7 @@ pub(super) struct FreeTable {
 
 impl FreeTable {
     /// The table of a half-space.
-    pub fn new(grid: &Grid, solid: &dyn ElasticSolid) -> Result<Self, GridError> {
+    pub(crate) fn new(grid: &Grid, solid: &dyn ElasticSolid) -> Result<Self, GridError> {
         if !solid.is_half_space() {
             return Err(GridError::FreeSolid { solid: solid.description() });
         }
@@ -38,31 +38,31 @@ impl FreeTable {
     }
 
     /// The table of tractions along `x` on a surface that is free along both axes, see [`super::Compliance::tangential`].
-    pub fn sheared(grid: &Grid, solid: &dyn ElasticSolid, m: f64) -> Result<Self, GridError> {
+    pub(crate) fn sheared(grid: &Grid, solid: &dyn ElasticSolid, m: f64) -> Result<Self, GridError> {
         let (padded, modulus) = (padded(grid)?, solid.contact_modulus());
         let weights = transformed(&padded, |at| element::sheared_rectangle(at, grid.spacing(), modulus, m));
         Ok(Self { modulus, padded, weights })
     }
 
     /// The table of tractions along `y`, which is that of `x` on a turned element.
-    pub fn sheared_across(grid: &Grid, solid: &dyn ElasticSolid, m: f64) -> Result<Self, GridError> {
+    pub(crate) fn sheared_across(grid: &Grid, solid: &dyn ElasticSolid, m: f64) -> Result<Self, GridError> {
         let (padded, modulus, [dy, dx]) = (padded(grid)?, solid.contact_modulus(), grid.spacing());
         let weights = transformed(&padded, |[y, x]| element::sheared_rectangle([x, y], [dx, dy], modulus, m));
         Ok(Self { modulus, padded, weights })
     }
 
     /// Points of the padded grid.
-    pub fn points(&self) -> usize {
+    pub(crate) fn points(&self) -> usize {
         self.padded.len()
     }
 
     /// Displacement over traction by the places of the filter of the padded grid.
-    pub fn weights(&self) -> &[f64] {
+    pub(crate) fn weights(&self) -> &[f64] {
         &self.weights
     }
 
     /// Stiffness of the field that gives way most.
-    pub fn softest(&self) -> f64 {
+    pub(crate) fn softest(&self) -> f64 {
         self.weights.iter().fold(0.0, |most: f64, weight| most.max(weight.abs())).recip()
     }
 }
@@ -167,14 +167,14 @@ pub(super) struct FreeConvolution<T: Real> {
 }
 
 impl<T: Real> FreeConvolution<T> {
-    pub fn new(grid: &Grid, table: &FreeTable) -> Self {
+    pub(crate) fn new(grid: &Grid, table: &FreeTable) -> Self {
         let line = grid.is_line().then(|| vec![T::zero(); grid.len()]);
         Self { fields: fourier::Padded::new(grid.shape(), &table.padded), line }
     }
 
     /// Gives `unit` times the displacement under a pressure, both in `rows` of the unpadded grid, as [`super::Convolution::displace`]
     /// has them.
-    pub fn convolve<S: Send>(
+    pub(crate) fn convolve<S: Send>(
         &mut self,
         table: &FreeTable,
         unit: f64,

@@ -81,12 +81,12 @@ impl CycleLevel {
 
 impl<'a> GroupCycle<'a> {
     /// The groups of a network.
-    pub fn new(network: &'a Network, size: GroupSize) -> Self {
+    pub(crate) fn new(network: &'a Network, size: GroupSize) -> Self {
         Self { network, room: CycleRoom::new(network.cells()), levels: Vec::new() }.with_groups(size)
     }
 
     /// The cycle of the same equations with groups of another size. The finest groups are the same.
-    pub fn with_groups(mut self, size: GroupSize) -> Self {
+    pub(crate) fn with_groups(mut self, size: GroupSize) -> Self {
         self.levels.truncate(1);
         loop {
             let pairings = size.pairings(self.levels.len());
@@ -101,7 +101,7 @@ impl<'a> GroupCycle<'a> {
     }
 
     /// A step of conjugate gradients on the finest level, preconditioned by the cycle, see [`Gradients::step`].
-    pub fn step(&mut self, gradients: &mut Gradients) -> Option<f64> {
+    pub(crate) fn step(&mut self, gradients: &mut Gradients) -> Option<f64> {
         relax(self.network, &mut self.room, &mut self.levels, &gradients.residual);
         gradients.step(self.network, &self.room.z)
     }
@@ -142,7 +142,7 @@ pub(super) struct Gradients {
 
 impl Gradients {
     /// Starts at `x`, whose residual is given.
-    pub fn new(x: Vec<f64>, residual: Vec<f64>) -> Self {
+    pub(crate) fn new(x: Vec<f64>, residual: Vec<f64>) -> Self {
         let [direction, product] = [(); 2].map(|()| chunks::touched(x.len()));
         Self { x, residual, direction, product, curvature: 0.0 }
     }

@@ -63,7 +63,7 @@ impl Links {
 impl Laplacian {
     /// The matrix of `groups` of cells, where each cell is in the group `of` it: conductances between groups, and to the sides, are
     /// added up.
-    pub fn new(fine: &impl Balance, of: &[u32], groups: usize) -> Self {
+    pub(crate) fn new(fine: &impl Balance, of: &[u32], groups: usize) -> Self {
         let members = members(of, groups);
         let (mut to_sides, mut inverse) = (Vec::with_capacity(groups), Vec::with_capacity(groups));
         let [mut earlier, mut later] = [Links::none(), Links::none()];

@@ -26,7 +26,7 @@ impl Network {
     ///
     /// The conductance of a face is the harmonic mean of the conductivities of its cells, times its width and over the distance of
     /// the cells. A side lies half a spacing from the first or last cells.
-    pub fn new(grid: &Grid, along: FlowAxis, mut conductivity: Vec<f64>) -> Self {
+    pub(crate) fn new(grid: &Grid, along: FlowAxis, mut conductivity: Vec<f64>) -> Self {
         leave_connected(grid, along, &mut conductivity);
         let spacing = grid.spacing();
         let ratio = spacing[1 - along.index()] / spacing[along.index()];
@@ -51,27 +51,27 @@ impl Network {
     }
 
     /// Whether nothing flows.
-    pub fn is_sealed(&self) -> bool {
+    pub(crate) fn is_sealed(&self) -> bool {
         !(0..self.cells()).any(|cell| self.carries(cell))
     }
 
     /// The number of faces, also of those without a conductance.
-    pub fn faces(&self) -> usize {
+    pub(crate) fn faces(&self) -> usize {
         self.conductance.len()
     }
 
     /// Whether anything flows through a cell.
-    pub fn carries(&self, cell: usize) -> bool {
+    pub(crate) fn carries(&self, cell: usize) -> bool {
         self.inverse[cell] > 0.0
     }
 
     /// The conductance of a face.
-    pub fn conductance(&self, face: usize) -> f64 {
+    pub(crate) fn conductance(&self, face: usize) -> f64 {
         self.conductance[face]
     }
 
     /// The axis along which a face is passed.
-    pub fn axis(&self, face: usize) -> FlowAxis {
+    pub(crate) fn axis(&self, face: usize) -> FlowAxis {
         match face / self.cells() {
             0 => FlowAxis::Y,
             1 => FlowAxis::X,
@@ -80,7 +80,7 @@ impl Network {
     }
 
     /// The cells before and behind a face. After the last cell come the inlet and the outlet.
-    pub fn ends(&self, face: usize) -> [usize; 2] {
+    pub(crate) fn ends(&self, face: usize) -> [usize; 2] {
         let ([ny, nx], cells) = (self.shape, self.cells());
         if face < cells {
             return [face, if face + nx < cells { face + nx } else { face + nx - cells }];
@@ -105,7 +105,7 @@ impl Network {
     }
 
     /// The pressure of each cell if it falls linearly, from 1 at the inlet to 0 at the outlet.
-    pub fn linear(&self) -> Vec<f64> {
+    pub(crate) fn linear(&self) -> Vec<f64> {
         let points = self.shape[self.along.index()];
         let pressures: Vec<f64> = (0..points).map(|place| 1.0 - (place as f64 + 0.5) / points as f64).collect();
         let place = |cell| [cell / self.shape[1], cell % self.shape[1]][self.along.index()];
@@ -113,7 +113,7 @@ impl Network {
     }
 
     /// The flow through each face from its first end to the second one.
-    pub fn flux(&self, pressure: &[f64]) -> Vec<f64> {
+    pub(crate) fn flux(&self, pressure: &[f64]) -> Vec<f64> {
         let at = |end: usize| match end.checked_sub(self.cells()) {
             None => pressure[end],
             Some(0) => 1.0,
@@ -127,7 +127,7 @@ impl Network {
     }
 
     /// Inflow less outflow of each cell.
-    pub fn surplus(&self, flux: &[f64]) -> Vec<f64> {
+    pub(crate) fn surplus(&self, flux: &[f64]) -> Vec<f64> {
         let mut surplus = chunks::touched(self.cells() + 2);
         for (face, flux) in flux.iter().enumerate() {
             let [from, to] = self.ends(face);
@@ -139,14 +139,14 @@ impl Network {
     }
 
     /// The power that a flow dissipates.
-    pub fn power(&self, flux: &[f64]) -> f64 {
+    pub(crate) fn power(&self, flux: &[f64]) -> f64 {
         let power =
             |(conductance, flux): (&f64, &f64)| if *conductance > 0.0 { flux * flux / conductance } else { 0.0 };
         self.conductance.iter().zip(flux).map(power).sum()
     }
 
     /// What flows in at the inlet.
-    pub fn inflow(&self, flux: &[f64]) -> f64 {
+    pub(crate) fn inflow(&self, flux: &[f64]) -> f64 {
         flux[2 * self.cells()..][..self.cells_of_side()].iter().sum()
     }
 

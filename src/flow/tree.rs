@@ -12,7 +12,7 @@ pub(super) struct ChannelTree {
 
 impl ChannelTree {
     /// The tree of the largest conductances (Kruskal), of which those within a sixteenth count as equal.
-    pub fn new(network: &Network) -> Self {
+    pub(crate) fn new(network: &Network) -> Self {
         let mut order = by_conductance(network);
         let mut forest = Forest::new(network.cells() + 1);
         order.retain(|&face| {
@@ -23,7 +23,7 @@ impl ChannelTree {
     }
 
     /// Sends the surplus of each cell under a flow along the tree to the sides.
-    pub fn drain(&self, network: &Network, surplus: &[f64], flux: &mut [f64]) {
+    pub(crate) fn drain(&self, network: &Network, surplus: &[f64], flux: &mut [f64]) {
         let mut surplus = surplus.to_vec();
         surplus.resize(network.cells() + 2, 0.0);
         for &(cell, face) in &self.drains {

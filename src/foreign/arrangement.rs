@@ -4,7 +4,7 @@ use crate::grid::Grid;
 
 /// Another order of the nodes of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Arrangement {
+pub(crate) enum Arrangement {
     /// Rows for columns.
     Transposed,
     /// From end to end along y or x, or along both.
@@ -39,7 +39,7 @@ impl Arrangement {
     ];
 
     /// The orders that differ from the given one on a grid.
-    pub fn on(grid: &Grid) -> impl Iterator<Item = Self> + use<> {
+    pub(crate) fn on(grid: &Grid) -> impl Iterator<Item = Self> + use<> {
         let (is_line, [ny, nx]) = (grid.is_line(), grid.shape());
         Self::ALL.into_iter().filter(move |arrangement| match arrangement {
             Self::Transposed => ny == nx,
@@ -49,7 +49,7 @@ impl Arrangement {
     }
 
     /// The field in this order.
-    pub fn apply(self, values: &[f64], grid: &Grid) -> Vec<f64> {
+    pub(crate) fn apply(self, values: &[f64], grid: &Grid) -> Vec<f64> {
         let [ny, nx] = grid.shape();
         let moved = |is_moved: bool, i: usize, n: usize| if is_moved { (i + n - n / 2) % n } else { i };
         let rolled = |by: isize, i: usize, n: usize| (i as isize + by).rem_euclid(n as isize) as usize;
@@ -68,7 +68,7 @@ impl Arrangement {
     }
 
     /// The relation of the field to the heights, in words.
-    pub fn words(self) -> String {
+    pub(crate) fn words(self) -> String {
         match self {
             Self::Transposed => "are transposed".into(),
             Self::Backwards(axes) => format!("run backwards along {}", along(axes)),
@@ -80,7 +80,7 @@ impl Arrangement {
     }
 
     /// The expression in Python that corrects the field `name`.
-    pub fn remedy(self, name: &str, grid: &Grid) -> String {
+    pub(crate) fn remedy(self, name: &str, grid: &Grid) -> String {
         let (is_line, numpy) = (grid.is_line(), "numpy.fft.fftshift");
         match self {
             Self::Transposed => format!("{name}.T"),

@@ -136,12 +136,12 @@ impl ClaimedState {
     }
 
     /// The same with another pressure.
-    pub fn with_pressure(&self, pressure: &[f64]) -> Self {
+    pub(crate) fn with_pressure(&self, pressure: &[f64]) -> Self {
         Self::new(self.problem.clone(), pressure.to_vec(), self.kernel)
     }
 
     /// The certificate of the pressure as it is.
-    pub fn certificate(&self) -> Certificate {
+    pub(crate) fn certificate(&self) -> Certificate {
         Certificate::from_displacement(&self.problem, &self.pressure, &self.displacement)
     }
 }

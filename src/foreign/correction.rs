@@ -48,7 +48,7 @@ const LEAST_LOAD: f64 = 1e-6;
 
 impl MistakeKind {
     /// All kinds that there can be on a grid, in the order in which one can follow another.
-    pub fn all(grid: &Grid) -> Vec<Self> {
+    pub(crate) fn all(grid: &Grid) -> Vec<Self> {
         let others =
             [Self::Quantity, Self::Sign, Self::Heights, Self::Modulus, Self::Scale, Self::Load, Self::Boundary];
         // all waves of a line are along one axis
@@ -57,12 +57,12 @@ impl MistakeKind {
     }
 
     /// A short name.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         self.into()
     }
 
     /// Whether an error of this kind may come with one of the other kind, which stands further on in the order.
-    pub fn goes_with(self, other: Self) -> bool {
+    pub(crate) fn goes_with(self, other: Self) -> bool {
         let rank = |kind: Self| match kind {
             Self::Arrangement(_) => 0,
             Self::Quantity => 1,
@@ -74,7 +74,7 @@ impl MistakeKind {
     }
 
     /// The claim without an error of this kind; none where it makes no difference.
-    pub fn undone(self, claim: &Claim) -> Option<(Claim, ClaimCorrection)> {
+    pub(crate) fn undone(self, claim: &Claim) -> Option<(Claim, ClaimCorrection)> {
         let mut better = claim.clone();
         let mut factor = 1.0;
         match self {

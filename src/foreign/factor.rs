@@ -15,7 +15,7 @@ pub(super) struct Factor {
 
 impl Factor {
     /// The factor by which a modulus is too large, on a solid of some Poisson's ratios, if they are known.
-    pub fn from_modulus(factor: f64, poisson: &[f64]) -> Self {
+    pub(crate) fn from_modulus(factor: f64, poisson: &[f64]) -> Self {
         let of = |factor: f64| Self::cause_of_modulus(factor, poisson);
         let cause = of(factor).map(|(large, _)| large).or_else(|| of(1.0 / factor).map(|(_, small)| small));
         let is_known = cause.is_some();
@@ -50,7 +50,7 @@ impl Factor {
     }
 
     /// The factor that pressures on a grid must be multiplied by.
-    pub fn from_pressure(factor: f64, grid: &Grid) -> Self {
+    pub(crate) fn from_pressure(factor: f64, grid: &Grid) -> Self {
         let [dy, dx] = grid.spacing();
         let forces = [
             (dx, "forces per unit width: divide them by the spacing dx"),
@@ -67,12 +67,12 @@ impl Factor {
     }
 
     /// Whether the factor has a known cause.
-    pub fn is_known(&self) -> bool {
+    pub(crate) fn is_known(&self) -> bool {
         self.is_known
     }
 
     /// What is off by how much, and why if that is known.
-    pub fn sentence(self) -> String {
+    pub(crate) fn sentence(self) -> String {
         self.sentence
     }
 }

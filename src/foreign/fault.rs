@@ -19,11 +19,11 @@ pub(super) struct Fault {
 
 impl Fault {
     /// The fault of a claim; none where its problem cannot be posed.
-    pub fn from_claim(claim: &Claim) -> Option<Self> {
+    pub(crate) fn from_claim(claim: &Claim) -> Option<Self> {
         claim.state().ok().map(|state| Self::from_state(&state))
     }
 
-    pub fn from_state(state: &ClaimedState) -> Self {
+    pub(crate) fn from_state(state: &ClaimedState) -> Self {
         let tension = Tension::new(&state.pressure);
         let feasible = feasible(&state.problem, &state.pressure, &tension);
         let certificate = match &feasible {

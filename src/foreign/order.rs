@@ -4,7 +4,7 @@ use std::path::Path;
 
 /// A piece of a name: a whole number, or what stands between numbers.
 #[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Piece {
+pub(crate) enum Piece {
     /// A whole number, without leading zeros: fewer digits make a smaller one.
     Number(usize, String),
     /// Anything else.
@@ -12,7 +12,7 @@ pub enum Piece {
 }
 
 /// The pieces of a name, by which `step2` comes before `step10`.
-pub fn natural(path: &Path) -> Vec<Piece> {
+pub(crate) fn natural(path: &Path) -> Vec<Piece> {
     let name = path.to_string_lossy();
     let mut pieces = Vec::new();
     let mut rest: &str = &name;

@@ -16,14 +16,14 @@ pub(super) enum WaveStiffness {
 
 impl WaveStiffness {
     /// Divides the displacement by a pressure, which is that of the half-space, by the ratio of both stiffnesses.
-    pub fn soften(self, grid: &Grid, displacement: &mut [f64]) {
+    pub(crate) fn soften(self, grid: &Grid, displacement: &mut [f64]) {
         if self == Self::Sum {
             scale(grid, displacement, |ratio| 1.0 / ratio);
         }
     }
 
     /// Multiplies the pressure of a displacement, which is that of the half-space, by the ratio of both stiffnesses.
-    pub fn stiffen(self, grid: &Grid, pressure: &mut [f64]) {
+    pub(crate) fn stiffen(self, grid: &Grid, pressure: &mut [f64]) {
         if self == Self::Sum {
             scale(grid, pressure, |ratio| ratio);
         }

@@ -32,13 +32,13 @@ macro_rules! each_kind {
 
 impl Filter {
     /// The [`rows`](Self::rows) of a filter of `grid`, without planning it.
-    pub fn rows_of(grid: &Grid) -> [usize; 2] {
+    pub(crate) fn rows_of(grid: &Grid) -> [usize; 2] {
         let as_pieces = || LongLineFilter::rows_of(grid).unwrap_or([1, grid.len()]);
         if grid.is_line() { as_pieces() } else { grid.shape() }
     }
 
     /// Wave numbers along y and x, below or at Nyquist, of each place in the tables of the filter of a grid.
-    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+    pub(crate) fn places(grid: &Grid) -> Vec<[usize; 2]> {
         if !grid.is_line() {
             return SurfaceFilter::places(grid);
         }
@@ -48,13 +48,13 @@ impl Filter {
 
 impl<T: Real> Filter<T> {
     /// Plans the transforms of fields on `grid`.
-    pub fn new(grid: &Grid) -> Self {
+    pub(crate) fn new(grid: &Grid) -> Self {
         Self::with_used_rows(grid, grid.shape()[0])
     }
 
     /// Plans the transforms of fields on a surface's `grid` of which only the first rows are not zero, and only these
     /// rows are needed.
-    pub fn with_used_rows(grid: &Grid, used_rows: usize) -> Self {
+    pub(crate) fn with_used_rows(grid: &Grid, used_rows: usize) -> Self {
         if !grid.is_line() {
             return Self::Surface(SurfaceFilter::new(grid, used_rows));
         }
@@ -63,17 +63,17 @@ impl<T: Real> Filter<T> {
 
     /// The number of rows in which fields come and go, and their length. Rows follow each other without gaps; those of a
     /// surface are its rows, those of a line are pieces of it.
-    pub fn rows(&self) -> [usize; 2] {
+    pub(crate) fn rows(&self) -> [usize; 2] {
         each_kind!(self, filter => filter.rows())
     }
 
     /// Takes the field whose row `r` is written by `fill(r, row)`; what `row` holds before is undefined.
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
+    pub(crate) fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
         each_kind!(self, filter => filter.load(fill))
     }
 
     /// Multiplies the modes by the factors of their waves.
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
+    pub(crate) fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         each_kind!(self, filter => filter.scale(factor))
     }
 
@@ -81,7 +81,7 @@ impl<T: Real> Filter<T> {
     ///
     /// # Panics
     /// If there is not one sink per row.
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
+    pub(crate) fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
         assert_eq!(sinks.len(), self.rows()[0], "one sink per row");
         each_kind!(self, filter => filter.store(sinks, store))
     }

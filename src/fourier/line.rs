@@ -18,13 +18,13 @@ pub(crate) struct LineFilter<T: Real = f64> {
 
 impl LineFilter {
     /// Wave numbers along y and x of each place.
-    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+    pub(crate) fn places(grid: &Grid) -> Vec<[usize; 2]> {
         (0..=grid.len() / 2).map(|k| [0, k]).collect()
     }
 }
 
 impl<T: Real> LineFilter<T> {
-    pub fn new(grid: &Grid) -> Self {
+    pub(crate) fn new(grid: &Grid) -> Self {
         let n = grid.len();
         let plans = Plans::new(grid);
         Self {
@@ -36,16 +36,16 @@ impl<T: Real> LineFilter<T> {
         }
     }
 
-    pub fn rows(&self) -> [usize; 2] {
+    pub(crate) fn rows(&self) -> [usize; 2] {
         [1, self.values.len()]
     }
 
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T])) {
+    pub(crate) fn load(&mut self, fill: impl Fn(usize, &mut [T])) {
         fill(0, &mut self.values);
         self.plans.forward_row(&mut self.values, &mut self.spectrum, &mut self.scratch);
     }
 
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64) {
+    pub(crate) fn scale(&mut self, factor: impl Fn(Wave) -> f64) {
         let norm = 1.0 / self.values.len() as f64;
         let waves = self.q.iter().enumerate().map(|(place, &q)| Wave { q, place });
         self.spectrum
@@ -54,7 +54,7 @@ impl<T: Real> LineFilter<T> {
             .for_each(|(mode, wave)| *mode = *mode * T::from_double(norm * factor(wave)));
     }
 
-    pub fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S)) {
+    pub(crate) fn store<S>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S)) {
         self.plans.inverse_row(&mut self.spectrum, &mut self.values, &mut self.scratch);
         store(0, &mut self.values, &mut sinks[0]);
     }

@@ -39,20 +39,20 @@ pub(crate) struct LongLineFilter<T: Real = f64> {
 
 impl LongLineFilter {
     /// Wave numbers along y and x of each place, if the line can be cut.
-    pub fn places(grid: &Grid) -> Option<Vec<[usize; 2]>> {
+    pub(crate) fn places(grid: &Grid) -> Option<Vec<[usize; 2]>> {
         let [n1, n2] = cut(grid)?;
         Some((0..=n1).flat_map(|k1| (0..n2).map(move |k2| [0, k1 + n1 * k2])).collect())
     }
 
     /// The rows of the filter of a line, if the line can be cut.
-    pub fn rows_of(grid: &Grid) -> Option<[usize; 2]> {
+    pub(crate) fn rows_of(grid: &Grid) -> Option<[usize; 2]> {
         cut(grid).map(pieces)
     }
 }
 
 impl<T: Real> LongLineFilter<T> {
     /// Plans the transforms, if `grid` is a line that is long enough and can be cut into rows.
-    pub fn new(grid: &Grid) -> Option<Self> {
+    pub(crate) fn new(grid: &Grid) -> Option<Self> {
         let (n, shape) = (grid.len(), cut(grid)?);
         let mut planner = FftPlanner::new();
         let forward = shape.map(|n| planner.plan_fft_forward(n));
@@ -69,11 +69,11 @@ impl<T: Real> LongLineFilter<T> {
         })
     }
 
-    pub fn rows(&self) -> [usize; 2] {
+    pub(crate) fn rows(&self) -> [usize; 2] {
         pieces(self.shape)
     }
 
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
+    pub(crate) fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks_mut(per_worker * n2).zip(&mut self.workers).enumerate();
@@ -85,7 +85,7 @@ impl<T: Real> LongLineFilter<T> {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
+    pub(crate) fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
         let [n1, n2] = self.shape;
         let per_worker = n1.div_ceil(self.workers.len());
         let tasks = self.z.chunks(per_worker * n2).zip(sinks.chunks_mut(per_worker)).zip(&mut self.workers).enumerate();
@@ -97,7 +97,7 @@ impl<T: Real> LongLineFilter<T> {
         });
     }
 
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
+    pub(crate) fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         for_each_column(&mut self.z, self.shape, &mut self.workers, |j2, column, _, scratch| {
             self.forward[0].process_with_scratch(column, scratch);
             self.twiddles.column(j2).zip(column).for_each(|(w, z)| *z = *z * w);

@@ -12,17 +12,17 @@ pub(crate) struct Padded<T: Real = f64> {
 
 impl<T: Real> Padded<T> {
     /// Plans the transforms of fields of `shape` on a grid of at least as many rows and columns.
-    pub fn new(shape: [usize; 2], padded: &Grid) -> Self {
+    pub(crate) fn new(shape: [usize; 2], padded: &Grid) -> Self {
         Self { shape, filter: Filter::with_used_rows(padded, shape[0]) }
     }
 
     /// The shape of the fields without padding.
-    pub fn shape(&self) -> [usize; 2] {
+    pub(crate) fn shape(&self) -> [usize; 2] {
         self.shape
     }
 
     /// Multiplies the modes of a padded field by the `weight` of the [`Filter::places`] of its grid.
-    pub fn scale(&mut self, field: &mut [T], weight: impl Fn(usize) -> f64 + Sync) {
+    pub(crate) fn scale(&mut self, field: &mut [T], weight: impl Fn(usize) -> f64 + Sync) {
         let [ny, nx] = self.shape;
         let filter = &mut self.filter;
         let (is_line, [count, padded_width]) = (ny == 1, filter.rows());
@@ -41,7 +41,7 @@ impl<T: Real> Padded<T> {
     /// Multiplies the modes of a padded surface by the `weight` of the [`Filter::places`] of its grid. The surface need not exist as a
     /// whole: `fill(r, row)` writes row `r` of the field without padding, and `store(r, row, sink)` takes row `r` of the result, which may be
     /// changed there, with its sink.
-    pub fn scale_rows<S: Send>(
+    pub(crate) fn scale_rows<S: Send>(
         &mut self,
         weight: impl Fn(usize) -> f64 + Sync,
         fill: impl Fn(usize, &mut [T]) + Sync,

@@ -21,7 +21,7 @@ pub(super) struct Plans<T: Real = f64> {
 }
 
 impl<T: Real> Plans<T> {
-    pub fn new(grid: &Grid) -> Self {
+    pub(crate) fn new(grid: &Grid) -> Self {
         let [ny, nx] = grid.shape();
         if ny.max(nx) > LONGEST_KEPT {
             return Self::by(&mut Planners::new(), [ny, nx]);
@@ -40,21 +40,21 @@ impl<T: Real> Plans<T> {
     }
 
     /// Complex numbers of scratch that the largest of the transforms needs.
-    pub fn scratch_len(&self) -> usize {
+    pub(crate) fn scratch_len(&self) -> usize {
         let rows = self.forward_rows.get_scratch_len().max(self.inverse_rows.get_scratch_len());
         let columns = [&self.forward_columns, &self.inverse_columns].map(|fft| fft.get_inplace_scratch_len());
         rows.max(columns[0]).max(columns[1])
     }
 
     /// Transforms `row`, which is lost.
-    pub fn forward_row(&self, row: &mut [T], spectrum: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
+    pub(crate) fn forward_row(&self, row: &mut [T], spectrum: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         self.forward_rows.process_with_scratch(row, spectrum, scratch).expect("lengths were planned together");
     }
 
     /// Transforms `spectrum`, which is lost, back.
     ///
     /// The coefficients at 0 and Nyquist of a real row are real; what rounding left of their imaginary parts is dropped.
-    pub fn inverse_row(&self, spectrum: &mut [Complex<T>], row: &mut [T], scratch: &mut [Complex<T>]) {
+    pub(crate) fn inverse_row(&self, spectrum: &mut [Complex<T>], row: &mut [T], scratch: &mut [Complex<T>]) {
         spectrum[0].im = T::zero();
         if row.len().is_multiple_of(2) {
             spectrum[row.len() / 2].im = T::zero();

@@ -12,7 +12,7 @@ pub(crate) struct Planners<T: FftNum> {
 }
 
 impl<T: FftNum> Planners<T> {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { rows: RealFftPlanner::new(), columns: FftPlanner::new() }
     }
 }

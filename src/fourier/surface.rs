@@ -28,7 +28,7 @@ pub(crate) struct SurfaceFilter<T: Real = f64> {
 
 impl SurfaceFilter {
     /// Wave numbers along y and x of each place.
-    pub fn places(grid: &Grid) -> Vec<[usize; 2]> {
+    pub(crate) fn places(grid: &Grid) -> Vec<[usize; 2]> {
         let [ny, nx] = grid.shape();
         (0..=nx / 2).flat_map(|kx| (0..=ny / 2).map(move |ky| [ky, kx])).collect()
     }
@@ -36,7 +36,7 @@ impl SurfaceFilter {
 
 impl<T: Real> SurfaceFilter<T> {
     /// Plans the transforms of fields of which only the first `used_rows` are not zero, and only these rows are needed.
-    pub fn new(grid: &Grid, used_rows: usize) -> Self {
+    pub(crate) fn new(grid: &Grid, used_rows: usize) -> Self {
         let ([ny, nx], [ly, lx]) = (grid.shape(), grid.size());
         let plans = Plans::new(grid);
         let workers = Worker::crew(grid.len(), ny, [nx.max(ny / 2 + 1), band_len(ny), plans.scratch_len()]);
@@ -51,11 +51,11 @@ impl<T: Real> SurfaceFilter<T> {
         }
     }
 
-    pub fn rows(&self) -> [usize; 2] {
+    pub(crate) fn rows(&self) -> [usize; 2] {
         [self.used_rows, self.shape[1]]
     }
 
-    pub fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
+    pub(crate) fn load(&mut self, fill: impl Fn(usize, &mut [T]) + Sync) {
         let nx = self.shape[1];
         let half = nx / 2 + 1;
         let per_worker = self.used_rows.div_ceil(self.workers.len());
@@ -74,7 +74,7 @@ impl<T: Real> SurfaceFilter<T> {
         });
     }
 
-    pub fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
+    pub(crate) fn scale(&mut self, factor: impl Fn(Wave) -> f64 + Sync) {
         let [ny, nx] = self.shape;
         let half = nx / 2 + 1;
         let norm = 1.0 / (ny * nx) as f64;
@@ -94,7 +94,7 @@ impl<T: Real> SurfaceFilter<T> {
         });
     }
 
-    pub fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
+    pub(crate) fn store<S: Send>(&mut self, sinks: &mut [S], store: impl Fn(usize, &mut [T], &mut S) + Sync) {
         let nx = self.shape[1];
         let half = nx / 2 + 1;
         let per_worker = self.used_rows.div_ceil(self.workers.len());

@@ -24,7 +24,7 @@ pub(super) struct Worker<T: Real = f64> {
 impl<T: Real> Worker<T> {
     /// Workers for a grid of `points`, at most one for each of `units` that are transformed as a whole; with room for as many
     /// numbers in `row`, `band` and `scratch`.
-    pub fn crew(points: usize, units: usize, [row, band, scratch]: [usize; 3]) -> Vec<Self> {
+    pub(crate) fn crew(points: usize, units: usize, [row, band, scratch]: [usize; 3]) -> Vec<Self> {
         let zeros = |n| vec![Complex::new(T::zero(), T::zero()); n];
         let worker = Self { row: vec![T::zero(); row], band: zeros(band), scratch: zeros(scratch) };
         let tasks = if points < WORTH_SHARING { 1 } else { TASKS * rayon::current_num_threads() };

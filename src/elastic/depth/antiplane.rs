@@ -41,12 +41,12 @@ impl ShearSources<'_> {
 }
 
 impl AntiplaneScan {
-    pub fn new(layers: usize) -> Self {
+    pub(crate) fn new(layers: usize) -> Self {
         Self { from_below: vec![Complex::default(); layers + 1] }
     }
 
     /// Writes the layer means of the stress `nt` and `i tz` by a wave of strain to `stress`.
-    pub fn run(
+    pub(crate) fn run(
         &mut self,
         q: f64,
         shear_modulus: f64,

@@ -28,7 +28,7 @@ pub(super) struct LayerWave {
 impl LayerWave {
     /// A wave of which `fading` is left at the depth `top`, in a layer from there on. Of the layer `above`, what depends on the thickness alone is taken over, if
     /// that is the same.
-    pub fn new(q: f64, top: f64, thickness: f64, above: &Self) -> Self {
+    pub(crate) fn new(q: f64, top: f64, thickness: f64, above: &Self) -> Self {
         let fading = above.fading * above.decay;
         let wave = if thickness == above.thickness { *above } else { Self::of_thickness(q, thickness) };
         let means = [fading * wave.first / thickness, fading * (q * top * wave.first + wave.second) / thickness];
@@ -36,7 +36,7 @@ impl LayerWave {
     }
 
     /// The surface, above all layers.
-    pub fn surface() -> Self {
+    pub(crate) fn surface() -> Self {
         Self { fading: 1.0, decay: 1.0, ..Self::default() }
     }
 
@@ -50,14 +50,14 @@ impl LayerWave {
 
     /// `2 x - 3 + (3 + x) X`: the integral over the layer of what a uniform source in it makes by [`PlaneScan`](super::plane::PlaneScan)'s
     /// equation, times `2 q^5`.
-    pub fn plane_self(&self) -> f64 {
+    pub(crate) fn plane_self(&self) -> f64 {
         const TERMS: [f64; 8] =
             [1.0 / 2.0, 0.0, -1.0 / 24.0, 1.0 / 60.0, -1.0 / 240.0, 1.0 / 1260.0, -1.0 / 8064.0, 1.0 / 60480.0];
         if self.x < THIN { series(&TERMS, self.x) } else { 2.0 * self.x - 3.0 + (3.0 + self.x) * self.decay }
     }
 
     /// `x - 1 + X`: the same of [`AntiplaneScan`](super::antiplane::AntiplaneScan)'s equation, times `q^3`.
-    pub fn antiplane_self(&self) -> f64 {
+    pub(crate) fn antiplane_self(&self) -> f64 {
         const TERMS: [f64; 8] = [
             1.0 / 2.0,
             -1.0 / 6.0,

@@ -79,12 +79,12 @@ impl Sources<'_> {
 }
 
 impl PlaneScan {
-    pub fn new(layers: usize) -> Self {
+    pub(crate) fn new(layers: usize) -> Self {
         Self { from_below: vec![FadingPair::default(); layers + 1] }
     }
 
     /// Writes the layer means of the stress `nn`, `zz`, `i nz` and `tt` by a wave of strain to `stress`.
-    pub fn run(
+    pub(crate) fn run(
         &mut self,
         q: f64,
         solid: PlaneSolid,

@@ -40,7 +40,7 @@ pub(super) struct WaveColumn<'a> {
 }
 
 impl<'a> WaveColumn<'a> {
-    pub fn new(layers: &'a DepthLayers, solid: PlaneSolid, is_plane: bool) -> Self {
+    pub(crate) fn new(layers: &'a DepthLayers, solid: PlaneSolid, is_plane: bool) -> Self {
         let count = layers.count();
         Self {
             layers,
@@ -61,7 +61,7 @@ impl<'a> WaveColumn<'a> {
     /// `u_z = -sum_j h_j [(A0 - A1) a + (A0 + A1) c + 2 i A1 e_nz]`, of the mean `-sum_j h_j [e_zz + nu/(1 - nu) (e_nn + e_tt)]`,
     ///
     /// with `a` and `c` of [`PlaneScan`]. By Betti's theorem it is the work on the strain by the stress of a unit of pressure.
-    pub fn displacement(&mut self, wave: GridWave, strain: ArrayView2<'_, Complex>) -> Complex {
+    pub(crate) fn displacement(&mut self, wave: GridWave, strain: ArrayView2<'_, Complex>) -> Complex {
         self.begin(wave, strain);
         self.take(wave, &coupled(wave.is_nyquist)[0]);
         let nu = self.solid.poisson;
@@ -79,7 +79,7 @@ impl<'a> WaveColumn<'a> {
     }
 
     /// Puts the layer means of the stress by a wave of strain and a wave of pressure in the place of the strain.
-    pub fn respond(&mut self, wave: GridWave, pressure: Complex, mut field: ArrayViewMut2<'_, Complex>) {
+    pub(crate) fn respond(&mut self, wave: GridWave, pressure: Complex, mut field: ArrayViewMut2<'_, Complex>) {
         self.begin(wave, field.view());
         self.sum.fill(Components::default());
         for (number, set) in coupled(wave.is_nyquist).iter().enumerate() {

@@ -23,7 +23,7 @@ pub(super) type Components = [Complex; 6];
 
 impl WaveTensor {
     /// The tensor of a wave with these components.
-    pub fn from_components([xx, yy, zz, xy, xz, yz]: Components, Direction(a, b): Direction) -> Self {
+    pub(crate) fn from_components([xx, yy, zz, xy, xz, yz]: Components, Direction(a, b): Direction) -> Self {
         Self {
             nn: xx * (a * a) + xy * (2.0 * a * b) + yy * (b * b),
             tt: xx * (b * b) - xy * (2.0 * a * b) + yy * (a * a),
@@ -35,7 +35,7 @@ impl WaveTensor {
     }
 
     /// The components of the tensor of a wave.
-    pub fn into_components(self, Direction(a, b): Direction) -> Components {
+    pub(crate) fn into_components(self, Direction(a, b): Direction) -> Components {
         let Self { nn, tt, zz, nt, .. } = self;
         let [nz, tz] = [self.nz, self.tz].map(|value| -turned(value));
         [

@@ -27,7 +27,7 @@ struct CoarseLine<T> {
 
 impl<T: Real> EwaldConvolution<T> {
     /// The convolution of fields of `shape`.
-    pub fn new(shape: [usize; 2], table: &EwaldTable) -> Self {
+    pub(crate) fn new(shape: [usize; 2], table: &EwaldTable) -> Self {
         let coarse @ [height, width] = table.coarse();
         Self {
             near: Padded::new(shape, table.near().0),
@@ -41,7 +41,7 @@ impl<T: Real> EwaldConvolution<T> {
 
     /// Gives `unit` times the displacement under a pressure, as [`crate::elastic::Convolution::displace`] has it. `fill` is called twice
     /// for each row of the pressure.
-    pub fn convolve<S: Send>(
+    pub(crate) fn convolve<S: Send>(
         &mut self,
         table: &EwaldTable,
         unit: f64,

@@ -19,7 +19,7 @@ pub(super) struct FarKernel {
 
 impl FarKernel {
     /// The kernel of a radius, with the `sharpness` `c`.
-    pub fn new(radius: f64, sharpness: f64) -> Self {
+    pub(crate) fn new(radius: f64, sharpness: f64) -> Self {
         let transform = |k: f64| {
             let s = (sharpness * sharpness - k * k).sqrt();
             s.sinh() / s
@@ -29,12 +29,12 @@ impl FarKernel {
     }
 
     /// The radius beyond which it is `1/r`.
-    pub fn radius(&self) -> f64 {
+    pub(crate) fn radius(&self) -> f64 {
         self.radius
     }
 
     /// The step from zero at `t = 0` to one at `t = 1`.
-    pub fn step(&self, t: f64) -> f64 {
+    pub(crate) fn step(&self, t: f64) -> f64 {
         if t >= 1.0 {
             return 1.0;
         }
@@ -46,7 +46,7 @@ impl FarKernel {
     }
 
     /// The value at a distance.
-    pub fn at(&self, r: f64) -> f64 {
+    pub(crate) fn at(&self, r: f64) -> f64 {
         if r > 0.0 {
             return self.step(r / self.radius) / r;
         }

@@ -49,10 +49,10 @@ pub(super) struct EwaldTables {
 
 impl EwaldTables {
     /// Whether there are any. The grids of a browser are too small, and the compiler leaves out all else there: a fiftieth of the module.
-    pub const ARE_MADE: bool = !cfg!(target_arch = "wasm32");
+    pub(crate) const ARE_MADE: bool = !cfg!(target_arch = "wasm32");
 
     /// The tables of a half-space over a grid; none where the padded convolution is as fast, or the only one.
-    pub fn new(grid: &Grid, solid: &dyn ElasticSolid) -> Option<Self> {
+    pub(crate) fn new(grid: &Grid, solid: &dyn ElasticSolid) -> Option<Self> {
         let is_free = !grid.is_line() && grid.periodic() == [false; 2];
         if !Self::ARE_MADE || !is_free || !solid.is_half_space() {
             return None;
@@ -64,25 +64,25 @@ impl EwaldTables {
     }
 
     /// The table for fields of a precision.
-    pub fn at_precision<T: Real>(&self) -> &EwaldTable {
+    pub(crate) fn at_precision<T: Real>(&self) -> &EwaldTable {
         let (table, fineness) = if T::EPSILON > f64::EPSILON { (&self.single, SINGLE) } else { (&self.double, DOUBLE) };
         table.get_or_init(|| EwaldTable::new(&self.grid, self.modulus, fineness))
     }
 
     /// Stiffness of a uniform pressure on the grid that a padded convolution has, the softest of all fields there.
-    pub fn softest(&self) -> f64 {
+    pub(crate) fn softest(&self) -> f64 {
         let (padded, [dy, dx]) = (padded(&self.grid).expect("checked when it was made"), self.grid.spacing());
         // the elements between both middles of the padded grid make one rectangle
         element::rectangle([0.5 * dy, 0.5 * dx], padded.size(), self.modulus).recip()
     }
 
     /// Points of both grids of the convolution in double precision.
-    pub fn points(&self) -> usize {
+    pub(crate) fn points(&self) -> usize {
         self.shape().points()
     }
 
     /// Fields of doubles of the convolution and its table in double precision.
-    pub fn fields(&self) -> f64 {
+    pub(crate) fn fields(&self) -> f64 {
         self.shape().values() as f64 / self.grid.len() as f64
     }
 

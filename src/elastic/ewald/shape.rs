@@ -35,7 +35,7 @@ pub(in crate::elastic) struct EwaldShape {
 
 impl EwaldShape {
     /// The grids of the parts of a grid; none if they have too many points.
-    pub fn new(grid: &Grid, Fineness { sharpness, width }: Fineness) -> Option<Self> {
+    pub(crate) fn new(grid: &Grid, Fineness { sharpness, width }: Fineness) -> Option<Self> {
         let (nodes, spacing, window) = (grid.shape(), grid.spacing(), CoarseWindow::new(width));
         // the shortest wave of the far part is four coarse spacings long
         let coarse = spacing.map(|d| SIDE as f64 * d);
@@ -64,17 +64,17 @@ impl EwaldShape {
     }
 
     /// Points of both grids.
-    pub fn points(&self) -> usize {
+    pub(crate) fn points(&self) -> usize {
         self.near.len() + self.far.len()
     }
 
     /// The shape of the far field.
-    pub fn coarse(&self) -> [usize; 2] {
+    pub(crate) fn coarse(&self) -> [usize; 2] {
         self.nodes.map(|nodes| self.window.coarse(nodes))
     }
 
     /// Values of the tables, of half spectra, and of fields that are spread.
-    pub fn values(&self) -> usize {
+    pub(crate) fn values(&self) -> usize {
         let [rows, width] = self.coarse();
         let tables = self.points() / 4;
         let spectra = self.nodes[0] * self.near.shape()[1] + rows * self.far.shape()[1];

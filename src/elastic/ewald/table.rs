@@ -21,29 +21,29 @@ pub(in crate::elastic) struct EwaldTable {
 }
 
 impl EwaldTable {
-    pub fn new(grid: &Grid, modulus: f64, fineness: Fineness) -> Self {
+    pub(crate) fn new(grid: &Grid, modulus: f64, fineness: Fineness) -> Self {
         let shape = EwaldShape::new(grid, fineness).expect("checked when the tables were made");
         let kernel = FarKernel::new(shape.radius, shape.sharpness);
         let (near, far) = (near(&shape, &kernel, modulus), far(&shape, &kernel, modulus));
         Self { shape, near, far }
     }
 
-    pub fn window(&self) -> CoarseWindow {
+    pub(crate) fn window(&self) -> CoarseWindow {
         self.shape.window
     }
 
     /// The shape of the far field.
-    pub fn coarse(&self) -> [usize; 2] {
+    pub(crate) fn coarse(&self) -> [usize; 2] {
         self.shape.coarse()
     }
 
     /// The grid of the near part and its weights.
-    pub fn near(&self) -> (&Grid, &[f64]) {
+    pub(crate) fn near(&self) -> (&Grid, &[f64]) {
         (&self.shape.near, &self.near)
     }
 
     /// The grid of the far part and its weights.
-    pub fn far(&self) -> (&Grid, &[f64]) {
+    pub(crate) fn far(&self) -> (&Grid, &[f64]) {
         (&self.shape.far, &self.far)
     }
 }

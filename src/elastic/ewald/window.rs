@@ -24,7 +24,7 @@ pub(in crate::elastic) struct CoarseWindow {
 }
 
 impl CoarseWindow {
-    pub fn new(width: usize) -> Self {
+    pub(crate) fn new(width: usize) -> Self {
         Self { width }
     }
 
@@ -33,13 +33,13 @@ impl CoarseWindow {
     }
 
     /// Coarse nodes that a row of nodes is spread over.
-    pub fn coarse(self, nodes: usize) -> usize {
+    pub(crate) fn coarse(self, nodes: usize) -> usize {
         (nodes - 1) / SIDE + self.width
     }
 
     /// The weights of the coarse nodes `0..width` of a cell at each of its nodes: the node `i` of a cell lies `i / SIDE` spacings behind
     /// the coarse node `width / 2 - 1`.
-    pub fn weights<T: Real>(self) -> Vec<[T; SIDE]> {
+    pub(crate) fn weights<T: Real>(self) -> Vec<[T; SIDE]> {
         let half = 0.5 * self.width as f64;
         let value = |z: f64| (self.beta() * ((1.0 - z * z).max(0.0).sqrt() - 1.0)).exp();
         let at = |coarse: usize, node: usize| (coarse as f64 - (half - 1.0) - node as f64 / SIDE as f64) / half;
@@ -47,7 +47,7 @@ impl CoarseWindow {
     }
 
     /// The transform `int f exp(-i k x) dx` at a wavenumber `k` per coarse spacing, by the substitution `z = sin(angle)`.
-    pub fn transform(self, k: f64) -> f64 {
+    pub(crate) fn transform(self, k: f64) -> f64 {
         let (half, step) = (0.5 * self.width as f64, PI / POINTS as f64);
         let term = |i: usize| {
             let (sine, cosine) = ((i as f64 + 0.5) * step - 0.5 * PI).sin_cos();
