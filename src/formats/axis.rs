@@ -16,7 +16,7 @@ pub(super) struct CoordinateAxis {
 }
 
 impl CoordinateAxis {
-    pub fn new(axes: Node, name: &str) -> io::Result<Self> {
+    pub(crate) fn new(axes: Node, name: &str) -> io::Result<Self> {
         let axis = child(axes, name).ok_or_else(|| malformed(format!("it does not describe its axis {name}")))?;
         let kind = match find(axis, "AxisType") {
             Some("I") => None,
@@ -33,7 +33,7 @@ impl CoordinateAxis {
     }
 
     /// The coordinate of a stored number.
-    pub fn metres(&self, number: f64) -> f64 {
+    pub(crate) fn metres(&self, number: f64) -> f64 {
         self.offset + self.increment.unwrap_or(1.0) * number
     }
 }
@@ -63,7 +63,7 @@ impl CoordinateType {
     }
 
     /// Bytes of a number.
-    pub fn size(self) -> usize {
+    pub(crate) fn size(self) -> usize {
         match self {
             Self::Short => 2,
             Self::Long | Self::Float => 4,
@@ -72,7 +72,7 @@ impl CoordinateType {
     }
 
     /// The number in some bytes.
-    pub fn number(self, bytes: &[u8]) -> io::Result<f64> {
+    pub(crate) fn number(self, bytes: &[u8]) -> io::Result<f64> {
         let mut bytes = ByteReader::new(bytes);
         Ok(match self {
             Self::Short => bytes.i16()?.into(),

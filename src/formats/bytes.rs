@@ -14,18 +14,18 @@ pub(super) struct ByteReader<'a> {
 }
 
 impl<'a> ByteReader<'a> {
-    pub fn new(all: &'a [u8]) -> Self {
+    pub(crate) fn new(all: &'a [u8]) -> Self {
         Self { all, at: 0, is_big: false }
     }
 
     /// The same bytes, the first byte of a number the most significant one or not.
     #[cfg(feature = "microscopes")]
-    pub fn big_endian(self, is_big: bool) -> Self {
+    pub(crate) fn big_endian(self, is_big: bool) -> Self {
         Self { is_big, ..self }
     }
 
     /// The place of the next byte.
-    pub fn at(&self) -> usize {
+    pub(crate) fn at(&self) -> usize {
         self.at
     }
 
@@ -33,7 +33,7 @@ impl<'a> ByteReader<'a> {
     ///
     /// # Errors
     /// For a place beyond the end.
-    pub fn seek(mut self, at: usize) -> io::Result<Self> {
+    pub(crate) fn seek(mut self, at: usize) -> io::Result<Self> {
         if at > self.all.len() {
             return Err(malformed(format!(
                 "it refers to byte {at}, but has only {} bytes: it is incomplete",
@@ -45,7 +45,7 @@ impl<'a> ByteReader<'a> {
     }
 
     /// All bytes that are left.
-    pub fn rest(&self) -> &'a [u8] {
+    pub(crate) fn rest(&self) -> &'a [u8] {
         &self.all[self.at..]
     }
 
@@ -53,7 +53,7 @@ impl<'a> ByteReader<'a> {
     ///
     /// # Errors
     /// For fewer bytes than that.
-    pub fn take(&mut self, count: usize) -> io::Result<&'a [u8]> {
+    pub(crate) fn take(&mut self, count: usize) -> io::Result<&'a [u8]> {
         let cut = || malformed(format!("{count} bytes are missing at byte {}: it is incomplete", self.at));
         let taken = self.at.checked_add(count).and_then(|end| self.all.get(self.at..end)).ok_or_else(cut)?;
         self.at += count;
@@ -65,7 +65,7 @@ impl<'a> ByteReader<'a> {
     /// # Errors
     /// For fewer bytes than that.
     #[cfg(feature = "microscopes")]
-    pub fn part(&mut self, count: usize) -> io::Result<Self> {
+    pub(crate) fn part(&mut self, count: usize) -> io::Result<Self> {
         Ok(Self { all: self.take(count)?, at: 0, ..*self })
     }
 
@@ -80,7 +80,7 @@ impl<'a> ByteReader<'a> {
     ///
     /// # Errors
     /// For fewer bytes than that.
-    pub fn text(&mut self, count: usize) -> io::Result<String> {
+    pub(crate) fn text(&mut self, count: usize) -> io::Result<String> {
         let bytes = self.take(count)?;
         let text = bytes.split(|byte| *byte == 0).next().unwrap_or_default();
         Ok(latin(text).trim().to_owned())
@@ -97,7 +97,7 @@ macro_rules! numbers {
     ($($kind:ident)*) => {
         impl ByteReader<'_> {
             $(
-                pub fn $kind(&mut self) -> io::Result<$kind> {
+                pub(crate) fn $kind(&mut self) -> io::Result<$kind> {
                     let bytes = self.array()?;
                     Ok(if self.is_big { $kind::from_be_bytes(bytes) } else { $kind::from_le_bytes(bytes) })
                 }

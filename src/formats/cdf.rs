@@ -21,7 +21,7 @@ pub(super) struct File<'a> {
 }
 
 impl<'a> File<'a> {
-    pub fn new(bytes: &'a [u8]) -> io::Result<Self> {
+    pub(crate) fn new(bytes: &'a [u8]) -> io::Result<Self> {
         let version = bytes[3];
         let mut header =
             HeaderReader { at: ByteReader::new(bytes).seek(4)?, is_wide: version == 5, is_far: version > 1 };
@@ -37,12 +37,12 @@ impl<'a> File<'a> {
     }
 
     /// The names of a variable's dimensions.
-    pub fn names(&self, variable: &Variable) -> Vec<&str> {
+    pub(crate) fn names(&self, variable: &Variable) -> Vec<&str> {
         variable.dimensions.iter().map(|it| self.dimensions[*it as usize].0.as_str()).collect()
     }
 
     /// The lengths of a variable's dimensions, and its bytes.
-    pub fn data(&self, variable: &Variable) -> io::Result<([usize; 2], &'a [u8])> {
+    pub(crate) fn data(&self, variable: &Variable) -> io::Result<([usize; 2], &'a [u8])> {
         let lengths = variable.dimensions.iter().map(|it| self.dimensions[*it as usize].1);
         let lengths: Vec<i64> = lengths.map(|it| i64::try_from(it).unwrap_or(i64::MAX)).collect();
         if lengths.contains(&0) {
@@ -182,7 +182,7 @@ impl ValueType {
     }
 
     /// The value at a place.
-    pub fn at(self, bytes: &[u8], place: usize) -> f64 {
+    pub(crate) fn at(self, bytes: &[u8], place: usize) -> f64 {
         self.number(&bytes[place * self.size()..][..self.size()])
     }
 
@@ -222,7 +222,7 @@ impl Variable {
         self.attributes.iter().find(|it| it.name == name)
     }
 
-    pub fn number(&self, name: &str) -> Option<f64> {
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
         self.attribute(name)?.number
     }
 
@@ -232,7 +232,7 @@ impl Variable {
     }
 
     /// Its value at a place of its bytes, none where it is void.
-    pub fn values(&self) -> impl Fn(&[u8], usize) -> Option<f64> + use<> {
+    pub(crate) fn values(&self) -> impl Fn(&[u8], usize) -> Option<f64> + use<> {
         let void = ["_FillValue", "missing_value"].map(|name| self.number(name));
         let [scale, offset] = [self.number("scale_factor").unwrap_or(1.0), self.number("add_offset").unwrap_or(0.0)];
         let kind = self.kind;
@@ -245,7 +245,7 @@ impl Variable {
     }
 
     /// Its unit, empty if it has none.
-    pub fn unit(&self) -> &str {
+    pub(crate) fn unit(&self) -> &str {
         self.attribute("unit").or_else(|| self.attribute("units")).map_or("", |it| it.text.as_str())
     }
 }

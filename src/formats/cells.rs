@@ -24,7 +24,7 @@ pub(super) enum TextCell<'a> {
 
 impl<'a> TextCell<'a> {
     /// The word in a cell that holds neither a number nor nothing.
-    pub fn word(&self) -> Option<&'a str> {
+    pub(crate) fn word(&self) -> Option<&'a str> {
         match self {
             Self::Word(word) => Some(word),
             _ => None,
@@ -33,23 +33,23 @@ impl<'a> TextCell<'a> {
 }
 
 impl Comma {
-    pub const KINDS: [Self; 2] = [Self::Parts, Self::Decimal];
+    pub(crate) const KINDS: [Self; 2] = [Self::Parts, Self::Decimal];
 
     /// Whether a line holds numbers and blank cells and nothing else, and at least one number.
-    pub fn reads(self, line: &str) -> bool {
+    pub(crate) fn reads(self, line: &str) -> bool {
         let cells = self.cells(line);
         let has_number = cells.iter().any(|cell| matches!(cell, TextCell::Number(_)));
         has_number && !cells.iter().any(|cell| matches!(cell, TextCell::Word(_)))
     }
 
     /// The cells of a line.
-    pub fn cells(self, line: &str) -> Vec<TextCell<'_>> {
+    pub(crate) fn cells(self, line: &str) -> Vec<TextCell<'_>> {
         self.words(line).into_iter().map(|word| self.cell(word)).collect()
     }
 
     /// The words of a line without quotes, empty ones where nothing stands between two separators. Semicolons, commas or tabs part them, the
     /// first of these that the line has; and white space does, which leaves no cell empty.
-    pub fn words(self, line: &str) -> Vec<&str> {
+    pub(crate) fn words(self, line: &str) -> Vec<&str> {
         // a comma inside of a word parts numbers only where no white space does so
         let is_one = self == Self::Parts && !has_gap(line.trim());
         let parts = |at: usize| is_one || is_beside_gap(line, at);

@@ -40,7 +40,11 @@ pub(super) struct Channel<'a> {
 
 impl<'a> Channel<'a> {
     /// A channel of heights on a map, without units, distances and header.
-    pub fn map(name: impl Into<String>, shape: [usize; 2], values: impl FnOnce() -> io::Result<Vec<f64>> + 'a) -> Self {
+    pub(crate) fn map(
+        name: impl Into<String>,
+        shape: [usize; 2],
+        values: impl FnOnce() -> io::Result<Vec<f64>> + 'a,
+    ) -> Self {
         let (is_height, is_profile, values) = (true, false, Box::new(values));
         let (fault, spacing, positions, lateral_unit, unit, header, doubts) = Default::default();
         let name = name.into();
@@ -61,7 +65,7 @@ impl<'a> Channel<'a> {
     }
 
     /// The channel of a name, or one with a fault where it cannot be read: the other channels of the file can be read all the same.
-    pub fn or_unreadable(name: impl Into<String>, found: io::Result<Self>) -> Self {
+    pub(crate) fn or_unreadable(name: impl Into<String>, found: io::Result<Self>) -> Self {
         found.unwrap_or_else(|error| Self {
             is_height: false,
             fault: Some(error.to_string()),
@@ -71,7 +75,7 @@ impl<'a> Channel<'a> {
 
     /// The channel with the spacing of its rows and of its columns, each in a unit of so many metres, or without any.
     #[cfg(feature = "microscopes")]
-    pub fn spaced(self, spacing: [f64; 2], units: [Option<f64>; 2]) -> Self {
+    pub(crate) fn spaced(self, spacing: [f64; 2], units: [Option<f64>; 2]) -> Self {
         let (spacing, lateral_unit) = match (units, spacing) {
             ([Some(along), Some(across)], [y, x]) => ([y * along, x * across], Some(1.0)),
             _ => (spacing, None),

@@ -111,7 +111,7 @@ impl HeightColumns {
     ///
     /// # Errors
     /// Where the first of three columns may count the points or be their positions.
-    pub fn new(table: TextTable, remarks: &Remarks) -> io::Result<Self> {
+    pub(crate) fn new(table: TextTable, remarks: &Remarks) -> io::Result<Self> {
         let mut columns = Self { table, units: remarks.column_units.clone(), names: remarks.column_names.clone() };
         columns.remove_blank();
         let is_validity = |name: &String| VALIDITY.contains(&plain(name).as_str());
@@ -156,7 +156,7 @@ impl HeightColumns {
     }
 
     /// Which columns are positions and heights by their names, if these say so.
-    pub fn named(&self) -> Option<NamedColumns> {
+    pub(crate) fn named(&self) -> Option<NamedColumns> {
         let roles: Vec<ColumnRole> = self.names.iter().map(|name| ColumnRole::new(name)).collect();
         let places = |role: ColumnRole| roles.iter().enumerate().filter(move |it| *it.1 == role).map(|it| it.0);
         let (mut x, mut y) = (places(ColumnRole::X), places(ColumnRole::Y));

@@ -24,7 +24,7 @@ impl AxisCoordinates {
     ///
     /// # Errors
     /// For a length that is not positive.
-    pub fn new(name: &str, positions: Vec<f64>, unit: Option<f64>, length: Option<f64>) -> io::Result<Self> {
+    pub(crate) fn new(name: &str, positions: Vec<f64>, unit: Option<f64>, length: Option<f64>) -> io::Result<Self> {
         if let Some(length) = length {
             if length.is_nan() || length <= 0.0 {
                 return Err(malformed(format!("its {name:?} has the length {length:?}")));
@@ -66,7 +66,7 @@ impl GridAxes {
     ///
     /// # Errors
     /// For a map whose coordinates are not evenly spaced.
-    pub fn new([slow, fast]: [AxisCoordinates; 2], is_profile: bool, is_turned: bool) -> io::Result<Self> {
+    pub(crate) fn new([slow, fast]: [AxisCoordinates; 2], is_profile: bool, is_turned: bool) -> io::Result<Self> {
         let [y, x] = if is_turned { [fast, slow] } else { [slow, fast] };
         if !is_profile && (x.uneven.is_some() || y.uneven.is_some()) {
             return Err(malformed("its map has coordinates that are not evenly spaced"));
@@ -75,12 +75,12 @@ impl GridAxes {
     }
 
     /// Rows and columns of a map, from the numbers of points along the slow and the fast axis of its array.
-    pub fn shape(&self, [slow, fast]: [usize; 2]) -> [usize; 2] {
+    pub(crate) fn shape(&self, [slow, fast]: [usize; 2]) -> [usize; 2] {
         if self.is_turned { [fast, slow] } else { [slow, fast] }
     }
 
     /// The places of the values in the file, row by row, so that coordinates rise along both axes.
-    pub fn places(&self, in_file: [usize; 2]) -> impl Iterator<Item = usize> + use<> {
+    pub(crate) fn places(&self, in_file: [usize; 2]) -> impl Iterator<Item = usize> + use<> {
         let ([ny, nx], is_turned, is_back) =
             (self.shape(in_file), self.is_turned, [self.y.is_back(), self.x.is_back()]);
         (0..ny * nx).map(move |i| {
@@ -91,12 +91,12 @@ impl GridAxes {
     }
 
     /// Metres in the unit of distances.
-    pub fn unit(&self) -> Option<f64> {
+    pub(crate) fn unit(&self) -> Option<f64> {
         if self.is_profile { self.x.unit } else { lateral(self.y.unit, self.x.unit) }
     }
 
     /// The channel with these distances.
-    pub fn spaced<'a>(self, channel: Channel<'a>) -> Channel<'a> {
+    pub(crate) fn spaced<'a>(self, channel: Channel<'a>) -> Channel<'a> {
         let (lateral_unit, Self { y, x, is_profile, .. }) = (self.unit(), self);
         let across = if is_profile { x.step } else { y.step.map(|it| it * ratio(y.unit, x.unit)) };
         Channel {

@@ -17,28 +17,28 @@ pub(super) struct Entries {
 
 impl Entries {
     /// The lines of a text with a separator in them.
-    pub fn from_lines<'a>(lines: impl Iterator<Item = &'a str>, separator: char) -> Self {
+    pub(crate) fn from_lines<'a>(lines: impl Iterator<Item = &'a str>, separator: char) -> Self {
         let pairs = lines.filter_map(|line| line.split_once(separator));
         Self { all: pairs.map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned())).collect() }
     }
 
     /// Adds a name and its value.
-    pub fn push(&mut self, name: &str, value: &str) {
+    pub(crate) fn push(&mut self, name: &str, value: &str) {
         self.all.push((name.trim().to_owned(), value.trim().to_owned()));
     }
 
     /// Adds all names and values of others.
-    pub fn extend(&mut self, others: Self) {
+    pub(crate) fn extend(&mut self, others: Self) {
         self.all.extend(others.all);
     }
 
     /// All names and values.
-    pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.all.iter().map(|(name, value)| (name.as_str(), value.as_str()))
     }
 
     /// The value of a name.
-    pub fn find(&self, name: &str) -> Option<&str> {
+    pub(crate) fn find(&self, name: &str) -> Option<&str> {
         self.iter().find(|it| it.0.eq_ignore_ascii_case(name)).map(|it| it.1)
     }
 
@@ -46,7 +46,7 @@ impl Entries {
     ///
     /// # Errors
     /// If there is none.
-    pub fn need(&self, name: &str) -> io::Result<&str> {
+    pub(crate) fn need(&self, name: &str) -> io::Result<&str> {
         self.find(name).ok_or_else(|| malformed(format!("its header has no {name}")))
     }
 
@@ -54,14 +54,14 @@ impl Entries {
     ///
     /// # Errors
     /// If it is none, or if there is no such value.
-    pub fn number<T: FromStr>(&self, name: &str) -> io::Result<T> {
+    pub(crate) fn number<T: FromStr>(&self, name: &str) -> io::Result<T> {
         let value = self.need(name)?;
         let number = value.split_whitespace().next().and_then(|word| word.parse().ok());
         number.ok_or_else(|| malformed(format!("its header has the invalid value {name} = {value:?}")))
     }
 
     /// What a channel carries of it: all values that are neither empty nor very long, up to a number of them.
-    pub fn header(&self) -> Vec<(String, String)> {
+    pub(crate) fn header(&self) -> Vec<(String, String)> {
         let said = self.all.iter().filter(|it| !it.1.is_empty() && it.1.len() <= LONGEST);
         said.take(VALUES).cloned().collect()
     }

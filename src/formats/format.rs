@@ -5,12 +5,12 @@ use std::io::{self, Read, Seek};
 use std::ops::RangeInclusive;
 
 /// What a file is read from: one on disk, or its bytes in memory.
-pub trait ReadSeek: Read + Seek {}
+pub(crate) trait ReadSeek: Read + Seek {}
 
 impl<T: Read + Seek> ReadSeek for T {}
 
 /// The array that is wanted of a file.
-pub struct ArrayRequest<'a> {
+pub(crate) struct ArrayRequest<'a> {
     /// What it holds, and its name in an archive.
     pub name: &'a str,
     /// The ranks that it may have.
@@ -18,7 +18,7 @@ pub struct ArrayRequest<'a> {
 }
 
 /// A format of files of arrays. Errors of the kind [`io::ErrorKind::InvalidData`] say what is wrong with a file.
-pub struct Format {
+pub(crate) struct Format {
     /// Whether a file is of this format.
     pub is_it: fn(&mut dyn ReadSeek) -> bool,
     /// The shape of the array. It is not read if a header states the shape.
@@ -28,9 +28,9 @@ pub struct Format {
 }
 
 /// The fault of a file without a single byte.
-pub const EMPTY: &str = "it is empty";
+pub(crate) const EMPTY: &str = "it is empty";
 
 /// An error that describes the fault of a file.
-pub fn malformed(reason: impl Into<String>) -> io::Error {
+pub(crate) fn malformed(reason: impl Into<String>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, reason.into())
 }

@@ -44,7 +44,7 @@ pub(super) struct HdfFile {
 impl HdfFile {
     /// # Errors
     /// For a file that is damaged at its start.
-    pub fn new(bytes: &[u8]) -> io::Result<Self> {
+    pub(crate) fn new(bytes: &[u8]) -> io::Result<Self> {
         // Nothing can unpack to more than this, except for points that were never written.
         let largest = bytes.len().saturating_mul(LARGEST_RATIO);
         let options = OpenOptions::default()
@@ -66,7 +66,7 @@ impl HdfFile {
     ///
     /// # Errors
     /// For groups in too many groups, and for too many links.
-    pub fn datasets(&self) -> io::Result<Vec<(String, io::Result<Dataset>)>> {
+    pub(crate) fn datasets(&self) -> io::Result<Vec<(String, io::Result<Dataset>)>> {
         let root = self.file.root_group().map_err(damaged)?;
         let (mut known, mut links) = (vec![root.address()], 0);
         let (mut groups, mut found) = (vec![(String::new(), 0, root)], Vec::new());
@@ -145,7 +145,7 @@ impl HdfFile {
     ///
     /// # Errors
     /// For a dataset that is damaged, and for one that is too long.
-    pub fn records(dataset: &Dataset) -> io::Result<Vec<AttributeValue>> {
+    pub(crate) fn records(dataset: &Dataset) -> io::Result<Vec<AttributeValue>> {
         let length = dataset.raw_byte_len().map_err(damaged)?;
         if length > MOST_RECORD_BYTES {
             return Err(malformed(format!(
@@ -161,7 +161,7 @@ impl HdfFile {
     ///
     /// # Errors
     /// For more points than the file can hold or memory has room for, and for numbers of an unusual kind.
-    pub fn array(&self, path: &str, dataset: Dataset) -> io::Result<Option<NumberArray>> {
+    pub(crate) fn array(&self, path: &str, dataset: Dataset) -> io::Result<Option<NumberArray>> {
         let is_number = matches!(dataset.dtype(), Datatype::FixedPoint { .. } | Datatype::FloatingPoint { .. });
         // Axes of one point are no axes of a map: NetCDF and NeXus write a map as one of a series in time.
         let axes: Vec<usize> = (0..dataset.ndim()).filter(|axis| dataset.shape()[*axis] != 1).collect();
@@ -295,7 +295,7 @@ impl AttributeValue {
     }
 
     /// Its first text, empty if it has none.
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         self.texts.first().map_or("", String::as_str)
     }
 
@@ -370,50 +370,50 @@ pub(super) struct NumberArray {
 }
 
 impl NumberArray {
-    pub fn is_profile(&self) -> bool {
+    pub(crate) fn is_profile(&self) -> bool {
         self.axes.len() == 1
     }
 
     /// Its place in the file, by which others refer to it.
-    pub fn address(&self) -> u64 {
+    pub(crate) fn address(&self) -> u64 {
         self.dataset.address()
     }
 
     /// The addresses of the coordinates along its axes of more than one point, the slow one first; none if it does not state them all.
-    pub fn coordinates(&self) -> Option<Vec<u64>> {
+    pub(crate) fn coordinates(&self) -> Option<Vec<u64>> {
         let scales = &self.attribute("DIMENSION_LIST")?.references;
         // With several scales for an axis, the list does not say where those of the next one begin once it is flat.
         (scales.len() == self.dataset.ndim()).then(|| self.axes.iter().map(|axis| scales[*axis]).collect())
     }
 
     /// The value of an attribute.
-    pub fn attribute(&self, name: &str) -> Option<&AttributeValue> {
+    pub(crate) fn attribute(&self, name: &str) -> Option<&AttributeValue> {
         self.attributes.iter().find(|it| it.name == name).map(|it| &it.value)
     }
 
     /// The last part of its path.
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         self.path.rsplit('/').next().unwrap_or_default()
     }
 
     /// The first text of an attribute, empty if it has none.
-    pub fn text(&self, name: &str) -> &str {
+    pub(crate) fn text(&self, name: &str) -> &str {
         self.attribute(name).map_or("", AttributeValue::text)
     }
 
     /// The first number of an attribute.
-    pub fn number(&self, name: &str) -> Option<f64> {
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
         self.attribute(name)?.numbers.first().copied()
     }
 
     /// The attributes that can be shown: names and values.
-    pub fn header(&self) -> Vec<(String, String)> {
+    pub(crate) fn header(&self) -> Vec<(String, String)> {
         let shown = self.attributes.iter().map(|it| (it.name.clone(), it.value.words()));
         shown.filter(|(_, words)| !words.is_empty()).collect()
     }
 
     /// A function that reads the numbers row by row, NaN where a number is equal to `void` or to the value of an attribute of the names `voids`.
-    pub fn values(&self, voids: &[&str], void: Option<f64>) -> impl FnOnce() -> io::Result<Vec<f64>> + use<> {
+    pub(crate) fn values(&self, voids: &[&str], void: Option<f64>) -> impl FnOnce() -> io::Result<Vec<f64>> + use<> {
         let (dataset, NumberKind { number, is_big }) = (self.dataset.clone(), self.kind);
         let length = self.shape[0] * self.shape[1] * number.size();
         // The mark of a void may be a double where the points are single.

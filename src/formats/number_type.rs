@@ -20,7 +20,7 @@ pub(super) enum NumberType {
 
 impl NumberType {
     /// Bytes of a number.
-    pub fn size(self) -> usize {
+    pub(crate) fn size(self) -> usize {
         match self {
             Self::U8 | Self::I8 => 1,
             Self::U16 | Self::I16 => 2,
@@ -30,7 +30,7 @@ impl NumberType {
     }
 
     /// The next number.
-    pub fn read(self, at: &mut ByteReader) -> io::Result<f64> {
+    pub(crate) fn read(self, at: &mut ByteReader) -> io::Result<f64> {
         Ok(match self {
             Self::U8 => at.u8()?.into(),
             Self::I8 => at.i8()?.into(),

@@ -39,7 +39,7 @@ impl Map {
     ///
     /// # Errors
     /// If they are not evenly spaced, or two have one place.
-    pub fn new(table: &TextTable, [x, y]: [usize; 2]) -> Result<Self, NoMap> {
+    pub(crate) fn new(table: &TextTable, [x, y]: [usize; 2]) -> Result<Self, NoMap> {
         let axis = |column: usize| EvenPositions::new(table.column(column).collect()).ok_or(NoMap::Uneven);
         let [x_axis, y_axis] = [axis(x)?, axis(y)?];
         let shape = [y_axis.points, x_axis.points];
@@ -62,7 +62,7 @@ impl Map {
     }
 
     /// The numbers of a column row by row, NaN where no point was given.
-    pub fn values(&self, table: &TextTable, column: usize) -> Vec<f64> {
+    pub(crate) fn values(&self, table: &TextTable, column: usize) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.shape[0] * self.shape[1]];
         for (place, value) in self.places.iter().zip(table.column(column)) {
             values[*place] = value;

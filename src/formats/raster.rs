@@ -18,19 +18,19 @@ impl<'a> ChannelRaster<'a> {
     ///
     /// # Errors
     /// For counts that are not positive, and for more points than bytes.
-    pub fn new(at: &mut ByteReader<'a>, kind: NumberType, [rows, columns]: [i64; 2]) -> io::Result<Self> {
+    pub(crate) fn new(at: &mut ByteReader<'a>, kind: NumberType, [rows, columns]: [i64; 2]) -> io::Result<Self> {
         let shape = nodes(rows, columns, kind.size(), at.rest().len())?;
         Ok(Self { shape, kind, points: at.part(shape[0] * shape[1] * kind.size())? })
     }
 
     /// All numbers in the order of the file.
-    pub fn numbers(self) -> io::Result<Vec<f64>> {
+    pub(crate) fn numbers(self) -> io::Result<Vec<f64>> {
         let mut at = self.points;
         (0..self.shape[0] * self.shape[1]).map(|_| self.kind.read(&mut at)).collect()
     }
 
     /// All numbers of a map whose last row stands first in the file.
-    pub fn numbers_from_below(self) -> io::Result<Vec<f64>> {
+    pub(crate) fn numbers_from_below(self) -> io::Result<Vec<f64>> {
         Ok(from_below(&self.numbers()?, self.shape[1]))
     }
 }

@@ -128,7 +128,7 @@ pub(super) struct Pixel {
 
 impl Remarks {
     /// What a head says of a table with so many columns.
-    pub fn new(head: &[String], columns: usize) -> Self {
+    pub(crate) fn new(head: &[String], columns: usize) -> Self {
         let said = NamedValues::new(said(head));
         let size = said.lengths(&SIZE).and_then(|(lengths, unit)| Some((lengths, unit?)));
         let of_size = |axis: usize| size.as_ref().and_then(|(lengths, unit)| Some(lengths.get(axis)? * unit));
@@ -152,7 +152,7 @@ impl Remarks {
     }
 
     /// Rows and columns that the head says, if so many heights fit them.
-    pub fn fitting_shape(&self, count: usize) -> Option<[usize; 2]> {
+    pub(crate) fn fitting_shape(&self, count: usize) -> Option<[usize; 2]> {
         match self.shape {
             [Some(rows), Some(columns)] if rows > 1 && rows.checked_mul(columns) == Some(count) => {
                 Some([rows, columns])

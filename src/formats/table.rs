@@ -50,7 +50,7 @@ impl TextTable {
     ///
     /// # Errors
     /// For a text without numbers, for rows that are not equally long, and where a comma may be a decimal one or part two numbers.
-    pub fn from_text(text: &str) -> io::Result<Self> {
+    pub(crate) fn from_text(text: &str) -> io::Result<Self> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         // tabs at the ends of a line part cells that may be empty
         let all = || text.lines().map(|line| line.trim_matches([' ', '\r', '\u{a0}'])).enumerate();
@@ -156,7 +156,7 @@ impl TextTable {
     }
 
     /// Removes a column.
-    pub fn remove(&mut self, column: usize) {
+    pub(crate) fn remove(&mut self, column: usize) {
         let columns = self.columns;
         let mut place = 0;
         self.values.retain(|_| {
@@ -168,17 +168,17 @@ impl TextTable {
     }
 
     /// Rows and columns.
-    pub fn shape(&self) -> [usize; 2] {
+    pub(crate) fn shape(&self) -> [usize; 2] {
         [self.values.len() / self.columns, self.columns]
     }
 
     /// Whether all numbers of a column are the same.
-    pub fn is_constant(&self, column: usize) -> bool {
+    pub(crate) fn is_constant(&self, column: usize) -> bool {
         self.column(column).all(|number| number == self.values[column])
     }
 
     /// The numbers of a column.
-    pub fn column(&self, column: usize) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn column(&self, column: usize) -> impl Iterator<Item = f64> + '_ {
         self.values.iter().copied().skip(column).step_by(self.columns)
     }
 }

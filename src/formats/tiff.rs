@@ -82,7 +82,7 @@ impl<'a> TiffPage<'a> {
     }
 
     /// The text of a tag, as far as [`TAG_TEXT`] goes.
-    pub fn text(&self, number: u16) -> Option<String> {
+    pub(crate) fn text(&self, number: u16) -> Option<String> {
         let mut values = self.tag(number)?.values;
         values.text(values.rest().len().min(TAG_TEXT)).ok()
     }
@@ -107,7 +107,7 @@ impl<'a> TiffPage<'a> {
     }
 
     /// The first number of a tag.
-    pub fn number(&self, number: u16) -> Option<f64> {
+    pub(crate) fn number(&self, number: u16) -> Option<f64> {
         self.numbers(number).next()
     }
 
@@ -115,7 +115,7 @@ impl<'a> TiffPage<'a> {
     ///
     /// # Errors
     /// For an image that is compressed, has colours or other numbers than those of [`NumberType`], or fewer bytes than points.
-    pub fn image(&self) -> io::Result<TiffImage<'a>> {
+    pub(crate) fn image(&self) -> io::Result<TiffImage<'a>> {
         let value = |number: u16, default: f64| self.number(number).unwrap_or(default) as i64;
         if value(COMPRESSION, 1.0) != 1 || value(SAMPLES, 1.0) != 1 {
             return Err(malformed("its images are compressed or have colours: save them without"));
@@ -154,7 +154,7 @@ pub(super) struct TiffImage<'a> {
 
 impl TiffImage<'_> {
     /// All numbers row by row.
-    pub fn numbers(self) -> io::Result<Vec<f64>> {
+    pub(crate) fn numbers(self) -> io::Result<Vec<f64>> {
         let Self { shape, kind, strips } = self;
         let read = |mut strip: ByteReader| {
             (0..strip.rest().len() / kind.size()).map(|_| kind.read(&mut strip)).collect::<io::Result<Vec<_>>>()

@@ -98,13 +98,13 @@ impl EnergyBalance {
 
 impl AdhesionLedger {
     /// Adds a step on a branch, which loses nothing: what the integral misses is its error.
-    pub fn add_smooth(&mut self, step: &EnergyBalance) {
+    pub(crate) fn add_smooth(&mut self, step: &EnergyBalance) {
         self.work += step.rise + step.uniform_rise;
         self.missed += if step.is_convex { 0.0 } else { step.lost };
     }
 
     /// Adds a step that jumps.
-    pub fn add_jump(&mut self, step: &EnergyBalance) {
+    pub(crate) fn add_jump(&mut self, step: &EnergyBalance) {
         if step.lost.is_finite() {
             self.lost += step.lost;
             self.work += step.rise + step.uniform_rise + step.lost;
@@ -113,34 +113,34 @@ impl AdhesionLedger {
     }
 
     /// The ledger at a place.
-    pub fn at(self, place: &AdhesivePlace) -> Self {
+    pub(crate) fn at(self, place: &AdhesivePlace) -> Self {
         // a place without a state ends what holds, and its load is not carried
         let lowest = place.state().map_or(self.lowest, |state| self.lowest.min(state.mean_pressure));
         Self { is_open: self.is_open || matches!(place, AdhesivePlace::Apart), lowest, ..self }
     }
 
     /// The lowest mean pressure so far; none if there was no state yet.
-    pub fn lowest(&self) -> Option<f64> {
+    pub(crate) fn lowest(&self) -> Option<f64> {
         Some(self.lowest).filter(|lowest| lowest.is_finite())
     }
 
     /// The energy lost so far, of jumps that are shown and of smaller ones, as far as it is known.
-    pub fn counted(&self) -> f64 {
+    pub(crate) fn counted(&self) -> f64 {
         self.lost
     }
 
     /// The energy lost; none where the surfaces have been apart under a load.
-    pub fn lost(&self) -> Option<f64> {
+    pub(crate) fn lost(&self) -> Option<f64> {
         self.known(self.lost)
     }
 
     /// The work of the load; none where the surfaces have been apart under it.
-    pub fn work(&self) -> Option<f64> {
+    pub(crate) fn work(&self) -> Option<f64> {
         self.known(self.work)
     }
 
     /// The estimated error of the energy lost.
-    pub fn error(&self) -> Option<f64> {
+    pub(crate) fn error(&self) -> Option<f64> {
         self.known(self.spread + self.missed.abs())
     }
 
@@ -151,7 +151,7 @@ impl AdhesionLedger {
 
 impl AdhesiveStep {
     /// The step after which the surfaces are still apart.
-    pub fn apart() -> Self {
+    pub(crate) fn apart() -> Self {
         Self { place: AdhesivePlace::Apart, frames: Vec::new(), work: Work::default() }
     }
 }
@@ -171,34 +171,34 @@ impl From<AdhesiveOutcome> for AdhesiveStep {
 
 impl AdhesiveVisit {
     /// A place at which no jump ends, without a step before it.
-    pub fn first(place: AdhesivePlace, control: AdhesiveControl, work: Work) -> Self {
+    pub(crate) fn first(place: AdhesivePlace, control: AdhesiveControl, work: Work) -> Self {
         let ledger = AdhesionLedger::default().at(&place);
         Self { place, control, ledger, jump: None, work, branch: Branch::default() }
     }
 
     /// This visit under another control. A control of another kind (a gap instead of a pressure) forgets the way to the place, since lengths along a branch
     /// are those of its control.
-    pub fn under(self, control: AdhesiveControl) -> Self {
+    pub(crate) fn under(self, control: AdhesiveControl) -> Self {
         let is_same = std::mem::discriminant(&self.control) == std::mem::discriminant(&control);
         let branch = if is_same { self.branch } else { Branch::default() };
         Self { control, branch, ..self }
     }
 
     /// The visit without its work, as the beginning of the next step.
-    pub fn kept(&self) -> Self {
+    pub(crate) fn kept(&self) -> Self {
         Self { place: self.place.clone(), work: Work::default(), branch: self.branch.clone(), ..*self }
     }
 }
 
 impl AdhesivePlace {
     /// The error of a state that misses equilibrium by more than the tolerance.
-    pub fn fault(&self) -> Option<AdhesionError> {
+    pub(crate) fn fault(&self) -> Option<AdhesionError> {
         let state = self.state().filter(|state| state.claim == ResultClaim::NotConverged)?;
         Some(AdhesionError::NotFound { steps: state.steps, residual: state.residual })
     }
 
     /// The state; none where the surfaces have parted.
-    pub fn state(&self) -> Option<&Arc<AdhesiveState>> {
+    pub(crate) fn state(&self) -> Option<&Arc<AdhesiveState>> {
         match self {
             Self::State(state) => Some(state),
             Self::Apart => None,
@@ -215,7 +215,7 @@ impl Branch {
     ///
     /// Here `W` is that of the parabola through the last two states and the new one: `P` over `d`, or, under a mean pressure, `d` over `P`.
     /// Without an earlier state on the branch it is that of the trapezoid.
-    pub fn balance(&self, from: &AdhesivePlace, to: &AdhesivePlace, attraction: &Attraction) -> EnergyBalance {
+    pub(crate) fn balance(&self, from: &AdhesivePlace, to: &AdhesivePlace, attraction: &Attraction) -> EnergyBalance {
         let (before, after) = match (from, to) {
             (AdhesivePlace::State(before), AdhesivePlace::State(after)) => (before, after),
             (AdhesivePlace::State(_), AdhesivePlace::Apart) => {
@@ -259,7 +259,7 @@ impl Branch {
 
     /// How far the conjugate quantity of a place beyond another one is from that of the other, or from the line through the last two states,
     /// whichever is more; none where this is not known.
-    pub fn change_beyond(&self, from: &AdhesivePlace, to: &AdhesivePlace) -> Option<f64> {
+    pub(crate) fn change_beyond(&self, from: &AdhesivePlace, to: &AdhesivePlace) -> Option<f64> {
         let [past, start, end] = [self.past.as_ref()?, from.state()?, to.state()?].map(|state| conjugates(state));
         let slope = (start[1] - past[1]) / (start[0] - past[0]);
         let change = end[1] - start[1];
@@ -272,7 +272,7 @@ impl Branch {
     }
 
     /// The state at another control on the line through the last two states, if there are two: where a smooth branch goes on.
-    pub fn carried_on(&self, from: &AdhesiveState, control: AdhesiveControl) -> Option<AdhesiveState> {
+    pub(crate) fn carried_on(&self, from: &AdhesiveState, control: AdhesiveControl) -> Option<AdhesiveState> {
         let past = self.past.as_ref()?;
         let share = (control.value() - from.control.value()) / (from.control.value() - past.control.value());
         self.is_comparable(share).then(|| from.carried_on(past, share))

@@ -16,27 +16,27 @@ pub(super) struct PlaceSearch {
 }
 
 impl PlaceSearch {
-    pub fn new(problem: AdhesiveProblem, method: AdhesiveMethod, stop: Stop) -> Self {
+    pub(crate) fn new(problem: AdhesiveProblem, method: AdhesiveMethod, stop: Stop) -> Self {
         Self { problem, method, stop }
     }
 
     /// The part of the work of adhesion to which the energies of states are found.
-    pub fn noise(&self) -> f64 {
+    pub(crate) fn noise(&self) -> f64 {
         NOISE * self.stop.tolerance()
     }
 
     /// The problem.
-    pub fn problem(&self) -> &AdhesiveProblem {
+    pub(crate) fn problem(&self) -> &AdhesiveProblem {
         &self.problem
     }
 
     /// The attraction.
-    pub fn attraction(&self) -> &Attraction {
+    pub(crate) fn attraction(&self) -> &Attraction {
         self.problem.attraction()
     }
 
     /// The place under a control, from the last one.
-    pub fn solve(
+    pub(crate) fn solve(
         &self,
         control: AdhesiveControl,
         from: Option<&AdhesivePlace>,
@@ -50,7 +50,7 @@ impl PlaceSearch {
     }
 
     /// The place under a control, from the last one on its branch. On periodic grids a state of the fast method is not tested for stability.
-    pub fn probe(
+    pub(crate) fn probe(
         &self,
         control: AdhesiveControl,
         from: &AdhesivePlace,
@@ -69,7 +69,11 @@ impl PlaceSearch {
     }
 
     /// Tests the stability of where a step leads, if it was not tested. A saddle is left.
-    pub fn test_stability(&self, step: &mut AdhesiveStep, observer: &mut dyn Observer) -> Result<(), AdhesionError> {
+    pub(crate) fn test_stability(
+        &self,
+        step: &mut AdhesiveStep,
+        observer: &mut dyn Observer,
+    ) -> Result<(), AdhesionError> {
         let is_periodic = self.problem.problem().surface().grid().is_periodic();
         let Some(state) = step.place.state().filter(|state| is_periodic && state.claim == ResultClaim::Stationary)
         else {

@@ -74,7 +74,7 @@ struct Beyond {
 
 impl<'a> BranchWalk<'a> {
     /// The way from a place to a control, on which jumps are located within `finest`.
-    pub fn new(search: &'a PlaceSearch, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
+    pub(crate) fn new(search: &'a PlaceSearch, last: &AdhesiveVisit, end: AdhesiveControl, finest: f64) -> Self {
         let (at, from, branch) = (last.control.value(), last.place.clone(), last.branch.clone());
         let (ledger, work) = (last.ledger, Work::default());
         let shown = if search.attraction().steepest().is_infinite() { SHOWN_OF_SNAPS } else { SHOWN };
@@ -83,7 +83,11 @@ impl<'a> BranchWalk<'a> {
 
     /// Adds the places on the way: both sides of each jump with the frames between them, and the end. After an error they end with the last
     /// place that was found.
-    pub fn run(mut self, observer: &mut dyn Observer, visits: &mut Vec<AdhesiveVisit>) -> Result<(), AdhesionError> {
+    pub(crate) fn run(
+        mut self,
+        observer: &mut dyn Observer,
+        visits: &mut Vec<AdhesiveVisit>,
+    ) -> Result<(), AdhesionError> {
         loop {
             match self.step(observer, visits) {
                 Ok(true) => return Ok(()),

@@ -103,7 +103,7 @@ pub(super) struct ErrorBounds {
 
 impl ErrorBounds {
     /// The bounds after a step whose `m p` is off by `error` for the memory that it was given.
-    pub fn next(&self, elements: &[MaxwellStep], compliance: f64, error: f64) -> Self {
+    pub(crate) fn next(&self, elements: &[MaxwellStep], compliance: f64, error: f64) -> Self {
         let mut flowed = self.flowed.clone();
         flowed.resize(elements.len(), 0.0);
         let carried = |it: &MaxwellStep, bound: f64| it.keep * bound + (it.held - it.keep).abs() * self.effective;

@@ -61,7 +61,7 @@ pub(super) struct Discs {
 }
 
 impl Discs {
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.radii.len()
     }
 
@@ -71,7 +71,7 @@ impl Discs {
     /// The shift `c` minimises the convex `sum radius H(u + c) - total c`, with `H(z) = z^2/2` in the disc and `|z| - 1/2` outside. Newton
     /// steps with a search along each of them for where the slope is small find it: unlike the value, the slope keeps its digits where `u`
     /// is large. What rounding leaves of the sum is taken up by [`Discs::balance`], and so the sum is right in any case.
-    pub fn carry(&self, u: &mut [Pair]) {
+    pub(crate) fn carry(&self, u: &mut [Pair]) {
         let mut shift = [0.0; 2];
         let (mut slope, mut hessian) = self.slope(u, shift);
         let limit = ROUNDING * self.radii.iter().sum::<f64>();
@@ -149,7 +149,7 @@ impl Discs {
     }
 
     /// The sum over the nodes of `tau (w - l) + radius |w - l|` with a shift `l`: never negative, and zero where Coulomb's law holds.
-    pub fn missed(&self, tau: &[Pair], w: &[Pair], shift: Pair) -> f64 {
+    pub(crate) fn missed(&self, tau: &[Pair], w: &[Pair], shift: Pair) -> f64 {
         let terms = tau.iter().zip(w).zip(&self.radii);
         terms.fold(0.0, |sum, ((tau, w), radius)| {
             let slip = add(*w, -1.0, shift);
@@ -162,7 +162,7 @@ impl Discs {
     /// The first shift is the best of three: the one that is given, the mean of `w` over the nodes inside their discs, and the one that
     /// leaves the least slip where nodes are inside and across the traction where they are at the rim. Newton steps minimise the sum with
     /// `sqrt(|w - l|^2 + spread^2)` for `|w - l|`, where `spread` is the distance that nodes inside have from the mean.
-    pub fn best_shift(&self, tau: &[Pair], w: &[Pair], first: Pair) -> (Pair, f64) {
+    pub(crate) fn best_shift(&self, tau: &[Pair], w: &[Pair], first: Pair) -> (Pair, f64) {
         let mut best = (first, self.missed(tau, w, first));
         let mut spread = 0.0;
         let (mut weight, mut mean, mut sums, mut across) = (0.0, [0.0; 2], [0.0; 3], [0.0; 2]);

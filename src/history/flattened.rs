@@ -14,7 +14,7 @@ pub(super) struct Flattened {
 
 impl Flattened {
     /// The surface after a contact, if some of its nodes yield.
-    pub fn by(contact: &Contact) -> Option<Self> {
+    pub(crate) fn by(contact: &Contact) -> Option<Self> {
         let mean_pressure = contact.mean_pressure();
         let has_yielded = contact.plasticity().area > 0.0;
         let surface = has_yielded.then(|| contact.unloaded_surface().ok())??;
@@ -25,7 +25,7 @@ impl Flattened {
     ///
     /// # Errors
     /// [`HistoryError::Unload`] under a load that is no pressure.
-    pub fn elastic(&self, problem: &Problem) -> Result<Option<Problem>, HistoryError> {
+    pub(crate) fn elastic(&self, problem: &Problem) -> Result<Option<Problem>, HistoryError> {
         let Some(mean_pressure) = problem.mean_pressure() else {
             return Err(HistoryError::Unload { load: problem.load().name() });
         };

@@ -29,7 +29,7 @@ pub(super) struct MaxwellStep {
 
 impl MaxwellStep {
     /// The step of a term in relaxation form.
-    pub fn new(term: &PronyTerm, profile: &StepProfile) -> Self {
+    pub(crate) fn new(term: &PronyTerm, profile: &StepProfile) -> Self {
         let (rho, k) = (term.time, profile.dt() / term.time);
         let [mixed, brought] = if k > 0.0 {
             let held = |s: f64| profile.held(s, rho);
@@ -48,20 +48,20 @@ impl MaxwellStep {
     }
 
     /// `g psi`, the part of the change `D` that the element holds at the end.
-    pub fn share(&self) -> f64 {
+    pub(crate) fn share(&self) -> f64 {
         self.ratio * self.held
     }
 
     /// The energy that the dashpot takes up, per area: `1/(g rho) int |y|^2 ds` with `y(s) = y_0 exp(-s/rho) + g psi(s) D`, from
     /// `|y_0|^2`, `<y_0 A D>` and `|D|^2`.
-    pub fn dissipated(&self, [square, with_change, change]: [f64; 3]) -> f64 {
+    pub(crate) fn dissipated(&self, [square, with_change, change]: [f64; 3]) -> f64 {
         let Self { ratio, fading, mixed, brought, .. } = *self;
         (square / ratio * fading + 2.0 * mixed * with_change + ratio * brought * change).max(0.0)
     }
 
     /// `int y(s) phi'(s) ds` of numbers: what the element adds to the mean pressure, weighted by the progress of the step. By parts,
     /// `int psi phi' = psi^2/2 + int psi^2 ds/rho`.
-    pub fn weighted(&self, held_before: f64, change: f64) -> f64 {
+    pub(crate) fn weighted(&self, held_before: f64, change: f64) -> f64 {
         let Self { ratio, keep, held, mixed, brought, .. } = *self;
         held_before * (keep * held + 2.0 * mixed) + ratio * change * (0.5 * held * held + brought)
     }

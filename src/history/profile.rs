@@ -44,7 +44,7 @@ const HALVINGS: usize = 50;
 
 impl StepProfile {
     /// A straight line.
-    pub fn straight(dt: f64) -> Self {
+    pub(crate) fn straight(dt: f64) -> Self {
         Self { dt, linear: 1.0, fading: Vec::new() }
     }
 
@@ -56,7 +56,7 @@ impl StepProfile {
     /// ```
     ///
     /// None where this does not rise or fall all the way, since it is no profile then.
-    pub fn of_load(dt: f64, loads: [f64; 2], strains: &[MeanStrain]) -> Option<Self> {
+    pub(crate) fn of_load(dt: f64, loads: [f64; 2], strains: &[MeanStrain]) -> Option<Self> {
         let course = Self::course(dt, loads, strains);
         let change = course.at(dt);
         if !(change.is_finite() && change != 0.0) {
@@ -72,7 +72,7 @@ impl StepProfile {
 
     /// The first time within a step at which the mean effective pressure turns, as [`StepProfile::of_load`] has it; none where it rises or falls all
     /// the way, but for what is short beside the shortest time or small beside the mean.
-    pub fn turn_of_load(dt: f64, loads: [f64; 2], strains: &[MeanStrain]) -> Option<f64> {
+    pub(crate) fn turn_of_load(dt: f64, loads: [f64; 2], strains: &[MeanStrain]) -> Option<f64> {
         let course = Self::course(dt, loads, strains);
         let places = course.places();
         let is_rising = course.slope(places[0]) > 0.0;
@@ -130,18 +130,18 @@ impl StepProfile {
     }
 
     /// The length of the step.
-    pub fn dt(&self) -> f64 {
+    pub(crate) fn dt(&self) -> f64 {
         self.dt
     }
 
     /// The shortest time on which the profile changes; infinite for a straight line.
-    pub fn shortest_time(&self) -> f64 {
+    pub(crate) fn shortest_time(&self) -> f64 {
         self.fading.iter().map(|it| it.time).fold(f64::INFINITY, f64::min)
     }
 
     /// What an element of the relaxation time `rho` holds at `s` of what the profile brings:
     /// `psi(s) = int_0^s exp(-(s - r)/rho) phi'(r) dr`. For a step without time it is 1.
-    pub fn held(&self, s: f64, rho: f64) -> f64 {
+    pub(crate) fn held(&self, s: f64, rho: f64) -> f64 {
         if self.dt == 0.0 {
             return 1.0;
         }

@@ -37,18 +37,18 @@ pub(super) struct SlipRounds {
 }
 
 impl SlipCoupling {
-    pub fn new(beta: f64, coupling: Coupling) -> Self {
+    pub(crate) fn new(beta: f64, coupling: Coupling) -> Self {
         Self { beta, coupling, counted: 0 }
     }
 
     /// Number of transforms since this was asked last.
-    pub fn transforms(&mut self) -> u64 {
+    pub(crate) fn transforms(&mut self) -> u64 {
         let all = self.coupling.transforms();
         all - std::mem::replace(&mut self.counted, all)
     }
 
     /// Adds `sign` times `beta S p` to displacements along `x` and `y`, the second of which is empty on a line.
-    pub fn add_by_pressure(&mut self, pressure: &[f64], displacement: &mut [Vec<f64>; 2], sign: f64) {
+    pub(crate) fn add_by_pressure(&mut self, pressure: &[f64], displacement: &mut [Vec<f64>; 2], sign: f64) {
         let mut added = displacement.each_ref().map(|it| vec![0.0; it.len()]);
         self.coupling.by_pressure(pressure, added.each_mut().map(Vec::as_mut_slice));
         for (displacement, added) in displacement.iter_mut().zip(added) {
@@ -57,7 +57,7 @@ impl SlipCoupling {
     }
 
     /// `beta S tau`, the displacement into the solid by a traction.
-    pub fn by_traction(&mut self, traction: &[Vec<f64>; 2]) -> Vec<f64> {
+    pub(crate) fn by_traction(&mut self, traction: &[Vec<f64>; 2]) -> Vec<f64> {
         let mut raised = vec![0.0; traction[0].len()];
         self.coupling.by_traction(traction.each_ref().map(Vec::as_slice), &mut raised);
         raised.iter_mut().for_each(|u| *u *= self.beta);
@@ -67,7 +67,7 @@ impl SlipCoupling {
 
 impl SlipRounds {
     /// The rounds of a step with the coefficient of friction `mu`, which begin with what the traction of the last step `raised`.
-    pub fn new(mu: f64, coupling: Option<&SlipCoupling>, raised: &[f64]) -> Self {
+    pub(crate) fn new(mu: f64, coupling: Option<&SlipCoupling>, raised: &[f64]) -> Self {
         let (beta, raised) = coupling.map_or((0.0, Vec::new()), |it| (it.beta, raised.to_vec()));
         // where everything slips, a round multiplies each wave of the pressure by i mu beta, and this is the best pace
         let pace = 1.0 / (1.0 + (mu * beta).powi(2));
@@ -75,17 +75,17 @@ impl SlipRounds {
     }
 
     /// The number of the round, from 1.
-    pub fn number(&self) -> usize {
+    pub(crate) fn number(&self) -> usize {
         self.number
     }
 
     /// What the traction displaces into the solid in this round; empty without coupling.
-    pub fn raised(&self) -> &[f64] {
+    pub(crate) fn raised(&self) -> &[f64] {
         &self.raised
     }
 
     /// Goes on to the next round with what the last traction displaces, and whether there is one.
-    pub fn advance(&mut self, raised: &[f64]) -> bool {
+    pub(crate) fn advance(&mut self, raised: &[f64]) -> bool {
         let change: Vec<f64> = self.raised.iter().zip(raised).map(|(from, to)| to - from).collect();
         let size = change.iter().map(|change| change.powi(2)).sum::<f64>().sqrt();
         if size < PROGRESS * self.least {

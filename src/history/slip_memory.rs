@@ -27,7 +27,7 @@ impl SlipMemory {
     /// `c` times the pressure (Mindlin and Deresiewicz 1953; Jäger 1993). A node that does not touch then moves by `c` times the change of its gap
     /// relative to the rigid surface, less the shift. Without coupling and with `m = 0` this is exact. Otherwise it is not, and steps find
     /// the rest.
-    pub fn rate(&self, contact: &Contact, target: Pair, (coefficient, ratio): (f64, f64)) -> Option<Pair> {
+    pub(crate) fn rate(&self, contact: &Contact, target: Pair, (coefficient, ratio): (f64, f64)) -> Option<Pair> {
         let (earlier, _) = self.pressed.as_ref()?;
         let risen = contact.mean_pressure() - earlier.mean_pressure();
         let change = add(target, -1.0, self.tangential);
@@ -40,7 +40,7 @@ impl SlipMemory {
 
     /// How far nodes that come into contact in this step have moved along `x` and `y` relative to the rigid surface before they
     /// touched, less the shift, by the rate `c`: a step counts the slip of a node from where it touches.
-    pub fn moved_before_touch(&self, contact: &Contact, rate: Pair) -> [Vec<f64>; 2] {
+    pub(crate) fn moved_before_touch(&self, contact: &Contact, rate: Pair) -> [Vec<f64>; 2] {
         let mut moved = self.displaced.each_ref().map(|it| vec![0.0; it.len()]);
         let Some((earlier, _)) = &self.pressed else { return moved };
         let (now, before) = (values(&contact.pressure), values(&earlier.pressure));

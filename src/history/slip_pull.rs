@@ -72,7 +72,7 @@ impl SlipPull<'_> {
     /// the window. Without a window it is `mu p - tau`. So all that is searched is small close to sliding, where few nodes stick
     /// and `t` is the pressure on these, and under a weak pull, where the window is narrow: rounding and tolerance are
     /// relative to it in both cases.
-    pub fn solve(&self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Result<Traction, SlipError> {
+    pub(crate) fn solve(&self, task: &SlipTask<'_>, observer: &mut dyn Observer) -> Result<Traction, SlipError> {
         let (mu, p) = (self.coefficient, values(&task.contact.pressure));
         let target = task.target[0];
         let middle = self.middle(p, task);

@@ -50,12 +50,12 @@ impl SlipRound {
     }
 
     /// The error of the traction, for the pressure as it is.
-    pub fn certificate(&self, mu: f64) -> SlipCertificate {
+    pub(crate) fn certificate(&self, mu: f64) -> SlipCertificate {
         certify(mu, values(&self.contact.pressure), &self.found, &self.slip(), &self.pressed)
     }
 
     /// The state at the end of some rounds.
-    pub fn state(
+    pub(crate) fn state(
         &self,
         mu: f64,
         earlier: Option<&Contact>,

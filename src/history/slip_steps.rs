@@ -97,7 +97,7 @@ struct HalvedStep {
 
 impl<'s> SlipSteps<'s> {
     /// The steps of a history that has not begun.
-    pub fn new(history: SlipHistory<'s>, pace: SlipPace) -> Self {
+    pub(crate) fn new(history: SlipHistory<'s>, pace: SlipPace) -> Self {
         let history = match pace {
             // steps that are given are those of the plain law, as users know it
             SlipPace::Count(_) => history,
@@ -108,23 +108,23 @@ impl<'s> SlipSteps<'s> {
     }
 
     /// How many steps a path takes.
-    pub fn pace(&self) -> SlipPace {
+    pub(crate) fn pace(&self) -> SlipPace {
         self.pace
     }
 
     /// Whether there was a step.
-    pub fn has_begun(&self) -> bool {
+    pub(crate) fn has_begun(&self) -> bool {
         self.history.has_begun()
     }
 
     /// What all steps so far add up to.
-    pub fn totals(&self) -> SlipTotals {
+    pub(crate) fn totals(&self) -> SlipTotals {
         self.totals
     }
 
     /// Goes from the loads of the last state to others, and gives the state there with the slip, the shift and the energy of the whole way. After
     /// an error the history is as it was.
-    pub fn go(
+    pub(crate) fn go(
         &mut self,
         kind: Load,
         [from, to]: [[f64; 2]; 2],

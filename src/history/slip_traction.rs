@@ -19,7 +19,7 @@ pub(super) struct Traction {
 
 impl Traction {
     /// No traction on each axis; each number is the count of nodes of one axis.
-    pub fn none(nodes: [usize; 2]) -> Self {
+    pub(crate) fn none(nodes: [usize; 2]) -> Self {
         let zeros = || nodes.map(|nodes| vec![0.0; nodes]);
         Self {
             values: zeros(),
@@ -32,7 +32,7 @@ impl Traction {
 
     /// Whether a node in contact slips: where `tau/(mu p) - s/reach` lies outside of the unit circle. At the solution this is whether
     /// the traction is at its limit, and elsewhere it weighs what is left to the limit against the slip.
-    pub fn slips(&self, i: usize, limit: f64, [a, b]: Pair, reach: f64) -> bool {
+    pub(crate) fn slips(&self, i: usize, limit: f64, [a, b]: Pair, reach: f64) -> bool {
         let [x, y] = at(&self.values, i);
         if limit == 0.0 || reach == 0.0 {
             return x.hypot(y) >= limit * (1.0 - ROUNDING);

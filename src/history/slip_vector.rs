@@ -97,7 +97,7 @@ impl Free {
 }
 
 impl<'a> VectorStep<'a> {
-    pub fn new(
+    pub(crate) fn new(
         response: &'a mut ShearResponse,
         places: Vec<usize>,
         discs: Discs,
@@ -123,7 +123,7 @@ impl<'a> VectorStep<'a> {
     /// is bounded below and `a` has bounds, `d` vanishes if gradient steps never end. By duality the least `G` of all shifts is
     /// `max w (tau - s) <= |w d| + |d| max|s - tau - d|/a`, and vanishes with `d`. If they end, `G` falls by a tenth in each further step. So `G`
     /// reaches any tolerance above rounding. A solve has stalled if the best `G` does not fall by a tenth in many steps.
-    pub fn solve(&mut self, start: &[Pair], stop: &Stop, observer: &mut dyn Observer) -> VectorFound {
+    pub(crate) fn solve(&mut self, start: &[Pair], stop: &Stop, observer: &mut dyn Observer) -> VectorFound {
         let mut tau: Vec<Pair> = start.iter().zip(&self.discs.radii).map(|(t, r)| scaled(*t, r.recip())).collect();
         self.discs.carry(&mut tau);
         let mut at = SlipIterate { w: self.gradient(&tau), tau };

@@ -36,7 +36,7 @@ pub(super) struct Difference {
 
 impl Difference {
     /// Of two states at one time.
-    pub fn new(coarse: &CreepState, fine: &CreepState) -> Self {
+    pub(crate) fn new(coarse: &CreepState, fine: &CreepState) -> Self {
         let gap = &coarse.contact.gap - &fine.contact.gap;
         Self {
             pressure: rms(&(&coarse.contact.pressure - &fine.contact.pressure)),

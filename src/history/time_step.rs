@@ -17,7 +17,7 @@ pub(super) struct TimeStep {
 
 impl TimeStep {
     /// The step of a solid in relaxation form by a profile.
-    pub fn new(relaxation: &[PronyTerm], relaxed_ratio: f64, profile: &StepProfile) -> Self {
+    pub(crate) fn new(relaxation: &[PronyTerm], relaxed_ratio: f64, profile: &StepProfile) -> Self {
         let elements: Vec<_> = relaxation.iter().map(|term| MaxwellStep::new(term, profile)).collect();
         let left = 1.0 / relaxed_ratio;
         let compliance = 1.0 / (left + elements.iter().map(MaxwellStep::share).sum::<f64>());
@@ -25,7 +25,7 @@ impl TimeStep {
     }
 
     /// `hist = m sum (g_k psi_k p_e0 - e_k y_k)` of fields or of their displacements.
-    pub fn history(&self, effective: &Field, memory: &[Field]) -> Field {
+    pub(crate) fn history(&self, effective: &Field, memory: &[Field]) -> Field {
         let share: f64 = self.elements.iter().map(MaxwellStep::share).sum();
         let mut hist = effective * (self.compliance * share);
         for (element, held) in self.elements.iter().zip(memory) {

@@ -31,7 +31,7 @@ pub(super) struct Transients {
 impl Transients {
     /// The transients of the elements of a solid at a point where the rate of the load changes, for a relative tolerance of the lost energy; none
     /// without a change.
-    pub fn new(turn: Option<RateChange>, terms: &[PronyTerm], tolerance: f64) -> Self {
+    pub(crate) fn new(turn: Option<RateChange>, terms: &[PronyTerm], tolerance: f64) -> Self {
         let mut transients = Self { first_step: f64::INFINITY, left_out: 0.0 };
         let Some(turn) = turn else { return transients };
         for term in terms {
@@ -48,7 +48,7 @@ impl Transients {
 
     /// The largest part of the energy lost in a step that transients may change which begin within it, as where surfaces touch or part. Those of
     /// elements that are slower than the step are in the difference of both histories.
-    pub fn left_out_within(step: f64, terms: &[PronyTerm]) -> f64 {
+    pub(crate) fn left_out_within(step: f64, terms: &[PronyTerm]) -> f64 {
         let faster = terms.iter().map(|term| term.time).filter(|time| *time < step);
         (OF_TRANSIENT * faster.fold(0.0, f64::max) / step).min(1.0)
     }

@@ -17,13 +17,13 @@ pub(super) struct Accelerated {
 }
 
 impl Accelerated {
-    pub fn new(layers: &DepthLayers) -> Self {
+    pub(crate) fn new(layers: &DepthLayers) -> Self {
         let scales = (0..layers.count()).map(|j| layers.thickness(j).sqrt()).collect();
         Self { places: Vec::new(), scales, anderson: Anderson::default(), plain: Vec::new() }
     }
 
     /// Adds places that begin to flow.
-    pub fn add(&mut self, places: impl IntoIterator<Item = [usize; 2]>, components: usize) {
+    pub(crate) fn add(&mut self, places: impl IntoIterator<Item = [usize; 2]>, components: usize) {
         self.places.extend(places);
         let len = self.places.len() * components;
         self.plain.resize(len, 0.0);
@@ -31,12 +31,12 @@ impl Accelerated {
     }
 
     /// Whether the last point combined several ones.
-    pub fn is_combined(&self) -> bool {
+    pub(crate) fn is_combined(&self) -> bool {
         self.anderson.is_combined()
     }
 
     /// Puts the next point in the place of `point`, whose plain successor is `next`.
-    pub fn advance(&mut self, point: &mut Array3<f64>, next: &Array3<f64>) {
+    pub(crate) fn advance(&mut self, point: &mut Array3<f64>, next: &Array3<f64>) {
         let from = self.packed(point);
         self.plain = self.packed(next);
         let change = self.plain.iter().zip(&from).map(|(next, from)| next - from).collect();
@@ -45,7 +45,7 @@ impl Accelerated {
     }
 
     /// Puts the plain successor of the last accepted point in the place of a worse one, and forgets all points.
-    pub fn go_back(&mut self, point: &mut Array3<f64>) {
+    pub(crate) fn go_back(&mut self, point: &mut Array3<f64>) {
         self.anderson.clear();
         self.unpack(&self.plain, point);
     }

@@ -46,7 +46,7 @@ pub(super) struct Companions<'s> {
 
 impl<'s> Companions<'s> {
     /// The companions of a process that has not begun.
-    pub fn new(plastic: &Plastic<'s>) -> Result<Self, PlasticError> {
+    pub(crate) fn new(plastic: &Plastic<'s>) -> Result<Self, PlasticError> {
         if plastic.state().load.is_some() {
             return Err(PlasticError::HasBegun);
         }
@@ -63,7 +63,7 @@ impl<'s> Companions<'s> {
     }
 
     /// Goes to a load: in two steps, and in one. The observer is asked, but sees no step.
-    pub fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<(), PlasticError> {
+    pub(crate) fn press(&mut self, load: Load, observer: &mut dyn Observer) -> Result<(), PlasticError> {
         let mut asked = Unseen(observer);
         self.steps.press_in(2, load, &mut asked)?;
         for plastic in self.layers.iter_mut().chain(&mut self.grid) {
@@ -73,7 +73,7 @@ impl<'s> Companions<'s> {
     }
 
     /// The errors of the process under the last load, whose state is that of `plastic`.
-    pub fn errors(&self, plastic: &Plastic<'_>) -> PlasticErrorSources {
+    pub(crate) fn errors(&self, plastic: &Plastic<'_>) -> PlasticErrorSources {
         let between = |other: &Plastic<'_>| PlasticErrors::between(plastic.state(), other.state());
         PlasticErrorSources {
             steps: self.step_errors(plastic.state()),

@@ -53,7 +53,7 @@ pub(super) struct PlaceFlow {
 }
 
 impl FlowLaw {
-    pub fn new(solid: &PlasticSolid) -> Self {
+    pub(crate) fn new(solid: &PlasticSolid) -> Self {
         Self {
             shear_modulus: solid.shear_modulus(),
             yield_stress: solid.yield_stress(),
@@ -63,18 +63,18 @@ impl FlowLaw {
     }
 
     /// The hardening over the modulus `3 G` of an equivalent stress, at most 1.
-    pub fn contrast(&self) -> f64 {
+    pub(crate) fn contrast(&self) -> f64 {
         ((self.isotropic + self.kinematic) / (3.0 * self.shear_modulus)).min(1.0)
     }
 
     /// The equivalent increment `sqrt(2/3) |x|`.
-    pub fn amount<const N: usize>(increment: &PlaceTensor<N>) -> f64 {
+    pub(crate) fn amount<const N: usize>(increment: &PlaceTensor<N>) -> f64 {
         (2.0 / 3.0 * product(increment, increment)).sqrt()
     }
 
     /// The next increment by radial return at a fixed total strain: with `t = s + 2 G x` and `t_eq = sqrt(3/2) |t|`, the tensor along `t` with
     /// `d = max(t_eq - k, 0) / (3 G + H + C)`. And what the law says of the place now.
-    pub fn returned<const N: usize>(&self, place: &FlowPlace<N>) -> (PlaceTensor<N>, PlaceFlow) {
+    pub(crate) fn returned<const N: usize>(&self, place: &FlowPlace<N>) -> (PlaceTensor<N>, PlaceFlow) {
         let FlowPlace { strain, accumulated, increment, stress } = place;
         let (strength, hardening) = (self.yield_stress + self.isotropic * accumulated, self.isotropic + self.kinematic);
         let back = 2.0 / 3.0 * self.kinematic;

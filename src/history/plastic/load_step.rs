@@ -97,7 +97,7 @@ struct FlowSums {
 
 impl LoadStep<'_, '_> {
     /// Iterates until the certificate meets the tolerance, or at most as often as allowed.
-    pub fn run(mut self) -> Result<FlowIterate, PlasticError> {
+    pub(crate) fn run(mut self) -> Result<FlowIterate, PlasticError> {
         let mut now = FlowIterate::first(self.before);
         let mut next = now.increment.clone();
         let mut flows = vec![false; self.before.accumulated.len()];

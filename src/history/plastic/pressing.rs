@@ -16,13 +16,13 @@ pub(super) struct Pressing {
 
 impl Pressing {
     /// The contact on the heights less a residual displacement.
-    pub fn new(contact: &Contact, residual: &Field) -> Self {
+    pub(crate) fn new(contact: &Contact, residual: &Field) -> Self {
         let pressed = &contact.displacement;
         Self::from_parts(contact, mean(&(&contact.pressure * pressed)), mean(pressed) + mean(residual))
     }
 
     /// The contact of a state, whose displacement has the residual one in it.
-    pub fn from_whole(contact: &Contact, residual: &Field) -> Self {
+    pub(crate) fn from_whole(contact: &Contact, residual: &Field) -> Self {
         let pressed = &contact.displacement - residual;
         Self::from_parts(contact, mean(&(&contact.pressure * &pressed)), mean(&contact.displacement))
     }
@@ -36,7 +36,7 @@ impl Pressing {
 
     /// The work of the load up to another state of the same plastic strain. A contact is conservative, so that it is the change of the elastic energy,
     /// whatever the length of the step.
-    pub fn elastic_work(&self, after: &Self) -> f64 {
+    pub(crate) fn elastic_work(&self, after: &Self) -> f64 {
         after.energy - self.energy
     }
 
@@ -45,7 +45,7 @@ impl Pressing {
     /// The load and the plastic strain change together, in an order that one implicit step does not know. If all of the load comes first, `loaded` is the
     /// contact under it before anything flows, and what flows then moves the surface under the whole load. If all of the flow comes first, `flowed` is
     /// the contact under the load before with the plastic strain after the step. The work is the mean of both. What is elastic in it is exact.
-    pub fn work(&self, loaded: &Self, flowed: &Self, after: &Self) -> f64 {
+    pub(crate) fn work(&self, loaded: &Self, flowed: &Self, after: &Self) -> f64 {
         let load_first = self.elastic_work(loaded) + after.pressure * (after.approach - loaded.approach);
         let flow_first = self.pressure * (flowed.approach - self.approach) + flowed.elastic_work(after);
         0.5 * (load_first + flow_first)
