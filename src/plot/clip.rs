@@ -1,7 +1,7 @@
 //! Lines cut at the edges of the unit square, and into dashes.
 
 /// The parts inside the unit square of the line through `points`; points that are not finite break it.
-pub fn runs(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+pub(crate) fn runs(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
     let mut runs: Vec<Vec<[f64; 2]>> = Vec::new();
     for [start, end] in points.windows(2).filter_map(|pair| inside(pair[0], pair[1])) {
         match runs.last_mut().filter(|run| run.last() == Some(&start)) {
@@ -30,7 +30,7 @@ fn inside(start: [f64; 2], end: [f64; 2]) -> Option<[[f64; 2]; 2]> {
 }
 
 /// Dashes of length `on`, `off` apart, along a line.
-pub fn dashes(line: &[[f64; 2]], [on, off]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+pub(crate) fn dashes(line: &[[f64; 2]], [on, off]: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     let mut dashes = Vec::new();
     let mut dash: Vec<[f64; 2]> = line.first().copied().into_iter().collect();
     let (mut is_on, mut left) = (true, on);

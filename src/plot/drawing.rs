@@ -33,7 +33,7 @@ const FIGURE_TITLE: f64 = 20.0;
 const PANEL_TITLE: f64 = 17.0;
 
 /// Draws `figure` in a style.
-pub fn drawing(figure: &Figure, style: &FigureStyle) -> Sheet {
+pub(crate) fn drawing(figure: &Figure, style: &FigureStyle) -> Sheet {
     let figure = style.applied(figure);
     let lengths = [style.width, style.height].map(|length| length.map(|it| it / style.unit()));
     let most = lengths[0].map_or(IN_A_ROW, |width| ((width / NARROW) as usize).clamp(1, IN_A_ROW));
@@ -58,14 +58,14 @@ pub fn drawing(figure: &Figure, style: &FigureStyle) -> Sheet {
 
 /// Draws a panel alone, of a size, with its top left corner at `corner`.
 #[cfg(feature = "record")]
-pub fn drawing_of(panel: &Panel, corner: [f64; 2], size: [f64; 2]) -> Sheet {
+pub(crate) fn drawing_of(panel: &Panel, corner: [f64; 2], size: [f64; 2]) -> Sheet {
     let mut sheet = Sheet::default();
     draw_panel(&mut sheet, &frame_in(panel, corner, size), panel, LegendPlace::Auto);
     sheet
 }
 
 /// The frame of a panel of a size whose top left corner is at `[x, y]`.
-pub fn frame_in(panel: &Panel, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> AxesFrame {
+pub(crate) fn frame_in(panel: &Panel, [x, y]: [f64; 2], [width, height]: [f64; 2]) -> AxesFrame {
     let [left, above] = [NAME + labels(&panel.y), if panel.title.is_empty() { 0.5 * ABOVE } else { ABOVE }];
     let right = if panel.map.is_some() { BESIDE } else { RIGHT };
     let room = [(width - left - right).max(LEAST), (height - above - BELOW).max(LEAST)];

@@ -22,7 +22,7 @@ const STEPS: usize = 256;
 /// Width of the bar, its distance from the frame, and the room for its labels and its name.
 const BAR: f64 = 16.0;
 const APART: f64 = 14.0;
-pub const BESIDE: f64 = APART + BAR + 100.0;
+pub(crate) const BESIDE: f64 = APART + BAR + 100.0;
 
 /// A field between the axes of a panel, in the colours of a scale.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,16 +8,16 @@ use skrifa::{FontRef, GlyphId, MetadataProvider};
 use std::sync::{Arc, LazyLock};
 
 /// Font of an SVG: the one that comes with the program, or else one of the reader of the SVG.
-pub const FAMILY: &str = "DejaVu Sans, sans-serif";
+pub(crate) const FAMILY: &str = "DejaVu Sans, sans-serif";
 /// From the middle of a line of words down to its baseline, over the size of the font.
-pub const BASELINE: f64 = 0.36;
+pub(crate) const BASELINE: f64 = 0.36;
 
 /// The letters of the font.
-pub static FONT: LazyLock<FontRef<'static>> =
+pub(crate) static FONT: LazyLock<FontRef<'static>> =
     LazyLock::new(|| FontRef::new(dejavu::sans::regular()).expect("the font of the crate `dejavu` is whole"));
 
 /// The parts of an SVG, its words as outlines of letters.
-pub fn tree(svg: &str) -> Result<Tree, Error> {
+pub(crate) fn tree(svg: &str) -> Result<Tree, Error> {
     static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
         let mut fonts = Database::new();
         fonts.load_font_data(dejavu::sans::regular().to_vec());
@@ -27,29 +27,29 @@ pub fn tree(svg: &str) -> Result<Tree, Error> {
 }
 
 /// The width of `words` in the font of `size`.
-pub fn width(words: &str, size: f64) -> f64 {
+pub(crate) fn width(words: &str, size: f64) -> f64 {
     let metrics = metrics(size);
     glyphs(words).map(|glyph| advance(&metrics, glyph)).sum()
 }
 
 /// The glyphs of `words`; a character that the font does not have becomes its empty box.
-pub fn glyphs(words: &str) -> impl Iterator<Item = GlyphId> {
+pub(crate) fn glyphs(words: &str) -> impl Iterator<Item = GlyphId> {
     let characters = FONT.charmap();
     words.chars().map(move |character| characters.map(character).unwrap_or_default())
 }
 
 /// The widths of glyphs in the font of `size`.
-pub fn metrics(size: f64) -> GlyphMetrics<'static> {
+pub(crate) fn metrics(size: f64) -> GlyphMetrics<'static> {
     FONT.glyph_metrics(Size::new(size as f32), LocationRef::default())
 }
 
 /// From the start of a glyph to that of the next one.
-pub fn advance(metrics: &GlyphMetrics<'_>, glyph: GlyphId) -> f64 {
+pub(crate) fn advance(metrics: &GlyphMetrics<'_>, glyph: GlyphId) -> f64 {
     metrics.advance_width(glyph).map_or(0.0, f64::from)
 }
 
 /// `words` with the marks of SVG spelt out, and without characters that it cannot hold.
-pub fn escaped(words: &str) -> String {
+pub(crate) fn escaped(words: &str) -> String {
     plain(words).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 

@@ -7,7 +7,7 @@ use super::sheet::{Align, Sheet, rectangle};
 
 /// A box with two axes on a sheet.
 #[derive(Debug, Clone)]
-pub struct AxesFrame {
+pub(crate) struct AxesFrame {
     pub x: Axis,
     pub y: Axis,
     /// Upper left corner of the box.
@@ -20,7 +20,7 @@ pub struct AxesFrame {
 
 /// A side of the box with an axis: the x axis below, the y axis to the left or to the right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AxisSide {
+pub(crate) enum AxisSide {
     Below,
     Left,
     Right,
@@ -31,24 +31,24 @@ const LINE: f64 = 1.2;
 const TICK: f64 = 0.4;
 const MINOR_TICK: f64 = 0.23;
 /// Size of the name of an axis, over that of its labels.
-pub const NAME: f64 = 1.13;
+pub(crate) const NAME: f64 = 1.13;
 /// The least room between neighbouring labels, side by side and one above the other, over their size.
 const APART: [f64; 2] = [0.6, 0.25];
 
 impl AxesFrame {
     /// Places of a point along both axes.
-    pub fn places(&self, x: f64, y: f64) -> [f64; 2] {
+    pub(crate) fn places(&self, x: f64, y: f64) -> [f64; 2] {
         [self.x.place(x), self.y.place(y)]
     }
 
     /// The position on the sheet of places along both axes.
-    pub fn position(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn position(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [[left, top], [width, height]] = [self.corner, self.size];
         [left + x * width, top + (1.0 - y) * height]
     }
 
     /// Draws pale lines across the box at the ticks that have labels.
-    pub fn draw_grid(&self, sheet: &mut Sheet) {
+    pub(crate) fn draw_grid(&self, sheet: &mut Sheet) {
         for (place, _) in self.labels(AxisSide::Below) {
             sheet.line([0.0, 1.0].map(|y| self.position([place, y])).to_vec(), Colour::PALE, 1.0);
         }
@@ -58,12 +58,12 @@ impl AxesFrame {
     }
 
     /// Draws the box.
-    pub fn draw_box(&self, sheet: &mut Sheet) {
+    pub(crate) fn draw_box(&self, sheet: &mut Sheet) {
         sheet.edge(&rectangle(self.corner, self.size), Colour::GREY, LINE);
     }
 
     /// Draws the ticks, labels and name of an axis.
-    pub fn draw_axis(&self, sheet: &mut Sheet, side: AxisSide) {
+    pub(crate) fn draw_axis(&self, sheet: &mut Sheet, side: AxisSide) {
         let (axis, align, distances, room) = match side {
             AxisSide::Below => (&self.x, Align::Middle, [1.2, 2.87], self.size[0]),
             AxisSide::Left => (&self.y, Align::Right, [0.6, 4.8], self.size[1]),
@@ -83,7 +83,7 @@ impl AxesFrame {
     }
 
     /// The places and labels along a side: those of all ticks, or of every second, third and so on, so that neighbours are apart.
-    pub fn labels(&self, side: AxisSide) -> Vec<(f64, String)> {
+    pub(crate) fn labels(&self, side: AxisSide) -> Vec<(f64, String)> {
         let axis = if side == AxisSide::Below { &self.x } else { &self.y };
         let all: Vec<(f64, String)> =
             axis.ticks().into_iter().map(|(value, label)| (edge(axis, value), label)).collect();

@@ -26,7 +26,7 @@ const PLACES: [[f64; 2]; 9] =
     [[1.0, 0.0], [1.0, 1.0], [0.0, 0.0], [0.0, 1.0], [0.5, 0.0], [0.5, 1.0], [1.0, 0.5], [0.0, 0.5], [0.5, 0.5]];
 
 /// Draws the legend of `panel` where it hides least of its `frame`, whose series are the elements from number `first` on.
-pub fn draw_legend(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel, first: usize, legend: LegendPlace) {
+pub(crate) fn draw_legend(sheet: &mut Sheet, frame: &AxesFrame, panel: &Panel, first: usize, legend: LegendPlace) {
     let named: Vec<&Series> = panel.series.iter().filter(|series| !series.name.is_empty()).collect();
     if named.is_empty() || legend == LegendPlace::None {
         return;

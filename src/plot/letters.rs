@@ -9,10 +9,10 @@ use skrifa::outline::{DrawSettings, OutlinePen};
 const PIECES: usize = 4;
 
 /// The closed outlines of a letter: right and down from the start of its words, half-way up the letters.
-pub type Letter = Vec<Vec<[f64; 2]>>;
+pub(crate) type Letter = Vec<Vec<[f64; 2]>>;
 
 /// The letters of `words` in the font of `size`.
-pub fn letters(words: &str, size: f64) -> Vec<Letter> {
+pub(crate) fn letters(words: &str, size: f64) -> Vec<Letter> {
     let (metrics, shapes) = (metrics(size), FONT.outline_glyphs());
     let mut start = 0.0;
     let mut letters = Vec::new();

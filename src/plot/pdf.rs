@@ -19,7 +19,7 @@ const CONTENT: Ref = Ref::new(4);
 const FIRST: i32 = 5;
 
 /// A PDF of one page with a sheet, whose units have some points.
-pub fn pdf(sheet: &Sheet, points: f64) -> io::Result<Vec<u8>> {
+pub(crate) fn pdf(sheet: &Sheet, points: f64) -> io::Result<Vec<u8>> {
     let size = sheet.size.map(|length| (f64::from(length) * points) as f32);
     let mut drawn = PdfDrawing { content: Content::new(), opacities: BTreeMap::new(), images: Vec::new() };
     drawn.content.save_state();

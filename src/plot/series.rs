@@ -19,7 +19,7 @@ const SEAM: f64 = 0.4;
 const CAP: f64 = 4.0;
 
 /// Draws the part of a series inside `frame`.
-pub fn draw_series(sheet: &mut Sheet, frame: &AxesFrame, series: &Series) {
+pub(crate) fn draw_series(sheet: &mut Sheet, frame: &AxesFrame, series: &Series) {
     series.dots.iter().for_each(|dot| draw_bar(sheet, frame, series.colour, dot));
     let places: Vec<[f64; 2]> = series.dots.iter().map(|dot| frame.places(dot.x, dot.y)).collect();
     for run in runs(&places) {
@@ -41,7 +41,7 @@ fn draw_tile(sheet: &mut Sheet, frame: &AxesFrame, colour: Colour, place: [f64; 
 }
 
 /// Draws the line of a series through `points` of the sheet, if it has one.
-pub fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
+pub(crate) fn draw_line(sheet: &mut Sheet, series: &Series, points: Vec<[f64; 2]>) {
     let pattern = match series.mark {
         Mark::Symbol { .. } | Mark::Tile { .. } => return,
         Mark::Area => return sheet.shape(points, series.colour, PALE),
@@ -69,7 +69,7 @@ fn draw_arrow(sheet: &mut Sheet, colour: Colour, points: &[[f64; 2]]) {
 }
 
 /// Draws the symbol of a series at a position on the sheet, if it has one.
-pub fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
+pub(crate) fn draw_symbol(sheet: &mut Sheet, series: &Series, [x, y]: [f64; 2]) {
     let (Mark::Symbol { symbol, filled } | Mark::Joined { symbol, filled }) = series.mark else { return };
     let outline = |inset| symbol.outline(inset).into_iter().map(|[right, down]| [x + right, y + down]).collect();
     sheet.shape(outline(0.0), series.colour, 1.0);

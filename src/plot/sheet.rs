@@ -5,7 +5,7 @@ use super::font::width;
 
 /// Lines, shapes and words, the later over the earlier, on white. Positions are right and down from the top left corner.
 #[derive(Debug, Default, PartialEq)]
-pub struct Sheet {
+pub(crate) struct Sheet {
     /// Width and height, in units.
     pub size: [u32; 2],
     /// Everything on the sheet.
@@ -14,7 +14,7 @@ pub struct Sheet {
 
 /// A thing on a sheet, with lengths in its units.
 #[derive(Debug, PartialEq)]
-pub enum Element {
+pub(crate) enum Element {
     /// A line through points.
     Line { points: Vec<[f64; 2]>, colour: Colour, width: f64 },
     /// A filled convex shape, whose opacity is the share of the light that it holds back.
@@ -27,7 +27,7 @@ pub enum Element {
 
 /// A rectangle of pixels.
 #[derive(Debug, PartialEq)]
-pub struct PixelImage {
+pub(crate) struct PixelImage {
     /// Top left corner.
     pub corner: [f64; 2],
     /// Width and height on the sheet.
@@ -40,7 +40,7 @@ pub struct PixelImage {
 
 /// A part of a line of words.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Align {
+pub(crate) enum Align {
     Left,
     Middle,
     Right,
@@ -48,38 +48,38 @@ pub enum Align {
 
 impl Sheet {
     /// Adds a line.
-    pub fn line(&mut self, points: Vec<[f64; 2]>, colour: Colour, width: f64) {
+    pub(crate) fn line(&mut self, points: Vec<[f64; 2]>, colour: Colour, width: f64) {
         self.elements.push(Element::Line { points, colour, width });
     }
 
     /// Adds a shape.
-    pub fn shape(&mut self, corners: Vec<[f64; 2]>, colour: Colour, opacity: f64) {
+    pub(crate) fn shape(&mut self, corners: Vec<[f64; 2]>, colour: Colour, opacity: f64) {
         self.elements.push(Element::Shape { corners, colour, opacity });
     }
 
     /// Adds a picture.
-    pub fn image(&mut self, image: PixelImage) {
+    pub(crate) fn image(&mut self, image: PixelImage) {
         self.elements.push(Element::PixelImage(image));
     }
 
     /// Adds a line around a shape.
-    pub fn edge(&mut self, corners: &[[f64; 2]], colour: Colour, width: f64) {
+    pub(crate) fn edge(&mut self, corners: &[[f64; 2]], colour: Colour, width: f64) {
         self.line(corners.iter().chain(corners.first()).copied().collect(), colour, width);
     }
 
     /// Adds words from left to right.
-    pub fn words(&mut self, words: &str, at: [f64; 2], size: f64, align: Align) {
+    pub(crate) fn words(&mut self, words: &str, at: [f64; 2], size: f64, align: Align) {
         self.elements.push(Element::Words { words: words.into(), at, size, align, upwards: false });
     }
 
     /// Adds words around their middle, smaller where they would be longer than `room`.
-    pub fn fitted_words(&mut self, words: &str, at: [f64; 2], size: f64, room: f64, upwards: bool) {
+    pub(crate) fn fitted_words(&mut self, words: &str, at: [f64; 2], size: f64, room: f64, upwards: bool) {
         let size = size * (room / width(words, size)).min(1.0);
         self.elements.push(Element::Words { words: words.into(), at, size, align: Align::Middle, upwards });
     }
 }
 
 /// The corners of a rectangle.
-pub fn rectangle([left, top]: [f64; 2], [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
+pub(crate) fn rectangle([left, top]: [f64; 2], [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
     vec![[left, top], [left + width, top], [left + width, top + height], [left, top + height]]
 }

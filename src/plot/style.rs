@@ -14,7 +14,7 @@ const FONT: f64 = 8.0;
 /// Pixels per inch of a figure with and without a size.
 const DPI: [f64; 2] = [300.0, 192.0];
 /// The size of labels in units.
-pub const LABEL: f64 = 15.0;
+pub(crate) const LABEL: f64 = 15.0;
 /// Sizes on paper, of labels and of pixels that make sense: metres, points, pixels per inch.
 const LENGTHS: [f64; 2] = [0.02, 2.0];
 const FONTS: [f64; 2] = [3.0, 72.0];

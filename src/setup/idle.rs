@@ -1,7 +1,7 @@
 //! Why a key of a setup would have no effect.
 
 /// A reason why a key would have no effect.
-pub struct Idle {
+pub(crate) struct Idle {
     /// The part of a setup that, if it is given or missing, leaves the key without an effect.
     pub(super) cause: IdleCause,
     /// Why, and what to do.

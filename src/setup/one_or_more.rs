@@ -34,12 +34,12 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for OneOrMore<T> {
 }
 
 /// Reads a list, or a single value.
-pub fn deserialize<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
+pub(crate) fn deserialize<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<Vec<T>, D::Error> {
     from.deserialize_any(OneOrMore(PhantomData))
 }
 
 /// Writes a list, that of one value as the value.
-pub fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S::Ok, S::Error> {
     match values {
         [one] => one.serialize(into),
         more => more.serialize(into),
@@ -47,12 +47,12 @@ pub fn serialize<S: Serializer, T: Serialize>(values: &[T], into: S) -> Result<S
 }
 
 /// Reads a list of lengths, or a single one.
-pub fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     Ok(deserialize::<_, quantity::Length>(from)?.into_iter().map(|quantity::Length(length)| length).collect())
 }
 
 /// Reads a list of pressures, or a single one.
-pub fn pressures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn pressures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     #[derive(serde::Deserialize)]
     #[serde(transparent)]
     struct Pressure(#[serde(deserialize_with = "quantity::pressure")] f64);
@@ -60,17 +60,17 @@ pub fn pressures<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Erro
 }
 
 /// Reads a list of times, or a single one; a text such as `"1e-3..1e3:13"` means 13 times with equal ratios.
-pub fn times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     expanded(from, |word| quantity::time(word.into_deserializer()))
 }
 
 /// Reads a list of speeds, or a single one, with ranges like those of [`times`].
-pub fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn speeds<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     expanded(from, |word| quantity::speed(word.into_deserializer()))
 }
 
 /// Reads pairs of a ratio, which has no unit, and a time.
-pub fn ratios_and_times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn ratios_and_times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     const PAIRS: &str = "give pairs of a ratio and a time, such as 9 and 1ms";
     let time = |text: &str| quantity::time::<value::StrDeserializer<'_, value::Error>>(text.into_deserializer());
     let ratio = |text: &str| match (text.trim().parse(), time(text)) {
@@ -90,14 +90,14 @@ pub fn ratios_and_times<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, 
 }
 
 /// Reads a list of numbers, or a single one, with ranges like those of [`times`].
-pub fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn numbers<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     let number =
         |word: &str| word.trim().parse().map_err(|_| value::Error::custom(format_args!("`{word}` is not a number")));
     expanded(from, number)
 }
 
 /// Reads a list of resistivities, or a single one.
-pub fn resistivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn resistivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     #[derive(serde::Deserialize)]
     #[serde(transparent)]
     struct Resistivity(#[serde(deserialize_with = "quantity::resistivity")] f64);
@@ -105,7 +105,7 @@ pub fn resistivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::
 }
 
 /// Reads a list of conductivities, or a single one.
-pub fn conductivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+pub(crate) fn conductivities<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
     #[derive(serde::Deserialize)]
     #[serde(transparent)]
     struct Conductivity(#[serde(deserialize_with = "quantity::conductivity")] f64);

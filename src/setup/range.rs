@@ -11,7 +11,7 @@ pub(super) struct Range<'t> {
 
 impl<'t> Range<'t> {
     /// The range in a text; none if the text is no range. What is wrong with a range is the sentence of the error.
-    pub fn parse(text: &'t str) -> Option<Result<Self, String>> {
+    pub(crate) fn parse(text: &'t str) -> Option<Result<Self, String>> {
         let (first, rest) = text.split_once("..")?;
         // A third dot would become the decimal point of the last value: 1e-3...1e-1 would end at 0.01.
         if rest.starts_with('.') {
@@ -43,7 +43,11 @@ impl<'t> Range<'t> {
 
     /// The values, whose ends `read` reads from their words. Ends between which there are no equal ratios give the error that `wrong` makes
     /// of a sentence.
-    pub fn values<E>(&self, read: impl Fn(&str) -> Result<f64, E>, wrong: impl Fn(String) -> E) -> Result<Vec<f64>, E> {
+    pub(crate) fn values<E>(
+        &self,
+        read: impl Fn(&str) -> Result<f64, E>,
+        wrong: impl Fn(String) -> E,
+    ) -> Result<Vec<f64>, E> {
         let [first, last] = [read(self.ends[0])?, read(self.ends[1])?];
         let ratio = last / first;
         if !(ratio.is_finite() && ratio > 0.0) {

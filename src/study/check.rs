@@ -9,14 +9,14 @@ const NAMED: &str = "named-";
 
 /// The last column `check` of a row: the hash FNV-1a of the names of the other columns and of their fields, as lines of comma-separated values, in
 /// hexadecimal digits.
-pub struct Checksum;
+pub(crate) struct Checksum;
 
 impl Checksum {
     /// The name of the column.
-    pub const NAME: &str = "check";
+    pub(crate) const NAME: &str = "check";
 
     /// The check sum of a row of words under the names of their columns.
-    pub fn from_words<T: AsRef<[u8]>>(
+    pub(crate) fn from_words<T: AsRef<[u8]>>(
         names: impl IntoIterator<Item = T>,
         words: impl IntoIterator<Item = T>,
     ) -> String {
@@ -27,7 +27,7 @@ impl Checksum {
     }
 
     /// Whether a row and the names of its columns, with that of the check sum as the last, have not changed since they were written.
-    pub fn holds(names: &StringRecord, record: &StringRecord) -> bool {
+    pub(crate) fn holds(names: &StringRecord, record: &StringRecord) -> bool {
         let (mut names, mut fields): (Vec<&str>, Vec<&str>) = (names.iter().collect(), record.iter().collect());
         names.pop();
         fields.pop().is_some_and(|last| match last.starts_with(NAMED) {

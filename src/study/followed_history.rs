@@ -20,7 +20,7 @@ impl FollowedHistory {
     ///
     /// # Errors
     /// The errors of [`Setup::history`], and those of the first state. Where a later one is not found, the row has the states before it.
-    pub fn follow(setup: &Setup, observer: &mut dyn Observer) -> Result<Self, StudyError> {
+    pub(crate) fn follow(setup: &Setup, observer: &mut dyn Observer) -> Result<Self, StudyError> {
         let mut states: Vec<State> = Vec::new();
         let mut process = setup.history(setup.problem()?)?.ok_or(StudyError::NoHistory)?;
         let ended = process.run(observer, &mut |state| {

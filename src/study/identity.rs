@@ -30,7 +30,7 @@ impl<'a> Identity<'a> {
     ///
     /// # Errors
     /// For a height file that cannot be read.
-    pub fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
+    pub(crate) fn new(realisation: &'a Realisation) -> Result<Self, StudyError> {
         let setup = realisation.setup.fingerprint()?;
         let is_reduced = !realisation.setup.is_history()?
             && realisation.loads.iter().all(|load| matches!(load, Load::ReducedPressure(_)));
@@ -40,18 +40,18 @@ impl<'a> Identity<'a> {
     }
 
     /// What the realisation is known by.
-    pub fn key(&self) -> RowKey {
+    pub(crate) fn key(&self) -> RowKey {
         [self.realisation.name.clone(), self.setup.clone(), version()]
     }
 
     /// Whether a point with the key of the realisation is under one of its loads.
-    pub fn includes(&self, point: &Point) -> bool {
+    pub(crate) fn includes(&self, point: &Point) -> bool {
         let mut loads = self.realisation.loads.iter().enumerate();
         loads.any(|(number, load)| is_under(point, number, load))
     }
 
     /// The points of the realisation among those with its key, if they are all there, one after the other.
-    pub fn find(&self, points: &[&Point]) -> Option<Vec<Point>> {
+    pub(crate) fn find(&self, points: &[&Point]) -> Option<Vec<Point>> {
         let loads = &self.realisation.loads;
         let is_it = |points: &&[&Point]| {
             points.iter().zip(loads).enumerate().all(|(i, (point, load))| is_under(point, i, load))
@@ -65,7 +65,7 @@ impl<'a> Identity<'a> {
     ///
     /// # Errors
     /// The errors of [`Identity::press`], located.
-    pub fn points<O: Observer>(
+    pub(crate) fn points<O: Observer>(
         &self,
         watch: impl FnMut(usize) -> O,
         mut show: impl FnMut(&Point),
@@ -84,7 +84,7 @@ impl<'a> Identity<'a> {
     ///
     /// # Errors
     /// The errors of [`Realisation::press`].
-    pub fn press<O: Observer>(
+    pub(crate) fn press<O: Observer>(
         &self,
         watch: impl FnMut(usize) -> O,
         mut each: impl FnMut(Point, &Contact),

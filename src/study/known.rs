@@ -9,24 +9,24 @@ pub(super) struct Known<'a>(HashMap<RowKey, Vec<&'a Point>>);
 
 impl<'a> Known<'a> {
     /// Points in the order of their table.
-    pub fn new(points: &'a [Point]) -> Self {
+    pub(crate) fn new(points: &'a [Point]) -> Self {
         let mut known: HashMap<RowKey, Vec<&Point>> = HashMap::new();
         points.iter().for_each(|point| known.entry(key_of(point)).or_default().push(point));
         Self(known)
     }
 
     /// The points of each realisation, if they are all there.
-    pub fn find_all(&self, identities: &[Identity<'_>]) -> Vec<Option<Vec<Point>>> {
+    pub(crate) fn find_all(&self, identities: &[Identity<'_>]) -> Vec<Option<Vec<Point>>> {
         identities.iter().map(|identity| identity.find(self.with_key_of(identity))).collect()
     }
 
     /// The points with the key of a realisation.
-    pub fn with_key_of(&self, identity: &Identity<'_>) -> &[&'a Point] {
+    pub(crate) fn with_key_of(&self, identity: &Identity<'_>) -> &[&'a Point] {
         self.0.get(&identity.key()).map_or(&[], Vec::as_slice)
     }
 
     /// The number of points that belong to none of the realisations.
-    pub fn foreign(&self, identities: &[Identity<'_>]) -> usize {
+    pub(crate) fn foreign(&self, identities: &[Identity<'_>]) -> usize {
         let mut by_key: HashMap<RowKey, Vec<&Identity<'_>>> = HashMap::new();
         identities.iter().for_each(|identity| by_key.entry(identity.key()).or_default().push(identity));
         let is_foreign = |key: &RowKey, point: &Point| {

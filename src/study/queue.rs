@@ -28,7 +28,7 @@ struct QueueState {
 impl Queue {
     /// Tasks of some `(work, bytes)`, which together take no more than `memory` bytes at a time; a task that needs more is done
     /// alone.
-    pub fn new(tasks: &[(f64, f64)], memory: f64) -> Self {
+    pub(crate) fn new(tasks: &[(f64, f64)], memory: f64) -> Self {
         let mut waiting: Vec<usize> = (0..tasks.len()).collect();
         waiting.sort_by(|&a, &b| tasks[b].0.total_cmp(&tasks[a].0));
         let state = QueueState { waiting: waiting.into(), free: memory, busy: 0 };
@@ -37,7 +37,7 @@ impl Queue {
     }
 
     /// The next task, once there is memory for it; none when all are taken.
-    pub fn take(&self) -> Option<Task<'_>> {
+    pub(crate) fn take(&self) -> Option<Task<'_>> {
         let mut state = self.state();
         while !state.waiting.is_empty() {
             let fits = |&task: &usize| self.bytes[task] <= state.free;
@@ -53,7 +53,7 @@ impl Queue {
     }
 
     /// Lets no more tasks be taken.
-    pub fn close(&self) {
+    pub(crate) fn close(&self) {
         self.state().waiting.clear();
         self.given_back.notify_all();
     }

@@ -38,7 +38,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// Adhesion, under loads that go up and down along a path.
-pub const ADHESION: Drive = Drive {
+pub(crate) const ADHESION: Drive = Drive {
     name: "adhesion",
     keys: KEYS,
     given: Ingredient { path: "adhesion", name: "adhesion", is_given: |it| it.adhesion.is_some() },

@@ -34,7 +34,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// A viscoelastic solid in time, under loads that change along a path.
-pub const CREEP: Drive = Drive {
+pub(crate) const CREEP: Drive = Drive {
     name: "creep",
     keys: KEYS,
     given: Ingredient { path: "viscoelastic", name: "creep", is_given: |it| it.viscoelastic.is_some() },

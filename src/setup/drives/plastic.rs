@@ -34,7 +34,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// A solid that yields below its surface, under loads that go up and down along a path.
-pub const PLASTIC: Drive = Drive {
+pub(crate) const PLASTIC: Drive = Drive {
     name: "plastic",
     keys: KEYS,
     given: Ingredient { path: "solid.yield-stress", name: "a yield stress", is_given: Setup::yields },

@@ -21,7 +21,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// Steady rolling of a line with friction, one state for each creepage or tangential load.
-pub const ROLLING: Drive = Drive {
+pub(crate) const ROLLING: Drive = Drive {
     name: "rolling",
     keys: KEYS,
     given: Ingredient { path: "rolling", name: "rolling", is_given: |it| it.rolling.is_some() },

@@ -19,7 +19,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// Steady sliding over a viscoelastic solid, one state for each speed.
-pub const SLIDING: Drive = Drive {
+pub(crate) const SLIDING: Drive = Drive {
     name: "sliding",
     keys: KEYS,
     given: Ingredient { path: "sliding", name: "sliding", is_given: |it| it.sliding.is_some() },

@@ -19,7 +19,7 @@ const FIELDS: [f64; 2] = [28.0, 27.0];
 const STATE_FIELDS: [f64; 2] = [3.0, 5.0];
 
 /// Partial slip along a path of normal and tangential loads.
-pub const SLIP: Drive = Drive {
+pub(crate) const SLIP: Drive = Drive {
     name: "slip",
     keys: &[],
     given: Ingredient {

@@ -34,7 +34,7 @@ pub(super) struct Laplace {
 impl Laplace {
     /// The equation for the void nodes of heights of some shape, all of which have the same height to begin with; with the weights of
     /// neighbours along y and x.
-    pub fn new(shape: [usize; 2], weights: [f64; 2], height: &[f64], is_void: &[bool]) -> Self {
+    pub(crate) fn new(shape: [usize; 2], weights: [f64; 2], height: &[f64], is_void: &[bool]) -> Self {
         let mut fine = LaplaceGrid::empty(shape);
         let mut pull = vec![0.0; height.len()];
         for (stride, weight) in [shape[1], 1].into_iter().zip(weights) {
@@ -61,7 +61,7 @@ impl Laplace {
     }
 
     /// Solves for the voids.
-    pub fn solve(mut self, height: &mut [f64]) {
+    pub(crate) fn solve(mut self, height: &mut [f64]) {
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let mut z = cycle(&self.levels, &self.pull);
         let (mut along, mut square) = (z.clone(), dot(&self.pull, &z));

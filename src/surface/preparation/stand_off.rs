@@ -29,7 +29,7 @@ pub(super) fn rounding(scan: &Scan) -> f64 {
 impl<'a> StandOff<'a> {
     /// The nodes of a scan and those at some numbers of steps on both sides, with the difference of heights below which they are equal; none
     /// where no node has both.
-    pub fn new(scan: &'a Scan, step: [isize; 2], sides: [isize; 2], equal: f64) -> Option<Self> {
+    pub(crate) fn new(scan: &'a Scan, step: [isize; 2], sides: [isize; 2], equal: f64) -> Option<Self> {
         let mut it = Self { scan, step, sides, scale: 0.0, slope: 0.0 };
         let [ny, nx] = scan.shape();
         let every = (ny * nx).div_ceil(MOST);
@@ -60,7 +60,7 @@ impl<'a> StandOff<'a> {
 
     /// How far a node is above both sides, or below both of them (then negative): the lesser difference; 0 where it is between them. None
     /// where a height is not there.
-    pub fn at(&self, node: [usize; 2]) -> Option<f64> {
+    pub(crate) fn at(&self, node: [usize; 2]) -> Option<f64> {
         let [before, here, after] = self.heights(node)?;
         let [one, other] = [here - before, here - after];
         Some(if one * other <= 0.0 { 0.0 } else { one.signum() * one.abs().min(other.abs()) })
@@ -68,7 +68,7 @@ impl<'a> StandOff<'a> {
 
     /// Whether a difference at a node is more than some standard deviations, both of all nodes and of those in the window
     /// that reaches some nodes to each side of it.
-    pub fn is_beyond(&self, difference: f64, deviations: f64, [y, x]: [usize; 2], reach: usize) -> bool {
+    pub(crate) fn is_beyond(&self, difference: f64, deviations: f64, [y, x]: [usize; 2], reach: usize) -> bool {
         let exceeds = |scale: f64| difference > deviations * scale;
         if !exceeds(self.scale) {
             return false;

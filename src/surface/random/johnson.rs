@@ -33,7 +33,7 @@ pub(super) struct Johnson {
 
 impl Johnson {
     /// The distribution of a skewness and a kurtosis, if there is one within rounding of what is searched.
-    pub fn from_moments(skewness: f64, kurtosis: f64) -> Option<Self> {
+    pub(crate) fn from_moments(skewness: f64, kurtosis: f64) -> Option<Self> {
         let sign = if skewness < 0.0 { -1.0 } else { 1.0 };
         let (is_bounded, delta) = shape(skewness.abs(), kurtosis)?;
         let gamma = shift(is_bounded, delta, skewness.abs())?;
@@ -43,7 +43,7 @@ impl Johnson {
     }
 
     /// The value at a normal score.
-    pub fn value(&self, score: f64) -> f64 {
+    pub(crate) fn value(&self, score: f64) -> f64 {
         self.sign * translated(self.is_bounded, (self.sign * score + self.gamma) / self.delta)
     }
 }

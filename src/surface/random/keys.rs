@@ -62,7 +62,7 @@ pub(super) struct RoughnessKeys {
 
 impl RoughnessKeys {
     /// The keys of a spectrum and what is done with it.
-    pub fn from_parts(
+    pub(crate) fn from_parts(
         spectrum: SpectralDensity,
         lay: Lay,
         scale: RoughnessScale,
@@ -109,7 +109,7 @@ impl RoughnessKeys {
         keys
     }
 
-    pub fn spectrum(&self) -> Result<SpectralDensity, String> {
+    pub(crate) fn spectrum(&self) -> Result<SpectralDensity, String> {
         let law = self.hurst.is_some() || self.rolloff_wavelength.is_some() || self.rolloff_form.is_some();
         match &self.table {
             Some(_) if law => {
@@ -144,14 +144,14 @@ impl RoughnessKeys {
         }
     }
 
-    pub fn lay(&self) -> Result<Lay, String> {
+    pub(crate) fn lay(&self) -> Result<Lay, String> {
         match (self.peklenik, self.lay_angle) {
             (None, Some(_)) => Err("the angle of a lay is given without a Peklenik number: give it as well".into()),
             (peklenik, angle) => Ok(Lay { peklenik: peklenik.unwrap_or(1.0), angle: angle.unwrap_or(0.0) }),
         }
     }
 
-    pub fn scale(&self) -> Result<RoughnessScale, String> {
+    pub(crate) fn scale(&self) -> Result<RoughnessScale, String> {
         match (self.rms_gradient, self.rms_height) {
             (Some(_), Some(_)) => Err("both the rms gradient and the rms height are given: give one of them".into()),
             (Some(gradient), None) => Ok(RoughnessScale::RmsGradient(gradient)),
@@ -161,7 +161,7 @@ impl RoughnessKeys {
         }
     }
 
-    pub fn heights(&self) -> Result<Option<TargetHeights>, String> {
+    pub(crate) fn heights(&self) -> Result<Option<TargetHeights>, String> {
         let moments = match (self.skewness, self.kurtosis) {
             (Some(skewness), Some(kurtosis)) => Some(HeightDistribution::Moments { skewness, kurtosis }),
             (None, None) => None,

@@ -27,7 +27,7 @@ enum WaveDensity {
 
 impl WaveSource {
     /// The waves of a spectrum that `grid` can carry, if it were isotropic.
-    pub fn new(spectrum: &SpectralDensity, grid: &Grid) -> Result<Self, RoughnessError> {
+    pub(crate) fn new(spectrum: &SpectralDensity, grid: &Grid) -> Result<Self, RoughnessError> {
         if let SpectralDensity::SelfAffine(law) = spectrum {
             law.check(grid)?;
         }
@@ -35,7 +35,7 @@ impl WaveSource {
     }
 
     /// The waves of a spectrum on a line or else a surface.
-    pub fn from_spectrum(spectrum: &SpectralDensity, is_line: bool) -> Result<Self, FileError> {
+    pub(crate) fn from_spectrum(spectrum: &SpectralDensity, is_line: bool) -> Result<Self, FileError> {
         let density = match spectrum {
             SpectralDensity::SelfAffine(law) => WaveDensity::Law(*law),
             SpectralDensity::Measured(MeasuredSpectrum { file, convention, short_cutoff }) => {
@@ -48,7 +48,7 @@ impl WaveSource {
     }
 
     /// The density at the wavenumber `q`: of a law up to a factor, of a table as it is.
-    pub fn density(&self, q: f64) -> f64 {
+    pub(crate) fn density(&self, q: f64) -> f64 {
         match &self.density {
             WaveDensity::Law(law) => law.density(q, self.is_line),
             WaveDensity::Table(table, end) if q < *end => table.density(q),
@@ -57,7 +57,7 @@ impl WaveSource {
     }
 
     /// A wavenumber above which there are no waves.
-    pub fn largest_wavenumber(&self) -> f64 {
+    pub(crate) fn largest_wavenumber(&self) -> f64 {
         match &self.density {
             WaveDensity::Law(law) => law.largest_wavenumber(),
             WaveDensity::Table(_, end) => *end,
@@ -76,7 +76,7 @@ impl WaveSource {
     }
 
     /// Checks that two spacings are not longer than the shortest waves along each axis, and that there is a wave.
-    pub fn check(&self, lay: &Lay, grid: &Grid) -> Result<(), SurfaceError> {
+    pub(crate) fn check(&self, lay: &Lay, grid: &Grid) -> Result<(), SurfaceError> {
         let (period, shortest) = (grid.longest_wavelength(), grid.shortest_wavelength());
         if let (WaveDensity::Law(law), true) = (&self.density, lay.is_isotropic())
             && law.short_cutoff < shortest * (1.0 - SLACK)

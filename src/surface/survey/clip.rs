@@ -39,7 +39,7 @@ pub(super) struct Clip {
 
 impl Clip {
     /// The plateaus at the top and at the bottom.
-    pub fn both(scan: &Scan) -> [Option<Self>; 2] {
+    pub(crate) fn both(scan: &Scan) -> [Option<Self>; 2] {
         if levels(scan) <= FEWEST_LEVELS {
             return [None; 2];
         }

@@ -20,7 +20,7 @@ pub(super) struct LineShift {
 impl LineShift {
     /// The shift of every second row (axis 0) or column; none where none makes the lines fit better. Waves that run obliquely over the map shift
     /// each line by the same, so that the mean of the lines on both sides is not shifted.
-    pub fn new(scan: &Scan, axis: usize) -> Option<Self> {
+    pub(crate) fn new(scan: &Scan, axis: usize) -> Option<Self> {
         let [ny, nx] = scan.shape();
         if ny.min(nx) < 16 {
             return None;

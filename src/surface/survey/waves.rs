@@ -57,7 +57,7 @@ type Peak = ([isize; 2], f64);
 
 impl WavePower {
     /// The waves of a map, in which voids are at the level of the plane; none of a profile, and of less than 64 nodes along an axis.
-    pub fn new(scan: &Scan) -> Option<Self> {
+    pub(crate) fn new(scan: &Scan) -> Option<Self> {
         let shape @ [ny, nx] = scan.shape();
         if ny.min(nx) < FEWEST {
             return None;
@@ -103,7 +103,7 @@ impl WavePower {
 
     /// The rms step from line to line by which the levels of the lines across an axis wander, and the share of the mean square gradient that it
     /// makes; none where they do not. Waves that are long along the lines have as much power as the levels, unless the levels move alone.
-    pub fn wander(&self, axis: usize) -> Option<[f64; 2]> {
+    pub(crate) fn wander(&self, axis: usize) -> Option<[f64; 2]> {
         let lines = self.shape[axis] as isize;
         let place = |across: isize, along: isize| if axis == 0 { [across, along] } else { [along, across] };
         let bend = |along: isize, across: isize| self.at(place(across, along)) * self.step(axis, across).powi(2);
@@ -121,7 +121,7 @@ impl WavePower {
 
     /// The waves that stand alone above those around them; none where they are most of the heights. Where the levels of the lines across an axis
     /// repeat, waves across these lines are the harmonics of that profile, and left out.
-    pub fn alone(&self, repeats: [bool; 2]) -> Option<Alone> {
+    pub(crate) fn alone(&self, repeats: [bool; 2]) -> Option<Alone> {
         let (square, gradient) = (self.sum(|_| 1.0), self.sum(|k| self.gradient(k)));
         let is_harmonic = |k: &[isize; 2]| [0, 1].iter().any(|&axis| repeats[axis] && k[1 - axis].abs() <= REACH[0]);
         let all = self.half().filter(|k| !is_harmonic(k));

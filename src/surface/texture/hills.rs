@@ -28,7 +28,7 @@ pub(super) struct SignificantHills {
 
 impl SignificantHills {
     /// The hills and dales of a surface, not of a line.
-    pub fn new(surface: &Surface, peak_to_valley: f64) -> Self {
+    pub(crate) fn new(surface: &Surface, peak_to_valley: f64) -> Self {
         let grid = surface.grid();
         let heights = surface.heights();
         let least = PRUNING * peak_to_valley;
