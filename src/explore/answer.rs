@@ -145,7 +145,7 @@ impl Session {
 ///
 /// # Errors
 /// A sentence on the fault of the text.
-pub fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
+pub(crate) fn read<T: DeserializeOwned>(json: &[u8]) -> Result<T, Refusal> {
     Ok(serde_json::from_slice(json)?)
 }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Nodes in at most `most` columns of about the same width.
-pub fn columns(nodes: usize, most: usize) -> impl Iterator<Item = Range<usize>> {
+pub(crate) fn columns(nodes: usize, most: usize) -> impl Iterator<Item = Range<usize>> {
     let count = nodes.min(most);
     (0..count).map(move |i| i * nodes / count..(i + 1) * nodes / count)
 }

@@ -7,7 +7,7 @@ use super::why::Why;
 use serde_json::{Value, json};
 
 /// Additional data about a run that the page can request.
-pub struct Facet {
+pub(crate) struct Facet {
     /// Its name in the path of the request.
     pub name: &'static str,
     /// It, as JSON.
@@ -15,10 +15,10 @@ pub struct Facet {
 }
 
 /// The facet that sweeps have too.
-pub const MOTION: &str = "motion";
+pub(crate) const MOTION: &str = "motion";
 
 /// The facets of a run.
-pub const FACETS: [Facet; 11] = [
+pub(crate) const FACETS: [Facet; 11] = [
     Facet { name: "section", of: |solved| json!(solved.last.section()) },
     Facet { name: "top", of: |solved| json!(Top::from_contact(&solved.last.contact, &solved.last.fields)) },
     Facet { name: "leak", of: |solved| json!(Leak::through(&solved.last.contact)) },

@@ -37,7 +37,7 @@ pub struct Hold {
 
 /// What the hand has left: the pressures of the contact and of that beside it, and the last states with adhesion.
 #[derive(Default)]
-pub struct HandMemory {
+pub(crate) struct HandMemory {
     pressures: [Option<Field>; 2],
     sticking: [Option<StickingHand>; 2],
 }

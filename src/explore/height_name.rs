@@ -8,7 +8,7 @@ const LONGEST: usize = 100;
 const NAMELESS: &str = "heights";
 
 /// The name in the query of a request, without folders, characters that cannot be seen, and what is beyond a hundred letters.
-pub fn plain_name(encoded: &str) -> String {
+pub(crate) fn plain_name(encoded: &str) -> String {
     let name = decoded(encoded);
     let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let name: String = last.chars().filter(|letter| is_seen(*letter)).take(LONGEST).collect();

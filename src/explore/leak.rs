@@ -8,14 +8,14 @@ use serde::Serialize;
 use std::ops::Range;
 
 /// The name of the [`conductance`] among the numbers of the page.
-pub const CONDUCTANCE: &str = "conductance";
+pub(crate) const CONDUCTANCE: &str = "conductance";
 
 /// The most rows and columns of a map of the flux.
 const MOST: usize = 256;
 
 /// The leakage of a contact of a surface along both axes.
 #[derive(Serialize)]
-pub struct Leak {
+pub(crate) struct Leak {
     /// The leakage along x and along y.
     axes: [LeakAlong; 2],
 }
@@ -35,7 +35,7 @@ struct LeakAlong {
 
 impl Leak {
     /// The flow through a contact; none of a line.
-    pub fn through(contact: &Contact) -> Option<Self> {
+    pub(crate) fn through(contact: &Contact) -> Option<Self> {
         if contact.problem.surface().grid().is_line() {
             return None;
         }
@@ -46,7 +46,7 @@ impl Leak {
 
 /// The conductance per area between two bodies, times the sum of their resistivities and the length of the cell: that of the contact over
 /// that of the bodies, if each is as thick as the cell is long. None of a layer, and of a contact that slides.
-pub fn conductance(contact: &Contact) -> Option<f64> {
+pub(crate) fn conductance(contact: &Contact) -> Option<f64> {
     let length = contact.problem.surface().grid().size()[1];
     Conductance::new(contact, [1.0, 0.0]).ok().map(|it| it.per_area * length)
 }

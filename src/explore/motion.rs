@@ -11,7 +11,7 @@ const LATER: f64 = 1.08;
 /// The sections of a run and the numbers of their steps, without the last one, which is reported separately; or those
 /// of a sweep and the numbers of their loads.
 #[derive(Clone, Default, Serialize)]
-pub struct Motion {
+pub(crate) struct Motion {
     steps: Vec<usize>,
     sections: Vec<Section>,
     /// The first step that is kept next.
@@ -24,13 +24,13 @@ pub struct Motion {
 
 impl Motion {
     /// Adds the section of load number `number` of a sweep.
-    pub fn add_load(&mut self, number: usize, section: Section) {
+    pub(crate) fn add_load(&mut self, number: usize, section: Section) {
         self.steps.push(number);
         self.sections.push(section);
     }
 
     /// Adds the section of the next state of a history, whose states are numbered from 1 on.
-    pub fn add_state(&mut self, state: &State) {
+    pub(crate) fn add_state(&mut self, state: &State) {
         self.seen += 1;
         self.add(self.seen, || Section::from_state(state));
     }

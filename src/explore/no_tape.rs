@@ -8,30 +8,30 @@ use crate::setup::{Record, Setup};
 use std::sync::Arc;
 
 /// No bytes.
-pub type TapeBytes = ();
+pub(crate) type TapeBytes = ();
 /// No curves.
-pub type TapeCurves = ();
+pub(crate) type TapeCurves = ();
 /// What a recording would be drawn for.
-pub type TapeView = (Option<[f64; 2]>, Option<Arc<TapeCurves>>);
+pub(crate) type TapeView = (Option<[f64; 2]>, Option<Arc<TapeCurves>>);
 
 /// No curves of a run that begins.
-pub fn curves(_: &str) -> TapeCurves {}
+pub(crate) fn curves(_: &str) -> TapeCurves {}
 
 /// The job as it is.
-pub fn recorded<'a>(job: Job<'a>, _: &'a str, _: &Record, _: TapeView, begun: impl FnOnce(TapeBytes) + 'a) -> Job<'a> {
+pub(crate) fn recorded<'a>(job: Job<'a>, _: &'a str, _: &Record, _: TapeView, begun: impl FnOnce(TapeBytes) + 'a) -> Job<'a> {
     begun(());
     job
 }
 
 /// No recording of a sweep.
-pub struct SweepTape;
+pub(crate) struct SweepTape;
 
 impl SweepTape {
     /// Begins nothing.
     ///
     /// # Errors
     /// None.
-    pub fn begin(
+    pub(crate) fn begin(
         _: (&SweepReport, &Setup, &Problem),
         _: &[f64],
         _: [bool; 2],
@@ -44,7 +44,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// None.
-    pub fn contact(&self, _: usize, _: &Contact) -> Result<(), FileError> {
+    pub(crate) fn contact(&self, _: usize, _: &Contact) -> Result<(), FileError> {
         Ok(())
     }
 
@@ -52,7 +52,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// None.
-    pub fn point(&self, _: &SweepPoint) -> Result<(), FileError> {
+    pub(crate) fn point(&self, _: &SweepPoint) -> Result<(), FileError> {
         Ok(())
     }
 
@@ -60,7 +60,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// None.
-    pub fn finish(self) -> Result<(), FileError> {
+    pub(crate) fn finish(self) -> Result<(), FileError> {
         Ok(())
     }
 }

@@ -19,7 +19,7 @@ const POINTS: usize = 49;
 
 /// All patches of a contact, and where they are.
 #[derive(Serialize)]
-pub struct PatchTable {
+pub(crate) struct PatchTable {
     /// The largest ones, these first.
     pub patches: Vec<PatchRow>,
     /// How many there are.
@@ -40,7 +40,7 @@ pub struct PatchTable {
 
 /// One patch. Lengths in metres, pressures over the contact modulus.
 #[derive(Serialize)]
-pub struct PatchRow {
+pub(crate) struct PatchRow {
     /// Nodes in contact.
     pub nodes: usize,
     /// Where its pressure is largest, along the rows and along the columns.
@@ -63,7 +63,7 @@ pub struct PatchRow {
 
 /// A parabola on a half-space that carries the load of a patch with its curvature (Hertz).
 #[derive(Serialize)]
-pub struct HertzParabola {
+pub(crate) struct HertzParabola {
     /// Half-width or radius of its contact.
     pub half_width: f64,
     /// Area, or length of a line, of its contact.
@@ -76,7 +76,7 @@ pub struct HertzParabola {
 
 /// A patch along the row of its largest pressure, with as much again on both sides.
 #[derive(Serialize)]
-pub struct PatchProfile {
+pub(crate) struct PatchProfile {
     /// Places, from that of the largest pressure on.
     pub x: Vec<f32>,
     /// Heights of the rigid surface above that place.
@@ -87,7 +87,7 @@ pub struct PatchProfile {
 
 impl PatchTable {
     /// The patches of a contact.
-    pub fn new(contact: &Contact) -> Self {
+    pub(crate) fn new(contact: &Contact) -> Self {
         let (problem, pressure) = (&contact.problem, contact.pressure.as_slice().unwrap_or_default());
         let grid = problem.surface().grid();
         let [ny, nx] = grid.shape();

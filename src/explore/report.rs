@@ -144,7 +144,7 @@ pub struct Beside {
 }
 
 /// Name, without ending, of the files of a run: surface, load or `sweep`, and solver, as in `rough-line_p0.1_multilevel`.
-pub fn file_stem(surface: &str, load: &str, solver: &str) -> String {
+pub(crate) fn file_stem(surface: &str, load: &str, solver: &str) -> String {
     let surface: String =
         surface.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     format!("{surface}_{load}_{solver}")

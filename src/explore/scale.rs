@@ -1,8 +1,8 @@
 //! What the numbers of the knobs are multiplied by: results depend only on ratios to it.
 
 /// Length of the cell, in metres.
-pub const CELL: f64 = 160e-6;
+pub(crate) const CELL: f64 = 160e-6;
 /// Contact modulus, in pascals.
-pub const MODULUS: f64 = 1e9;
+pub(crate) const MODULUS: f64 = 1e9;
 /// Retardation time of a solid that creeps: the unit of time.
-pub const RETARDATION_TIME: f64 = 1.0;
+pub(crate) const RETARDATION_TIME: f64 = 1.0;

@@ -17,7 +17,7 @@ const MOST_POINTS_OF_PROGRAM: [usize; 2] = [1 << 18, 1 << 20];
 pub const MOST_POINTS_OF_MODULE: [usize; 2] = [1 << 16, 1 << 18];
 
 /// The largest number of points of a line, and of a surface, here.
-pub const MOST_POINTS: [usize; 2] =
+pub(crate) const MOST_POINTS: [usize; 2] =
     if cfg!(target_arch = "wasm32") { MOST_POINTS_OF_MODULE } else { MOST_POINTS_OF_PROGRAM };
 
 /// The largest number of points of a line, and of a surface, whose solid yields below it while the user waits: each of them stands for all layers below.
@@ -373,7 +373,7 @@ fn is_of_surface(name: &str) -> bool {
 ///
 /// # Errors
 /// A sentence with the knob as it is written, its value and its range.
-pub fn check(state: &Value) -> Result<(), Refusal> {
+pub(crate) fn check(state: &Value) -> Result<(), Refusal> {
     KNOBS.iter().try_for_each(|knob| knob.check(state))
 }
 

@@ -64,7 +64,7 @@ pub struct Section {
 
 /// The largest shear stress in a solid below a section, in plane strain or below the row of a surface.
 #[derive(Clone, Serialize)]
-pub struct Shear {
+pub(crate) struct Shear {
     /// How deep its last row is.
     pub depth: f64,
     /// Columns of a row.
@@ -186,7 +186,7 @@ fn peaks(problem: &Problem, row: usize, most: usize) -> Vec<usize> {
 
 impl Shear {
     /// The stress below the section of a contact; none where it is not known, in a layer and below a surface with a free boundary.
-    pub fn below(contact: &Contact) -> Option<Self> {
+    pub(crate) fn below(contact: &Contact) -> Option<Self> {
         let row = contact.highest_row();
         let grid = contact.problem.surface().grid();
         let depth = DEPTH * grid.size()[1];

@@ -29,7 +29,7 @@ const RECORDINGS: usize = 6;
 const WINDOW: RangeInclusive<f64> = 1.0..=1e5;
 
 /// A file of heights, and its last description for the page.
-pub type Heights = (HeightFile, Description);
+pub(crate) type Heights = (HeightFile, Description);
 
 /// What a session begins with, if there is any: a file of heights, and a scene.
 #[derive(Clone, Default)]
@@ -98,7 +98,7 @@ impl SessionState {
 }
 
 /// An order of the page: what to do with the knobs and the setup that they describe.
-pub struct Order {
+pub(crate) struct Order {
     pub kind: RunKind,
     pub knobs: Knobs,
     pub setup: Setup,
@@ -117,7 +117,7 @@ pub enum RunKind {
 
 /// The right to work until the next order.
 #[derive(Clone, Copy)]
-pub struct Turn<'a> {
+pub(crate) struct Turn<'a> {
     session: &'a Session,
     /// The number of the order, which names what comes of it.
     pub number: u64,
@@ -295,27 +295,27 @@ impl Session {
 
 impl Turn<'_> {
     /// Whether there was no order since.
-    pub fn goes_on(self) -> bool {
+    pub(crate) fn goes_on(self) -> bool {
         self.session.listener.is_none_or(|listener| (listener.goes_on)())
             && self.session.lock().generation == self.number
     }
 
     /// How a recording is drawn: for the viewer on the page, and with the curves of the run that is pinned.
-    pub fn view(self) -> TapeView {
+    pub(crate) fn view(self) -> TapeView {
         let state = self.session.lock();
         (state.window, state.pinned_curves())
     }
 
-    pub fn keep(self, recording: SessionRecording) {
+    pub(crate) fn keep(self, recording: SessionRecording) {
         self.session.change(|state| state.keep(recording));
     }
 
-    pub fn update_report(self, news: impl FnOnce(&mut Report)) {
+    pub(crate) fn update_report(self, news: impl FnOnce(&mut Report)) {
         self.session.change(|state| news(&mut state.report));
     }
 
     /// Reports the numbers of the latest state of a run, and its section.
-    pub fn update_run(self, numbers: Numbers, section: Section) {
+    pub(crate) fn update_run(self, numbers: Numbers, section: Section) {
         self.update_report(|news| {
             if let Some(run) = &mut news.run {
                 (run.numbers, run.section) = (Some(numbers), Some(section));
@@ -325,7 +325,7 @@ impl Turn<'_> {
 
     /// Keeps the result of a solve, that of the surface beside, the curves of the recording, and numbers and sections of
     /// the steps, and reports it.
-    pub fn finish(
+    pub(crate) fn finish(
         self,
         rank: usize,
         last: LastState,
@@ -349,7 +349,7 @@ impl Turn<'_> {
     }
 
     /// Keeps the points of a sweep and the sections of its loads, and reports it.
-    pub fn finish_sweep(self, report: SweepReport, motion: Motion) {
+    pub(crate) fn finish_sweep(self, report: SweepReport, motion: Motion) {
         self.session.change(|state| {
             state.end(&report.id, Ended::Sweep(Arc::new(report.clone()), Arc::new(motion)));
             state.report.sweep = Some(report);
@@ -357,7 +357,7 @@ impl Turn<'_> {
     }
 
     /// Ends the turn; a failure is reported unless another order has come.
-    pub fn end(self, failure: Option<Failure>) {
+    pub(crate) fn end(self, failure: Option<Failure>) {
         self.session.change(|state| {
             let failure = failure.filter(|_| state.generation == self.number);
             state.report.known_fault = failure.as_ref().and_then(KnownFault::from_failure);

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// A recording that can still be read.
 #[derive(Clone)]
-pub struct SessionRecording {
+pub(crate) struct SessionRecording {
     /// Name of the recording.
     pub id: String,
     /// Name, without ending, of the files that it is saved as.
@@ -27,13 +27,13 @@ pub struct SessionRecording {
 
 /// The result of a solve or a sweep.
 #[derive(Clone)]
-pub enum Ended {
+pub(crate) enum Ended {
     Run(Arc<SolvedRun>),
     Sweep(Arc<SweepReport>, Arc<Motion>),
 }
 
 /// The result of a solve.
-pub struct SolvedRun {
+pub(crate) struct SolvedRun {
     pub report: RunReport,
     /// Axes of its arrays.
     pub rank: usize,
@@ -47,7 +47,7 @@ pub struct SolvedRun {
 }
 
 /// The last state of a run, or of the surface beside, as the page shows it.
-pub struct LastState {
+pub(crate) struct LastState {
     pub contact: Contact,
     /// Further fields of the last state of a history.
     pub fields: Vec<StateField>,
@@ -60,19 +60,19 @@ pub struct LastState {
 /// What the page gets about a complete recording.
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum RecordingReport {
+pub(crate) enum RecordingReport {
     Run(Box<RunReport>),
     Sweep(Box<SweepReport>),
 }
 
 impl SessionRecording {
     /// A recording that has begun.
-    pub fn new(id: &str, file_stem: &str, live: TapeBytes) -> Self {
+    pub(crate) fn new(id: &str, file_stem: &str, live: TapeBytes) -> Self {
         Self { id: id.into(), file_stem: file_stem.into(), live, ended: None }
     }
 
     /// What the page gets about it, when it is complete.
-    pub fn report(&self) -> Option<RecordingReport> {
+    pub(crate) fn report(&self) -> Option<RecordingReport> {
         Some(match self.ended.as_ref()? {
             Ended::Run(solved) => RecordingReport::Run(Box::new(solved.report.clone())),
             Ended::Sweep(report, _) => RecordingReport::Sweep(Box::new(SweepReport::clone(report))),
@@ -80,7 +80,7 @@ impl SessionRecording {
     }
 
     /// The solve behind it, once it is complete; none of a sweep.
-    pub fn solved(&self) -> Option<Arc<SolvedRun>> {
+    pub(crate) fn solved(&self) -> Option<Arc<SolvedRun>> {
         match self.ended.as_ref()? {
             Ended::Run(solved) => Some(Arc::clone(solved)),
             Ended::Sweep(..) => None,
@@ -88,7 +88,7 @@ impl SessionRecording {
     }
 
     /// The sections of the loads of a sweep, once it is complete; none of a solve.
-    pub fn swept(&self) -> Option<Arc<Motion>> {
+    pub(crate) fn swept(&self) -> Option<Arc<Motion>> {
         match self.ended.as_ref()? {
             Ended::Run(_) => None,
             Ended::Sweep(_, motion) => Some(Arc::clone(motion)),
@@ -98,7 +98,7 @@ impl SessionRecording {
 
 impl LastState {
     /// The section of the contact.
-    pub fn section(&self) -> Section {
+    pub(crate) fn section(&self) -> Section {
         let Self { contact, fields, layers, exact } = self;
         match (exact, layers) {
             (Some(exact), _) => Section::with_exact(contact, exact),
@@ -111,13 +111,13 @@ impl LastState {
 impl SolvedRun {
     /// The stress below a contact of the run. With adhesion, or where the solid yields below its surface, the pressure between the surfaces is not all
     /// that the solid feels.
-    pub fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
+    pub(crate) fn shear(&self, contact: Option<&Contact>) -> Option<Shear> {
         let feels = self.feels();
         contact.filter(|_| !feels.attraction && !feels.eigenstrain).and_then(Shear::below)
     }
 
     /// The patches of the contact. A patch on a solid that creeps or adheres is compared with no elastic one.
-    pub fn patches(&self) -> PatchTable {
+    pub(crate) fn patches(&self) -> PatchTable {
         let table = PatchTable::new(&self.last.contact);
         PatchTable { is_hertzian: table.is_hertzian && self.feels().is_pressure_alone(), ..table }
     }
@@ -128,7 +128,7 @@ impl SolvedRun {
     }
 
     /// The arrays and the setup as `.npz`; none if they cannot be written.
-    pub fn archive(&self) -> Option<Vec<u8>> {
+    pub(crate) fn archive(&self) -> Option<Vec<u8>> {
         archive(&self.last.contact, self.rank, Some(&self.report.setup)).ok()
     }
 }

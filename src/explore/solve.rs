@@ -23,7 +23,7 @@ const INTERVAL: Duration = Duration::from_millis(60);
 
 /// Solves the setup that the knobs describe, and the one beside it under the same mean pressure, until both are solved
 /// or the turn is over.
-pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) -> Result<(), Failure> {
+pub(crate) fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Setup>) -> Result<(), Failure> {
     let problem = setup.problem()?;
     let beside = beside.map(|beside| pressed_alike(beside, &problem)).transpose()?;
     let rank = setup.surface.rank(&setup.grid)?;

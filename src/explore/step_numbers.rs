@@ -16,7 +16,7 @@ const COUNTED: [Quantity; 2] = [Quantity::Iterations, Quantity::Transforms];
 /// `step` is the step of a row in the recording: its number of iterations, or the number of the state from 1 on; `level` is 0 on the grid of
 /// the run, and more on coarser ones. What is not known at a step is null in JSON.
 #[derive(Default, Serialize)]
-pub struct StepNumbers {
+pub(crate) struct StepNumbers {
     step: Vec<f64>,
     level: Vec<usize>,
     seconds: Vec<f64>,
@@ -34,7 +34,7 @@ pub struct StepNumbers {
 
 impl StepNumbers {
     /// No numbers yet; those of states of a drive hold all that is shown of them.
-    pub fn new(drive: Option<&Drive>) -> Self {
+    pub(crate) fn new(drive: Option<&Drive>) -> Self {
         let shown = |drive: &Drive| {
             let Drive { charts, columns, .. } = drive;
             let drawn = charts.iter().flat_map(|chart| [chart.x, Some(chart.y)]).flatten();
@@ -45,7 +45,7 @@ impl StepNumbers {
     }
 
     /// Adds the next state of a history, with the work so far.
-    pub fn add_state(&mut self, work: Work, state: &State) {
+    pub(crate) fn add_state(&mut self, work: Work, state: &State) {
         self.seen += 1;
         let reading = Reading::from(&state.contact).with_work(work);
         self.add([self.seen, 0], work, reading);

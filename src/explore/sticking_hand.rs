@@ -8,7 +8,7 @@ use crate::history::{AdhesiveProcess, PathPoint, Process};
 use crate::setup::Setup;
 
 /// The last state of a setup with adhesion under the hand.
-pub struct StickingHand {
+pub(crate) struct StickingHand {
     setup: Setup,
     process: AdhesiveProcess,
     state: State,
@@ -20,7 +20,7 @@ impl StickingHand {
     ///
     /// # Errors
     /// A sentence for an attraction that cannot be solved here, and for a state that was not found.
-    pub fn moved(setup: &Setup, before: Option<Self>, load: Option<Load>) -> Result<Self, Refusal> {
+    pub(crate) fn moved(setup: &Setup, before: Option<Self>, load: Option<Load>) -> Result<Self, Refusal> {
         let setup = Setup { record: Default::default(), ..setup.clone() };
         let refused = |error: HistoryError| Refusal::from(error.to_string());
         let mut process = match before.filter(|it| it.setup == setup) {
@@ -36,17 +36,17 @@ impl StickingHand {
     }
 
     /// The state.
-    pub fn state(&self) -> &State {
+    pub(crate) fn state(&self) -> &State {
         &self.state
     }
 
     /// The mean pressure, negative where the hand pulls.
-    pub fn mean_pressure(&self) -> f64 {
+    pub(crate) fn mean_pressure(&self) -> f64 {
         self.state.get(Quantity::MeanPressure).unwrap_or(0.0)
     }
 
     /// The numbers of the state.
-    pub fn numbers(&self) -> Numbers {
+    pub(crate) fn numbers(&self) -> Numbers {
         Numbers::from_contact(&self.state.contact)
     }
 }

@@ -25,7 +25,7 @@ const FULL: f64 = 0.9999;
 const FEWEST_NODES: usize = 4;
 
 /// Solves one load after the other, each from the previous contact, until the contact is full or the turn is over.
-pub fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
+pub(crate) fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let loads: Vec<f64> = loads().collect();
     let problem = at_load(&setup.problem()?, FIRST)?;
     let theories = [is_rough_flat(&setup), exact(&setup, &problem).is_some()];

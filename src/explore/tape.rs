@@ -12,20 +12,20 @@ use crate::setup::{Part, Record, Setup};
 use std::sync::Arc;
 
 /// The bytes of a recording, as it grows.
-pub type TapeBytes = Output;
+pub(crate) type TapeBytes = Output;
 /// The curves of a run, which stand beside those of later runs in their recordings.
-pub type TapeCurves = Ghost;
+pub(crate) type TapeCurves = Ghost;
 
 /// How a recording is drawn: the size of the viewer on the page, if the page has sent it, and the curves of an earlier run.
-pub type TapeView = (Option<[f64; 2]>, Option<Arc<TapeCurves>>);
+pub(crate) type TapeView = (Option<[f64; 2]>, Option<Arc<TapeCurves>>);
 
 /// The curves of a run that begins.
-pub fn curves(id: &str) -> TapeCurves {
+pub(crate) fn curves(id: &str) -> TapeCurves {
     Ghost::new(&format!("pinned {id}"))
 }
 
 /// The job with its recording, whose bytes `begun` gets when the recording begins.
-pub fn recorded<'a>(
+pub(crate) fn recorded<'a>(
     job: Job<'a>,
     id: &'a str,
     record: &Record,
@@ -76,7 +76,7 @@ const EXACT: [PointCurve; 2] = [
 ];
 
 /// The recording of a sweep.
-pub struct SweepTape {
+pub(crate) struct SweepTape {
     recording: LoadRecording,
     curves: Vec<PointCurve>,
 }
@@ -88,7 +88,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
-    pub fn begin(
+    pub(crate) fn begin(
         (report, setup, problem): (&SweepReport, &Setup, &Problem),
         loads: &[f64],
         theories: [bool; 2],
@@ -131,7 +131,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// [`FileError::Write`].
-    pub fn contact(&self, number: usize, contact: &Contact) -> Result<(), FileError> {
+    pub(crate) fn contact(&self, number: usize, contact: &Contact) -> Result<(), FileError> {
         self.recording.contact(0, number, contact)
     }
 
@@ -139,7 +139,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// [`FileError::Write`].
-    pub fn point(&self, point: &SweepPoint) -> Result<(), FileError> {
+    pub(crate) fn point(&self, point: &SweepPoint) -> Result<(), FileError> {
         let values: Vec<f64> = self.curves.iter().map(|(.., of)| of(point)).collect();
         self.recording.values(point.number - 1, &values)
     }
@@ -148,7 +148,7 @@ impl SweepTape {
     ///
     /// # Errors
     /// [`FileError::Write`].
-    pub fn finish(self) -> Result<(), FileError> {
+    pub(crate) fn finish(self) -> Result<(), FileError> {
         self.recording.finish()
     }
 }

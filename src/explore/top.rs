@@ -49,7 +49,7 @@ impl TopMap {
 /// first and is the same node at all loads. Lengths are in metres, pressures over the contact modulus; heights are those of a
 /// [`Section`](super::section::Section).
 #[derive(Clone, Serialize)]
-pub struct Top {
+pub(crate) struct Top {
     /// Rows and columns.
     shape: [usize; 2],
     /// Lengths of the cell along y and x.
@@ -77,12 +77,12 @@ struct TopField {
 
 impl Top {
     /// A contact that is at rest, with the further fields of its state; none of a line.
-    pub fn from_contact(contact: &Contact, fields: &[StateField]) -> Option<Self> {
+    pub(crate) fn from_contact(contact: &Contact, fields: &[StateField]) -> Option<Self> {
         Self::coarser(contact, fields, MOST)
     }
 
     /// A contact that moves under the hand; none of a line.
-    pub fn of_hand(contact: &Contact, fields: &[StateField]) -> Option<Self> {
+    pub(crate) fn of_hand(contact: &Contact, fields: &[StateField]) -> Option<Self> {
         Self::coarser(contact, fields, MOST_HELD)
     }
 

@@ -12,7 +12,7 @@ const MOST_STEPS: usize = 240;
 
 /// Why a run was slow, and what the solver did.
 #[derive(Serialize)]
-pub struct Why {
+pub(crate) struct Why {
     #[serde(flatten)]
     findings: Findings,
     /// Length of the cell along x.
@@ -52,7 +52,7 @@ struct Stretch {
 impl Why {
     /// Solves the setup again, and compares each step with the final state. None if this fails, and for the states of a process, which are
     /// many solves.
-    pub fn find(solved: &SolvedRun) -> Option<Self> {
+    pub(crate) fn find(solved: &SolvedRun) -> Option<Self> {
         if solved.report.process.is_some() {
             return None;
         }

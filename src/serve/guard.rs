@@ -8,7 +8,7 @@ const HOSTS: [&str; 2] = ["127.0.0.1", "localhost"];
 
 /// Status and sentence with which a request is refused; none if it may pass. What is posted is of a kind that no page of others may send
 /// without asking first, such as JSON.
-pub fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Option<(u16, String)> {
+pub(crate) fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Option<(u16, String)> {
     let is_own = |host: &str| HOSTS.iter().any(|own| host == format!("{own}:{port}"));
     let text = |name: &HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
     if headers.get_all(HOST).iter().count() != 1 || !text(&HOST).is_some_and(is_own) {
@@ -29,6 +29,6 @@ pub fn refuse(method: &Method, headers: &HeaderMap, port: u16, kind: &str) -> Op
 }
 
 /// Bytes that the body is said to have; none if nothing is said.
-pub fn announced(headers: &HeaderMap) -> u64 {
+pub(crate) fn announced(headers: &HeaderMap) -> u64 {
     headers.get(CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse().ok()).unwrap_or(0)
 }

@@ -38,13 +38,13 @@ impl Language {
 }
 
 /// The names of all languages by their codes, as a script.
-pub fn script() -> String {
+pub(crate) fn script() -> String {
     let names: Value =
         LANGUAGES.iter().map(|it| (it.code.to_owned(), it.value()["texts"]["language"].clone())).collect();
     format!("const LANGUAGES = {names};\n")
 }
 
 /// The names and the bytes of the scripts of all languages.
-pub fn files() -> io::Result<Vec<(String, Vec<u8>)>> {
+pub(crate) fn files() -> io::Result<Vec<(String, Vec<u8>)>> {
     LANGUAGES.iter().map(|it| Ok((format!("{}.js", it.code), packed::script_of(it.constant, &it.value())?))).collect()
 }

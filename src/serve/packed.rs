@@ -8,12 +8,12 @@ use serde_json::Value;
 use std::io::{self, Write};
 
 /// A script that gives a name to a text: bytes that gzip has packed, in base64. `packed.js` reads it.
-pub fn script(name: &str, packed: &[u8]) -> Vec<u8> {
+pub(crate) fn script(name: &str, packed: &[u8]) -> Vec<u8> {
     format!("\"use strict\";\nconst {name} = \"{}\";\n", BASE64_STANDARD.encode(packed)).into_bytes()
 }
 
 /// The same script of the JSON of a value, which is packed here.
-pub fn script_of(name: &str, value: &Value) -> io::Result<Vec<u8>> {
+pub(crate) fn script_of(name: &str, value: &Value) -> io::Result<Vec<u8>> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(value.to_string().as_bytes())?;
     Ok(script(name, &encoder.finish()?))

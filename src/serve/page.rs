@@ -80,7 +80,7 @@ fn compact(scripts: &str) -> String {
 }
 
 /// Answers to the paths of the page.
-pub struct Page {
+pub(crate) struct Page {
     script: Bytes,
     /// Scripts of languages by their names.
     languages: Vec<(String, Bytes)>,
@@ -109,7 +109,7 @@ fn written(path: &str) -> Option<Reply> {
 
 impl Page {
     /// The page; fails if the viewer is not in the binary, as builds for special purposes leave it out.
-    pub fn new(mode: &'static str, recording: String) -> io::Result<Self> {
+    pub(crate) fn new(mode: &'static str, recording: String) -> io::Result<Self> {
         let viewer = Arc::new(WebViewerData::load(None).map_err(io::Error::other)?);
         let file = |content| Bytes::from_owner(ViewerFile(viewer.clone(), content));
         Ok(Self {
@@ -123,7 +123,7 @@ impl Page {
     }
 
     /// The file at `path`, if it belongs to the page.
-    pub fn file(&self, path: &str) -> Option<Reply> {
+    pub(crate) fn file(&self, path: &str) -> Option<Reply> {
         Some(match path {
             "/" => Reply::Page("text/html; charset=utf-8", self.html().into()),
             SCRIPT => Reply::Page(JAVASCRIPT, self.script.clone()),
@@ -141,7 +141,7 @@ impl Page {
 
     /// All files of a site, by their names, but for its data in `site.js` and `section.js`, which the page loads first; the viewer if there
     /// is something to view.
-    pub fn files(&self, has_viewer: bool) -> impl Iterator<Item = (&str, Bytes)> {
+    pub(crate) fn files(&self, has_viewer: bool) -> impl Iterator<Item = (&str, Bytes)> {
         let kind = "<meta charset=\"utf-8\">";
         let policy = format!("{kind}\n<meta http-equiv=\"Content-Security-Policy\" content=\"{IN_PAGE}\">");
         let script = "<script src=\"explore.js\" defer></script>";
@@ -159,7 +159,7 @@ impl Page {
     }
 
     /// The service worker of a site: it keeps these files, under a mark that differs from that of other files.
-    pub fn offline<'n>(&self, mark: &str, files: impl Iterator<Item = &'n str>) -> String {
+    pub(crate) fn offline<'n>(&self, mark: &str, files: impl Iterator<Item = &'n str>) -> String {
         // a site that a service worker serves was not opened from a folder
         let is_kept = |name: &&str| !name.starts_with("re_viewer") && *name != MODULE_SCRIPT;
         let kept: Vec<&str> = files.filter(is_kept).collect();

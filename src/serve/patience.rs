@@ -10,7 +10,7 @@ use tokio::time::{Sleep, sleep};
 
 /// A connection whose writes fail once the other end has taken no byte for some time. What waits for something else than the other end, such
 /// as a recording that grows, writes nothing, and is not counted.
-pub struct PatientStream<S> {
+pub(crate) struct PatientStream<S> {
     stream: S,
     patience: Duration,
     /// The end of the patience, while a write waits.
@@ -19,7 +19,7 @@ pub struct PatientStream<S> {
 
 impl<S> PatientStream<S> {
     /// A connection with this much patience.
-    pub fn new(stream: S, patience: Duration) -> Self {
+    pub(crate) fn new(stream: S, patience: Duration) -> Self {
         Self { stream, patience, deadline: None }
     }
 

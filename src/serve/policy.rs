@@ -9,6 +9,6 @@ macro_rules! policy {
 }
 
 /// The policy in the page itself, for servers that say none.
-pub const IN_PAGE: &str = policy!();
+pub(crate) const IN_PAGE: &str = policy!();
 /// The policy in the header of every answer.
-pub const IN_HEADER: &str = concat!(policy!(), "; frame-ancestors 'none'");
+pub(crate) const IN_HEADER: &str = concat!(policy!(), "; frame-ancestors 'none'");

@@ -17,7 +17,7 @@ const FILE: &str = "asperity-key";
 
 /// The key of a server. It stands in the address that is printed. The first request with it gets a cookie, which all others have. Addresses that
 /// people share do not have it.
-pub struct ServerKey {
+pub(crate) struct ServerKey {
     key: String,
     /// A second key, which is good for one request. The address that a browser is started with has it: all users can read the command lines of
     /// all processes, and this one is worth nothing once the browser has been there.
@@ -26,29 +26,29 @@ pub struct ServerKey {
 
 impl ServerKey {
     /// The key of this login, so that open pages go on when the program is started again; a new one where the system has no folder for it.
-    pub fn for_login() -> Self {
+    pub(crate) fn for_login() -> Self {
         let folder = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
         let key = folder.filter(|folder| folder.is_dir()).map_or_else(unguessable, |folder| key_in(&folder));
         Self { key, ticket: Mutex::new(Some(unguessable())) }
     }
 
     /// The query of the address with the key.
-    pub fn query(&self) -> String {
+    pub(crate) fn query(&self) -> String {
         format!("{NAME}={}", self.key)
     }
 
     /// The query of an address that leads to the page once; none if it has been used.
-    pub fn query_for_once(&self) -> Option<String> {
+    pub(crate) fn query_for_once(&self) -> Option<String> {
         self.ticket().as_ref().map(|ticket| format!("{NAME}={ticket}"))
     }
 
     /// The cookie with the key. Browsers send a cookie to all ports of a machine, so its name has the port: servers side by side keep theirs.
-    pub fn cookie(&self, port: u16) -> String {
+    pub(crate) fn cookie(&self, port: u16) -> String {
         format!("{}={}; Path=/; HttpOnly; SameSite=Strict", cookie_name(port), self.key)
     }
 
     /// Whether a request has the cookie.
-    pub fn is_in(&self, headers: &HeaderMap, port: u16) -> bool {
+    pub(crate) fn is_in(&self, headers: &HeaderMap, port: u16) -> bool {
         let (name, lines) = (cookie_name(port), headers.get_all(COOKIE));
         let cookies = lines.iter().filter_map(|line| line.to_str().ok()).flat_map(|line| line.split(';'));
         let mut named = cookies.filter_map(|cookie| cookie.trim().split_once('='));
@@ -56,7 +56,7 @@ impl ServerKey {
     }
 
     /// The address of the page without the key, for a request of the page that has it. A key for one request is then used up.
-    pub fn entrance(&self, uri: &Uri) -> Option<String> {
+    pub(crate) fn entrance(&self, uri: &Uri) -> Option<String> {
         if uri.path() != "/" {
             return None;
         }

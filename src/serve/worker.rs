@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 
 /// A session with its solver thread, which ends after [`Session::close`]. Its runs are numbered on from `after`.
-pub fn start(stock: Stock, after: u64) -> (Arc<Session>, JoinHandle<()>) {
+pub(crate) fn start(stock: Stock, after: u64) -> (Arc<Session>, JoinHandle<()>) {
     let session = Arc::new(Session::new(stock, after));
     let worker = Arc::clone(&session);
     (session, std::thread::spawn(move || worker.work()))
