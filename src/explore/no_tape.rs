@@ -18,7 +18,13 @@ pub(crate) type TapeView = (Option<[f64; 2]>, Option<Arc<TapeCurves>>);
 pub(crate) fn curves(_: &str) -> TapeCurves {}
 
 /// The job as it is.
-pub(crate) fn recorded<'a>(job: Job<'a>, _: &'a str, _: &Record, _: TapeView, begun: impl FnOnce(TapeBytes) + 'a) -> Job<'a> {
+pub(crate) fn recorded<'a>(
+    job: Job<'a>,
+    _: &'a str,
+    _: &Record,
+    _: TapeView,
+    begun: impl FnOnce(TapeBytes) + 'a,
+) -> Job<'a> {
     begun(());
     job
 }

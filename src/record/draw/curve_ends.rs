@@ -16,7 +16,7 @@ const WHOLE: f64 = 1.05;
 /// Upper ends of the axes of converging curves. They are set before the solve, so that the first steps do not make the
 /// last ones invisible.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurveEnds {
+pub(crate) struct CurveEnds {
     pub kappa_r: f64,
     pub relative_area: f64,
     /// That of `kappa`, where the reduced pressure is known.
@@ -25,12 +25,12 @@ pub struct CurveEnds {
 
 impl CurveEnds {
     /// The ends before a solve, for an exact `kappa_r`, if it is known, and an expected relative area.
-    pub fn before(kappa_r: Option<f64>, forecast: Forecast, reduced_pressure: Option<f64>) -> Self {
+    pub(crate) fn before(kappa_r: Option<f64>, forecast: Forecast, reduced_pressure: Option<f64>) -> Self {
         Self::new(kappa_r.unwrap_or(KAPPA_R), DOUBT * forecast.relative_area, reduced_pressure)
     }
 
     /// The ends that suit a contact.
-    pub fn after(contact: &Reading<'_>) -> Self {
+    pub(crate) fn after(contact: &Reading<'_>) -> Self {
         let &Resolved { kappa_r, relative_area, .. } = contact.resolved();
         Self::new(kappa_r, relative_area, Some(contact.counted().reduced_pressure))
     }
@@ -46,7 +46,7 @@ impl CurveEnds {
     }
 
     /// Whether curves that would have these ends can be read on axes with the ends of `other`.
-    pub fn are_read_on(&self, other: &Self) -> bool {
+    pub(crate) fn are_read_on(&self, other: &Self) -> bool {
         let is_read = |own: f64, other: f64| (own / ROOM..=own * FLAT / ROOM).contains(&other);
         is_read(self.kappa_r, other.kappa_r) && is_read(self.relative_area, other.relative_area)
     }

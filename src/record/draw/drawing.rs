@@ -13,7 +13,7 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// The input of a drawing: a scene, the expected ranges of its values, and the options of the recording.
-pub struct Subject<'a> {
+pub(crate) struct Subject<'a> {
     pub scene: &'a Scene<'a>,
     pub forecast: Forecast,
     /// Root of the entities of the scene, with a leading `/`.
@@ -28,12 +28,12 @@ pub struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    pub fn grid(&self) -> &Grid {
+    pub(crate) fn grid(&self) -> &Grid {
         self.scene.problem.surface().grid()
     }
 
     /// Whether a part is recorded.
-    pub fn has(&self, part: Part) -> bool {
+    pub(crate) fn has(&self, part: Part) -> bool {
         self.options.what.has(part)
     }
 }
@@ -42,7 +42,7 @@ impl Subject<'_> {
 ///
 /// A drawing is created before the solve, fitted to its panes, and its static parts are recorded. Then it draws the
 /// fields of the selected frames. At the end its axes are fitted to the data.
-pub trait Drawing: Send + Sync {
+pub(crate) trait Drawing: Send + Sync {
     /// The panes that it needs, and their places.
     fn panes(&self) -> Vec<(Place, Pane)>;
 
@@ -85,7 +85,7 @@ pub trait Drawing: Send + Sync {
 
 /// The place of a pane in the layout of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub(crate) enum Place {
     /// A row or cell of its own.
     Main,
     /// A field: on a surface a cell of its own, on a line beside the other fields.
@@ -105,7 +105,7 @@ pub enum Place {
 }
 
 /// The collector of a drawing for all steps of one run.
-pub trait RunDrawing: Send {
+pub(crate) trait RunDrawing: Send {
     /// Adds a step.
     fn add(&mut self, step: &RunStep<'_, '_>);
 
@@ -122,7 +122,7 @@ pub trait RunDrawing: Send {
 }
 
 /// A step of a run, and what is known of the run so far.
-pub struct RunStep<'a, 's> {
+pub(crate) struct RunStep<'a, 's> {
     pub step: &'a Step<'s>,
     /// The position in the scheme of the solver, if it uses coarse grids or inner steps.
     pub phase: Option<Phase>,
@@ -133,7 +133,7 @@ pub struct RunStep<'a, 's> {
 }
 
 /// A row in the table of parts: the part, its drawing, and its size.
-pub struct PartRow {
+pub(crate) struct PartRow {
     pub part: Part,
     /// The drawing of a scene, if the part can show it.
     pub draw: fn(&Subject<'_>) -> Option<Box<dyn Drawing>>,
@@ -143,7 +143,7 @@ pub struct PartRow {
 /// Approximate size of a part in a recording, in bytes. Compression makes pictures smaller by up to a half, most at
 /// small loads.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Bytes {
+pub(crate) struct Bytes {
     /// What does not change, and the images of a whole run, which are recorded anew whenever the run has become twice as long.
     pub still: f64,
     /// The pictures of a frame.
@@ -156,12 +156,12 @@ pub struct Bytes {
 
 impl Bytes {
     /// Of a part that is drawn in frames only.
-    pub fn per_frame(frame: f64) -> Self {
+    pub(crate) fn per_frame(frame: f64) -> Self {
         Self { frame, ..Self::default() }
     }
 
     /// Of a part that shows a whole run.
-    pub fn per_run(still: f64) -> Self {
+    pub(crate) fn per_run(still: f64) -> Self {
         Self { still, ..Self::default() }
     }
 }

@@ -33,11 +33,11 @@ pub enum CurveKind {
 }
 
 /// The curves of a recording.
-pub struct Curves(pub Vec<RecordedCurve>);
+pub(crate) struct Curves(pub Vec<RecordedCurve>);
 
 impl Curves {
     /// Titles of the views and the entities in each, in the order in which they come first.
-    pub fn views(&self) -> Vec<(&str, Vec<String>)> {
+    pub(crate) fn views(&self) -> Vec<(&str, Vec<String>)> {
         let mut views: Vec<(&str, Vec<String>)> = Vec::new();
         for (i, curve) in self.0.iter().enumerate() {
             match views.iter_mut().find(|(title, _)| *title == curve.view) {
@@ -49,7 +49,7 @@ impl Curves {
     }
 
     /// Records names and colours.
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         for (i, RecordedCurve { name, colour, unit, .. }) in self.0.iter().enumerate() {
             let name = &with_unit(name, unit);
             let (name, colour) = (name.as_str(), palette::colour(legible(Colour(*colour))));
@@ -61,13 +61,13 @@ impl Curves {
     }
 
     /// Records values at the current time.
-    pub fn log(&self, to: &RecordingStream, values: &[f64]) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, values: &[f64]) -> RecordingStreamResult<()> {
         let mut finite = values.iter().take(self.0.len()).enumerate().filter(|(_, value)| value.is_finite());
         finite.try_for_each(|(i, &value)| to.log(entity(i), &Scalars::single(value)))
     }
 
     /// The values with their names, in Markdown.
-    pub fn table(&self, values: &[f64]) -> String {
+    pub(crate) fn table(&self, values: &[f64]) -> String {
         let finite = self.0.iter().zip(values).filter(|(_, value)| value.is_finite());
         let written = |curve: &RecordedCurve, value: f64| match curve.unit.as_str() {
             "" => number(value),

@@ -11,7 +11,7 @@ const HEAD: f64 = 14.0;
 const TEXT: f64 = 16.0;
 
 /// The panels of a figure and the places of the loads along their x axes.
-pub struct FigurePicture {
+pub(crate) struct FigurePicture {
     /// Panels, each with the title of its view and the size of its pane.
     panels: Vec<(String, Panel, [f64; 2])>,
     pub palette: &'static Palette,
@@ -21,7 +21,7 @@ pub struct FigurePicture {
 impl FigurePicture {
     /// The picture of `figure`, with the loads at `cursor`. Views have the titles of their panels, that of a single one the
     /// title of the figure.
-    pub fn new(figure: &Figure, cursor: Vec<f64>, palette: &'static Palette) -> Self {
+    pub(crate) fn new(figure: &Figure, cursor: Vec<f64>, palette: &'static Palette) -> Self {
         let is_single = figure.panels.len() == 1 && !figure.title.is_empty();
         let title =
             |panel: &Panel| if is_single || panel.title.is_empty() { &figure.title } else { &panel.title }.clone();
@@ -31,26 +31,26 @@ impl FigurePicture {
     }
 
     /// Title, root and the part of the canvas of each panel.
-    pub fn panels(&self) -> impl Iterator<Item = (&str, String, [f64; 4])> {
+    pub(crate) fn panels(&self) -> impl Iterator<Item = (&str, String, [f64; 4])> {
         let panels = self.panels.iter().enumerate();
         panels.map(|(i, (title, _, [width, height]))| (title.as_str(), root(i), [0.0, *width, 0.0, *height]))
     }
 
     /// Gives each panel the proportions of its pane, whose size in points `pane` returns for the root of the panel.
-    pub fn fit(&mut self, pane: impl Fn(&str) -> Option<[f64; 2]>) {
+    pub(crate) fn fit(&mut self, pane: impl Fn(&str) -> Option<[f64; 2]>) {
         for (i, (_, _, size)) in self.panels.iter_mut().enumerate() {
             *size = pane(&root(i)).unwrap_or(*size);
         }
     }
 
     /// Records all but the cursor.
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let mut panels = self.panels.iter().enumerate();
         panels.try_for_each(|(i, (_, panel, size))| canvas::log_sheet(to, self.palette, &root(i), &sheet(panel, *size)))
     }
 
     /// Records the cursor at load number `load` and its caption, at the current time.
-    pub fn log_cursor(&self, to: &RecordingStream, load: usize, caption: &str) -> RecordingStreamResult<()> {
+    pub(crate) fn log_cursor(&self, to: &RecordingStream, load: usize, caption: &str) -> RecordingStreamResult<()> {
         let at = self.cursor.get(load).copied().unwrap_or(f64::NAN);
         for (i, (_, panel, [width, height])) in self.panels.iter().enumerate() {
             let frame = frame_in(panel, [0.0, HEAD], [*width, height - HEAD]);

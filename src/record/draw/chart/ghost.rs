@@ -36,7 +36,7 @@ impl Ghost {
 }
 
 /// The entity of the ghost that belongs to that of the same name under `trace`.
-pub fn entity_under(root: &str, name: &str) -> String {
+pub(crate) fn entity_under(root: &str, name: &str) -> String {
     format!("{root}/ghost/{name}")
 }
 

@@ -12,10 +12,10 @@ use std::collections::BTreeMap;
 use std::ops::RangeBounds;
 
 /// What sets the time of a stream to that of a load or a state.
-pub type TurnTo<'t> = dyn Fn(&RecordingStream, usize) + 't;
+pub(crate) type TurnTo<'t> = dyn Fn(&RecordingStream, usize) + 't;
 
 /// Timeline of loads.
-pub const LOAD: &str = "load";
+pub(crate) const LOAD: &str = "load";
 
 /// From the box to the legend, the length of a line in it, and the room before a name, over the size of words.
 const LEGEND: [f64; 3] = [1.0, 1.6, 0.5];
@@ -37,7 +37,7 @@ const ALONE: f64 = 0.1;
 /// Curves of one view, drawn up to the current load, where they have a marker.
 ///
 /// Axes grow with what they show: then all loads are drawn again.
-pub struct Chart {
+pub(crate) struct Chart {
     name: String,
     pub root: String,
     pub palette: &'static Palette,
@@ -53,7 +53,7 @@ pub struct Chart {
 
 impl Chart {
     /// A chart for each view of `curves`, in the order in which they come first.
-    pub fn all(curves: &[RecordedCurve], loads: &LoadAxis, palette: &'static Palette) -> Vec<Self> {
+    pub(crate) fn all(curves: &[RecordedCurve], loads: &LoadAxis, palette: &'static Palette) -> Vec<Self> {
         let mut charts: Vec<Self> = Vec::new();
         for (number, curve) in curves.iter().enumerate() {
             let member = (number, curve.clone());
@@ -76,23 +76,23 @@ impl Chart {
     }
 
     /// Gives it the proportions of a pane, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         let longest = self.curves.iter().map(|(_, curve)| width(&curve.name, 1.0)).fold(0.0, f64::max);
         self.aside = (LEGEND.iter().sum::<f64>() + longest).min(MOST_LEGEND * pane[0] / canvas::TEXT);
         canvas::fit(&mut self.frame, pane, self.aside);
     }
 
     /// What is drawn against what.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         format!("{} against {}", self.name, self.loads.title())
     }
 
-    pub fn bounds(&self) -> [f64; 4] {
+    pub(crate) fn bounds(&self) -> [f64; 4] {
         canvas::bounds(&self.frame, self.aside)
     }
 
     /// Records axes and legend.
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
         let AxesFrame { size: [right, height], text, .. } = self.frame;
         let pitch = (ENTRY * text).min(height / self.curves.len() as f64);
@@ -113,7 +113,7 @@ impl Chart {
 
     /// Adds the values of all curves of the recording under a load, and draws them at that load and at heavier ones, at the times to which
     /// `turn` goes.
-    pub fn add(
+    pub(crate) fn add(
         &mut self,
         to: &RecordingStream,
         turn: &TurnTo<'_>,
@@ -130,13 +130,13 @@ impl Chart {
     }
 
     /// Fits the axis of the loads to those that came.
-    pub fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
+    pub(crate) fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
         self.frame.x = self.loads.over(self.values.keys().copied());
         self.draw_again(to, turn)
     }
 
     /// Draws the values of all curves of the recording under all loads at once, for all times.
-    pub fn log_all(&mut self, to: &RecordingStream, values: &[Vec<f64>]) -> RecordingStreamResult<()> {
+    pub(crate) fn log_all(&mut self, to: &RecordingStream, values: &[Vec<f64>]) -> RecordingStreamResult<()> {
         self.values = values.iter().cloned().enumerate().collect();
         self.frame.x = self.loads.whole();
         self.frame.y = self.fitted();

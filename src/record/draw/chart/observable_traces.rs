@@ -6,59 +6,59 @@ use std::borrow::Cow;
 use strum::IntoEnumIterator;
 
 /// Timeline of relaxation steps.
-pub const STEP: &str = "step";
+pub(crate) const STEP: &str = "step";
 /// Timeline of seconds spent by the solver.
-pub const SECONDS: &str = "seconds";
+pub(crate) const SECONDS: &str = "seconds";
 /// Timeline of transforms made by the solver.
-pub const TRANSFORMS: &str = "transforms";
+pub(crate) const TRANSFORMS: &str = "transforms";
 
 /// Observables that are compared between scenes and with an earlier solve.
-pub const COMPARED: [Quantity; 3] = [Quantity::KappaR, Quantity::RelativeArea, Quantity::Certificate];
+pub(crate) const COMPARED: [Quantity; 3] = [Quantity::KappaR, Quantity::RelativeArea, Quantity::Certificate];
 
 /// Observables that are recorded for programs, and not drawn.
 const NOT_DRAWN: [Quantity; 1] = [Quantity::MeanGap];
 
 /// The observables that are drawn step by step; the certificate as its logarithm.
-pub fn traced() -> impl Iterator<Item = Quantity> {
+pub(crate) fn traced() -> impl Iterator<Item = Quantity> {
     Quantity::traced()
 }
 
 /// The observables that are recorded step by step.
-pub fn recorded() -> impl Iterator<Item = Quantity> {
+pub(crate) fn recorded() -> impl Iterator<Item = Quantity> {
     Quantity::iter().filter(|it| it.row().is_traced || NOT_DRAWN.contains(it))
 }
 
-pub fn title(quantity: Quantity) -> String {
+pub(crate) fn title(quantity: Quantity) -> String {
     let words = quantity.name().replace('_', " ") + " ";
     let name = words.replace("kappa r ", "kappa_r ").trim_end().to_owned();
     let name = name.replace(" counted", ", nodes counted");
     if is_logarithmic(quantity) { format!("log10 {name} {}", quantity.row().symbol) } else { name }
 }
 
-pub fn is_logarithmic(quantity: Quantity) -> bool {
+pub(crate) fn is_logarithmic(quantity: Quantity) -> bool {
     quantity == Quantity::Certificate
 }
 
 /// The name of the entity that is drawn for an observable.
-pub fn drawn(quantity: Quantity) -> String {
+pub(crate) fn drawn(quantity: Quantity) -> String {
     let end = if is_logarithmic(quantity) { "_log10" } else { "" };
     format!("{}{end}", quantity.name())
 }
 
 /// Curves of observables.
 #[derive(Debug, Clone)]
-pub struct ObservableTraces(pub Vec<(Quantity, Trace)>);
+pub(crate) struct ObservableTraces(pub Vec<(Quantity, Trace)>);
 
 /// A number of every step, each with the work up to it.
 #[derive(Debug, Clone, Default)]
-pub struct Trace(pub Vec<(Work, f64)>);
+pub(crate) struct Trace(pub Vec<(Work, f64)>);
 
 impl ObservableTraces {
-    pub fn new(quantities: impl Iterator<Item = Quantity>) -> Self {
+    pub(crate) fn new(quantities: impl Iterator<Item = Quantity>) -> Self {
         Self(quantities.map(|quantity| (quantity, Trace::default())).collect())
     }
 
-    pub fn add(&mut self, step: &Step<'_>) {
+    pub(crate) fn add(&mut self, step: &Step<'_>) {
         let reading = Reading::from(step);
         for (quantity, trace) in &mut self.0 {
             trace.add(step.work(), reading.get(*quantity));
@@ -67,7 +67,7 @@ impl ObservableTraces {
 
     /// Ends with the numbers of the contact, whose fields are the last frame: they take the place of those of the last step, which may be
     /// another state.
-    pub fn end(&mut self, contact: &Contact) {
+    pub(crate) fn end(&mut self, contact: &Contact) {
         let reading = Reading::from(contact);
         for (quantity, trace) in &mut self.0 {
             trace.0.pop_if(|(work, _)| work.iterations == contact.work.iterations);
@@ -78,7 +78,7 @@ impl ObservableTraces {
 
 impl Trace {
     /// The curve of an observable that is drawn of these values.
-    pub fn drawn(&self, quantity: Quantity) -> Cow<'_, Self> {
+    pub(crate) fn drawn(&self, quantity: Quantity) -> Cow<'_, Self> {
         if !is_logarithmic(quantity) {
             return Cow::Borrowed(self);
         }
@@ -87,12 +87,12 @@ impl Trace {
     }
 
     /// Adds a value; one that is not finite is left out.
-    pub fn add(&mut self, work: Work, value: Option<f64>) {
+    pub(crate) fn add(&mut self, work: Work, value: Option<f64>) {
         self.0.extend(value.filter(|value| value.is_finite()).map(|value| (work, value)));
     }
 
     /// Sends its values under `entity`, each at the time at which it was added.
-    pub fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, entity: String) -> RecordingStreamResult<()> {
         if self.0.is_empty() {
             return Ok(());
         }
@@ -102,7 +102,7 @@ impl Trace {
 }
 
 /// The times of values, each with the work up to it.
-pub fn times<T>(values: &[(Work, T)]) -> [TimeColumn; 3] {
+pub(crate) fn times<T>(values: &[(Work, T)]) -> [TimeColumn; 3] {
     let work = || values.iter().map(|(work, _)| work);
     [
         TimeColumn::new_sequence(STEP, work().map(|work| work.iterations as i64)),

@@ -16,7 +16,7 @@ struct RitzValues {
 }
 
 /// The drawing of the Ritz values of a scene.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     Some(Box::new(RitzValues { entity: format!("{}/ritz", subject.root) }))
 }
 

@@ -13,7 +13,7 @@ const ROOM: f64 = 2.0;
 const DECADES: f64 = 1e-16;
 
 /// The figure of a surface, lengths in `unit`.
-pub fn figure(surface: &Surface, survey: &Survey, unit: &str) -> Figure {
+pub(crate) fn figure(surface: &Surface, survey: &Survey, unit: &str) -> Figure {
     let heights = surface.grid().is_line().then(|| heights(surface, unit));
     let panels = [spectrum(&survey.spectrum, survey, unit), gradients(survey, unit)];
     Figure { title: String::new(), panels: heights.into_iter().chain(panels.into_iter().flatten()).collect() }

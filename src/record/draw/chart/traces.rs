@@ -31,7 +31,7 @@ const BESIDES: [(&str, &str); 4] = [
 ];
 
 /// The entity under `trace` of the numbers of the phase, which are drawn together, and the names of their curves.
-pub const PHASE: &str = "phase";
+pub(crate) const PHASE: &str = "phase";
 const OF_PHASE: [&str; 3] = ["grid level, 0 the finest", "outer step", "inner step"];
 
 /// The curves of a scene.
@@ -43,7 +43,7 @@ struct Traces {
 }
 
 /// The drawing of the curves of a scene.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let exact = subject.scene.exact.as_ref();
     Some(Box::new(Traces {
         root: subject.root.into(),
@@ -84,7 +84,7 @@ struct TracesOfRun {
 }
 
 /// Exact values that stand beside computed ones: of `kappa_r` and of the relative area.
-pub type ExactValues = [Option<f64>; 2];
+pub(crate) type ExactValues = [Option<f64>; 2];
 
 impl TracesOfRun {
     /// Empty curves under `root`.
@@ -214,7 +214,7 @@ fn is_exact(entity: &str) -> bool {
 }
 
 /// Records name and colour of the curve of a run among others, or of exact values if it has no number.
-pub fn log_run_style(
+pub(crate) fn log_run_style(
     to: &RecordingStream,
     entity: &str,
     name: &str,

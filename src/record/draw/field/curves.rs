@@ -16,7 +16,7 @@ use crate::theory::Exact;
 use rerun::{AnyValues, AsComponents, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 
 /// The curves of pressure and gap, and the exact pressure where it is known.
-pub struct FieldCurves {
+pub(crate) struct FieldCurves {
     plane: LinePlane,
     pressure: Ruler,
     gap: Ruler,
@@ -25,7 +25,7 @@ pub struct FieldCurves {
 
 impl FieldCurves {
     /// The curves on the canvas of a line.
-    pub fn new(subject: &Subject<'_>, plane: &LinePlane) -> Self {
+    pub(crate) fn new(subject: &Subject<'_>, plane: &LinePlane) -> Self {
         let problem = subject.scene.problem;
         let [low, high] = range(plane.window.every(1).values(problem.height()));
         Self {

@@ -40,7 +40,7 @@ enum CurveOrImage {
 }
 
 /// The drawing of the density of the error of a scene.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     Some(Box::new(ErrorDensity::new(subject)))
 }
 

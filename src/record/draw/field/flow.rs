@@ -38,7 +38,7 @@ struct AxisPicture {
 }
 
 /// The drawing of the flow of a scene; none for a line, in which the flux is the same everywhere.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let Plane::Surface(plane) = subject.plane else { return None };
     Some(Box::new(FlowPicture { along: FlowAxis::ALL.map(|axis| AxisPicture::new(plane, axis)), plane: plane.clone() }))
 }

@@ -7,7 +7,7 @@ const ORDERS: f64 = 10.0;
 
 /// The difference of the principal stresses from one fringe to the next, for about ten orders up to the shear stress `highest`: a
 /// number of one digit times a power of ten of `unit`.
-pub fn per_order(highest: f64, unit: f64) -> f64 {
+pub(crate) fn per_order(highest: f64, unit: f64) -> f64 {
     let wanted = 2.0 * highest / ORDERS / unit;
     let power = 10f64.powf(wanted.log10().floor());
     (wanted / power).round() * power * unit
@@ -15,7 +15,7 @@ pub fn per_order(highest: f64, unit: f64) -> f64 {
 
 /// The light of isochromatics in a dark field, `sin^2(pi N)` with the order `N = 2 tau_max / f`, of an image with rows of `width`.
 /// It is the mean over a pixel: where there is a fringe for each pixel, the light is grey.
-pub fn light(tau: &[f64], width: usize, per_order: f64) -> Vec<f64> {
+pub(crate) fn light(tau: &[f64], width: usize, per_order: f64) -> Vec<f64> {
     let order = |i: usize| 2.0 * tau[i] / per_order;
     let height = tau.len() / width;
     let steepness = |i: usize| {

@@ -25,7 +25,7 @@ enum Shape {
 }
 
 /// The drawings of the further fields of a scene.
-pub fn draw(subject: &Subject<'_>) -> Vec<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Vec<Box<dyn Drawing>> {
     let picture = |field: &FurtherField| Box::new(FurtherPicture::new(subject, field.clone())) as Box<dyn Drawing>;
     subject.scene.further.iter().map(picture).collect()
 }

@@ -11,7 +11,7 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// The images of pressure and gap.
-pub struct FieldImages {
+pub(crate) struct FieldImages {
     plane: SurfacePlane,
     pressure: Image,
     gap: Image,
@@ -21,7 +21,7 @@ pub struct FieldImages {
 
 impl FieldImages {
     /// The images on the canvas of a surface.
-    pub fn new(subject: &Subject<'_>, plane: &SurfacePlane) -> Self {
+    pub(crate) fn new(subject: &Subject<'_>, plane: &SurfacePlane) -> Self {
         let problem = subject.scene.problem;
         let [low, high] = range(problem.height().iter().copied());
         let image =

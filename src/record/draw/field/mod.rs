@@ -5,16 +5,16 @@ mod curves;
 mod error_density;
 mod flow;
 mod fringes;
-pub mod further;
+pub(crate) mod further;
 mod images;
-pub mod relief;
+pub(crate) mod relief;
 mod relief_mesh;
 mod relief_walls;
 mod rigid_grid;
 mod spectrum;
 mod stress;
-pub mod surface_relief;
-pub mod zone;
+pub(crate) mod surface_relief;
+pub(crate) mod zone;
 
 use super::drawing::{Bytes, Drawing, PartRow, Subject};
 use super::ink::reduce::{Columns, curve_points, pixels};
@@ -23,7 +23,7 @@ use crate::grid::Grid;
 use crate::setup::Part;
 
 /// The parts of this group, in the order of their panes.
-pub const PARTS: &[PartRow] = &[
+pub(crate) const PARTS: &[PartRow] = &[
     PartRow {
         part: Part::Mesh,
         draw: relief::draw,

@@ -20,9 +20,9 @@ use std::ops::Range;
 
 /// Size of the names of the sides, and from a side to the middle of its name.
 const NAME: f64 = 0.5;
-pub const NAME_GAP: f32 = 0.5;
+pub(crate) const NAME_GAP: f32 = 0.5;
 /// Room for a name beside a side.
-pub const NAMES: f32 = NAME_GAP + NAME as f32;
+pub(crate) const NAMES: f32 = NAME_GAP + NAME as f32;
 /// How far lines lie above the relief, which would hide them else, and in front of the section.
 const ABOVE: f32 = 0.02;
 /// Radii of the edges of the section, and of the contact in it.
@@ -32,7 +32,7 @@ const CONTACT: f32 = 3.0;
 const ELEVATIONS: [f32; 2] = [0.45, 0.55];
 
 /// The relief of the solid in a scene.
-pub struct Relief {
+pub(crate) struct Relief {
     /// The title of its pane.
     title: String,
     mesh: ReliefMesh,
@@ -48,7 +48,7 @@ pub struct Relief {
 }
 
 /// The drawing of the relief of a surface.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     Some(Box::new(Relief::new(subject)))
 }
 
@@ -215,7 +215,7 @@ fn runs(values: &[bool]) -> impl Iterator<Item = Range<usize>> {
 }
 
 /// Records the names of the sides on the ground, each with the place of its middle: the one along x in front, the one along y on the right.
-pub fn log_names(
+pub(crate) fn log_names(
     to: &RecordingStream,
     root: &str,
     palette: &Palette,

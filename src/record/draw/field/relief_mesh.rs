@@ -11,9 +11,9 @@ use rerun::Color;
 /// Largest number of vertices along a side, without the one that closes the period.
 const VERTICES: usize = 128;
 /// Length of the longer side.
-pub const LENGTH: f64 = 10.0;
+pub(crate) const LENGTH: f64 = 10.0;
 /// Height of the final relief.
-pub const RELIEF: f64 = 1.6;
+pub(crate) const RELIEF: f64 = 1.6;
 /// Where the light comes from: from the left, the front and above.
 const LIGHT: Vec3 = Vec3::new(-0.62, -0.28, 0.73);
 /// The light in the shade, and on a slope that faces the light.
@@ -25,7 +25,7 @@ const FIRST_COLOUR: f64 = 0.25;
 /// A mesh over the cell, or over the rows behind a cut. Its heights are exaggerated: [`ReliefStretch`] makes the final relief [`RELIEF`] high.
 ///
 /// A block of nodes belongs to each vertex, which lies at the first of them.
-pub struct ReliefMesh {
+pub(crate) struct ReliefMesh {
     blocks: Blocks,
     /// Nodes from vertex to vertex along y and x.
     spacing: [usize; 2],
@@ -44,27 +44,27 @@ pub struct ReliefMesh {
 
 /// How the heights of a mesh are stretched and shifted: the highest place comes to zero.
 #[derive(Debug, Clone, Copy)]
-pub struct ReliefStretch {
+pub(crate) struct ReliefStretch {
     pub factor: f32,
     pub shift: f32,
 }
 
 impl ReliefStretch {
     /// The stretch of a relief between two heights.
-    pub fn new([low, high]: [f64; 2]) -> Self {
+    pub(crate) fn new([low, high]: [f64; 2]) -> Self {
         let factor = (RELIEF / (high - low).max(f64::MIN_POSITIVE)).min(1e6) as f32;
         Self { factor, shift: -factor * high as f32 }
     }
 
     /// A stretched height.
-    pub fn stretched(self, height: f32) -> f32 {
+    pub(crate) fn stretched(self, height: f32) -> f32 {
         self.factor * height + self.shift
     }
 }
 
 impl ReliefMesh {
     /// The mesh of what lies at a gap below heights, coloured up to the highest pressure.
-    pub fn new(grid: &Grid, heights: &[f64], highest_pressure: f64, palette: &'static Palette) -> Self {
+    pub(crate) fn new(grid: &Grid, heights: &[f64], highest_pressure: f64, palette: &'static Palette) -> Self {
         let shape = grid.shape();
         let spacing = spacing(grid);
         let [rows, columns] = [0, 1].map(|axis| (0..shape[axis]).step_by(spacing[axis]));
@@ -86,48 +86,48 @@ impl ReliefMesh {
     }
 
     /// The mesh without the front half.
-    pub fn behind_the_middle(self) -> Self {
+    pub(crate) fn behind_the_middle(self) -> Self {
         Self { first: self.blocks.cells[0] / 2, ..self }
     }
 
     /// The first row of vertices that is drawn, and where it is along y.
-    pub fn first(&self) -> (usize, f32) {
+    pub(crate) fn first(&self) -> (usize, f32) {
         (self.first, self.place(0, self.first * self.spacing[0]))
     }
 
     /// Rows and columns of all vertices of the cell, with the ones that close the period.
-    pub fn all_counts(&self) -> [usize; 2] {
+    pub(crate) fn all_counts(&self) -> [usize; 2] {
         self.blocks.cells.map(|n| n + 1)
     }
 
     /// Rows and columns of the vertices that are drawn.
-    pub fn counts(&self) -> [usize; 2] {
+    pub(crate) fn counts(&self) -> [usize; 2] {
         let [rows, columns] = self.all_counts();
         [rows - self.first, columns]
     }
 
     /// A height of the body in the mesh.
-    pub fn drawn(&self, height: f64) -> f32 {
+    pub(crate) fn drawn(&self, height: f64) -> f32 {
         (height * self.exaggeration) as f32
     }
 
     /// The length that a height of the mesh means.
-    pub fn length(&self, drawn: f64) -> f64 {
+    pub(crate) fn length(&self, drawn: f64) -> f64 {
         drawn / self.exaggeration
     }
 
     /// The heights of the rigid surface: the lowest and the highest one.
-    pub fn rigid_range(&self) -> [f64; 2] {
+    pub(crate) fn rigid_range(&self) -> [f64; 2] {
         range(self.height.iter().map(|height| f64::from(self.drawn(-height))))
     }
 
     /// The rigid surface at the vertices that are drawn.
-    pub fn rigid(&self) -> Vec<Vec3> {
+    pub(crate) fn rigid(&self) -> Vec<Vec3> {
         self.at_vertices([1, 1], |node| self.at(node, self.drawn(-self.height[self.block(node)])))
     }
 
     /// The solid, a gap below the rigid surface.
-    pub fn vertices(&self, fields: &FrameFields<'_>) -> Vec<Vec3> {
+    pub(crate) fn vertices(&self, fields: &FrameFields<'_>) -> Vec<Vec3> {
         let FrameFields { stride, gap, .. } = fields;
         let nx = self.blocks.shape[1];
         self.at_vertices(*stride, |node| {
@@ -138,13 +138,13 @@ impl ReliefMesh {
     }
 
     /// Whether each vertex that is drawn is in contact, row by row.
-    pub fn touching(&self, fields: &FrameFields<'_>) -> Vec<bool> {
+    pub(crate) fn touching(&self, fields: &FrameFields<'_>) -> Vec<bool> {
         let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         self.at_vertices(fields.stride, |node| pressure[self.block(node)] > 0.0)
     }
 
     /// The colours by pressure in the light on a relief of these vertices, as if it was as high as the final one.
-    pub fn colours(&self, fields: &FrameFields<'_>, vertices: &[Vec3]) -> Vec<Color> {
+    pub(crate) fn colours(&self, fields: &FrameFields<'_>, vertices: &[Vec3]) -> Vec<Color> {
         let pressure = self.blocks.fold(&fields.pressure, fields.stride, 0.0, f64::max);
         let colour = |p: f64| match p > 0.0 {
             true => {
@@ -179,7 +179,7 @@ impl ReliefMesh {
     }
 
     /// The triangles between the vertices.
-    pub fn triangles(&self) -> Vec<[u32; 3]> {
+    pub(crate) fn triangles(&self) -> Vec<[u32; 3]> {
         let [rows, columns] = self.counts();
         triangles([rows, columns])
     }
@@ -223,7 +223,7 @@ fn lit(colour: Colour, light: f64) -> Color {
 }
 
 /// Two triangles for each square between rows and columns of vertices.
-pub fn triangles([rows, columns]: [usize; 2]) -> Vec<[u32; 3]> {
+pub(crate) fn triangles([rows, columns]: [usize; 2]) -> Vec<[u32; 3]> {
     let [rows, columns] = [rows as u32, columns as u32];
     let square = |row: u32, column: u32| {
         let corner = row * columns + column;
@@ -238,7 +238,7 @@ fn spacing(grid: &Grid) -> [usize; 2] {
 }
 
 /// Vertices of the mesh of a surface on `grid` behind the cut.
-pub fn vertices(grid: &Grid) -> usize {
+pub(crate) fn vertices(grid: &Grid) -> usize {
     let (shape, spacing) = (grid.shape(), spacing(grid));
     let [rows, columns] = [0, 1].map(|axis| shape[axis].div_ceil(spacing[axis]));
     (rows - rows / 2 + 1) * (columns + 1)

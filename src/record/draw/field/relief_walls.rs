@@ -7,9 +7,9 @@ use glam::Vec3;
 use rerun::{Color, Mesh3D, RecordingStream, RecordingStreamResult, Transform3D};
 
 /// Depth of the solid below the final relief.
-pub const DEPTH: f32 = 1.0;
+pub(crate) const DEPTH: f32 = 1.0;
 /// Where the foot of a wall is.
-pub const FOOT: f32 = -(RELIEF as f32 + DEPTH);
+pub(crate) const FOOT: f32 = -(RELIEF as f32 + DEPTH);
 /// How far a wall leans, over the distance of its foot in the coordinates of the wall.
 const LEAN: f32 = 1e-3;
 /// How near the colour of the section is to that of the surface, at its top and at its foot; and those of the side, which is in the shade.
@@ -20,7 +20,7 @@ const SIDE: [f64; 2] = [0.15, 0.0];
 ///
 /// The foot stays where it is when the relief is stretched. In the coordinates of the wall it lies at the height zero and at a distance of one in front of the edge; the
 /// transform of the wall maps that distance to the height of the foot.
-pub struct Wall {
+pub(crate) struct Wall {
     root: String,
     /// The axis across the wall, 0 for x and 1 for y, its place there, and the direction in which it is seen from.
     across: usize,
@@ -32,7 +32,7 @@ pub struct Wall {
 
 impl Wall {
     /// The section in front, at a place along y.
-    pub fn section(root: &str, place: f32, palette: &Palette) -> Self {
+    pub(crate) fn section(root: &str, place: f32, palette: &Palette) -> Self {
         Self {
             root: format!("{root}/section"),
             across: 1,
@@ -43,17 +43,17 @@ impl Wall {
     }
 
     /// The side on the right, at a place along x.
-    pub fn side(root: &str, place: f32, palette: &Palette) -> Self {
+    pub(crate) fn side(root: &str, place: f32, palette: &Palette) -> Self {
         Self { root: format!("{root}/side"), across: 0, place, towards: 1.0, colours: wall_colours(palette, SIDE) }
     }
 
     /// Records what joins the vertices of an edge of a number of them.
-    pub fn log_static(&self, to: &RecordingStream, vertices: usize) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream, vertices: usize) -> RecordingStreamResult<()> {
         to.log_static(self.root.as_str(), &Mesh3D::update_fields().with_triangle_indices(triangles([2, vertices])))
     }
 
     /// Records the wall below an edge.
-    pub fn log(&self, to: &RecordingStream, edge: &[Vec3]) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, edge: &[Vec3]) -> RecordingStreamResult<()> {
         let corner = |vertex: &Vec3, distance: f32, height: f32| {
             let mut corner = vertex.to_array();
             corner[self.across] = distance * self.towards;
@@ -69,7 +69,7 @@ impl Wall {
     }
 
     /// Puts the edge where the stretched relief is, and leaves the foot where it is.
-    pub fn stretch(&self, to: &RecordingStream, stretch: ReliefStretch) -> RecordingStreamResult<()> {
+    pub(crate) fn stretch(&self, to: &RecordingStream, stretch: ReliefStretch) -> RecordingStreamResult<()> {
         let mut columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, stretch.factor]];
         columns[self.across][self.across] = LEAN;
         columns[self.across][2] = self.towards * (FOOT - stretch.shift);
@@ -86,6 +86,6 @@ fn wall_colours(palette: &Palette, shares: [f64; 2]) -> [Color; 2] {
 }
 
 /// The colour of the edges of the walls.
-pub fn edge(palette: &Palette) -> Colour {
+pub(crate) fn edge(palette: &Palette) -> Colour {
     palette.solid
 }

@@ -6,7 +6,7 @@ use glam::Vec3;
 use rerun::{LineStrips3D, Radius, RecordingStream, RecordingStreamResult};
 
 /// The height above the highest place of the solid at which the rigid surface is cut off.
-pub const CEILING: f32 = 0.65 * RELIEF as f32;
+pub(crate) const CEILING: f32 = 0.65 * RELIEF as f32;
 /// The height at which the grid of a rough surface is cut off: of more than some parts for each line on average, which would hide the solid.
 const LOW_CEILING: f32 = 0.25 * RELIEF as f32;
 const MOST_PARTS: usize = 3;
@@ -19,7 +19,12 @@ const THICK: f32 = 1.4;
 const FAINT: f64 = 0.75;
 
 /// Records the part of the rigid surface of a mesh that is below the ceiling.
-pub fn log(to: &RecordingStream, root: &str, mesh: &ReliefMesh, stretch: ReliefStretch) -> RecordingStreamResult<()> {
+pub(crate) fn log(
+    to: &RecordingStream,
+    root: &str,
+    mesh: &ReliefMesh,
+    stretch: ReliefStretch,
+) -> RecordingStreamResult<()> {
     let [rows, columns] = mesh.counts();
     let vertices: Vec<Vec3> =
         mesh.rigid().into_iter().map(|vertex| Vec3::new(vertex.x, vertex.y, stretch.stretched(vertex.z))).collect();

@@ -29,7 +29,7 @@ struct Spectra {
 }
 
 /// The drawing of the spectra of a scene.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     Some(Box::new(Spectra::new(subject)))
 }
 

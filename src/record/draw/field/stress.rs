@@ -21,7 +21,7 @@ use rerun::{RecordingStream, RecordingStreamResult};
 pub(super) const COLUMNS: usize = 256;
 pub(super) const ROWS: [usize; 2] = [64, 256];
 /// Largest number of pixels of a picture.
-pub const MOST_PIXELS: usize = COLUMNS * ROWS[1];
+pub(crate) const MOST_PIXELS: usize = COLUMNS * ROWS[1];
 /// Blocks of the pressure per column of a picture of a line, and their largest number on the whole line.
 const FINER: usize = 2;
 const MOST: usize = 8192;
@@ -56,12 +56,12 @@ struct StressDrawing {
 }
 
 /// The drawing of the stress of a scene, in colours, as fringes, or both: they show the same stress, which is computed once.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     Some(Box::new(StressDrawing::new(subject)?))
 }
 
 /// The drawing of fringes alone.
-pub fn draw_fringes(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw_fringes(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     if subject.has(Part::Stress) { None } else { draw(subject) }
 }
 

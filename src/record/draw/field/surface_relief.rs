@@ -16,7 +16,7 @@ use std::borrow::Cow;
 const ELEVATIONS: [f32; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 
 /// A surface in three dimensions, peaks up.
-pub struct SurfaceRelief {
+pub(crate) struct SurfaceRelief {
     mesh: ReliefMesh,
     fields: FrameFields<'static>,
     /// Lengths along y and x, in words.
@@ -28,7 +28,7 @@ pub struct SurfaceRelief {
 
 impl SurfaceRelief {
     /// The relief of a surface under `root`, lengths in `unit`.
-    pub fn new(surface: &Surface, palette: &'static Palette, root: &str, unit: &str) -> Self {
+    pub(crate) fn new(surface: &Surface, palette: &'static Palette, root: &str, unit: &str) -> Self {
         let (heights, grid) = (surface.heights(), surface.grid());
         let [low, high] = range(heights.iter().copied());
         // what is drawn lies at the negative of height and gap: that of the surface as far below its highest peak as it is
@@ -45,7 +45,7 @@ impl SurfaceRelief {
     }
 
     /// The root of its entities, and the eye that sees it.
-    pub fn view(&self) -> (&str, Eye) {
+    pub(crate) fn view(&self) -> (&str, Eye) {
         let [y, x] = self.mesh.size.map(|length| length / 2.0);
         let ends = |side: bool, low: f32, high: f32| if side { high } else { low };
         let corner = |i: u8| {
@@ -58,12 +58,12 @@ impl SurfaceRelief {
     }
 
     /// Takes the proportions of a pane, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         self.pane = pane;
     }
 
     /// Records it.
-    pub fn log(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let Self { mesh, root, .. } = self;
         let [y, x] = mesh.size.map(|length| length / 2.0);
         let base = -RELIEF as f32;

@@ -30,7 +30,7 @@ struct ZoneDrawing {
 }
 
 /// The drawing of the cut of a scene, if its solid yields below the surface.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let Subject { scene, root, options, palette, .. } = *subject;
     let zone = scene.zone.clone()?;
     let grid = *scene.problem.surface().grid();
