@@ -12,7 +12,7 @@ use std::borrow::Cow;
 const MOST_PATCHES: usize = 256;
 
 /// The fields of a frame, row by row.
-pub struct FrameFields<'a> {
+pub(crate) struct FrameFields<'a> {
     /// Distance of their nodes along y and x, in nodes of the scene: 1 on its own grid, a power of two on coarser ones.
     pub stride: [usize; 2],
     pub pressure: Cow<'a, [f64]>,
@@ -30,7 +30,7 @@ pub struct FrameFields<'a> {
 
 /// A contact patch at a step, and its past as far as it is known.
 #[derive(Debug, Clone, Copy)]
-pub struct PatchReading {
+pub(crate) struct PatchReading {
     pub patch: Patch,
     /// Steps for which the node of its largest pressure has been in contact, if that is less than all.
     pub age: Option<u32>,
@@ -38,7 +38,7 @@ pub struct PatchReading {
 
 /// The outline of a contact.
 #[derive(Default)]
-pub struct Outline {
+pub(crate) struct Outline {
     /// The edges of a line, by their nodes.
     pub edges: Vec<Edge>,
     /// The lines of the contour of a surface, in nodes along y and x.
@@ -56,7 +56,7 @@ impl Outline {
     }
 
     /// The distance of the edge from a node in contact of a line, in spacings to the left or right; half of one where none is known.
-    pub fn place(&self, node: usize, is_right: bool) -> f64 {
+    pub(crate) fn place(&self, node: usize, is_right: bool) -> f64 {
         let first = self.edges.partition_point(|edge| edge.node < node);
         let mut edges = self.edges[first..].iter().take_while(|edge| edge.node == node);
         edges.find(|edge| (edge.towards[1] > 0) == is_right).map_or(0.5, |edge| edge.place)
@@ -65,7 +65,7 @@ impl Outline {
 
 impl<'a> FrameFields<'a> {
     /// The fields of `step` that `parts` show.
-    pub fn from_step(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
+    pub(crate) fn from_step(step: &'a Step<'_>, stride: [usize; 2], parts: Parts) -> Self {
         let gap = if parts.has_gap() { step.gap() } else { &[] };
         let outline = || Outline::new(step.problem().surface().grid(), &step.edges(), step.all_edges());
         let outline = if parts.has(Part::Mask) { outline() } else { Outline::default() };
@@ -76,14 +76,14 @@ impl<'a> FrameFields<'a> {
     }
 
     /// The fields with the past of their patches.
-    pub fn with_past(mut self, contact: &ContactHistory) -> Self {
+    pub(crate) fn with_past(mut self, contact: &ContactHistory) -> Self {
         let [nx, width] = [contact.grid().shape()[1] / self.stride[1], contact.grid().shape()[1]];
         let node = |coarse: usize| coarse / nx * self.stride[0] * width + coarse % nx * self.stride[1];
         self.patches.iter_mut().for_each(|it| it.age = contact.age(node(it.patch.peak)));
         self
     }
 
-    pub fn from_contact(contact: &'a Contact) -> Self {
+    pub(crate) fn from_contact(contact: &'a Contact) -> Self {
         let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
         let edges = contact.edges();
         let outline = Outline::new(contact.problem.surface().grid(), &edges, &edges.all());
@@ -94,12 +94,12 @@ impl<'a> FrameFields<'a> {
     }
 
     /// The fields with further ones.
-    pub fn with_further(self, further: &[(&'static str, &'a [f64])]) -> Self {
+    pub(crate) fn with_further(self, further: &[(&'static str, &'a [f64])]) -> Self {
         Self { further: further.iter().map(|(name, values)| (*name, (*values).into())).collect(), ..self }
     }
 
     /// A copy that outlives its step.
-    pub fn into_owned(self) -> FrameFields<'static> {
+    pub(crate) fn into_owned(self) -> FrameFields<'static> {
         let [pressure, gap, candidates] =
             [self.pressure, self.gap, self.candidates].map(|values| values.into_owned().into());
         let further = self.further.into_iter().map(|(name, values)| (name, values.into_owned().into())).collect();
@@ -118,7 +118,7 @@ fn largest(problem: &Problem, pressure: &[f64]) -> Vec<PatchReading> {
 
 /// The reach of the fields of some states: the largest pressure, the largest gap, the largest shear stress below.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FieldExtent {
+pub(crate) struct FieldExtent {
     pub pressure: f64,
     pub gap: f64,
     pub shear: f64,
@@ -127,9 +127,10 @@ pub struct FieldExtent {
 }
 
 impl FieldExtent {
-    pub const NONE: Self = Self { pressure: 0.0, gap: 0.0, shear: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
+    pub(crate) const NONE: Self =
+        Self { pressure: 0.0, gap: 0.0, shear: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
 
-    pub fn and(self, other: Self) -> Self {
+    pub(crate) fn and(self, other: Self) -> Self {
         let [low, high] = [f64::min(self.relief[0], other.relief[0]), f64::max(self.relief[1], other.relief[1])];
         let (pressure, gap) = (self.pressure.max(other.pressure), self.gap.max(other.gap));
         Self { pressure, gap, shear: self.shear.max(other.shear), relief: [low, high] }
@@ -137,7 +138,7 @@ impl FieldExtent {
 }
 
 /// Smallest and largest finite value.
-pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+pub(crate) fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let finite = values.into_iter().filter(|v| v.is_finite());
     finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }

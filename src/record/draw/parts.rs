@@ -4,7 +4,7 @@ use super::drawing::PartRow;
 use super::{chart, field, instrument, patch, profile};
 
 /// All parts, in the order of their panes.
-pub fn all() -> impl Iterator<Item = &'static PartRow> {
+pub(crate) fn all() -> impl Iterator<Item = &'static PartRow> {
     [chart::PARTS, profile::PARTS, field::PARTS, patch::PARTS, instrument::PARTS].into_iter().flatten()
 }
 

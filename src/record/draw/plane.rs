@@ -8,14 +8,14 @@ use crate::record::scene::Scene;
 
 /// The canvas of a line or of a surface.
 #[derive(Clone)]
-pub enum Plane {
+pub(crate) enum Plane {
     Line(LinePlane),
     Surface(SurfacePlane),
 }
 
 impl Plane {
     /// The canvas of a scene whose entities lie under `root`.
-    pub fn new(scene: &Scene<'_>, root: &str, options: &Options) -> Self {
+    pub(crate) fn new(scene: &Scene<'_>, root: &str, options: &Options) -> Self {
         if scene.problem.surface().grid().is_line() {
             Self::Line(LinePlane::new(scene, root, options))
         } else {
@@ -24,7 +24,7 @@ impl Plane {
     }
 
     /// Gives it the proportions of a pane, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         match self {
             Self::Line(plane) => plane.fit(pane),
             Self::Surface(plane) => plane.fit(pane),
@@ -32,7 +32,7 @@ impl Plane {
     }
 
     /// The frame above which captions stand.
-    pub fn frame(&self) -> &AxesFrame {
+    pub(crate) fn frame(&self) -> &AxesFrame {
         match self {
             Self::Line(plane) => &plane.frame,
             Self::Surface(plane) => &plane.frame,

@@ -12,7 +12,7 @@ const GROWTH: usize = 2;
 const FIRST: usize = 16;
 
 /// One run of a scene, seen by its drawings.
-pub struct DrawnRun {
+pub(crate) struct DrawnRun {
     drawings: Vec<Box<dyn RunDrawing>>,
     /// The diagnosis of the run, if an instrument is recorded.
     diagnosis: Option<Diagnosis>,
@@ -23,24 +23,24 @@ pub struct DrawnRun {
 
 impl DrawnRun {
     /// A run of a scene, before its first step.
-    pub fn new(stage: &Stage) -> Self {
+    pub(crate) fn new(stage: &Stage) -> Self {
         Self { drawings: stage.runs().collect(), diagnosis: stage.diagnosis(), steps: 0, shown: FIRST }
     }
 
     /// Whether anything is recorded of every step, not only of frames.
-    pub fn sees_every_step(&self) -> bool {
+    pub(crate) fn sees_every_step(&self) -> bool {
         !self.drawings.is_empty()
     }
 
     /// Begins with what the solver says of itself.
-    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
+    pub(crate) fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
         if let Some(diagnosis) = &mut self.diagnosis {
             diagnosis.begin(solver, problem, stop).ok(); // it does not fail
         }
     }
 
     /// Adds a step on a grid level, in a phase if its solver has any.
-    pub fn add(
+    pub(crate) fn add(
         &mut self,
         to: &RecordingStream,
         step: &Step<'_>,
@@ -61,7 +61,7 @@ impl DrawnRun {
     }
 
     /// The contact so far, if it is watched.
-    pub fn contact(&self) -> Option<&ContactHistory> {
+    pub(crate) fn contact(&self) -> Option<&ContactHistory> {
         self.diagnosis.as_ref().map(Diagnosis::contact)
     }
 
@@ -72,12 +72,12 @@ impl DrawnRun {
     }
 
     /// Sends the numbers that wait.
-    pub fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn flush(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         self.drawings.iter_mut().try_for_each(|drawing| drawing.flush(to))
     }
 
     /// Ends with the resulting contact, and returns why the run was slow, if there is a diagnosis.
-    pub fn end(&mut self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<Option<Findings>> {
+    pub(crate) fn end(&mut self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<Option<Findings>> {
         if let Some(diagnosis) = &mut self.diagnosis {
             diagnosis.end(contact).ok(); // it does not fail
         }

@@ -29,7 +29,7 @@ use rerun::{AnyValues, RecordingStream, RecordingStreamResult, TextDocument};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The drawings of a scene and the other data for its recorder and its layout, without the problem itself.
-pub struct Stage {
+pub(crate) struct Stage {
     /// Root of the entities, with a leading `/`.
     pub root: String,
     pub title: String,
@@ -64,7 +64,7 @@ pub struct Stage {
 
 impl Stage {
     /// The stage of a scene whose entities lie under `root`; `place` is that of the scene among several.
-    pub fn new(scene: &Scene<'_>, root: String, options: &Options, place: Option<usize>) -> Self {
+    pub(crate) fn new(scene: &Scene<'_>, root: String, options: &Options, place: Option<usize>) -> Self {
         let grid = *scene.problem.surface().grid();
         let options = Options { what: options.what.and(Parts::on(&grid)), ..options.clone() };
         let (forecast, palette) = (scene.forecast(), Palette::new(options.theme));
@@ -100,17 +100,17 @@ impl Stage {
     }
 
     /// The upper ends of axes of curves.
-    pub fn ends(&self) -> CurveEnds {
+    pub(crate) fn ends(&self) -> CurveEnds {
         *self.ends.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Whether no setup describes the scene, as for results of other codes, which may have a single step.
-    pub fn is_of_other_code(&self) -> bool {
+    pub(crate) fn is_of_other_code(&self) -> bool {
         self.setup.is_none()
     }
 
     /// Fits the axes of curves to the end of a run, and returns whether that was necessary: the layout must then be sent again.
-    pub fn fit_curves(&self, contact: &Reading<'_>) -> bool {
+    pub(crate) fn fit_curves(&self, contact: &Reading<'_>) -> bool {
         let (ends, kappa_r) = (CurveEnds::after(contact), contact.resolved().kappa_r);
         let is_known = kappa_r > 0.0 && kappa_r.is_finite();
         let is_needed = is_known && !ends.are_read_on(&self.ends());
@@ -121,26 +121,26 @@ impl Stage {
     }
 
     /// Adds the map of contact patches of a line under `loads`, if contacts are recorded.
-    pub fn map_patches(&mut self, loads: &LoadAxis) {
+    pub(crate) fn map_patches(&mut self, loads: &LoadAxis) {
         if let (Plane::Line(plane), true) = (&self.plane, self.what.has(Part::Mask)) {
             self.patches = Some(PatchMap::new(plane, loads.clone()));
         }
     }
 
     /// Adds the tree of contact patches under `loads`, if contacts are recorded.
-    pub fn follow_patches(&mut self, loads: &LoadAxis) {
+    pub(crate) fn follow_patches(&mut self, loads: &LoadAxis) {
         self.tree = self.what.has(Part::Mask).then(|| PatchTreePicture::new(&self.root, self.palette, loads));
     }
 
     /// The panes of the drawings that stand in some places.
-    pub fn panes(&self, places: &[Place]) -> Vec<(Place, Pane)> {
+    pub(crate) fn panes(&self, places: &[Place]) -> Vec<(Place, Pane)> {
         let panes = self.drawings.iter().flat_map(|drawing| drawing.panes());
         panes.filter(|(place, _)| places.contains(place)).collect()
     }
 
     /// Gives each picture the proportions of its pane, whose width and height in points `size` finds by the root of the picture; the
     /// flat pictures of the fields have the root of the scene.
-    pub fn fit(&mut self, size: impl Fn(&str) -> Option<[f64; 2]>) {
+    pub(crate) fn fit(&mut self, size: impl Fn(&str) -> Option<[f64; 2]>) {
         if let Some(size) = size(&self.root) {
             self.plane.fit(size);
             self.patches.iter_mut().for_each(|map| map.fit(size));
@@ -154,7 +154,7 @@ impl Stage {
     }
 
     /// Records everything that stays.
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         if let Some(setup) = &self.setup {
             to.log_static(format!("{}/{SETUP}", self.root), &TextDocument::new(setup.as_str()))?;
         }
@@ -165,7 +165,7 @@ impl Stage {
     }
 
     /// Records an earlier solve, for the parts that this scene also shows.
-    pub fn log_ghost(&self, to: &RecordingStream, ghost: &Ghost) -> RecordingStreamResult<()> {
+    pub(crate) fn log_ghost(&self, to: &RecordingStream, ghost: &Ghost) -> RecordingStreamResult<()> {
         if self.what.has(Part::Traces) {
             ghost.log(to, &self.root)?;
         }
@@ -174,12 +174,12 @@ impl Stage {
     }
 
     /// The collectors of the drawings for a run.
-    pub fn runs(&self) -> impl Iterator<Item = Box<dyn RunDrawing>> {
+    pub(crate) fn runs(&self) -> impl Iterator<Item = Box<dyn RunDrawing>> {
         self.drawings.iter().filter_map(|drawing| drawing.run())
     }
 
     /// The diagnosis of a run, if an instrument is recorded.
-    pub fn diagnosis(&self) -> Option<Diagnosis> {
+    pub(crate) fn diagnosis(&self) -> Option<Diagnosis> {
         let reference = self.reference.clone().filter(|_| self.what.has(Part::Waterfall));
         let diagnosis = Diagnosis::on(&self.grid, self.contact_modulus, reference);
         let diagnosis = if self.what.has(Part::Energy) { diagnosis.with_energies() } else { diagnosis };
@@ -187,7 +187,7 @@ impl Stage {
     }
 
     /// The end of a run and the error of its grid, in words.
-    pub fn result(contact: &Contact, reading: &Reading<'_>) -> String {
+    pub(crate) fn result(contact: &Contact, reading: &Reading<'_>) -> String {
         let Contact { status, certificate, work, .. } = contact;
         let how = if contact.is_converged() { status.to_string() } else { format!("not converged ({status})") };
         let [kappa_r, error] = [Quantity::KappaR, Quantity::KappaRError].map(|it| reading.value(it));
@@ -206,42 +206,42 @@ impl Stage {
     }
 
     /// The description with a result, and further rows on the run.
-    pub fn described(&self, result: &str, run: &str) -> TextDocument {
+    pub(crate) fn described(&self, result: &str, run: &str) -> TextDocument {
         let rows = &self.description;
         TextDocument::from_markdown(format!("**Result**: {result}\n\n{}{rows}{run}", description::HEAD))
     }
 
-    pub fn description(&self) -> String {
+    pub(crate) fn description(&self) -> String {
         format!("{}/description", self.root)
     }
 
     /// Records a state at the current time.
-    pub fn log_frame(&self, to: &RecordingStream, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+    pub(crate) fn log_frame(&self, to: &RecordingStream, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         self.drawings.iter().try_for_each(|drawing| drawing.log_frame(to, fields))
     }
 
     /// Records what is found for a contact and not for the steps before it, at the current time.
-    pub fn log_contact(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
+    pub(crate) fn log_contact(&self, to: &RecordingStream, contact: &Contact) -> RecordingStreamResult<()> {
         self.drawings.iter().try_for_each(|drawing| drawing.log_contact(to, contact))
     }
 
     /// The ranges of the axes that are needed to show a state.
-    pub fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
+    pub(crate) fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
         self.drawings.iter().map(|drawing| drawing.extent(fields)).fold(FieldExtent::NONE, FieldExtent::and)
     }
 
     /// Fits axes and scales to some states, for all times.
-    pub fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
+    pub(crate) fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
         self.drawings.iter().try_for_each(|drawing| drawing.settle(to, extent))
     }
 
     /// Records words above the pictures at the current time.
-    pub fn log_caption(&self, to: &RecordingStream, words: &str) -> RecordingStreamResult<()> {
+    pub(crate) fn log_caption(&self, to: &RecordingStream, words: &str) -> RecordingStreamResult<()> {
         to.log(caption(&self.root), &canvas::caption(self.palette, self.plane.frame(), words))
     }
 
     /// The place of the solver in its scheme, in words.
-    pub fn caption(&self, phase: Phase, stride: [usize; 2]) -> String {
+    pub(crate) fn caption(&self, phase: Phase, stride: [usize; 2]) -> String {
         let [ny, nx] = [0, 1].map(|axis| self.grid.shape()[axis] / stride[axis]);
         let points = if self.grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx}") };
         let Phase { outer, inner, .. } = phase;
@@ -251,7 +251,7 @@ impl Stage {
 }
 
 /// The level of a grid with every `stride`-th node.
-pub fn level(stride: [usize; 2]) -> usize {
+pub(crate) fn level(stride: [usize; 2]) -> usize {
     stride[0].max(stride[1]).ilog2() as usize
 }
 

@@ -14,17 +14,17 @@ use rerun::components::Text;
 use rerun::{AnyValues, AsComponents, Color, LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Width of the box of a curve.
-pub const WIDTH: f64 = 1000.0;
+pub(crate) const WIDTH: f64 = 1000.0;
 /// Size of words in points of the viewer, which can be read from afar.
-pub const TEXT: f64 = 16.0;
+pub(crate) const TEXT: f64 = 16.0;
 /// Width and height of a pane of unknown size, in points.
-pub const PANE: [f64; 2] = [1040.0, 420.0];
+pub(crate) const PANE: [f64; 2] = [1040.0, 420.0];
 /// Least width and height of a box, in points of the viewer.
 const LEAST: f64 = 40.0;
 /// Room left, right, above and below the box of a frame, over the size of its words: for the axes, and for a caption above.
 const ROOM: [f64; 4] = [5.6, 1.6, 1.9, 3.8];
 /// Room to the right of a frame for a scale of colours, over the size of its words.
-pub const SCALE_ROOM: f64 = 7.4;
+pub(crate) const SCALE_ROOM: f64 = 7.4;
 /// Length of a dash, and of what is between dashes.
 const DASHES: [f64; 2] = [14.0, 9.0];
 /// From a box up to the middle of the words above it, over their size.
@@ -32,51 +32,51 @@ const HEAD: f64 = 0.95;
 /// From the corner of a box left and up to the start of the name of the y axis, where it stands above, over the size of words.
 const ABOVE: [f64; 2] = [5.2, 1.3];
 /// Draw order of points that one points at, above the lines of a contact.
-pub const POINTS: f32 = 36.0;
+pub(crate) const POINTS: f32 = 36.0;
 /// Distance of the lines that fill a shape.
 const PITCH: f32 = 1.0;
 
 type Strip = (Vec<[f32; 2]>, Color, Radius);
 
 /// The frame of curves in a pane of a size, with `aside` free to the right, over the size of words.
-pub fn frame(pane: [f64; 2], [x, y]: [Axis; 2], aside: f64) -> AxesFrame {
+pub(crate) fn frame(pane: [f64; 2], [x, y]: [Axis; 2], aside: f64) -> AxesFrame {
     let [width, height] = boxed(pane, aside);
     let unit = WIDTH / width;
     AxesFrame { x, y, corner: [0.0, 0.0], size: [WIDTH, unit * height], text: unit * TEXT }
 }
 
 /// The frame of an image of `size` with a scale of colours beside it, as large as it can be in a pane of a size.
-pub fn image_frame(pane: [f64; 2], [x, y]: [Axis; 2], size: [f64; 2]) -> AxesFrame {
+pub(crate) fn image_frame(pane: [f64; 2], [x, y]: [Axis; 2], size: [f64; 2]) -> AxesFrame {
     let room = boxed(pane, SCALE_ROOM);
     let unit = (0..2).map(|i| size[i] / room[i]).fold(0.0, f64::max);
     AxesFrame { x, y, corner: [0.0, 0.0], size, text: unit * TEXT }
 }
 
 /// Gives a frame of curves the proportions of a pane of a size, with `aside` free to the right.
-pub fn fit(frame: &mut AxesFrame, pane: [f64; 2], aside: f64) {
+pub(crate) fn fit(frame: &mut AxesFrame, pane: [f64; 2], aside: f64) {
     *frame = self::frame(pane, [frame.x.clone(), frame.y.clone()], aside);
 }
 
 /// Makes the frame of an image as large as a pane of a size allows.
-pub fn fit_image(frame: &mut AxesFrame, pane: [f64; 2]) {
+pub(crate) fn fit_image(frame: &mut AxesFrame, pane: [f64; 2]) {
     *frame = image_frame(pane, [frame.x.clone(), frame.y.clone()], frame.size);
 }
 
 /// Width and height that are left for the box in a pane, with `aside` free to the right.
-pub fn boxed(pane: [f64; 2], aside: f64) -> [f64; 2] {
+pub(crate) fn boxed(pane: [f64; 2], aside: f64) -> [f64; 2] {
     let [left, right, above, below] = ROOM.map(|room| room * TEXT);
     [pane[0] - left - right - aside * TEXT, pane[1] - above - below].map(|length| length.max(LEAST))
 }
 
 /// The part of the canvas that box, ticks and words of a frame take, with `aside` to the right: left, right, top, bottom.
-pub fn bounds(frame: &AxesFrame, aside: f64) -> [f64; 4] {
+pub(crate) fn bounds(frame: &AxesFrame, aside: f64) -> [f64; 4] {
     let ([x, y], [width, height]) = (frame.corner, frame.size);
     let [left, right, above, below] = ROOM.map(|room| room * frame.text);
     [x - left, x + width + right + aside * frame.text, y - above, y + height + below]
 }
 
 /// Words above the middle of a frame.
-pub fn caption(palette: &Palette, frame: &AxesFrame, words: &str) -> impl AsComponents + use<> {
+pub(crate) fn caption(palette: &Palette, frame: &AxesFrame, words: &str) -> impl AsComponents + use<> {
     let mut sheet = Sheet::default();
     let at = [frame.corner[0] + 0.5 * frame.size[0], frame.corner[1] - HEAD * frame.text];
     sheet.words(words, at, frame.text, Align::Middle);
@@ -84,7 +84,12 @@ pub fn caption(palette: &Palette, frame: &AxesFrame, words: &str) -> impl AsComp
 }
 
 /// Draws the box and both axes of a frame under `entity`, for all times.
-pub fn log_axes(to: &RecordingStream, palette: &Palette, entity: &str, frame: &AxesFrame) -> RecordingStreamResult<()> {
+pub(crate) fn log_axes(
+    to: &RecordingStream,
+    palette: &Palette,
+    entity: &str,
+    frame: &AxesFrame,
+) -> RecordingStreamResult<()> {
     log_sheet(to, palette, entity, &axes(frame))
 }
 
@@ -106,7 +111,7 @@ fn axes(frame: &AxesFrame) -> Sheet {
 }
 
 /// Draws the lower side of a frame with its axis under `entity`, for all times.
-pub fn log_floor(
+pub(crate) fn log_floor(
     to: &RecordingStream,
     palette: &Palette,
     entity: &str,
@@ -119,13 +124,18 @@ pub fn log_floor(
 }
 
 /// Draws `sheet` under `entity`, for all times.
-pub fn log_sheet(to: &RecordingStream, palette: &Palette, entity: &str, sheet: &Sheet) -> RecordingStreamResult<()> {
+pub(crate) fn log_sheet(
+    to: &RecordingStream,
+    palette: &Palette,
+    entity: &str,
+    sheet: &Sheet,
+) -> RecordingStreamResult<()> {
     let lines = strips(sheet.elements.iter().filter_map(|it| outline(palette, it)));
     to.log_static(format!("{entity}/lines"), &lines.with_draw_order(20.0))?;
     to.log_static(format!("{entity}/words"), &written(palette, sheet))
 }
 
-pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
+pub(crate) fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
     let strips = strips.into_iter().map(|(points, colour, radius)| (points, (colour, radius)));
     let (points, styles): (Vec<_>, Vec<_>) = strips.unzip();
     let (colours, radii): (Vec<_>, Vec<_>) = styles.into_iter().unzip();
@@ -133,18 +143,18 @@ pub fn strips(strips: impl IntoIterator<Item = Strip>) -> LineStrips2D {
 }
 
 /// A line in dashes.
-pub fn dashed(line: &[[f64; 2]]) -> impl Iterator<Item = Vec<[f32; 2]>> + use<> {
+pub(crate) fn dashed(line: &[[f64; 2]]) -> impl Iterator<Item = Vec<[f32; 2]>> + use<> {
     let dashes = dashes(line, DASHES).into_iter();
     dashes.map(|dash| dash.into_iter().map(|point| point.map(|p| p as f32)).collect())
 }
 
 /// A strip without its style, which is recorded once.
-pub fn strip(points: Vec<[f32; 2]>) -> LineStrips2D {
+pub(crate) fn strip(points: Vec<[f32; 2]>) -> LineStrips2D {
     LineStrips2D::update_fields().with_strips([points])
 }
 
 /// The style of a strip.
-pub fn style(rgb: Colour, radius: Radius, order: f32) -> LineStrips2D {
+pub(crate) fn style(rgb: Colour, radius: Radius, order: f32) -> LineStrips2D {
     LineStrips2D::update_fields().with_colors([colour(rgb)]).with_radii([radius]).with_draw_order(order)
 }
 
@@ -164,7 +174,7 @@ fn outline(palette: &Palette, element: &Element) -> Option<Strip> {
 }
 
 /// The text of a sheet, drawn as lines, together with the text itself, for programs and for the pointer.
-pub fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
+pub(crate) fn written(palette: &Palette, sheet: &Sheet) -> impl AsComponents + use<> {
     let mut lines: Vec<[[f32; 2]; 2]> = Vec::new();
     let mut size = 0.0f64;
     let mut all = Vec::new();

@@ -3,18 +3,18 @@
 use crate::plot::Colour;
 
 /// Contrast of a line with its ground at which it is seen well (success criterion 1.4.11).
-pub const LEAST_CONTRAST: f64 = 3.0;
+pub(crate) const LEAST_CONTRAST: f64 = 3.0;
 /// Luminances at which a colour has a contrast of 3.1 with white, and of 3.1 with the dark ground of the viewer.
 const LUMINANCES: [f64; 2] = [0.127, 0.288];
 
 /// The contrast of two colours: 1 for the same, 21 for black on white.
-pub fn contrast(a: Colour, b: Colour) -> f64 {
+pub(crate) fn contrast(a: Colour, b: Colour) -> f64 {
     let [a, b] = [a, b].map(|colour| luminance(colour) + 0.05);
     a.max(b) / a.min(b)
 }
 
 /// The colour, darkened or made paler until it is seen well on white and on the dark ground of the viewer.
-pub fn legible(rgb: Colour) -> Colour {
+pub(crate) fn legible(rgb: Colour) -> Colour {
     let own = luminance(rgb);
     let [low, high] = LUMINANCES;
     let light = rgb.0.map(linear);

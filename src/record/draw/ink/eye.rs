@@ -15,7 +15,7 @@ const SHIFTS: usize = 24;
 
 /// Where the eye stands, and what it looks at.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Eye {
+pub(crate) struct Eye {
     pub position: [f32; 3],
     pub target: [f32; 3],
 }
@@ -23,7 +23,7 @@ pub struct Eye {
 impl Eye {
     /// The eye that sees all `corners` as large as possible in a pane that is `aspect` times as wide as it is high, at one of some
     /// elevations in radians above the horizon.
-    pub fn around<const N: usize>(corners: &[Vec3], aspect: f32, elevations: [f32; N]) -> Self {
+    pub(crate) fn around<const N: usize>(corners: &[Vec3], aspect: f32, elevations: [f32; N]) -> Self {
         let nowhere = Self { position: [0.0; 3], target: [0.0; 3] };
         let eyes = elevations.map(|elevation| Self::nearest(corners, aspect, elevation));
         eyes.into_iter().fold((nowhere, f32::NEG_INFINITY), |best, other| if other.1 > best.1 { other } else { best }).0

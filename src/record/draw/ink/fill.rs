@@ -5,7 +5,7 @@ const BARS: usize = 512;
 
 /// Bars side by side from `left` to `right`, as one strip that runs up and down: `ends(i, x)` are the ends of bar `i`, which
 /// stands at `x`. Bars whose ends are not finite are left out.
-pub fn zigzag([left, right]: [f32; 2], bars: usize, ends: impl Fn(usize, f32) -> [f32; 2]) -> Vec<[f32; 2]> {
+pub(crate) fn zigzag([left, right]: [f32; 2], bars: usize, ends: impl Fn(usize, f32) -> [f32; 2]) -> Vec<[f32; 2]> {
     let bar = |i: usize| {
         let x = left + (i as f32 + 0.5) / bars as f32 * (right - left);
         let [start, end] = ends(i, x);
@@ -15,7 +15,7 @@ pub fn zigzag([left, right]: [f32; 2], bars: usize, ends: impl Fn(usize, f32) ->
 }
 
 /// Bars of a convex shape, about `pitch` apart and so much shorter that lines of width `pitch` do not stick out.
-pub fn shape(corners: &[[f32; 2]], pitch: f32) -> Vec<[f32; 2]> {
+pub(crate) fn shape(corners: &[[f32; 2]], pitch: f32) -> Vec<[f32; 2]> {
     let ends = |values: &mut dyn Iterator<Item = f32>| {
         values.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
     };
@@ -35,7 +35,7 @@ pub fn shape(corners: &[[f32; 2]], pitch: f32) -> Vec<[f32; 2]> {
 
 /// Lines from side to side of what lies within closed outlines, at most `pitch` below one another and two at least: inside is where outlines go around once
 /// more in one sense than in the other, as those of letters do.
-pub fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f64; 2]; 2]> {
+pub(crate) fn spans(outlines: &[Vec<[f64; 2]>], pitch: f64) -> Vec<[[f64; 2]; 2]> {
     let ends = outlines
         .iter()
         .flatten()
@@ -63,13 +63,13 @@ fn spans_at(outlines: &[Vec<[f64; 2]>], y: f64) -> Vec<[[f64; 2]; 2]> {
 }
 
 /// Radius of the bars under a curve over `0..width`, wide enough that neighbours overlap.
-pub fn radius(width: f32) -> f32 {
+pub(crate) fn radius(width: f32) -> f32 {
     0.9 * width / BARS as f32
 }
 
 /// Bars between a curve over `0..width` and `edge`. `outer` picks of two heights the one nearer to the edge, so that no bar
 /// crosses the curve.
-pub fn under(curve: &[[f32; 2]], width: f32, edge: f32, outer: fn(f32, f32) -> f32) -> Vec<[f32; 2]> {
+pub(crate) fn under(curve: &[[f32; 2]], width: f32, edge: f32, outer: fn(f32, f32) -> f32) -> Vec<[f32; 2]> {
     let tips = tips(curve, width / BARS as f32, outer);
     zigzag([0.0, width], BARS, |i, _| [tips[i], edge])
 }

@@ -13,7 +13,7 @@ use rerun::components::{MagnificationFilter, ValueRange};
 use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
 
 /// A field in colours, its frame and its scale.
-pub struct Image {
+pub(crate) struct Image {
     pub root: String,
     pub frame: AxesFrame,
     pub colours: ColourScale,
@@ -22,18 +22,24 @@ pub struct Image {
 
 impl Image {
     /// The image under `root` in a frame, with its scale and its colours.
-    pub fn new(root: String, frame: &AxesFrame, palette: &'static Palette, scale: Ruler, map: ColourMap) -> Self {
+    pub(crate) fn new(
+        root: String,
+        frame: &AxesFrame,
+        palette: &'static Palette,
+        scale: Ruler,
+        map: ColourMap,
+    ) -> Self {
         let colours = ColourScale { root: format!("{root}/scale"), palette, map };
         Self { root, frame: frame.clone(), colours, scale }
     }
 
     /// Makes it as large as a pane allows, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         canvas::fit_image(&mut self.frame, pane);
     }
 
     /// The view of the image alone.
-    pub fn pane(&self, title: &str) -> Pane {
+    pub(crate) fn pane(&self, title: &str) -> Pane {
         let bounds = canvas::bounds(&self.frame, canvas::SCALE_ROOM);
         let contents = vec![format!("{}/**", self.root)];
         PaneView::plane(title, &self.root, contents, (self.root.clone(), bounds), self.colours.palette)
@@ -44,7 +50,7 @@ impl Image {
     }
 
     /// Records axes, scale and style.
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_axes(to, self.colours.palette, &format!("{}/axes", self.root), &self.frame)?;
         let style = DepthImage::update_fields()
             .with_format(format(&self.frame, ChannelDatatype::F32))
@@ -57,14 +63,14 @@ impl Image {
     }
 
     /// Records the values of the pixels, row by row from above, at the current time.
-    pub fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, values: impl Iterator<Item = f64>) -> RecordingStreamResult<()> {
         let mut bytes = Vec::with_capacity(self.frame.size.iter().product::<f64>() as usize * size_of::<f32>());
         values.for_each(|value| bytes.extend_from_slice(&(value as f32).to_le_bytes()));
         to.log(self.pixels(), &DepthImage::update_fields().with_buffer(bytes))
     }
 
     /// Records the range of the colours, and beside the image the bar that explains it.
-    pub fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
+    pub(crate) fn log_scale(&self, to: &RecordingStream, scale: &Axis) -> RecordingStreamResult<()> {
         let range = ValueRange::from(scale.range.map(|number| number * self.scale.unit));
         let range = DepthImage::update_fields().with_depth_range(range);
         to.log_static(self.pixels(), &range)?;
@@ -73,13 +79,13 @@ impl Image {
 }
 
 /// The frame of an image of a surface, a unit for each of its blocks.
-pub fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> AxesFrame {
+pub(crate) fn frame(grid: &Grid, blocks: &Blocks, length_unit: &str) -> AxesFrame {
     let [height, width] = blocks.cells.map(|n| n as f64);
     let axes = [1, 0].map(|i| Ruler::new(["y", "x"][i], length_unit, [0.0, grid.size()[i]]).axis);
     canvas::image_frame(canvas::PANE, axes, [width, height])
 }
 
 /// The format of an image that fills a frame with a unit for each pixel.
-pub fn format(frame: &AxesFrame, datatype: ChannelDatatype) -> ImageFormat {
+pub(crate) fn format(frame: &AxesFrame, datatype: ChannelDatatype) -> ImageFormat {
     ImageFormat::depth(frame.size.map(|n| n as u32), datatype)
 }

@@ -9,7 +9,7 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 /// in the smallest windows, so that it is never left out.
 const PITCH: f64 = 0.052;
 /// Radius of the lines, over the size of the letters.
-pub const RADIUS: f32 = 0.036;
+pub(crate) const RADIUS: f32 = 0.036;
 /// The size in which letters are filled.
 const SIZE: f64 = 100.0;
 /// The step to which ends of lines are rounded, over their distance: the same numbers take less room in a file.
@@ -25,7 +25,7 @@ struct FilledLetter {
 static FILLED: LazyLock<Mutex<HashMap<char, Arc<FilledLetter>>>> = LazyLock::new(Mutex::default);
 
 /// The lines that fill the letters of words of a size: right and down from the start of the words, half-way up the letters.
-pub fn letter_lines(words: &str, size: f64) -> Vec<[[f32; 2]; 2]> {
+pub(crate) fn letter_lines(words: &str, size: f64) -> Vec<[[f32; 2]; 2]> {
     let (scale, step) = (size / SIZE, FINE * PITCH * size);
     let rounded = |place: f64| ((place / step).round() * step) as f32;
     let mut start = 0.0;

@@ -17,11 +17,11 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Width of the box of a picture on its canvas.
-pub const WIDTH: f32 = canvas::WIDTH as f32;
+pub(crate) const WIDTH: f32 = canvas::WIDTH as f32;
 
 /// The part of a line that is shown, and where it lies on the canvas.
 #[derive(Clone)]
-pub struct LinePlane {
+pub(crate) struct LinePlane {
     /// Root of the entities of the scene.
     pub root: String,
     pub palette: &'static Palette,
@@ -38,7 +38,7 @@ pub struct LinePlane {
 
 impl LinePlane {
     /// The canvas of a scene whose entities lie under `root`.
-    pub fn new(scene: &Scene<'_>, root: &str, options: &Options) -> Self {
+    pub(crate) fn new(scene: &Scene<'_>, root: &str, options: &Options) -> Self {
         let window = Window::around(scene);
         let ends = window.ends(scene.problem.surface().grid().spacing()[1]);
         let x = Ruler::new("x", &options.length_unit, ends).axis;
@@ -55,12 +55,12 @@ impl LinePlane {
     }
 
     /// Gives it the proportions of a pane, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         canvas::fit(&mut self.frame, pane, 0.0);
     }
 
     /// The view of a picture on this canvas. The contact lies in it if it `has_contact`.
-    pub fn pane(&self, picture: &str, title: &str, has_contact: bool) -> Pane {
+    pub(crate) fn pane(&self, picture: &str, title: &str, has_contact: bool) -> Pane {
         let root = &self.root;
         let mut contents = vec![format!("{root}/{picture}/**"), caption(root)];
         if has_contact && self.parts.has(Part::Mask) {
@@ -70,29 +70,29 @@ impl LinePlane {
     }
 
     /// The frame with a vertical axis.
-    pub fn frame_with(&self, y: &Axis) -> AxesFrame {
+    pub(crate) fn frame_with(&self, y: &Axis) -> AxesFrame {
         AxesFrame { y: y.clone(), ..self.frame.clone() }
     }
 
     /// The height of the box on the canvas.
-    pub fn height(&self) -> f32 {
+    pub(crate) fn height(&self) -> f32 {
         self.frame.size[1] as f32
     }
 
     /// The place of a value on the canvas, from above.
-    pub fn level(&self, value: f64, ruler: &Ruler) -> f32 {
+    pub(crate) fn level(&self, value: f64, ruler: &Ruler) -> f32 {
         self.height() * (1.0 - ruler.share(value) as f32)
     }
 
     /// Outlines the measured part in a picture.
-    pub fn log_measured(&self, to: &RecordingStream, picture: &str) -> RecordingStreamResult<()> {
+    pub(crate) fn log_measured(&self, to: &RecordingStream, picture: &str) -> RecordingStreamResult<()> {
         let entity = format!("{}/{picture}/measured", self.root);
         self.measured.map_or(Ok(()), |measured| measured.log(to, &entity, self.frame.size, self.palette))
     }
 
     /// Runs of nodes in contact with their edges, as left and right ends on the canvas; of columns of several nodes, half a spacing
     /// beyond the outer ones.
-    pub fn segments(&self, fields: &FrameFields<'_>) -> Vec<[f32; 2]> {
+    pub(crate) fn segments(&self, fields: &FrameFields<'_>) -> Vec<[f32; 2]> {
         let nodes = self.window.every(fields.stride[1]);
         let runs = Columns::new(nodes.count()).runs(|i| fields.pressure[nodes.node(i)] > 0.0);
         let end = |i: usize, is_right: bool| {
@@ -105,11 +105,11 @@ impl LinePlane {
 }
 
 /// The entity of the words above the pictures of the scene under `root`.
-pub fn caption(root: &str) -> String {
+pub(crate) fn caption(root: &str) -> String {
     format!("{root}/caption")
 }
 
 /// A curve with the height `y(i)` at sample `i`.
-pub fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Vec<[f32; 2]> {
+pub(crate) fn curve(nodes: &Samples, y: impl Fn(usize) -> f32) -> Vec<[f32; 2]> {
     Columns::new(nodes.count()).extremes(y).into_iter().map(|(i, y)| [nodes.place(i) * WIDTH, y]).collect()
 }

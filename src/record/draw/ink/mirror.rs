@@ -11,14 +11,14 @@ const DASH: usize = 3;
 
 /// The measured part of heights, all others being its mirror images.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeasuredPart {
+pub(crate) struct MeasuredPart {
     /// Shares of the cell along y and x, from node 0 on: a half along mirrored axes.
     share: [f64; 2],
 }
 
 impl MeasuredPart {
     /// That of the heights of a scene, if they were mirrored.
-    pub fn new(scene: &Scene<'_>) -> Option<Self> {
+    pub(crate) fn new(scene: &Scene<'_>) -> Option<Self> {
         let mirror = scene.setup.as_ref()?.surface.prepare.mirror?;
         let is_along = |axis: usize| match mirror {
             Mirror::X => axis == 1,
@@ -30,7 +30,7 @@ impl MeasuredPart {
     }
 
     /// The outline in a mesh over the whole cell with a number of rows and columns: the numbers of its vertices, as dashes.
-    pub fn dashes(&self, [rows, columns]: [usize; 2]) -> Vec<Vec<usize>> {
+    pub(crate) fn dashes(&self, [rows, columns]: [usize; 2]) -> Vec<Vec<usize>> {
         let [top, right] =
             [(0, rows), (1, columns)].map(|(axis, n)| (self.share[axis] * (n - 1) as f64).round() as usize);
         let sides = [
@@ -44,7 +44,7 @@ impl MeasuredPart {
     }
 
     /// Records its outline, in dashes on a dark or light line, over a box of a width and a height, whose lower left corner is node 0.
-    pub fn log(
+    pub(crate) fn log(
         &self,
         to: &RecordingStream,
         entity: &str,

@@ -1,20 +1,20 @@
 //! Common parts of drawings: canvases, colours, axes, images, panes, and the reduction of nodes to points.
 
-pub mod canvas;
+pub(crate) mod canvas;
 mod contrast;
-pub mod eye;
-pub mod fill;
-pub mod image;
-pub mod letter_lines;
-pub mod line_plane;
-pub mod mirror;
-pub mod palette;
-pub mod pane;
-pub mod reduce;
-pub mod ruler;
-pub mod scale;
-pub mod strips;
-pub mod surface_plane;
-pub mod window;
+pub(crate) mod eye;
+pub(crate) mod fill;
+pub(crate) mod image;
+pub(crate) mod letter_lines;
+pub(crate) mod line_plane;
+pub(crate) mod mirror;
+pub(crate) mod palette;
+pub(crate) mod pane;
+pub(crate) mod reduce;
+pub(crate) mod ruler;
+pub(crate) mod scale;
+pub(crate) mod strips;
+pub(crate) mod surface_plane;
+pub(crate) mod window;
 
-pub use contrast::legible;
+pub(crate) use contrast::legible;

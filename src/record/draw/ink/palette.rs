@@ -8,13 +8,13 @@ use rerun::components::Colormap;
 use rerun::{AnnotationContext, AnnotationInfo, Color};
 
 /// Exact values among the curves of the viewer, seen on its dark ground and on its light one.
-pub const EXACT: Colour = Colour::GREEN;
+pub(crate) const EXACT: Colour = Colour::GREEN;
 /// An earlier solve, on both backgrounds.
-pub const GHOST: Colour = Colour([0x80, 0x86, 0x92]);
+pub(crate) const GHOST: Colour = Colour([0x80, 0x86, 0x92]);
 /// Background curves, on both backgrounds.
-pub const FAINT: Colour = Colour([0x6b, 0x70, 0x7c]);
+pub(crate) const FAINT: Colour = Colour([0x6b, 0x70, 0x7c]);
 /// Curves of the viewer that stand side by side, on either ground; green is left to exact values.
-pub const SERIES: [Colour; 6] = [
+pub(crate) const SERIES: [Colour; 6] = [
     Colour([0xc4, 0x7f, 0x00]),
     Colour([0x2f, 0x8f, 0xd0]),
     Colour([0xb8, 0x67, 0x9b]),
@@ -24,24 +24,24 @@ pub const SERIES: [Colour; 6] = [
 ];
 
 /// Classes of the nodes of a mask.
-pub const GAP_CLASS: u16 = 0;
-pub const CONTACT_CLASS: u16 = 1;
-pub const YIELDING_CLASS: u16 = 2;
-pub const CANDIDATE_CLASS: u16 = 3;
+pub(crate) const GAP_CLASS: u16 = 0;
+pub(crate) const CONTACT_CLASS: u16 = 1;
+pub(crate) const YIELDING_CLASS: u16 = 2;
+pub(crate) const CANDIDATE_CLASS: u16 = 3;
 
 /// Colour of candidates, seen on either ground and over the dark end of the scale of gaps, and their opacity.
 const CANDIDATE: Colour = Colour([0xb0, 0xb4, 0xbc]);
 const CANDIDATE_OPACITY: u8 = 140;
 
 /// The contour of a contact, over the dark ends of the scales of pressure and gap that meet there.
-pub const CONTOUR: Colour = Colour::WHITE;
+pub(crate) const CONTOUR: Colour = Colour::WHITE;
 
 /// Steps from a colour to that of words.
 const SHADES: u16 = 20;
 
 /// The colours of pictures on one background.
 #[derive(Debug, PartialEq)]
-pub struct Palette {
+pub(crate) struct Palette {
     pub ground: Colour,
     /// Text, and everything else that must stand out.
     pub ink: Colour,
@@ -90,7 +90,7 @@ const LIGHT: Palette = Palette {
 };
 
 impl Palette {
-    pub fn new(theme: Theme) -> &'static Self {
+    pub(crate) fn new(theme: Theme) -> &'static Self {
         match theme {
             Theme::Dark => &DARK,
             Theme::Light => &LIGHT,
@@ -99,7 +99,7 @@ impl Palette {
 
     /// A colour chosen for paper, on this ground: greys from white to black become those from the ground to the words, and
     /// other colours come near to the words until they are seen well.
-    pub fn on_ground(&self, paper: Colour) -> Colour {
+    pub(crate) fn on_ground(&self, paper: Colour) -> Colour {
         let Colour([r, g, b]) = paper;
         if r == g && g == b {
             return mixed(self.ground, self.ink, 1.0 - f64::from(r) / 255.0);
@@ -111,7 +111,7 @@ impl Palette {
 
     /// The names and colours of contact, of what yields of it, of the gap, and of the candidates of an inner iteration, through
     /// which the picture below is seen.
-    pub fn classes(&self) -> AnnotationContext {
+    pub(crate) fn classes(&self) -> AnnotationContext {
         let class = |id, name: &str, color| AnnotationInfo { id, label: Some(name.into()), color: Some(color) };
         let clear = rerun::Rgba32::from_unmultiplied_rgba(0, 0, 0, 0);
         let contact = class(CONTACT_CLASS, "contact", colour(self.contact).0);
@@ -124,31 +124,31 @@ impl Palette {
 }
 
 /// A colour as the viewer knows it.
-pub fn colour(Colour([r, g, b]): Colour) -> Color {
+pub(crate) fn colour(Colour([r, g, b]): Colour) -> Color {
     Color::from_rgb(r, g, b)
 }
 
 /// The colour at `share` of the way between two others.
-pub fn mixed(Colour(from): Colour, Colour(to): Colour, share: f64) -> Colour {
+pub(crate) fn mixed(Colour(from): Colour, Colour(to): Colour, share: f64) -> Colour {
     Colour([0, 1, 2].map(|i| (f64::from(from[i]) + share * (f64::from(to[i]) - f64::from(from[i]))).round() as u8))
 }
 
 /// A continuous map, by the name under which the viewer knows it and as colours.
-pub struct ColourMap {
+pub(crate) struct ColourMap {
     pub viewer: Colormap,
     colours: Vec<Color>,
 }
 
 impl ColourMap {
-    pub fn inferno() -> Self {
+    pub(crate) fn inferno() -> Self {
         Self::from_gradient(Colormap::Inferno, &colorgrad::preset::inferno())
     }
 
-    pub fn viridis() -> Self {
+    pub(crate) fn viridis() -> Self {
         Self::from_gradient(Colormap::Viridis, &colorgrad::preset::viridis())
     }
 
-    pub fn grey() -> Self {
+    pub(crate) fn grey() -> Self {
         let shade = |level: u8| colour(Colour([level; 3]));
         Self { viewer: Colormap::Grayscale, colours: (0..=u8::MAX).map(shade).collect() }
     }
@@ -162,7 +162,7 @@ impl ColourMap {
     }
 
     /// The colour at `t` in 0 to 1, beyond which it stays.
-    pub fn at(&self, t: f64) -> Color {
+    pub(crate) fn at(&self, t: f64) -> Color {
         self.colours[(t * 255.0).clamp(0.0, 255.0) as usize]
     }
 }

@@ -6,16 +6,16 @@ use crate::record::sdk::{Range2D, TimeRange};
 use rerun::AsComponents;
 use rerun::external::re_sdk_types::blueprint::{archetypes as panes, components};
 
-pub use components::ContainerKind;
-pub use components::Corner2D as Corner;
+pub(crate) use components::ContainerKind;
+pub(crate) use components::Corner2D as Corner;
 
 /// Panes side by side in a grid.
-pub const GRID_COLUMNS: usize = 2;
+pub(crate) const GRID_COLUMNS: usize = 2;
 /// The class of views of curves.
 const CURVES: &str = "TimeSeries";
 
 /// A part of the window: a view, or panes side by side with their shares of the room.
-pub enum Pane {
+pub(crate) enum Pane {
     /// A view.
     View(PaneView),
     /// A container of panes.
@@ -23,12 +23,12 @@ pub enum Pane {
 }
 
 impl Pane {
-    pub fn container(kind: ContainerKind, title: &str, panes: Vec<(Self, f32)>) -> Self {
+    pub(crate) fn container(kind: ContainerKind, title: &str, panes: Vec<(Self, f32)>) -> Self {
         Self::Container(kind, title.into(), panes)
     }
 
     /// The pane with another title.
-    pub fn titled(self, title: &str) -> Self {
+    pub(crate) fn titled(self, title: &str) -> Self {
         match self {
             Self::View(view) => Self::View(PaneView { title: title.into(), ..view }),
             Self::Container(kind, _, panes) => Self::Container(kind, title.into(), panes),
@@ -36,7 +36,7 @@ impl Pane {
     }
 
     /// A container of panes with the same share of the room each; a single one needs no container.
-    pub fn even(kind: ContainerKind, title: &str, mut panes: Vec<Self>) -> Self {
+    pub(crate) fn even(kind: ContainerKind, title: &str, mut panes: Vec<Self>) -> Self {
         match panes.pop() {
             Some(only) if panes.is_empty() => only,
             last => Self::container(kind, title, panes.into_iter().chain(last).map(|pane| (pane, 1.0)).collect()),
@@ -45,7 +45,7 @@ impl Pane {
 }
 
 /// A view: its content and its properties.
-pub struct PaneView {
+pub(crate) struct PaneView {
     pub class: String,
     pub title: String,
     pub origin: String,
@@ -69,7 +69,7 @@ impl PaneView {
     }
 
     /// The picture of a root in the plane, showing `[left, right, top, bottom]` of its canvas.
-    pub fn plane(
+    pub(crate) fn plane(
         title: &str,
         origin: &str,
         contents: Vec<String>,
@@ -83,7 +83,7 @@ impl PaneView {
     }
 
     /// The picture of a root in space, as an eye sees it.
-    pub fn space(title: &str, (root, eye): (&str, Eye), palette: &Palette) -> Pane {
+    pub(crate) fn space(title: &str, (root, eye): (&str, Eye), palette: &Palette) -> Pane {
         let eye = panes::EyeControls3D::new()
             .with_kind(components::Eye3DKind::Orbital)
             .with_position(eye.position)
@@ -95,19 +95,19 @@ impl PaneView {
     }
 
     /// Curves of all times on an axis over `range`. Without a legend, the title must say which curve is which.
-    pub fn settling(title: &str, contents: Vec<String>, range: [f64; 2], legend: Option<Corner>) -> Pane {
+    pub(crate) fn settling(title: &str, contents: Vec<String>, range: [f64; 2], legend: Option<Corner>) -> Pane {
         let range = rerun::components::Range1D(range.into());
         let view = Self::curves(title, contents, legend);
         Pane::View(view.with("ScalarAxis", panes::ScalarAxis::new().with_range(range)))
     }
 
     /// Curves of all times on an axis that fits them; the legend stands where nothing is, if they fall.
-    pub fn falling(title: &str, contents: Vec<String>) -> Pane {
+    pub(crate) fn falling(title: &str, contents: Vec<String>) -> Pane {
         Pane::View(Self::curves(title, contents, Some(Corner::RightTop)))
     }
 
     /// Curves of all times on an axis that fits them, without a legend: the title names them.
-    pub fn named(title: &str, contents: Vec<String>) -> Pane {
+    pub(crate) fn named(title: &str, contents: Vec<String>) -> Pane {
         Pane::View(Self::curves(title, contents, None))
     }
 
@@ -123,11 +123,11 @@ impl PaneView {
     }
 
     /// Lanes of states over all times.
-    pub fn lanes(title: &str, origin: &str) -> Pane {
+    pub(crate) fn lanes(title: &str, origin: &str) -> Pane {
         Pane::View(Self::new("StateTimeline", title, origin, vec![format!("{origin}/**")]))
     }
 
-    pub fn text(title: &str, entity: String) -> Pane {
+    pub(crate) fn text(title: &str, entity: String) -> Pane {
         Pane::View(Self::new("TextDocument", title, &entity.clone(), vec![entity]))
     }
 

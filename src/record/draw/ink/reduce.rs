@@ -21,17 +21,17 @@ fn share(nodes: usize, stride: usize, cells: usize, cell: usize) -> Range<usize>
 
 /// The points of a curve, shared out over columns.
 #[derive(Debug, Clone, Copy)]
-pub struct Columns {
+pub(crate) struct Columns {
     points: usize,
     count: usize,
 }
 
 impl Columns {
     /// About as many columns as a large picture has pixels; a curve keeps two points of each.
-    pub const MOST: usize = 1024;
+    pub(crate) const MOST: usize = 1024;
 
     /// The columns of a curve of `points`; a short one keeps one column per point.
-    pub fn new(points: usize) -> Self {
+    pub(crate) fn new(points: usize) -> Self {
         Self { points, count: if points <= 2 * Self::MOST { points } else { Self::MOST } }
     }
 
@@ -41,14 +41,14 @@ impl Columns {
     }
 
     /// The points that hold the smallest and the largest value of each column, in the order in which they lie on the curve.
-    pub fn extremes<T: Copy + PartialOrd>(self, value: impl Fn(usize) -> T) -> Vec<(usize, T)> {
+    pub(crate) fn extremes<T: Copy + PartialOrd>(self, value: impl Fn(usize) -> T) -> Vec<(usize, T)> {
         let mut points = Vec::with_capacity(2 * self.count);
         self.ranges().for_each(|range| points.extend(ends(range, &value)));
         points
     }
 
     /// The curve of a field, with the extremes of each column as in [`Columns::extremes`].
-    pub fn curve(self, value: impl Fn(usize) -> f64) -> FieldCurve {
+    pub(crate) fn curve(self, value: impl Fn(usize) -> f64) -> FieldCurve {
         let mut points = Vec::with_capacity(2 * self.count);
         let mut columns = Vec::with_capacity(self.count);
         for range in self.ranges() {
@@ -60,12 +60,12 @@ impl Columns {
     }
 
     /// The number of columns.
-    pub fn count(self) -> usize {
+    pub(crate) fn count(self) -> usize {
         self.count
     }
 
     /// Runs of columns in which any point holds, as runs of their points.
-    pub fn runs(self, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
+    pub(crate) fn runs(self, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
         let mut runs: Vec<Range<usize>> = Vec::new();
         for column in self.ranges().filter(|column| column.clone().any(&holds)) {
             match runs.last_mut() {
@@ -78,7 +78,7 @@ impl Columns {
 }
 
 /// A curve with the points of the smallest and of the largest value of each column.
-pub struct FieldCurve {
+pub(crate) struct FieldCurve {
     /// Numbers and values of the points, from left to right.
     pub points: Vec<(usize, f64)>,
     /// The middle of each column, as a point with a fraction, and where among the points its own lie.
@@ -87,7 +87,7 @@ pub struct FieldCurve {
 
 impl FieldCurve {
     /// Where among the points the pieces of the columns lie, which reach to the next one; the last one begins in the one before.
-    pub fn pieces(&self) -> impl ExactSizeIterator<Item = Range<usize>> + Clone {
+    pub(crate) fn pieces(&self) -> impl ExactSizeIterator<Item = Range<usize>> + Clone {
         let last = self.points.len();
         self.columns.iter().map(move |(_, own)| match own.end < last {
             true => own.start..own.end + 1,
@@ -96,7 +96,7 @@ impl FieldCurve {
     }
 
     /// The middle of each column, and the value of the point in it that `pick` prefers.
-    pub fn values(&self, pick: impl Fn(f64, f64) -> f64) -> impl Iterator<Item = (f64, f64)> {
+    pub(crate) fn values(&self, pick: impl Fn(f64, f64) -> f64) -> impl Iterator<Item = (f64, f64)> {
         self.columns.iter().map(move |(middle, own)| {
             let values = self.points[own.clone()].iter().map(|point| point.1);
             (*middle, values.reduce(&pick).unwrap_or_default())
@@ -128,7 +128,7 @@ fn extremes<T: Copy + PartialOrd>(range: Range<usize>, value: impl Fn(usize) -> 
 
 /// A field of `shape`, seen as `cells` blocks.
 #[derive(Debug, Clone, Copy)]
-pub struct Blocks {
+pub(crate) struct Blocks {
     /// Nodes along y and x.
     pub shape: [usize; 2],
     /// Blocks along y and x.
@@ -137,12 +137,12 @@ pub struct Blocks {
 
 impl Blocks {
     /// The blocks of the pixels of an image of a surface on `grid`.
-    pub fn image(grid: &Grid) -> Self {
+    pub(crate) fn image(grid: &Grid) -> Self {
         Self::square(grid.shape(), grid.size(), PIXELS)
     }
 
     /// Blocks over a field of `shape` whose sides measure `size`: at most `most` along the longer side, square in space.
-    pub fn square(shape: [usize; 2], size: [f64; 2], most: usize) -> Self {
+    pub(crate) fn square(shape: [usize; 2], size: [f64; 2], most: usize) -> Self {
         let longest = size[0].max(size[1]);
         let finest = (0..2).map(|axis| shape[axis] as f64 * longest / size[axis]).fold(0.0, f64::max);
         let along = (finest.round() as usize).min(most) as f64;
@@ -151,7 +151,13 @@ impl Blocks {
 
     /// The results of `fold` over all nodes of each block, starting from `start`, row by row. The `values` are those of every
     /// `stride`-th node; where a block has none, the nearest one counts.
-    pub fn fold(&self, values: &[f64], stride: [usize; 2], start: f64, fold: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    pub(crate) fn fold(
+        &self,
+        values: &[f64],
+        stride: [usize; 2],
+        start: f64,
+        fold: impl Fn(f64, f64) -> f64,
+    ) -> Vec<f64> {
         if self.cells == self.shape && stride == [1, 1] {
             return values.iter().map(|&value| fold(start, value)).collect();
         }
@@ -169,23 +175,23 @@ impl Blocks {
     }
 
     /// Pixels row by row from the upper edge, where y is largest.
-    pub fn rows_down<'a>(&self, blocks: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
+    pub(crate) fn rows_down<'a>(&self, blocks: &'a [f64]) -> impl Iterator<Item = f64> + use<'a> {
         blocks.rchunks(self.cells[1]).flatten().copied()
     }
 }
 
 /// Whether the contour of a contact on `grid` is drawn: where each node has a pixel of its own.
-pub fn has_contour(grid: &Grid) -> bool {
+pub(crate) fn has_contour(grid: &Grid) -> bool {
     pixels(grid) >= grid.len()
 }
 
 /// Largest number of points of a curve along a line on `grid`.
-pub fn curve_points(grid: &Grid) -> f64 {
+pub(crate) fn curve_points(grid: &Grid) -> f64 {
     grid.len().min(2 * Columns::MOST) as f64
 }
 
 /// Pixels of an image of a surface on `grid`.
-pub fn pixels(grid: &Grid) -> usize {
+pub(crate) fn pixels(grid: &Grid) -> usize {
     Blocks::image(grid).cells.iter().product()
 }
 

@@ -10,7 +10,7 @@ const HEADROOM: f64 = 1.08;
 
 /// An axis for the values of a quantity, its numbers in a power of a thousand of a unit.
 #[derive(Debug, Clone)]
-pub struct Ruler {
+pub(crate) struct Ruler {
     /// The axis, in numbers.
     pub axis: Axis,
     /// The value at the number 1.
@@ -21,7 +21,7 @@ pub struct Ruler {
 
 impl Ruler {
     /// An axis over `low..high` in a unit, which may be empty; an empty range is widened.
-    pub fn new(symbol: &str, unit: &str, [low, high]: [f64; 2]) -> Self {
+    pub(crate) fn new(symbol: &str, unit: &str, [low, high]: [f64; 2]) -> Self {
         let high = if high > low { high } else { low + low.abs().max(f64::MIN_POSITIVE) };
         let exponent = engineering_exponent(low.abs().max(high.abs()), unit.is_empty());
         let power = 10f64.powi(exponent);
@@ -30,12 +30,12 @@ impl Ruler {
     }
 
     /// An axis for pressures from 0 to `highest`, in `contact_modulus`.
-    pub fn pressure(highest: f64, contact_modulus: f64) -> Self {
+    pub(crate) fn pressure(highest: f64, contact_modulus: f64) -> Self {
         Self::over_modulus("p / E*", highest, contact_modulus)
     }
 
     /// An axis for shear stresses from 0 to `highest`, in `contact_modulus`.
-    pub fn shear(highest: f64, contact_modulus: f64) -> Self {
+    pub(crate) fn shear(highest: f64, contact_modulus: f64) -> Self {
         Self::over_modulus("τ_max / E*", highest, contact_modulus)
     }
 
@@ -45,38 +45,38 @@ impl Ruler {
     }
 
     /// An axis for gaps from 0 to `highest`, in `rms_height`.
-    pub fn gap(highest: f64, rms_height: f64) -> Self {
+    pub(crate) fn gap(highest: f64, rms_height: f64) -> Self {
         let ruler = Self::new("gap / h_rms", "", [0.0, HEADROOM * highest / rms_height]);
         Self { unit: ruler.unit * rms_height, least: LEAST_GAP * rms_height, ..ruler }
     }
 
     /// An axis for values of a range, in a unit, with some room at each end that is not zero.
-    pub fn over(symbol: &str, range: [f64; 2], unit: f64) -> Self {
+    pub(crate) fn over(symbol: &str, range: [f64; 2], unit: f64) -> Self {
         let ruler = Self::new(symbol, "", range.map(|end| HEADROOM * end / unit));
         Self { unit: ruler.unit * unit, ..ruler }
     }
 
     /// The axis fitted to values up to `highest`.
-    pub fn fitted(&self, highest: f64) -> Axis {
+    pub(crate) fn fitted(&self, highest: f64) -> Axis {
         let [low, high] = self.axis.range;
         let fitted = HEADROOM * highest.max(self.least) / self.unit;
         Axis { range: [low, if fitted > low { fitted } else { high }], ..self.axis.clone() }
     }
 
     /// The place of `value` along the axis: 0 at its start, 1 at its end.
-    pub fn place(&self, value: f64) -> f64 {
+    pub(crate) fn place(&self, value: f64) -> f64 {
         self.axis.place(value / self.unit)
     }
 
     /// The share of the axis that lies between two values `difference` apart.
-    pub fn share(&self, difference: f64) -> f64 {
+    pub(crate) fn share(&self, difference: f64) -> f64 {
         let [low, high] = self.axis.range;
         difference / (self.unit * (high - low))
     }
 }
 
 /// A length with its unit, such as `x: 160 µm`.
-pub fn measured(symbol: &str, unit: &str, length: f64) -> String {
+pub(crate) fn measured(symbol: &str, unit: &str, length: f64) -> String {
     let exponent = engineering_exponent(length, unit.is_empty());
     let number = format!("{:.3}", length / 10f64.powi(exponent));
     let number = number.trim_end_matches('0').trim_end_matches('.');

@@ -12,7 +12,7 @@ const BAR: f64 = 1.3;
 const NAME: f64 = 7.0;
 
 /// The colours of an image, and the bar beside it that explains them.
-pub struct ColourScale {
+pub(crate) struct ColourScale {
     pub root: String,
     pub palette: &'static Palette,
     pub map: ColourMap,
@@ -20,7 +20,7 @@ pub struct ColourScale {
 
 impl ColourScale {
     /// Records the bar beside a frame, with the numbers of an axis.
-    pub fn log(&self, to: &RecordingStream, frame: &AxesFrame, axis: &Axis) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, frame: &AxesFrame, axis: &Axis) -> RecordingStreamResult<()> {
         to.log_static(format!("{}/colours", self.root), &self.bar(frame))?;
         canvas::log_sheet(to, self.palette, &self.root, &words(frame, axis))
     }

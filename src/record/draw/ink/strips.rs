@@ -11,7 +11,7 @@ use std::sync::Arc;
 ///
 /// A strip is a list of points in the viewer's columns. Made one by one, a thousand strips of two points take several times
 /// as long.
-pub fn strips_of(curve: &[[f32; 2]], pieces: impl Iterator<Item = Range<usize>> + Clone) -> LineStrips2D {
+pub(crate) fn strips_of(curve: &[[f32; 2]], pieces: impl Iterator<Item = Range<usize>> + Clone) -> LineStrips2D {
     let item = |of: &DataType| Arc::new(Field::new("item", of.clone(), false));
     let mut values = Vec::with_capacity(2 * (curve.len() + pieces.size_hint().0));
     pieces.clone().for_each(|piece| values.extend_from_slice(curve[piece].as_flattened()));
@@ -24,7 +24,7 @@ pub fn strips_of(curve: &[[f32; 2]], pieces: impl Iterator<Item = Range<usize>> 
 }
 
 /// Strips of two points each.
-pub fn lines_of(lines: &[[[f32; 2]; 2]]) -> LineStrips2D {
+pub(crate) fn lines_of(lines: &[[[f32; 2]; 2]]) -> LineStrips2D {
     strips_of(lines.as_flattened(), (0..lines.len()).map(|line| 2 * line..2 * line + 2))
 }
 

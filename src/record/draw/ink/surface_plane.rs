@@ -17,7 +17,7 @@ use rerun::{RecordingStream, RecordingStreamResult};
 
 /// The blocks of nodes that are the pixels of images, and the frame around them.
 #[derive(Clone)]
-pub struct SurfacePlane {
+pub(crate) struct SurfacePlane {
     /// Root of the entities of the scene.
     pub root: String,
     pub palette: &'static Palette,
@@ -32,7 +32,7 @@ pub struct SurfacePlane {
 
 impl SurfacePlane {
     /// The canvas of a scene whose entities lie under `root`.
-    pub fn new(scene: &Scene<'_>, root: &str, options: &Options) -> Self {
+    pub(crate) fn new(scene: &Scene<'_>, root: &str, options: &Options) -> Self {
         let grid = scene.problem.surface().grid();
         let blocks = Blocks::image(grid);
         Self {
@@ -47,12 +47,12 @@ impl SurfacePlane {
     }
 
     /// Makes it as large as a pane allows, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         canvas::fit_image(&mut self.frame, pane);
     }
 
     /// The view of a picture on this canvas. The contact and its contour lie in it if it `has_contact`, else the contour alone.
-    pub fn pane(&self, picture: &str, title: &str, has_contact: bool) -> Pane {
+    pub(crate) fn pane(&self, picture: &str, title: &str, has_contact: bool) -> Pane {
         let root = &self.root;
         let mut contents = vec![format!("{root}/{picture}/**"), caption(root)];
         if self.parts.has(Part::Mask) {
@@ -65,13 +65,13 @@ impl SurfacePlane {
     }
 
     /// Outlines the measured part in a picture.
-    pub fn log_measured(&self, to: &RecordingStream, picture: &str) -> RecordingStreamResult<()> {
+    pub(crate) fn log_measured(&self, to: &RecordingStream, picture: &str) -> RecordingStreamResult<()> {
         let entity = format!("{}/{picture}/measured", self.root);
         self.measured.map_or(Ok(()), |measured| measured.log(to, &entity, self.frame.size, self.palette))
     }
 
     /// The pixel at a place in nodes of the grid with every `stride`-th node.
-    pub fn pixel(&self, [y, x]: [f64; 2], [stride_y, stride_x]: [usize; 2]) -> [f32; 2] {
+    pub(crate) fn pixel(&self, [y, x]: [f64; 2], [stride_y, stride_x]: [usize; 2]) -> [f32; 2] {
         let [per_y, per_x] = [0, 1].map(|axis| self.blocks.cells[axis] as f64 / self.blocks.shape[axis] as f64);
         let height = self.blocks.cells[0] as f64;
         [((x * stride_x as f64 + 0.5) * per_x) as f32, (height - (y * stride_y as f64 + 0.5) * per_y) as f32]

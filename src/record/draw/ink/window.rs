@@ -7,7 +7,7 @@ const WIDTH: f64 = 2.5;
 
 /// The nodes shown: `shown` of the `nodes` of the period, from node `start` on and across the period.
 #[derive(Debug, Clone, Copy)]
-pub struct Window {
+pub(crate) struct Window {
     start: usize,
     shown: usize,
     /// Nodes of the whole line.
@@ -16,7 +16,7 @@ pub struct Window {
 
 /// Every `stride`-th node of the period, as far as it lies in the window: the nodes of a coarser grid. Both ends count.
 #[derive(Debug, Clone, Copy)]
-pub struct Samples {
+pub(crate) struct Samples {
     window: Window,
     stride: usize,
     first: usize,
@@ -26,7 +26,7 @@ pub struct Samples {
 
 impl Window {
     /// The whole line, or the surroundings of a contact that is known to be single.
-    pub fn around(scene: &Scene<'_>) -> Self {
+    pub(crate) fn around(scene: &Scene<'_>) -> Self {
         let height = scene.problem.height();
         let nodes = height.len();
         let Some(exact) = &scene.exact else { return Self { start: 0, shown: nodes, nodes } };
@@ -36,52 +36,52 @@ impl Window {
     }
 
     /// First and last position; a window across the period starts at a negative one.
-    pub fn ends(&self, spacing: f64) -> [f64; 2] {
+    pub(crate) fn ends(&self, spacing: f64) -> [f64; 2] {
         let start = self.start as f64 - if self.start + self.shown > self.nodes { self.nodes as f64 } else { 0.0 };
         [start * spacing, (start + self.shown as f64) * spacing]
     }
 
     /// The nodes of the grid with every `stride`-th node.
-    pub fn every(self, stride: usize) -> Samples {
+    pub(crate) fn every(self, stride: usize) -> Samples {
         Samples { window: self, stride, first: self.start.div_ceil(stride), period: self.nodes / stride }
     }
 }
 
 impl Samples {
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         (self.window.start + self.window.shown) / self.stride + 1 - self.first
     }
 
     /// The node of its grid behind sample `i`.
-    pub fn node(&self, i: usize) -> usize {
+    pub(crate) fn node(&self, i: usize) -> usize {
         let node = self.first + i;
         if node < self.period { node } else { node - self.period }
     }
 
     /// The sample at a node of its grid, if it lies in the window.
-    pub fn sample(&self, node: usize) -> Option<usize> {
+    pub(crate) fn sample(&self, node: usize) -> Option<usize> {
         let period = self.window.nodes / self.stride;
         let sample = (node + period - self.first % period) % period;
         (sample < self.count()).then_some(sample)
     }
 
     /// Nodes of the finest grid from the start of the window to sample `i`.
-    pub fn offset(&self, i: usize) -> usize {
+    pub(crate) fn offset(&self, i: usize) -> usize {
         (self.first + i) * self.stride - self.window.start
     }
 
     /// The place of sample `i` in the window, from 0 to 1.
-    pub fn place(&self, i: usize) -> f32 {
+    pub(crate) fn place(&self, i: usize) -> f32 {
         self.offset(i) as f32 / self.window.shown as f32
     }
 
     /// The share of the window between neighbours.
-    pub fn spacing(&self) -> f32 {
+    pub(crate) fn spacing(&self) -> f32 {
         self.stride as f32 / self.window.shown as f32
     }
 
     /// The values of the window, in its order.
-    pub fn values<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+    pub(crate) fn values<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
         (0..self.count()).map(|i| values[self.node(i)])
     }
 }

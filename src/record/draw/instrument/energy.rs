@@ -4,7 +4,7 @@ use crate::record::draw::drawing::{Drawing, Subject};
 use crate::record::draw::instrument::waterfall::{Waterfall, WaterfallQuantity, Waterfalls};
 
 /// The drawing of the energy of a scene, over mean pressure and rms height.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let problem = subject.scene.problem;
     let energy = WaterfallQuantity {
         entity: "energy",

@@ -12,31 +12,31 @@ use rerun::{DepthImage, RecordingStream, RecordingStreamResult};
 
 /// A map of changes, on the canvas of the other images of a surface.
 #[derive(Clone)]
-pub struct FlipMap {
+pub(crate) struct FlipMap {
     plane: SurfacePlane,
     root: String,
 }
 
 impl FlipMap {
     /// The map on a canvas.
-    pub fn new(plane: &SurfacePlane) -> Self {
+    pub(crate) fn new(plane: &SurfacePlane) -> Self {
         Self { plane: plane.clone(), root: format!("{}/flips", plane.root) }
     }
 
     /// Gives it the proportions of its pane, whose width and height in points `size` finds.
-    pub fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
+    pub(crate) fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
         size(&self.root).into_iter().for_each(|size| self.plane.fit(size));
     }
 
     /// The view of the map.
-    pub fn pane(&self) -> Pane {
+    pub(crate) fn pane(&self) -> Pane {
         let picture = (self.root.clone(), canvas::bounds(&self.plane.frame, canvas::SCALE_ROOM));
         let title = "How often nodes entered or left the contact";
         PaneView::plane(title, &self.root, vec![format!("{}/**", self.root)], picture, self.plane.palette)
     }
 
     /// Records how often each node has changed so far.
-    pub fn log(&self, to: &RecordingStream, flips: &[u32]) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, flips: &[u32]) -> RecordingStreamResult<()> {
         let flips: Vec<f64> = flips.iter().copied().map(f64::from).collect();
         let most = flips.iter().copied().fold(1.0, f64::max);
         let pixels = self.plane.blocks.fold(&flips, [1, 1], 0.0, f64::max);

@@ -204,7 +204,7 @@ impl LaneRows {
 }
 
 /// The drawing of the decisions of a solver.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     Some(Box::new(Lanes::new(subject.root, subject.palette)))
 }
 

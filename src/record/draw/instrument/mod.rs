@@ -13,7 +13,7 @@ use crate::grid::Grid;
 use crate::setup::Part;
 
 /// The parts of this group, in the order of their panes.
-pub const PARTS: &[PartRow] = &[
+pub(crate) const PARTS: &[PartRow] = &[
     PartRow { part: Part::Raster, draw: raster::draw, bytes: bytes_of_rasters },
     PartRow { part: Part::Decisions, draw: lanes::draw, bytes: |_| Bytes::default() },
     PartRow { part: Part::Waterfall, draw: waterfall::draw, bytes: |grid| Bytes::per_run(2.0 * bytes_of_bands(grid)) },

@@ -14,7 +14,7 @@ use rerun::{AnnotationContext, AnnotationInfo, RecordingStream, RecordingStreamR
 
 /// Largest numbers of rows and columns of the image.
 const ROWS: usize = 512;
-pub const COLUMNS: usize = 1024;
+pub(crate) const COLUMNS: usize = 1024;
 /// Classes of ages: 1 step, 2 to 3, 4 to 7 and so on.
 const AGES: u8 = 8;
 /// The first class of nodes in contact, and of others.
@@ -109,7 +109,7 @@ struct Rasters {
 }
 
 /// The drawing of the rasters of a scene.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let Subject { scene, root, options, palette, plane, .. } = *subject;
     let grid = subject.grid();
     let [ny, nx] = grid.shape();

@@ -10,7 +10,7 @@ use rerun::{AsComponents, Boxes2D, Radius, RecordingStream, RecordingStreamResul
 
 /// Frame and scale of an image whose columns are steps, to the right, with a quantity upwards, and a line at the current step.
 #[derive(Clone)]
-pub struct StepImage {
+pub(crate) struct StepImage {
     pub root: String,
     pub palette: &'static Palette,
     /// The axis upwards, if there is one.
@@ -22,7 +22,7 @@ pub struct StepImage {
 
 /// The steps that an image shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepAxis {
+pub(crate) struct StepAxis {
     /// Columns of the image.
     pub columns: usize,
     /// Steps of each column.
@@ -31,10 +31,10 @@ pub struct StepAxis {
 
 /// The steps that a solver has passed, each with its work and its place on the axis.
 #[derive(Default)]
-pub struct Passed(Vec<(Work, f32)>);
+pub(crate) struct Passed(Vec<(Work, f32)>);
 
 impl Passed {
-    pub fn add(&mut self, work: Work) {
+    pub(crate) fn add(&mut self, work: Work) {
         self.0.push((work, work.iterations as f32 + 0.5));
     }
 }
@@ -47,31 +47,31 @@ impl StepAxis {
 
 impl StepImage {
     /// An image under `root`, with room for a scale of colours beside it if it `is_scaled`.
-    pub fn new(root: String, palette: &'static Palette, y: Option<Axis>, is_scaled: bool) -> Self {
+    pub(crate) fn new(root: String, palette: &'static Palette, y: Option<Axis>, is_scaled: bool) -> Self {
         let aside = if is_scaled { canvas::SCALE_ROOM } else { 0.0 };
         let axes = [Axis::linear("step", [0.0, 1.0]), y.clone().unwrap_or_else(|| Axis::linear("", [0.0, 1.0]))];
         Self { root, palette, y, aside, frame: canvas::frame(canvas::PANE, axes, aside) }
     }
 
     /// The frame of the image of some steps.
-    pub fn frame(&self, steps: StepAxis) -> AxesFrame {
+    pub(crate) fn frame(&self, steps: StepAxis) -> AxesFrame {
         AxesFrame { x: Axis::linear("step", [0.0, steps.count()]), ..self.frame.clone() }
     }
 
     /// Gives it the proportions of its pane, whose width and height in points `size` finds.
-    pub fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
+    pub(crate) fn fit(&mut self, size: &dyn Fn(&str) -> Option<[f64; 2]>) {
         size(&self.root).into_iter().for_each(|size| canvas::fit(&mut self.frame, size, self.aside));
     }
 
     /// The view of the image, with axes and scale.
-    pub fn pane(&self, title: &str) -> Pane {
+    pub(crate) fn pane(&self, title: &str) -> Pane {
         let bounds = canvas::bounds(&self.frame, self.aside);
         let contents = vec![format!("{}/**", self.root)];
         PaneView::plane(title, &self.root, contents, (self.root.clone(), bounds), self.palette)
     }
 
     /// Records an image with a number of rows, and its axes, for all times.
-    pub fn log(
+    pub(crate) fn log(
         &self,
         to: &RecordingStream,
         image: &impl AsComponents,
@@ -89,7 +89,7 @@ impl StepImage {
     }
 
     /// Records what the line at the current step looks like.
-    pub fn log_cursor_style(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_cursor_style(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let line = Boxes2D::update_fields()
             .with_half_sizes([[0.0, 0.5]])
             .with_colors([palette::colour(self.palette.ink)])
@@ -99,7 +99,7 @@ impl StepImage {
     }
 
     /// Sends where the line stands at the steps that a solver has passed since the last time.
-    pub fn send_cursor(&self, to: &RecordingStream, Passed(passed): &mut Passed) -> RecordingStreamResult<()> {
+    pub(crate) fn send_cursor(&self, to: &RecordingStream, Passed(passed): &mut Passed) -> RecordingStreamResult<()> {
         if passed.is_empty() {
             return Ok(());
         }

@@ -17,7 +17,7 @@ const DECADES: f64 = 8.0;
 
 /// A quantity of each band, step to the right, wavelength upwards.
 #[derive(Clone)]
-pub struct Waterfall {
+pub(crate) struct Waterfall {
     image: StepImage,
     /// The band of each row, from the longest waves on.
     rows: Vec<usize>,
@@ -26,7 +26,7 @@ pub struct Waterfall {
 
 /// A quantity of the rows of a spectrogram.
 #[derive(Clone, Copy)]
-pub struct WaterfallQuantity {
+pub(crate) struct WaterfallQuantity {
     /// The name of its entity below the root of the scene.
     pub entity: &'static str,
     /// The title of its pane, and its name at the scale.
@@ -39,7 +39,10 @@ pub struct WaterfallQuantity {
 
 impl Waterfall {
     /// The waterfall of a quantity of a scene.
-    pub fn new(Subject { scene, root, options, palette, .. }: &Subject<'_>, quantity: WaterfallQuantity) -> Self {
+    pub(crate) fn new(
+        Subject { scene, root, options, palette, .. }: &Subject<'_>,
+        quantity: WaterfallQuantity,
+    ) -> Self {
         let grid = scene.problem.surface().grid();
         let bands = Bands::new(grid);
         let longest = grid.longest_wavelength();
@@ -85,10 +88,10 @@ impl Waterfall {
 }
 
 /// Waterfalls of a scene.
-pub struct Waterfalls(pub Vec<Waterfall>);
+pub(crate) struct Waterfalls(pub Vec<Waterfall>);
 
 /// The drawing of the errors of pressure and displacement, if there is a reference state.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     subject.scene.reference.as_ref()?;
     let pressure = WaterfallQuantity {
         entity: "error_pressure",

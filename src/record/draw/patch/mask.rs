@@ -13,7 +13,7 @@ use crate::record::sdk::ChannelDatatype;
 use rerun::{Radius, RecordingStream, RecordingStreamResult, SegmentationImage};
 
 /// The nodes in contact, those of them that yield, the candidates of an inner iteration, the contour, and the patches as points.
-pub struct ContactMask {
+pub(crate) struct ContactMask {
     plane: SurfacePlane,
     title: String,
     /// Whether the contact needs its own pane, because there are no other pictures.
@@ -22,7 +22,7 @@ pub struct ContactMask {
 
 impl ContactMask {
     /// The contact on the canvas of a surface.
-    pub fn new(subject: &Subject<'_>, plane: &SurfacePlane) -> Self {
+    pub(crate) fn new(subject: &Subject<'_>, plane: &SurfacePlane) -> Self {
         let title = format!("{}: contact", subject.scene.title);
         Self { plane: plane.clone(), title, is_alone: subject.options.what.has_mask_alone() }
     }

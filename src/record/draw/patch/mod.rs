@@ -1,9 +1,9 @@
 //! Pictures of the contact and its patches.
 
 mod mask;
-pub mod patch_map;
+pub(crate) mod patch_map;
 mod patch_points;
-pub mod patch_tree;
+pub(crate) mod patch_tree;
 mod segments;
 
 use super::drawing::{Bytes, Drawing, PartRow, Subject};
@@ -13,7 +13,7 @@ use crate::grid::Grid;
 use crate::setup::Part;
 
 /// The parts of this group.
-pub const PARTS: &[PartRow] = &[PartRow { part: Part::Mask, draw: contact, bytes: bytes_of_contact }];
+pub(crate) const PARTS: &[PartRow] = &[PartRow { part: Part::Mask, draw: contact, bytes: bytes_of_contact }];
 
 /// The contact: segments of a line, an image of a surface.
 fn contact(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {

@@ -16,7 +16,7 @@ const FREE: f32 = 0.14;
 const ROOMY: f32 = 12.0;
 
 /// A map of the contact, the position to the right and the load upwards. It grows with the load.
-pub struct PatchMap {
+pub(crate) struct PatchMap {
     frame: AxesFrame,
     plane: LinePlane,
     loads: LoadAxis,
@@ -25,30 +25,30 @@ pub struct PatchMap {
 
 impl PatchMap {
     /// The map of a line under `loads`, on the canvas of its pictures.
-    pub fn new(plane: &LinePlane, loads: LoadAxis) -> Self {
+    pub(crate) fn new(plane: &LinePlane, loads: LoadAxis) -> Self {
         let frame = plane.frame_with(&loads.whole());
         let root = format!("{}/patches", plane.root);
         Self { frame, plane: plane.clone(), loads, root }
     }
 
     /// Takes the proportions of its pane, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         self.plane.fit(pane);
         self.frame = self.plane.frame_with(&self.frame.y);
     }
 
     /// The view of the map.
-    pub fn pane(&self) -> Pane {
+    pub(crate) fn pane(&self) -> Pane {
         self.plane.pane("patches", &format!("Contact patches against {}", self.loads.title()), false)
     }
 
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         self.plane.log_measured(to, "patches")?;
         canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &self.frame)
     }
 
     /// Records the contact under load number `load` at the current time; it stays for heavier loads.
-    pub fn log(&self, to: &RecordingStream, load: usize, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, load: usize, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
         let Some(room) = self.loads.room(load) else { return Ok(()) };
         let [bottom, top] = room.map(|end| self.frame.position([0.0, self.frame.y.place(end)])[1] as f32);
         let free = if bottom - top > ROOMY { 0.5 * FREE * (bottom - top) + BAR } else { 0.0 };
@@ -63,7 +63,11 @@ impl PatchMap {
     }
 
     /// Stretches the map to the loads that came, for all times.
-    pub fn settle(&self, to: &RecordingStream, loads: impl IntoIterator<Item = usize>) -> RecordingStreamResult<()> {
+    pub(crate) fn settle(
+        &self,
+        to: &RecordingStream,
+        loads: impl IntoIterator<Item = usize>,
+    ) -> RecordingStreamResult<()> {
         let y = self.loads.over(loads);
         let [low, high] = y.range.map(|end| self.frame.y.place(end));
         let stretch = 1.0 / (high - low);

@@ -8,7 +8,7 @@ use crate::record::sdk::Float32;
 use rerun::{AnyValues, AsComponents, Points2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// Records how the points under `entity` look.
-pub fn log_style(to: &RecordingStream, entity: &str, rgb: Colour) -> RecordingStreamResult<()> {
+pub(crate) fn log_style(to: &RecordingStream, entity: &str, rgb: Colour) -> RecordingStreamResult<()> {
     let points = Points2D::update_fields().with_colors([colour(rgb)]).with_radii([Radius::new_ui_points(2.5)]);
     to.log_static(entity, &points.with_draw_order(canvas::POINTS).with_show_labels(false))
 }
@@ -18,7 +18,7 @@ pub fn log_style(to: &RecordingStream, entity: &str, rgb: Colour) -> RecordingSt
 ///
 /// The columns carry the word `patch`, as a component name must have one type in a whole recording: viewers from 0.38 on take
 /// a recording for one table, and `kappa_r`, `load` and others are names of properties or timelines.
-pub fn log(
+pub(crate) fn log(
     to: &RecordingStream,
     entity: &str,
     patches: &[PatchReading],

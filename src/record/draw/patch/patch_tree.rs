@@ -31,7 +31,7 @@ const DOT: f32 = 2.6;
 const RADII: [f64; 2] = [0.6, 4.5];
 
 /// The picture of the tree.
-pub struct PatchTreePicture {
+pub(crate) struct PatchTreePicture {
     root: String,
     palette: &'static Palette,
     frame: AxesFrame,
@@ -40,7 +40,7 @@ pub struct PatchTreePicture {
 
 impl PatchTreePicture {
     /// The tree of the patches of a scene under some loads. Loads that turn back are drawn by their numbers.
-    pub fn new(scene: &str, palette: &'static Palette, loads: &LoadAxis) -> Self {
+    pub(crate) fn new(scene: &str, palette: &'static Palette, loads: &LoadAxis) -> Self {
         let values = &loads.values;
         let turns = !(values.is_sorted_by(|a, b| a < b) || values.is_sorted_by(|a, b| a > b));
         let numbers = || LoadAxis::linear("load number", (1..=values.len()).map(|load| load as f64).collect());
@@ -50,17 +50,17 @@ impl PatchTreePicture {
     }
 
     /// The root of its entities.
-    pub fn root(&self) -> &str {
+    pub(crate) fn root(&self) -> &str {
         &self.root
     }
 
     /// Takes the proportions of its pane, width and height in points.
-    pub fn fit(&mut self, pane: [f64; 2]) {
+    pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         canvas::fit(&mut self.frame, pane, ASIDE);
     }
 
     /// The view of the tree.
-    pub fn pane(&self) -> Pane {
+    pub(crate) fn pane(&self) -> Pane {
         let bounds = canvas::bounds(&self.frame, ASIDE);
         let contents = vec![format!("{}/**", self.root), format!("- {}/counts", self.root)];
         let title = "Contact patches: births, deaths, mergers and splits";
@@ -68,7 +68,7 @@ impl PatchTreePicture {
     }
 
     /// Records the axis, and the names of the rows of the lane of events.
-    pub fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
         canvas::log_floor(to, self.palette, &format!("{}/axes", self.root), &self.frame)?;
         let mut names = Sheet::default();
         for (row, (_, name)) in ROWS.iter().enumerate() {
@@ -81,7 +81,7 @@ impl PatchTreePicture {
     }
 
     /// Records what happened up to the last state of a history, at the current time: its events and the tree so far.
-    pub fn log(&self, to: &RecordingStream, history: &PatchHistory) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&self, to: &RecordingStream, history: &PatchHistory) -> RecordingStreamResult<()> {
         let load = history.states.len() - 1;
         let events: Vec<&PatchEvent> = history.events.iter().filter(|it| it.state == load + 1).collect();
         let counts = ROWS.map(|(kind, _)| events.iter().filter(|it| it.event == kind).count());
@@ -96,7 +96,7 @@ impl PatchTreePicture {
     }
 
     /// Records the trees of all states anew, in the order of the lanes of the last one, at the times to which `turn` goes.
-    pub fn settle(
+    pub(crate) fn settle(
         &self,
         to: &RecordingStream,
         turn: &dyn Fn(&RecordingStream, usize),

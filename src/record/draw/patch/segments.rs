@@ -12,7 +12,7 @@ use crate::record::draw::patch::patch_points;
 use rerun::{LineStrips2D, Radius, RecordingStream, RecordingStreamResult};
 
 /// The nodes in contact, those of them that yield, and the patches as points.
-pub struct ContactSegments {
+pub(crate) struct ContactSegments {
     plane: LinePlane,
     title: String,
     /// Whether the contact needs its own pane, because there are no other pictures.
@@ -21,7 +21,7 @@ pub struct ContactSegments {
 
 impl ContactSegments {
     /// The contact on the canvas of a line.
-    pub fn new(subject: &Subject<'_>, plane: &LinePlane) -> Self {
+    pub(crate) fn new(subject: &Subject<'_>, plane: &LinePlane) -> Self {
         let title = format!("{}: contact", subject.scene.title);
         Self { plane: plane.clone(), title, is_alone: subject.options.what.has_mask_alone() }
     }

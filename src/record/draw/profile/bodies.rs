@@ -24,7 +24,7 @@ struct Bodies {
 }
 
 /// The drawing of a line.
-pub fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
+pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let Plane::Line(plane) = subject.plane else { return None };
     let height = subject.scene.problem.height();
     let nodes = plane.window.every(1);
