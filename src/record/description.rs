@@ -10,7 +10,7 @@ use crate::setup::in_words;
 
 /// The name of a recording, which distinguishes it from other recordings: surface, load and solver with its settings,
 /// or the titles of several scenes.
-pub fn name(scenes: &[Scene<'_>]) -> String {
+pub(crate) fn name(scenes: &[Scene<'_>]) -> String {
     match scenes {
         [Scene { setup: Some(setup), problem, .. }] => {
             let grid = problem.surface().grid();
@@ -23,7 +23,7 @@ pub fn name(scenes: &[Scene<'_>]) -> String {
 
 /// The application of a recording, to which the viewer keeps its layout: the same for the same scenes, and under another title
 /// another one.
-pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
+pub(crate) fn application(title: &str, scenes: &[Scene<'_>]) -> String {
     let describe = |scene: &Scene<'_>| {
         let setup = scene.setup.as_ref().map_or_else(String::new, |setup| setup.to_toml());
         format!(
@@ -37,12 +37,12 @@ pub fn application(title: &str, scenes: &[Scene<'_>]) -> String {
 }
 
 /// The application with this name.
-pub fn application_of(words: &[String]) -> String {
+pub(crate) fn application_of(words: &[String]) -> String {
     format!("asperity-{:016x}", fnv1a(words.iter().map(|word| word.as_bytes())))
 }
 
 /// The head of the table.
-pub const HEAD: &str = "| | |\n|---|---|\n";
+pub(crate) const HEAD: &str = "| | |\n|---|---|\n";
 
 /// A load in words, such as `p = 20 MPa`.
 pub fn load_in_words(load: Load, is_line: bool, units: &RecordUnits) -> String {
@@ -53,7 +53,7 @@ pub fn load_in_words(load: Load, is_line: bool, units: &RecordUnits) -> String {
 }
 
 /// Surface, load and exact values of a scene.
-pub fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
+pub(crate) fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
     let problem = scene.problem;
     let grid = problem.surface().grid();
     let length = |value: f64| value_with_unit(value, units.of_kind(Unit::Length));
@@ -90,7 +90,7 @@ pub fn of_scene(scene: &Scene<'_>, units: &RecordUnits) -> String {
 }
 
 /// The solver of a run and when it stops.
-pub fn of_run(solver: &dyn Solver, stop: &Stop) -> String {
+pub(crate) fn of_run(solver: &dyn Solver, stop: &Stop) -> String {
     let pressure = stop.pressure_tolerance().map_or(String::new(), |it| format!(", pressure within {it:e}"));
     table(&[
         ("solver", format!("{}: {}", solver.name(), solver.settings())),

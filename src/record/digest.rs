@@ -19,7 +19,7 @@ const CRC: &str = "crc32";
 
 /// The number and the CRC-32 of the bytes of a recording before the message with its digest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Digest {
+pub(crate) struct Digest {
     bytes: u64,
     crc: u32,
 }
@@ -46,7 +46,7 @@ impl Digest {
     }
 
     /// Sends it as a property.
-    pub fn send(self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn send(self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let values = AnyValues::default()
             .with_component::<Scalar>(BYTES, [self.bytes as f64])
             .with_component::<Scalar>(CRC, [f64::from(self.crc)]);
@@ -59,7 +59,7 @@ impl Digest {
 ///
 /// # Errors
 /// A reason, for bytes that are not those that were written.
-pub fn check(bytes: &[u8], summed: &[Range<usize>], stores: &[&ChunkStore]) -> Result<(), String> {
+pub(crate) fn check(bytes: &[u8], summed: &[Range<usize>], stores: &[&ChunkStore]) -> Result<(), String> {
     let digests = Digest::all(stores);
     for piece in summed {
         let is_of_piece = |it: &&Digest| it.bytes == piece.len() as u64;
@@ -74,18 +74,18 @@ pub fn check(bytes: &[u8], summed: &[Range<usize>], stores: &[&ChunkStore]) -> R
 }
 
 /// A file with a running digest of what was written into it.
-pub struct SummedFile {
+pub(crate) struct SummedFile {
     file: File,
     sum: RunningDigest,
 }
 
 /// The digest so far, which the writer of the file and others share.
 #[derive(Clone, Default)]
-pub struct RunningDigest(Arc<Mutex<crc32fast::Hasher>>);
+pub(crate) struct RunningDigest(Arc<Mutex<crc32fast::Hasher>>);
 
 impl RunningDigest {
     /// The digest of the bytes so far.
-    pub fn now(&self) -> Digest {
+    pub(crate) fn now(&self) -> Digest {
         let sum = self.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
         Digest { bytes: sum.total_len(), crc: sum.finalize() }
     }
@@ -93,7 +93,7 @@ impl RunningDigest {
 
 impl SummedFile {
     /// A file, empty yet.
-    pub fn new(file: File, sum: RunningDigest) -> Self {
+    pub(crate) fn new(file: File, sum: RunningDigest) -> Self {
         Self { file, sum }
     }
 }

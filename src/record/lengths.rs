@@ -24,7 +24,7 @@ const FOOT: usize = 32;
 
 /// Where the messages of a file are.
 #[derive(Debug, Default, PartialEq)]
-pub struct Frames {
+pub(crate) struct Frames {
     /// The end of the last whole message.
     pub end: usize,
     /// The bytes before the last message of each piece that has an end.
@@ -35,7 +35,7 @@ pub struct Frames {
 ///
 /// # Errors
 /// A reason, for a length that cannot be.
-pub fn frames(bytes: &[u8], has_end: bool) -> Result<Frames, String> {
+pub(crate) fn frames(bytes: &[u8], has_end: bool) -> Result<Frames, String> {
     let mut at = FILE_HEAD.min(bytes.len());
     let (mut piece, mut last) = (0, at);
     let (mut before_last, mut unpacked) = (Vec::new(), 0_u64);

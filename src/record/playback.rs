@@ -20,7 +20,7 @@ const TRACE: &str = "/trace/";
 const CURVE: &str = "/curve/";
 
 /// A recording in memory.
-pub struct Playback {
+pub(crate) struct Playback {
     pub path: PathBuf,
     /// What is recorded, without properties of the file.
     pub chunks: Vec<Arc<Chunk>>,
@@ -35,7 +35,7 @@ impl Playback {
     /// # Errors
     /// [`FileError::Read`] for a file that is missing, unreadable or damaged, [`FileError::Incomparable`] for one that is no
     /// recording or has no curves.
-    pub fn read(path: &Path) -> Result<Self, FileError> {
+    pub(crate) fn read(path: &Path) -> Result<Self, FileError> {
         let useless = |reason: &str| FileError::Incomparable { path: path.into(), reason: reason.into() };
         if !is_recording(path)? {
             return Err(useless("it is not a recording: give a file written by `asperity solve --record`"));
@@ -60,7 +60,7 @@ impl Playback {
     }
 
     /// What its curves are over.
-    pub fn played(&self) -> Played {
+    pub(crate) fn played(&self) -> Played {
         let is_over_loads = |chunk: &Chunk| chunk.timelines().keys().any(|timeline| timeline.as_str() == LOAD);
         match self.chunks_of(VALUE.into()).find(|chunk| !chunk.is_static()) {
             Some(chunk) if is_over_loads(chunk) => Played::Loads,
@@ -70,7 +70,7 @@ impl Playback {
     }
 
     /// The names of curves over loads or states, and their entities, in their order.
-    pub fn curves(&self) -> Vec<(String, String)> {
+    pub(crate) fn curves(&self) -> Vec<(String, String)> {
         let component = SeriesLines::descriptor_names().component;
         let named = |chunk: &Arc<Chunk>| {
             let entity = chunk.entity_path().to_string();
@@ -84,7 +84,7 @@ impl Playback {
     }
 
     /// The name of the quantity along the loads or states, with the unit of its values; and these by the numbers of the loads or states.
-    pub fn axis(&self) -> Option<(String, BTreeMap<i64, f64>)> {
+    pub(crate) fn axis(&self) -> Option<(String, BTreeMap<i64, f64>)> {
         let component = SeriesLines::descriptor_names().component;
         let mut names = self.chunks_of(VALUE.into()).flat_map(|chunk| chunk.iter_slices::<String>(component).flatten());
         let name = names.next()?.to_string();
@@ -92,7 +92,7 @@ impl Playback {
     }
 
     /// The values of the curve over loads or states that has a name, by the numbers of the loads or states.
-    pub fn curve_values(&self, name: &str) -> BTreeMap<i64, f64> {
+    pub(crate) fn curve_values(&self, name: &str) -> BTreeMap<i64, f64> {
         self.values(self.curve(name))
     }
 
@@ -102,18 +102,18 @@ impl Playback {
     }
 
     /// The chunks of the curve over loads or states that has a name.
-    pub fn curve(&self, name: &str) -> impl Iterator<Item = &Chunk> {
+    pub(crate) fn curve(&self, name: &str) -> impl Iterator<Item = &Chunk> {
         let found = self.curves().into_iter().find(|(its, _)| its == name).map(|(_, entity)| entity);
         found.into_iter().flat_map(|entity| self.chunks_of(entity)).filter(|chunk| !chunk.is_static())
     }
 
     /// The name of its file, without the end.
-    pub fn stem(&self) -> String {
+    pub(crate) fn stem(&self) -> String {
         self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
     /// The roots of the scenes that have traces; of curves over loads or states that of the first setup.
-    pub fn roots(&self) -> BTreeSet<String> {
+    pub(crate) fn roots(&self) -> BTreeSet<String> {
         let entities = || self.chunks.iter().map(|chunk| chunk.entity_path().to_string());
         if self.played() == Played::Steps {
             return entities().filter_map(|entity| Some(entity.split_once(TRACE)?.0.to_owned())).collect();
@@ -124,7 +124,7 @@ impl Playback {
     }
 
     /// The chunks of the trace `name` of a scene.
-    pub fn trace(&self, root: &str, name: &str) -> impl Iterator<Item = &Chunk> {
+    pub(crate) fn trace(&self, root: &str, name: &str) -> impl Iterator<Item = &Chunk> {
         let name = if self.has_earlier_names(root) { earlier_name(name) } else { name.to_owned() };
         self.chunks_of(format!("{root}{TRACE}{name}")).filter(|chunk| !chunk.is_static())
     }
@@ -135,20 +135,20 @@ impl Playback {
     }
 
     /// The last value of a trace.
-    pub fn last(&self, root: &str, name: &str) -> Option<f64> {
+    pub(crate) fn last(&self, root: &str, name: &str) -> Option<f64> {
         let values = self.trace(root, name).flat_map(|chunk| scalars(chunk, "step"));
         values.max_by_key(|(step, _)| *step).map(|(_, value)| value)
     }
 
     /// The setup of a scene, if the recording carries it; that of a list of loads is a table only.
-    pub fn setup(&self, root: &str) -> Option<SetupTable> {
+    pub(crate) fn setup(&self, root: &str) -> Option<SetupTable> {
         let text = self.text(format!("{root}/{SETUP}"))?;
         let table = SetupTable::from_toml(&text).ok()?.without_digests();
         Some(table.clone().setup().map(|setup| setup.to_table()).unwrap_or(table))
     }
 
     /// The text of an entity.
-    pub fn text(&self, entity: String) -> Option<String> {
+    pub(crate) fn text(&self, entity: String) -> Option<String> {
         let component = TextDocument::descriptor_text().component;
         let texts = self.chunks_of(entity).flat_map(|chunk| chunk.iter_slices::<String>(component).flatten().last());
         texts.last().map(|text| text.to_string())

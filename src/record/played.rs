@@ -4,7 +4,7 @@ use super::draw::{LOAD, STEP};
 
 /// What the curves of a recording are over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Played {
+pub(crate) enum Played {
     /// The steps of solves.
     Steps,
     /// The loads of a list.
@@ -15,12 +15,12 @@ pub enum Played {
 
 impl Played {
     /// Its timeline.
-    pub fn timeline(self) -> &'static str {
+    pub(crate) fn timeline(self) -> &'static str {
         if self == Self::Loads { LOAD } else { STEP }
     }
 
     /// It in words.
-    pub fn words(self) -> &'static str {
+    pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Steps => "the steps of a solve",
             Self::Loads => "a list of loads",
@@ -29,7 +29,7 @@ impl Played {
     }
 
     /// What the place along the curves of a comparison means, and what else may be chosen.
-    pub fn about(self) -> &'static str {
+    pub(crate) fn about(self) -> &'static str {
         match self {
             Self::Steps => {
                 "The curves use the selected timeline: choose `transforms` or `seconds` instead of `step` to compare the work."

@@ -11,7 +11,7 @@ use rerun::{AnyValues, RecordingStream, RecordingStreamResult};
 use strum::IntoEnumIterator;
 
 /// What is known of a scene before it is solved.
-pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
+pub(crate) fn of_scene(scene: &Scene<'_>) -> AnyValues {
     let Scene { title, problem, setup, .. } = scene;
     let grid = problem.surface().grid();
     let along = |values: [f64; 2]| values.into_iter().skip(usize::from(grid.is_line()));
@@ -34,13 +34,13 @@ pub fn of_scene(scene: &Scene<'_>) -> AnyValues {
 }
 
 /// The solver of a run and when it stops.
-pub fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
+pub(crate) fn of_run(solver: &dyn Solver, stop: &Stop) -> AnyValues {
     let texts = [("solver", solver.name()), ("settings", &solver.settings())];
     with_numbers(with_texts(texts), [("tolerance", stop.tolerance())])
 }
 
 /// The end of a run and the observables of its result, except those that were known before.
-pub fn of_contact(contact: &Contact, reading: &Reading<'_>) -> AnyValues {
+pub(crate) fn of_contact(contact: &Contact, reading: &Reading<'_>) -> AnyValues {
     let is_known = |it: Quantity| match it {
         Quantity::RmsHeight | Quantity::RmsGradient => true,
         Quantity::ReducedPressure => contact.problem.mean_pressure().is_some(),
@@ -58,7 +58,7 @@ fn property(observable: &'static str) -> &'static str {
 }
 
 /// Sends properties of the scene under `root`.
-pub fn send(to: &RecordingStream, root: &str, properties: &AnyValues) -> RecordingStreamResult<()> {
+pub(crate) fn send(to: &RecordingStream, root: &str, properties: &AnyValues) -> RecordingStreamResult<()> {
     to.send_property(root.trim_start_matches('/'), properties)
 }
 

@@ -5,11 +5,11 @@ use rerun::external::re_log_types::ApplicationId;
 use rerun::sink::MemorySinkStorage;
 use rerun::{RecordingStream, RecordingStreamBuilder, RecordingStreamResult};
 
-pub use rerun::datatypes::{ChannelDatatype, Float32, ImageFormat, Range2D, TimeRange, Uuid};
+pub(crate) use rerun::datatypes::{ChannelDatatype, Float32, ImageFormat, Range2D, TimeRange, Uuid};
 
 /// A stream of a recording with a title, without the times that the SDK adds. The identity is random if none is given;
 /// one that is given must not keep title and properties out of the recording.
-pub fn recording(application: &str, title: &str, id: Option<&str>) -> RecordingStreamResult<RecordingStream> {
+pub(crate) fn recording(application: &str, title: &str, id: Option<&str>) -> RecordingStreamResult<RecordingStream> {
     let builder = RecordingStreamBuilder::new(ApplicationId::new_or_unknown(application));
     let builder = if let Some(id) = id { builder.recording_id(id) } else { builder };
     let stream = builder.recording_name(title).send_properties(true).enabled(true).buffered()?;
@@ -19,7 +19,7 @@ pub fn recording(application: &str, title: &str, id: Option<&str>) -> RecordingS
 }
 
 /// A stream into memory of the layout of recordings of an application.
-pub fn layout(application: &ApplicationId) -> RecordingStreamResult<(RecordingStream, MemorySinkStorage)> {
+pub(crate) fn layout(application: &ApplicationId) -> RecordingStreamResult<(RecordingStream, MemorySinkStorage)> {
     let builder = RecordingStreamBuilder::new(application.clone()).recording_id("default_blueprint");
     builder.send_properties(false).blueprint().enabled(true).memory()
 }

@@ -21,10 +21,10 @@ const END: &[u8] = b"RRF2FOOT";
 const AFTER_END: usize = 4;
 
 /// Bytes that hold the end of a recording.
-pub const END_BYTES: u64 = (END.len() + AFTER_END) as u64;
+pub(crate) const END_BYTES: u64 = (END.len() + AFTER_END) as u64;
 
 /// Whether the last bytes of a file, [`END_BYTES`] or more, are the end of a recording.
-pub fn has_end(last: &[u8]) -> bool {
+pub(crate) fn has_end(last: &[u8]) -> bool {
     last[last.len().saturating_sub(END_BYTES as usize)..].starts_with(END)
 }
 
@@ -37,7 +37,7 @@ thread_local! {
 ///
 /// # Errors
 /// [`FileError::Read`] for a file that is missing, unreadable or damaged.
-pub fn read(path: &Path) -> Result<BTreeMap<StoreId, ChunkStore>, FileError> {
+pub(crate) fn read(path: &Path) -> Result<BTreeMap<StoreId, ChunkStore>, FileError> {
     let unreadable = |source| FileError::Read { path: path.into(), source };
     let bytes = read_bytes(path)?;
     let decoded = caught(|| {

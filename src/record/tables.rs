@@ -23,7 +23,7 @@ const FEW: u64 = 1 << 24;
 ///
 /// # Errors
 /// A reason, for a length that cannot be.
-pub fn check(message: &[u8], others: u64) -> Result<u64, String> {
+pub(crate) fn check(message: &[u8], others: u64) -> Result<u64, String> {
     let data = Data::read(message).ok_or("the fields of a message cannot be read")?;
     if data.unpacked > MOST_UNPACKED.saturating_mul(message.len() as u64) {
         return Err("a message would unpack to more than there is in it".into());

@@ -69,7 +69,7 @@ impl RecordUnits {
 
 /// A unit that fits values: its name, and its size in the unit that they are in.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FittingUnit {
+pub(crate) struct FittingUnit {
     /// Its name, such as `MPa`; empty for pure numbers.
     pub name: String,
     /// The value at the number 1.
@@ -78,7 +78,7 @@ pub struct FittingUnit {
 
 impl FittingUnit {
     /// The unit with a prefix that fits a largest value in `unit`; another unit than those of the SI stays as it is.
-    pub fn new(unit: &str, largest: f64) -> Self {
+    pub(crate) fn new(unit: &str, largest: f64) -> Self {
         let power = match largest_power(unit) {
             Some(most) if largest.is_finite() => engineering_exponent(largest, false).min(most),
             _ => 0,
@@ -94,23 +94,23 @@ pub fn value_with_unit(value: f64, unit: &str) -> String {
 }
 
 /// The name of an axis or a curve with the unit of its numbers, such as `mean pressure [MPa]`.
-pub fn with_unit(name: &str, unit: &str) -> String {
+pub(crate) fn with_unit(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.into() } else { format!("{name} [{unit}]") }
 }
 
 /// A name without the unit that [`with_unit`] has added, and that unit; empty if there is none.
-pub fn split_unit(name: &str) -> (&str, &str) {
+pub(crate) fn split_unit(name: &str) -> (&str, &str) {
     name.strip_suffix(']').and_then(|name| name.rsplit_once(" [")).unwrap_or((name, ""))
 }
 
 /// The multiple of three that leaves numbers between 1 and 1000; pure numbers from 0.1 stay as they are.
-pub fn engineering_exponent(largest: f64, is_pure: bool) -> i32 {
+pub(crate) fn engineering_exponent(largest: f64, is_pure: bool) -> i32 {
     let stays = largest == 0.0 || is_pure && (0.1..1000.0).contains(&largest);
     if stays { 0 } else { (largest.log10() / 3.0).floor() as i32 * 3 }
 }
 
 /// The unit times a power of ten: units of the SI take a prefix.
-pub fn scaled_unit(unit: &str, exponent: i32) -> String {
+pub(crate) fn scaled_unit(unit: &str, exponent: i32) -> String {
     let prefix = PREFIXES.iter().find(|(power, _)| *power == exponent);
     match prefix {
         _ if exponent == 0 => unit.into(),

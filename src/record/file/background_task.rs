@@ -6,16 +6,16 @@ use std::thread::{self, JoinHandle};
 
 /// Work on a separate thread, which ends before the task is dropped. The default is no work.
 #[derive(Default)]
-pub struct BackgroundTask(Mutex<Option<JoinHandle<()>>>);
+pub(crate) struct BackgroundTask(Mutex<Option<JoinHandle<()>>>);
 
 impl BackgroundTask {
     /// Begins to work.
-    pub fn start(work: impl FnOnce() + Send + 'static) -> Self {
+    pub(crate) fn start(work: impl FnOnce() + Send + 'static) -> Self {
         Self(Mutex::new(Some(thread::spawn(work))))
     }
 
     /// Waits for the end of the work, and passes on its panic; others who wait at the same time see the end as well.
-    pub fn wait(&self) {
+    pub(crate) fn wait(&self) {
         if let Err(panic) = self.join() {
             resume_unwind(panic);
         }

@@ -12,7 +12,7 @@ const WIDE: f64 = 12.0;
 
 /// The curves of some runs over the quantity that all of them have along their loads or states: a chart for each name, on which each run has a curve over its
 /// own values.
-pub struct LoadComparison {
+pub(crate) struct LoadComparison {
     pub charts: Vec<Chart>,
     /// The values of all curves, for each load of each run, one run after the other.
     values: Vec<Vec<f64>>,
@@ -20,7 +20,7 @@ pub struct LoadComparison {
 
 impl LoadComparison {
     /// The comparison of runs with their names, in curves that are named; none if they have different quantities along their loads or states.
-    pub fn new(runs: &[(&Playback, &str)], names: &[String]) -> Option<Self> {
+    pub(crate) fn new(runs: &[(&Playback, &str)], names: &[String]) -> Option<Self> {
         let axes: Vec<_> = runs.iter().map(|(playback, _)| playback.axis()).collect::<Option<_>>()?;
         let (quantity, _) = axes.first()?;
         if axes.iter().any(|(other, _)| other != quantity) {
@@ -47,7 +47,7 @@ impl LoadComparison {
     }
 
     /// Records the charts.
-    pub fn log(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
+    pub(crate) fn log(&mut self, to: &RecordingStream) -> RecordingStreamResult<()> {
         let Self { charts, values } = self;
         charts.iter_mut().try_for_each(|chart| chart.log_all(to, values))
     }

@@ -26,7 +26,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Entity of the value of each load on their axis.
-pub const VALUE: &str = "/load/value";
+pub(crate) const VALUE: &str = "/load/value";
 
 /// Timeline of the states of a history.
 const STEP: &str = "step";

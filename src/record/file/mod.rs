@@ -18,12 +18,13 @@ mod writer;
 mod writer_thread;
 
 pub use comparison::compare;
-pub use loads::{LoadRecording, Loads, Timeline, VALUE};
+pub(crate) use loads::VALUE;
+pub use loads::{LoadRecording, Loads, Timeline};
 pub use output::Output;
 pub use pieces::Pieces;
 pub use recorder::Recorder;
 pub use recording::Recording;
-pub use schedule::Schedule;
+pub(crate) use schedule::Schedule;
 pub use survey::record_survey;
 pub use target::Target;
 pub use viewer_feed::LeftOut;

@@ -15,7 +15,7 @@ const LONGEST: Duration = Duration::from_secs(10);
 
 /// When waiting steps are written.
 #[derive(Clone, Copy)]
-pub enum FlushPace {
+pub(crate) enum FlushPace {
     /// As steps come, so that a file does not depend on how busy the machine is. A run that is killed keeps half of its steps at the
     /// least, after the first few, and all but those of its last ten seconds where steps take long.
     Filed,
@@ -25,13 +25,13 @@ pub enum FlushPace {
 
 impl FlushPace {
     /// The pace of a viewer that runs.
-    pub const SHOWN: Self = Self::Watched(Duration::from_millis(200));
+    pub(crate) const SHOWN: Self = Self::Watched(Duration::from_millis(200));
     /// The pace of the interactive page.
     #[cfg(feature = "explore")]
-    pub const LIVE: Self = Self::Watched(Duration::from_millis(40));
+    pub(crate) const LIVE: Self = Self::Watched(Duration::from_millis(40));
 
     /// The time after which the SDK sends what it has gathered.
-    pub fn tick(self) -> Duration {
+    pub(crate) fn tick(self) -> Duration {
         match self {
             Self::Filed => Duration::MAX,
             Self::Watched(_) => ChunkBatcherConfig::DEFAULT.flush_tick,
@@ -40,7 +40,7 @@ impl FlushPace {
 }
 
 /// Steps that wait to be written.
-pub struct Waiting {
+pub(crate) struct Waiting {
     pace: FlushPace,
     since: Instant,
     /// Nodes of all steps so far, and those at which all is written next.
@@ -49,12 +49,12 @@ pub struct Waiting {
 }
 
 impl Waiting {
-    pub fn new(pace: FlushPace) -> Self {
+    pub(crate) fn new(pace: FlushPace) -> Self {
         Self { pace, since: Instant::now(), nodes: 0, due: FIRST }
     }
 
     /// Counts a step on `nodes` nodes. Returns true if the waiting steps should be written now.
-    pub fn add(&mut self, nodes: usize) -> bool {
+    pub(crate) fn add(&mut self, nodes: usize) -> bool {
         self.nodes += nodes.max(LEAST);
         let is_due = match self.pace {
             FlushPace::Filed => self.nodes >= self.due || self.since.elapsed() >= LONGEST,

@@ -138,7 +138,7 @@ fn log_static(stream: &RecordingStream, stages: &[Stage], ghost: Option<&Ghost>)
 }
 
 /// The names of a recording.
-pub struct Name {
+pub(crate) struct Name {
     /// The title.
     title: String,
     /// The application to which the viewer keeps a layout: recordings with layouts of their own have each its own.

@@ -6,14 +6,14 @@ use std::collections::BTreeMap;
 /// Frames that become less frequent: all of the first `dense` steps, then `per_decade` frames for ten times as many
 /// steps; fewer on coarse grids.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Schedule {
+pub(crate) struct Schedule {
     dense: usize,
     per_decade: f64,
 }
 
 /// Picks the steps whose fields are recorded: each n-th if n is given (0 counts as 1), or those of a schedule on each grid
 /// level.
-pub struct Thinning {
+pub(crate) struct Thinning {
     every: Option<usize>,
     schedule: Schedule,
     /// Steps seen of each level.
@@ -27,13 +27,13 @@ impl Schedule {
     const SURFACE: Self = Self { dense: 16, per_decade: 12.0 };
 
     /// The schedule on `grid`.
-    pub fn on(grid: &Grid) -> Self {
+    pub(crate) fn on(grid: &Grid) -> Self {
         if grid.is_line() { Self::LINE } else { Self::SURFACE }
     }
 
     /// Largest number of frames, for a number of steps on the finest grid above `coarser` ones, each of which is left
     /// after some tens of steps and four frames; the last state counts.
-    pub fn most_frames(self, steps: usize, coarser: usize) -> usize {
+    pub(crate) fn most_frames(self, steps: usize, coarser: usize) -> usize {
         let decades = (steps.max(self.dense) as f64 / self.dense as f64).log10();
         steps.min(self.dense) + (self.per_decade * decades).ceil() as usize + 1 + 4 * coarser
     }
@@ -43,17 +43,17 @@ impl Thinning {
     /// Frames of the finest grid for each frame of a coarse one.
     const COARSE: usize = 6;
 
-    pub fn new(every: Option<usize>, schedule: Schedule) -> Self {
+    pub(crate) fn new(every: Option<usize>, schedule: Schedule) -> Self {
         Self { every, schedule, seen: BTreeMap::new() }
     }
 
     /// Whether no step of this level was seen yet.
-    pub fn is_new(&self, level: usize) -> bool {
+    pub(crate) fn is_new(&self, level: usize) -> bool {
         !self.seen.contains_key(&level)
     }
 
     /// Whether the step of this index, the next one seen of `level`, is drawn.
-    pub fn picks(&mut self, index: usize, level: usize) -> bool {
+    pub(crate) fn picks(&mut self, index: usize, level: usize) -> bool {
         let seen = self.seen.entry(level).or_default();
         *seen += 1;
         if let Some(every) = self.every {

@@ -20,7 +20,7 @@ const POWERS: [i32; 2] = [-306, 306];
 /// thousand of the unit of the times, such as `time in 1e-18 s`, that resolves the shortest difference of two times and reaches to the last
 /// one. States that no tick separates, such as those before and after a jump, stand one tick apart.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StateTimes {
+pub(crate) struct StateTimes {
     ticks: Vec<i64>,
     /// The power of ten of a tick; none for nanoseconds.
     power: Option<i32>,
@@ -28,7 +28,7 @@ pub struct StateTimes {
 
 impl StateTimes {
     /// The ticks of times in any order.
-    pub fn new(times: &[f64]) -> Self {
+    pub(crate) fn new(times: &[f64]) -> Self {
         let mut order: Vec<usize> = (0..times.len()).collect();
         order.sort_by(|i, j| times[*i].total_cmp(&times[*j]));
         let sorted: Vec<f64> = order.iter().map(|i| times[*i]).filter(|time| time.is_finite()).collect();
@@ -48,7 +48,7 @@ impl StateTimes {
     }
 
     /// Sets the time of a stream to that of a state, if it has one.
-    pub fn turn(&self, stream: &RecordingStream, state: usize) {
+    pub(crate) fn turn(&self, stream: &RecordingStream, state: usize) {
         let (Some(&tick), Ok(name)) = (self.ticks.get(state), TimelineName::try_new(self.name())) else { return };
         let cell =
             if self.power.is_none() { TimeCell::from_duration_nanos(tick) } else { TimeCell::from_sequence(tick) };
@@ -61,7 +61,7 @@ impl StateTimes {
     }
 
     /// What a reader of the recording has to know, in Markdown; empty for nanoseconds.
-    pub fn note(&self) -> String {
+    pub(crate) fn note(&self) -> String {
         let Some(unit) = self.power.map(in_words) else { return String::new() };
         format!(
             "The time line `{}` counts steps of {unit} s, or of {unit} of the unit of the times if they are not in seconds. The exact times \

@@ -41,7 +41,7 @@ enum Parcel {
 /// A viewer that gets messages from a thread of its own, so that a slow one never makes the solver wait.
 ///
 /// If too much waits for it, pictures of steps and states are left out. Numbers, texts and what does not change with time always wait.
-pub struct ViewerFeed {
+pub(crate) struct ViewerFeed {
     parcels: Sender<Parcel>,
     /// Bytes that wait.
     waiting: Arc<AtomicUsize>,
@@ -50,7 +50,7 @@ pub struct ViewerFeed {
 
 impl ViewerFeed {
     /// The feed of a viewer, which counts what is left out.
-    pub fn new(viewer: impl LogSink + 'static, left_out: LeftOut) -> Self {
+    pub(crate) fn new(viewer: impl LogSink + 'static, left_out: LeftOut) -> Self {
         let (parcels, on_the_way) = channel();
         let waiting = Arc::new(AtomicUsize::new(0));
         let taken = Arc::clone(&waiting);

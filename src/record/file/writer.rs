@@ -15,7 +15,7 @@ use std::io;
 use std::sync::Arc;
 
 /// The result of a run before it begins, until there is one, and where it ended without one.
-pub const NOT_BEGUN: &str = "not begun";
+pub(crate) const NOT_BEGUN: &str = "not begun";
 const UNFINISHED: &str = "still running, or killed";
 const WITHOUT_RESULT: &str = "ended without a result";
 
@@ -31,7 +31,7 @@ const GROWING: f64 = 1.05;
 /// written.
 ///
 /// After a failure, which the output stores, nothing more is written.
-pub struct Writer {
+pub(crate) struct Writer {
     stream: RecordingStream,
     output: Output,
     stages: Arc<[Stage]>,
@@ -59,7 +59,7 @@ pub struct Writer {
 impl Writer {
     /// Writes into `stream` and its `output` what comes of scene number `scene` of `stages`: fields of each n-th step if
     /// `every` is given.
-    pub fn new(
+    pub(crate) fn new(
         stream: RecordingStream,
         output: Output,
         stages: Arc<[Stage]>,
@@ -88,7 +88,7 @@ impl Writer {
     }
 
     /// Writes the name of the solver.
-    pub fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
+    pub(crate) fn begin(&mut self, solver: &dyn Solver, problem: &Problem, stop: &Stop) {
         self.run = description::of_run(solver, stop);
         self.is_open = true;
         self.steps.begin(solver, problem, stop);
@@ -100,7 +100,7 @@ impl Writer {
     }
 
     /// Writes a step; it reaches the file at the pace of the output.
-    pub fn step(&mut self, step: &Step<'_>) {
+    pub(crate) fn step(&mut self, step: &Step<'_>) {
         self.attempt(|writer| writer.record(step));
         if self.waiting.add(step.problem().surface().grid().len()) {
             self.flush_traces();
@@ -110,14 +110,14 @@ impl Writer {
 
     /// Writes the returned state as the last frame and how the run ended, and fits the axes to it. A contact on another grid than
     /// the scene's, of a solver inside the solver, is left out.
-    pub fn end(&mut self, contact: &Contact) {
+    pub(crate) fn end(&mut self, contact: &Contact) {
         if contact.problem.surface().grid() == &self.stage().grid {
             self.attempt(|writer| writer.log_last(contact));
         }
     }
 
     /// Sends the numbers that wait at the end of a run, and says that it has no result if there is none.
-    pub fn leave(&mut self) {
+    pub(crate) fn leave(&mut self) {
         self.flush_traces();
         if self.is_open {
             self.attempt(|writer| writer.log_description(WITHOUT_RESULT));
@@ -130,12 +130,12 @@ impl Writer {
     }
 
     /// Whether it writes something of every step, not only of those that it draws.
-    pub fn sees_every_step(&self) -> bool {
+    pub(crate) fn sees_every_step(&self) -> bool {
         self.steps.sees_every_step()
     }
 
     /// Nodes of the finest grid.
-    pub fn nodes(&self) -> usize {
+    pub(crate) fn nodes(&self) -> usize {
         self.stage().grid.len()
     }
 

@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_millis(10);
 /// A writer on a separate thread, with a short queue of states.
 ///
 /// Nothing is dropped: the solver waits if the writer is more than these states behind. The memory of written states is used again.
-pub struct WriterThread {
+pub(crate) struct WriterThread {
     states: Sender<Vec<Snapshot>>,
     /// States that are written, whose memory is free.
     written: Receiver<Snapshot>,
@@ -36,7 +36,7 @@ pub struct WriterThread {
 
 impl WriterThread {
     /// Starts a writer.
-    pub fn start(writer: Writer) -> Self {
+    pub(crate) fn start(writer: Writer) -> Self {
         let states = (MOST_BYTES / (writer.nodes() * FIELDS * size_of::<f64>())).clamp(1, MOST_STATES);
         let (sender, unwritten) = channel();
         let (free, written) = channel();
@@ -52,7 +52,7 @@ impl WriterThread {
     }
 
     /// Queues a step for writing, when there is memory for it. Returns false if the writer has panicked.
-    pub fn step(&mut self, step: &Step<'_>) -> bool {
+    pub(crate) fn step(&mut self, step: &Step<'_>) -> bool {
         let Some(state) = self.copy(step) else { return false };
         self.next.push(state);
         let is_due = self.next.len() >= self.together || self.handed_over.elapsed() >= PATIENCE;
@@ -60,7 +60,7 @@ impl WriterThread {
     }
 
     /// Waits for all states to be written, and returns the writer, or its panic.
-    pub fn end(mut self) -> thread::Result<Writer> {
+    pub(crate) fn end(mut self) -> thread::Result<Writer> {
         self.hand_over();
         drop(self.states);
         self.thread.join()

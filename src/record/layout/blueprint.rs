@@ -15,7 +15,7 @@ use rerun::{RecordingStream, RecordingStreamResult};
 const IDENTITIES: u64 = 256;
 
 /// The timeline that is active at first, and how fast it is played.
-pub struct PlayedTimeline {
+pub(crate) struct PlayedTimeline {
     pub timeline: &'static str,
     pub frames_per_sec: f64,
 }
@@ -24,7 +24,7 @@ pub struct PlayedTimeline {
 ///
 /// Views of curves keep the background of the viewer, because numbers, grid and legend have the colours of the viewer,
 /// which a recording cannot set. On another background they would be unreadable in one of the themes.
-pub fn send(panes: Vec<Pane>, played: PlayedTimeline, recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub(crate) fn send(panes: Vec<Pane>, played: PlayedTimeline, recording: &RecordingStream) -> RecordingStreamResult<()> {
     let Some(shown) = recording.store_info() else { return Ok(()) };
     let (store, storage) = layout(shown.application_id())?;
     store.set_time_sequence("blueprint", 0);

@@ -12,7 +12,7 @@ use rerun::{RecordingStream, RecordingStreamResult};
 const FIRST: usize = 2;
 
 /// Curves of one quantity.
-pub struct Compared {
+pub(crate) struct Compared {
     pub title: String,
     pub entities: Vec<String>,
     /// The upper end of their axis, of those that settle at some value above zero.
@@ -20,7 +20,7 @@ pub struct Compared {
 }
 
 /// Writes the layout of curves over a timeline, a text about them and the `recordings`.
-pub fn send_comparison(
+pub(crate) fn send_comparison(
     curves: Vec<Compared>,
     text: String,
     recordings: Vec<Pane>,
@@ -47,7 +47,7 @@ pub fn send_comparison(
 
 /// Writes the layout of charts over the quantity along the loads or states, of the same curves over their numbers, a text about them and the
 /// `recordings`. The charts get the proportions of their panes.
-pub fn send_load_comparison(
+pub(crate) fn send_load_comparison(
     charts: &mut [Chart],
     curves: Vec<Compared>,
     text: String,

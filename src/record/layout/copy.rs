@@ -7,7 +7,7 @@ use rerun::{AsComponents, ChunkStore, Component, ComponentDescriptor, Serialized
 use std::sync::Arc;
 
 /// The panes of the layout in `blueprint`, if it is whole, for entities that are now under `root`.
-pub fn copy(blueprint: &ChunkStore, root: &str) -> Option<Pane> {
+pub(crate) fn copy(blueprint: &ChunkStore, root: &str) -> Option<Pane> {
     let copy = Copy { blueprint, root };
     let viewport =
         copy.first::<components::RootContainer>("/viewport", panes::ViewportBlueprint::descriptor_root_container());

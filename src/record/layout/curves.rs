@@ -13,7 +13,7 @@ fn beside_earlier(stage: &Stage, names: &[&str]) -> Vec<String> {
 }
 
 /// The relative area.
-pub fn area(stage: &Stage) -> Pane {
+pub(crate) fn area(stage: &Stage) -> Pane {
     let curves = beside_earlier(stage, &["relative_area", "relative_area_counted", "relative_area_theory"]);
     PaneView::settling(&titled("Relative area", stage), curves, [0.0, stage.ends().relative_area], None)
 }
@@ -36,7 +36,7 @@ fn titled(name: &str, stage: &Stage) -> String {
 }
 
 /// The certificate.
-pub fn certificate(stage: &Stage) -> Pane {
+pub(crate) fn certificate(stage: &Stage) -> Pane {
     let earlier = if stage.has_ghost { " (grey: earlier solve)" } else { "" };
     let title = format!("Certificate: log10 of the error bound eta{earlier}");
     let curves = beside_earlier(stage, &["certificate_log10"]);
@@ -44,7 +44,7 @@ pub fn certificate(stage: &Stage) -> Pane {
 }
 
 /// Curves of every step and the text, or the text alone; in a low window the certificate is a tab.
-pub fn curves(stage: &Stage, is_low: bool) -> Pane {
+pub(crate) fn curves(stage: &Stage, is_low: bool) -> Pane {
     let text = PaneView::text("Parameters", stage.description());
     let run = stage.panes(&[Place::RunCurves]).into_iter().map(|(_, pane)| pane);
     if !stage.what.has(Part::Traces) {

@@ -7,7 +7,7 @@ use crate::record::draw::{Chart, ContainerKind, Curves, FigurePicture, PANE, Pan
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Entity of the text about the current load.
-pub const TEXT: &str = "/load";
+pub(crate) const TEXT: &str = "/load";
 /// Loads per second when they are played.
 const LOADS_PER_SEC: f64 = 2.0;
 /// Room of the contacts of lines beside that of figure and charts.
@@ -16,7 +16,7 @@ const CONTACT: f32 = 1.3;
 const ROWS: usize = 2;
 
 /// Gives the pictures of scenes, figure and charts the proportions of their panes in a window.
-pub fn fit_loads(
+pub(crate) fn fit_loads(
     stages: &mut [Stage],
     figure: Option<&mut FigurePicture>,
     charts: &mut [Chart],
@@ -32,7 +32,7 @@ pub fn fit_loads(
 }
 
 /// Writes the layout of scenes, a figure and curves over the loads.
-pub fn send_loads(
+pub(crate) fn send_loads(
     stages: &[Stage],
     figure: Option<&FigurePicture>,
     charts: &[Chart],
@@ -76,7 +76,7 @@ fn rows(figure: Option<&FigurePicture>, mut charts: Vec<Pane>) -> (Vec<(Pane, f3
 }
 
 /// The view of a chart.
-pub fn chart(chart: &Chart) -> Pane {
+pub(crate) fn chart(chart: &Chart) -> Pane {
     let picture = (chart.root.clone(), chart.bounds());
     PaneView::plane(&chart.title(), &chart.root, vec![format!("{}/**", chart.root)], picture, chart.palette)
 }

@@ -9,8 +9,8 @@ mod steps;
 mod survey;
 mod window;
 
-pub use comparison::{Compared, send_comparison, send_load_comparison};
-pub use copy::copy;
-pub use loads::{TEXT, fit_loads, send_loads};
-pub use steps::{fit_steps, send_steps};
-pub use survey::{fit_survey, send_survey};
+pub(crate) use comparison::{Compared, send_comparison, send_load_comparison};
+pub(crate) use copy::copy;
+pub(crate) use loads::{TEXT, fit_loads, send_loads};
+pub(crate) use steps::{fit_steps, send_steps};
+pub(crate) use survey::{fit_survey, send_survey};

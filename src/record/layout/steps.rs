@@ -8,7 +8,7 @@ use crate::setup::Part;
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Frames per second when the steps are played.
-pub const FRAMES_PER_SEC: f64 = 30.0;
+pub(crate) const FRAMES_PER_SEC: f64 = 30.0;
 
 /// Width of the pictures of a scene beside its curves, and of those of a surface, of which there are two side by side.
 const PICTURES: f32 = 1.9;
@@ -30,13 +30,13 @@ const OVERVIEW_ROW: f32 = 0.38;
 const MOST_OVERVIEW: f32 = 0.72;
 
 /// Gives the pictures of all scenes the proportions of their panes in a window.
-pub fn fit_steps(stages: &mut [Stage], window: [f64; 2]) {
+pub(crate) fn fit_steps(stages: &mut [Stage], window: [f64; 2]) {
     let sizes = Sizes::new(&tabs(stages), window);
     stages.iter_mut().for_each(|stage| stage.fit(|root| sizes.get(root)));
 }
 
 /// Lays out all scenes.
-pub fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
+pub(crate) fn send_steps(stages: &[Stage], recording: &RecordingStream) -> RecordingStreamResult<()> {
     send(tabs(stages), PlayedTimeline { timeline: STEP, frames_per_sec: FRAMES_PER_SEC }, recording)
 }
 
@@ -76,7 +76,7 @@ fn scene(stage: &Stage) -> Pane {
 }
 
 /// Width of the pictures of a scene, beside curves of the width 1.
-pub fn width(stage: &Stage) -> f32 {
+pub(crate) fn width(stage: &Stage) -> f32 {
     match (stage.grid.is_line(), views(stage).len()) {
         (true, _) => PICTURES,
         (false, 2) => NARROW,
@@ -94,7 +94,7 @@ fn run(stage: &Stage) -> Option<Pane> {
 
 /// The views of the pictures. Those of a line stand one below the other, in front of the second row the map of patches, and in a low window
 /// those of the third row; those of a surface stand in a grid, and in a low window they are tabs.
-pub fn pictures(stage: &Stage) -> Pane {
+pub(crate) fn pictures(stage: &Stage) -> Pane {
     if stage.grid.is_line() { pictures_of_line(stage) } else { pictures_of_surface(stage) }
 }
 

@@ -6,7 +6,7 @@ use crate::record::draw::{ContainerKind, Eye, FigurePicture, Pane, PaneView, STE
 use rerun::{RecordingStream, RecordingStreamResult};
 
 /// Gives relief and figure the proportions of their panes in a window.
-pub fn fit_survey(relief: Option<&mut SurfaceRelief>, figure: &mut FigurePicture, text: &str, window: [f64; 2]) {
+pub(crate) fn fit_survey(relief: Option<&mut SurfaceRelief>, figure: &mut FigurePicture, text: &str, window: [f64; 2]) {
     let sizes = Sizes::new(&[layout(relief.as_ref().map(|relief| relief.view()), figure, text)], window);
     figure.fit(|root| sizes.get(root));
     if let Some(relief) = relief
@@ -17,7 +17,7 @@ pub fn fit_survey(relief: Option<&mut SurfaceRelief>, figure: &mut FigurePicture
 }
 
 /// Writes the layout of a relief as an eye sees it, if there is one, a figure, and a text at `text`.
-pub fn send_survey(
+pub(crate) fn send_survey(
     relief: Option<(&str, Eye)>,
     figure: &FigurePicture,
     text: &str,

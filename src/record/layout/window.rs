@@ -15,11 +15,11 @@ const GAP: f64 = 1.0;
 
 /// Width and height of the panes of pictures in points, by the roots of the pictures. A picture that is shown more than once has the size of
 /// its smallest pane. In a small window points are smaller, so that words leave room for the curves.
-pub struct Sizes(BTreeMap<String, [f64; 2]>);
+pub(crate) struct Sizes(BTreeMap<String, [f64; 2]>);
 
 impl Sizes {
     /// The sizes of the pictures of a layout in a window, width and height in points.
-    pub fn new(panes: &[Pane], [width, height]: [f64; 2]) -> Self {
+    pub(crate) fn new(panes: &[Pane], [width, height]: [f64; 2]) -> Self {
         let mut sizes = Self(BTreeMap::new());
         let scale = (width / WINDOW[0]).min(height / WINDOW[1]).clamp(LEAST_SCALE, 1.0);
         let height = height - Options::BARS;
@@ -32,7 +32,7 @@ impl Sizes {
     }
 
     /// The size of the pane of a picture.
-    pub fn get(&self, root: &str) -> Option<[f64; 2]> {
+    pub(crate) fn get(&self, root: &str) -> Option<[f64; 2]> {
         self.0.get(root).copied()
     }
 
