@@ -32,7 +32,7 @@ Area and kappa_r are those with contact edges interpolated between grid nodes; e
 
 #[derive(Args)]
 #[command(after_help = HELP)]
-pub struct Accuracy {
+pub(crate) struct Accuracy {
     /// Scenes to solve, in the given order
     #[arg(value_enum, value_name = "SCENE", default_values_t = AccuracyScene::value_variants().to_vec())]
     scenes: Vec<AccuracyScene>,
@@ -69,7 +69,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let experiments = self.scenes.iter().map(|scene| self.experiment(*scene)).collect::<Result<Vec<_>>>()?;
         experiments.iter().try_for_each(Experiment::check)?;
         if let Some(folder) = &self.out {

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 const SMALLER: f64 = 1e-3;
 
 /// Numbers of the attraction, names and values for reading.
-pub fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> {
+pub(crate) fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> {
     let scales = &it.scales;
     let number = |value: Option<f64>| value.map_or("-".into(), number_in_words);
     let zone = format!("{}, {} spacings", units.length(scales.process_zone), number_in_words(scales.spacings));
@@ -29,7 +29,7 @@ pub fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> {
 }
 
 /// The end of the summary: pull-off, jumps and energies.
-pub fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
     let totals = &it.totals;
     match totals.lowest_pressure.map(|pressure| units.pressure(pressure)) {
         None => writeln!(out, "\nthe attraction does not hold this load")?,

@@ -56,7 +56,7 @@ aspher for pulls with friction under a load that grows, which gets 1e-5 for the 
 
 #[derive(Args)]
 #[command(after_help = HELP)]
-pub struct Bench {
+pub(crate) struct Bench {
     /// Groups of cases to solve, in the given order
     #[arg(value_enum, value_name = "GROUP", default_values_t = Group::USUAL)]
     groups: Vec<Group>,
@@ -96,7 +96,7 @@ pub struct Bench {
 }
 
 impl Bench {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         if self.list {
             return self.list();
         }

@@ -40,7 +40,7 @@ const RESULT: &str = "Result (one of --pressure, --gap, --displacement; .npy, .n
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES, group = ArgGroup::new("claim").args(["pressure", "gap", "displacement"]).required(true))]
-pub struct Certify {
+pub(crate) struct Certify {
     /// File of the pressure, positive in compression; without a load flag, its own mean pressure is the load
     #[arg(long, value_name = "FILE", help_heading = RESULT)]
     pressure: Option<PathBuf>,
@@ -67,7 +67,7 @@ pub struct Certify {
 }
 
 impl Certify {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         self.check()?;
         let (quantity, path) = self.claimed();
         let field = rows(read_field(path, quantity.name())?)?;

@@ -7,12 +7,12 @@ use std::str::FromStr;
 use strum::{EnumMessage, IntoEnumIterator, ParseError};
 
 /// One of some names, with a short description each.
-pub fn one_of(names: impl IntoIterator<Item = (&'static str, &'static str)>) -> PossibleValuesParser {
+pub(crate) fn one_of(names: impl IntoIterator<Item = (&'static str, &'static str)>) -> PossibleValuesParser {
     PossibleValuesParser::new(names.into_iter().map(|(name, help)| PossibleValue::new(name).help(help)))
 }
 
 /// One of the variants of an enum.
-pub fn choice<T>() -> impl TypedValueParser<Value = T>
+pub(crate) fn choice<T>() -> impl TypedValueParser<Value = T>
 where
     T: IntoEnumIterator + EnumMessage + Into<&'static str> + FromStr<Err = ParseError> + Clone + Send + Sync + 'static,
 {
@@ -20,7 +20,7 @@ where
 }
 
 /// Bytes, such as `8GB` or `500 MB`.
-pub fn bytes(text: &str) -> Result<f64, String> {
+pub(crate) fn bytes(text: &str) -> Result<f64, String> {
     let number = text.trim_end_matches(|c: char| c.is_alphabetic());
     let unit = match text[number.len()..].to_ascii_lowercase().as_str() {
         "" | "b" => 1.0,
@@ -39,6 +39,6 @@ pub fn bytes(text: &str) -> Result<f64, String> {
 }
 
 /// A positive whole number.
-pub fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
+pub(crate) fn count(text: &str) -> Result<NonZeroUsize, &'static str> {
     text.parse().map_err(|_| "give a positive whole number")
 }

@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-12;
 
 /// All that is known of a result.
 #[derive(Serialize)]
-pub struct ClaimReport {
+pub(crate) struct ClaimReport {
     pub file: PathBuf,
     pub quantity: GivenField,
     /// Whether it is within the tolerances.
@@ -52,7 +52,7 @@ pub struct ClaimReport {
 
 impl ClaimReport {
     /// Writes the verdict for reading.
-    pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let holds = if self.holds { "within tolerance" } else { "not within tolerance" };
         let Self { quantity, file, setup, .. } = self;
         let title = setup.surface.title(&self.grid);
@@ -139,7 +139,7 @@ impl ClaimReport {
 }
 
 /// Points along the axes, in words.
-pub fn points(grid: &Grid) -> String {
+pub(crate) fn points(grid: &Grid) -> String {
     let [ny, nx] = grid.shape();
     if grid.is_line() { format!("{nx} points") } else { format!("{ny} x {nx} points") }
 }

@@ -19,7 +19,7 @@ static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 #[derive(Args)]
 #[command(next_help_heading = "All commands")]
-pub struct CommandStyle {
+pub(crate) struct CommandStyle {
     /// Suppress progress and notes: only results, warnings and errors are written
     #[arg(long, short, global = true)]
     quiet: bool,
@@ -30,7 +30,7 @@ pub struct CommandStyle {
 
 impl CommandStyle {
     /// Applies them to the whole process.
-    pub fn apply(&self) -> Result<()> {
+    pub(crate) fn apply(&self) -> Result<()> {
         IS_QUIET.store(self.quiet, Ordering::Relaxed);
         let Some(threads) = self.threads else { return Ok(()) };
         match ThreadPoolBuilder::new().num_threads(threads.get()).build_global() {
@@ -41,12 +41,12 @@ impl CommandStyle {
 }
 
 /// Whether only results, warnings and errors are printed.
-pub fn is_quiet() -> bool {
+pub(crate) fn is_quiet() -> bool {
     IS_QUIET.load(Ordering::Relaxed)
 }
 
 /// Prints a note on standard error, unless the program is quiet.
-pub fn remark(words: impl Display) {
+pub(crate) fn remark(words: impl Display) {
     if !is_quiet() {
         writeln!(stderr(), "{words}").ok();
     }

@@ -16,7 +16,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Compare {
+pub(crate) struct Compare {
     /// The recordings, two or more
     #[arg(value_name = "FILE.rrd", required = true)]
     recordings: Vec<PathBuf>,
@@ -26,7 +26,7 @@ pub struct Compare {
 }
 
 impl Compare {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let Self { recordings, out } = self;
         if let [only] = recordings.as_slice() {
             return usage(format!("{} is the only recording: give at least two", only.display()));

@@ -15,14 +15,14 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Completions {
+pub(crate) struct Completions {
     /// The shell
     #[arg(value_name = "SHELL")]
     shell: Shell,
 }
 
 impl Completions {
-    pub fn run(&self, mut command: Command) -> Result<ExitStatus> {
+    pub(crate) fn run(&self, mut command: Command) -> Result<ExitStatus> {
         let mut script = Vec::new();
         generate(self.shell, &mut command, "asperity", &mut script);
         stdout().write_all(&script)?;

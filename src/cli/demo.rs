@@ -30,7 +30,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Demo {
+pub(crate) struct Demo {
     /// The recording
     #[arg(long, value_name = "FILE.rrd", default_value = "demo.rrd")]
     out: PathBuf,
@@ -46,7 +46,7 @@ struct Exhibit {
 }
 
 impl Demo {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         check_named(&self.out, &["rrd"])?;
         let exhibits = exhibits();
         let run = |exhibit: &Exhibit| JobRun {

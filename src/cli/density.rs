@@ -11,7 +11,7 @@ const LEAST: f64 = 1e-4;
 const ROOM: f64 = 1.08;
 
 /// The figure of the pressure along a line, and of the density of the error in energy beside it.
-pub fn figure(surface: &str, contact: &Contact) -> Figure {
+pub(crate) fn figure(surface: &str, contact: &Contact) -> Figure {
     let [pressure, gap] = [&contact.pressure, &contact.gap].map(|field| field.as_slice().unwrap_or_default());
     let grid = contact.problem.surface().grid();
     let modulus = contact.problem.contact_modulus();

@@ -10,7 +10,7 @@ use std::io::Write;
 
 /// How a command ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum ExitStatus {
+pub(crate) enum ExitStatus {
     /// All is well.
     Done,
     /// All is written, but a solver did not converge.
@@ -21,7 +21,7 @@ pub enum ExitStatus {
 
 impl ExitStatus {
     /// 0 if all is well, 3 if a solver did not converge, 130 after Ctrl-C.
-    pub fn exit_code(self) -> u8 {
+    pub(crate) fn exit_code(self) -> u8 {
         match self {
             Self::Done => 0,
             Self::NotConverged => 3,
@@ -31,13 +31,13 @@ impl ExitStatus {
 }
 
 /// The exit status of a solve. If it has not converged, a warning is printed; the failure of an observer is an error.
-pub fn settle(contact: &Contact) -> Result<ExitStatus> {
+pub(crate) fn settle(contact: &Contact) -> Result<ExitStatus> {
     shortfall(contact).iter().for_each(|fault| drop(writeln!(stderr(), "warning: {fault}")));
     status_of(contact)
 }
 
 /// The exit status of a solve, without a warning: the caller prints that it has not converged. The failure of an observer is an error.
-pub fn status_of(contact: &Contact) -> Result<ExitStatus> {
+pub(crate) fn status_of(contact: &Contact) -> Result<ExitStatus> {
     match contact.fault() {
         None => Ok(ExitStatus::Done),
         Some(fault) if contact.failure.is_some() => Err(fault.into()),
@@ -46,32 +46,32 @@ pub fn status_of(contact: &Contact) -> Result<ExitStatus> {
 }
 
 /// The warning of a contact that has not converged.
-pub fn shortfall(contact: &Contact) -> Option<String> {
+pub(crate) fn shortfall(contact: &Contact) -> Option<String> {
     contact.fault().filter(|_| contact.failure.is_none()).map(|fault| fault.to_string())
 }
 
 /// A failure as an error. A file error keeps its type, since it decides the exit code.
-pub fn with_file_error(failure: Failure) -> anyhow::Error {
+pub(crate) fn with_file_error(failure: Failure) -> anyhow::Error {
     failure.downcast::<FileError>().map_or_else(|other| anyhow!(other), |file| anyhow::Error::new(*file))
 }
 
 /// Ctrl-C came before the first of several loads was solved.
 #[derive(Debug, thiserror::Error)]
 #[error("interrupted before the first load was solved: no result was written")]
-pub struct Interrupted;
+pub(crate) struct Interrupted;
 
 /// Options that do not go together, in one sentence.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
-pub struct Usage(pub String);
+pub(crate) struct Usage(pub String);
 
 /// A [`Usage`] error.
-pub fn usage<T>(sentence: impl Into<String>) -> Result<T> {
+pub(crate) fn usage<T>(sentence: impl Into<String>) -> Result<T> {
     Err(Usage(sentence.into()).into())
 }
 
 /// The flags that give a missing value, to be added to the sentence of an error.
-pub fn remedy(error: &anyhow::Error) -> String {
+pub(crate) fn remedy(error: &anyhow::Error) -> String {
     if let Some(ClaimError::NoLoad) = error.downcast_ref() {
         return " (--mean-pressure, --reduced-pressure, or --mean-gap)".into();
     }
@@ -92,7 +92,7 @@ fn flag(Remedy { key: path, value }: &Remedy) -> Option<String> {
 }
 
 /// 2 for wrong input, 130 for Ctrl-C, 1 for other failures.
-pub fn exit_code(error: &anyhow::Error) -> u8 {
+pub(crate) fn exit_code(error: &anyhow::Error) -> u8 {
     if error.is::<Interrupted>() {
         return ExitStatus::Interrupted.exit_code();
     }

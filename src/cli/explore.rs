@@ -39,7 +39,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Explore {
+pub(crate) struct Explore {
     /// What to show first: hertz-line, hertz-surface, rough-line, rough-surface, or a scene file as for `asperity
     /// solve`
     #[arg(value_name = "START|SCENE.toml", default_value = "rough-line", value_parser = begin)]
@@ -63,7 +63,7 @@ pub struct Explore {
 
 /// Where the page is.
 #[derive(Args)]
-pub struct PageArgs {
+pub(crate) struct PageArgs {
     /// Port on this machine (127.0.0.1); if it is in use, the next free port
     #[arg(long, value_name = "PORT", default_value_t = 8765)]
     port: u16,
@@ -73,7 +73,7 @@ pub struct PageArgs {
 }
 
 impl Explore {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let lessons = match self.lessons.as_deref().map(Lesson::folder).transpose() {
             Ok(lessons) => lessons.unwrap_or_else(Lesson::all),
             Err(refusal) => return usage(refusal.to_string()),
@@ -175,7 +175,7 @@ fn export(folder: &Path, export: Result<SiteExport, Refusal>) -> Result<ExitStat
 
 impl PageArgs {
     /// Takes the port, prints the address of the page, and opens it.
-    pub fn open(&self) -> Result<Server> {
+    pub(crate) fn open(&self) -> Result<Server> {
         let server = match Server::bind(self.port) {
             Ok(server) => server,
             Err(error) => return usage(format!("no port from {} on is free: {error}", self.port)),

@@ -9,13 +9,13 @@ use asperity::surface::Field;
 use ndarray::{ArrayD, Axis, Ix2};
 
 /// Rows and columns of an array; one of rank 1 is a row.
-pub fn rows(array: ArrayD<f64>) -> Result<Field> {
+pub(crate) fn rows(array: ArrayD<f64>) -> Result<Field> {
     let array = if array.ndim() == 1 { array.insert_axis(Axis(0)) } else { array };
     Ok(array.into_dimensionality::<Ix2>()?)
 }
 
 /// Whether a setup has a load. One that has none gets that of a field of some quantity.
-pub fn lay_load(table: &mut SetupTable, quantity: GivenField, field: &Field) -> Result<bool> {
+pub(crate) fn lay_load(table: &mut SetupTable, quantity: GivenField, field: &Field) -> Result<bool> {
     check_one_load(table)?;
     if table.has_load() {
         return Ok(true);
@@ -30,7 +30,7 @@ pub fn lay_load(table: &mut SetupTable, quantity: GivenField, field: &Field) -> 
 }
 
 /// Refuses lists of loads.
-pub fn check_one_load(table: &mut SetupTable) -> Result<()> {
+pub(crate) fn check_one_load(table: &mut SetupTable) -> Result<()> {
     match table.take_loads()? {
         Some(loads) if loads.len() > 1 => {
             usage(format!("{} loads are given, but a result has one load: give one", loads.len()))
@@ -40,7 +40,7 @@ pub fn check_one_load(table: &mut SetupTable) -> Result<()> {
 }
 
 /// Refuses a body that yields below its surface, whose contact depends on its past.
-pub fn check_elastic(setup: &Setup) -> Result<()> {
+pub(crate) fn check_elastic(setup: &Setup) -> Result<()> {
     if setup.yields() {
         return usage(
             "a yield stress is given, but this command is for bodies that have not yielded before: leave it out",
@@ -50,7 +50,7 @@ pub fn check_elastic(setup: &Setup) -> Result<()> {
 }
 
 /// Poisson's ratios of the bodies, where they are known.
-pub fn poisson(setup: &Setup) -> Vec<f64> {
+pub(crate) fn poisson(setup: &Setup) -> Vec<f64> {
     match setup.solid.as_ref().map(Solid::as_elastic) {
         Some(Solid::Bodies(first, second)) => {
             [Some(first), second.as_ref()].into_iter().flatten().map(|it| it.poisson).collect()

@@ -13,7 +13,7 @@ const NAMED: [(&str, f64); 2] = [("column", 0.085), ("page", 0.17)];
 
 /// How pictures are drawn.
 #[derive(Args, Default)]
-pub struct FigureArgs {
+pub(crate) struct FigureArgs {
     /// Width on paper, or width and height: lengths such as 85mm or 170mm,100mm; column is 85mm, page 170mm
     #[arg(long, value_name = "W[,H]", value_parser = size, help_heading = FIGURE)]
     figure_size: Option<[Option<f64>; 2]>,
@@ -45,7 +45,7 @@ impl FigureArgs {
     ///
     /// # Errors
     /// For a size, a font, a resolution or limits that make no figure, and for flags without a picture that is written.
-    pub fn style(&self, has_picture: bool) -> Result<FigureStyle> {
+    pub(crate) fn style(&self, has_picture: bool) -> Result<FigureStyle> {
         let [width, height] = self.figure_size.unwrap_or_default();
         let style = FigureStyle {
             width,

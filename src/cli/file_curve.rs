@@ -16,7 +16,7 @@ const ALONG: [&str; 2] = ["load.", "path."];
 
 /// What is drawn along the horizontal axis of a curve.
 #[derive(Debug, Clone, Copy)]
-pub enum Abscissa<'a> {
+pub(crate) enum Abscissa<'a> {
     /// A quantity of a result.
     Quantity(Quantity),
     /// A value from the lists of a study, by its key or the last part of it, such as `hurst`.
@@ -44,7 +44,7 @@ impl Abscissa<'_> {
 }
 
 /// A curve in a file.
-pub struct FileCurve {
+pub(crate) struct FileCurve {
     /// The name of the file, and of a study the values from its lists.
     pub name: String,
     /// The pairs that are known, in their order, with the error of the quantity upwards.
@@ -62,7 +62,7 @@ struct FileNumbers {
 ///
 /// # Errors
 /// For a file that is no result or table, that does not have a quantity, or that has no numbers of both.
-pub fn curves_of(path: &Path, x: Abscissa<'_>, y: Quantity, is_one_of_many: bool) -> Result<Vec<FileCurve>> {
+pub(crate) fn curves_of(path: &Path, x: Abscissa<'_>, y: Quantity, is_one_of_many: bool) -> Result<Vec<FileCurve>> {
     let is_archive = path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npz"));
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let mut curves = match is_archive {
@@ -231,7 +231,7 @@ fn groups(rows: &[usize], columns: &[&TextColumn]) -> Vec<Vec<usize>> {
 }
 
 /// The last part of a key.
-pub fn key(path: &str) -> &str {
+pub(crate) fn key(path: &str) -> &str {
     path.rsplit('.').next().unwrap_or_default()
 }
 

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// A field that is drawn as a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum MapField {
+pub(crate) enum MapField {
     Pressure,
     Gap,
     /// What a body that yields below its surface keeps after its last load
@@ -22,7 +22,7 @@ pub enum MapField {
 }
 
 /// The results of some files, each of a surface.
-pub struct FileMaps {
+pub(crate) struct FileMaps {
     results: Vec<(String, ArchiveReader)>,
     units: Units,
 }
@@ -32,7 +32,7 @@ impl FileMaps {
     ///
     /// # Errors
     /// For a file that is no result of one load on a surface, or of some states for an imprint, and for one with units beside one without.
-    pub fn read(files: &[PathBuf], field: MapField) -> Result<Self> {
+    pub(crate) fn read(files: &[PathBuf], field: MapField) -> Result<Self> {
         let results: Vec<(String, ArchiveReader)> =
             files.iter().map(|path| named(path, field)).collect::<Result<_>>()?;
         let units: Vec<Units> = results.iter().map(|(_, it)| units_of(it)).collect::<Result<_>>()?;
@@ -50,7 +50,7 @@ impl FileMaps {
     ///
     /// # Errors
     /// For a result without the field.
-    pub fn panels(&self, field: MapField) -> Result<Vec<Panel>> {
+    pub(crate) fn panels(&self, field: MapField) -> Result<Vec<Panel>> {
         let name = match field {
             MapField::Pressure => "pressure",
             MapField::Gap => "gap",

@@ -19,7 +19,7 @@ const MANY_OF_SHAPE: f64 = 0.05;
 
 /// The numbers of a contact under its load.
 #[derive(Serialize)]
-pub struct Finding {
+pub(crate) struct Finding {
     pub status: Status,
     /// The claim of the contact: what its certificate proves.
     pub claim: ResultClaim,
@@ -47,7 +47,7 @@ pub struct Finding {
 }
 
 /// The numbers of a contact that slides besides its observables, in the order of [`Sliding::NUMBERS`]; none of others.
-pub struct MotionNumbers(Vec<(Quantity, f64)>);
+pub(crate) struct MotionNumbers(Vec<(Quantity, f64)>);
 
 impl MotionNumbers {
     fn new(contact: &Contact) -> Self {
@@ -68,14 +68,14 @@ impl Serialize for MotionNumbers {
 
 impl Finding {
     /// The numbers that only its motion and what flows through it give, where there are any.
-    pub fn further(&self) -> Vec<(Quantity, f64)> {
+    pub(crate) fn further(&self) -> Vec<(Quantity, f64)> {
         let MotionNumbers(motion) = &self.motion;
         let flow = self.flow.iter().flat_map(|it| it.numbers.iter());
         let is_new = |(it, _): &&(Quantity, f64)| it.row().is_known_by_process() && !Sliding::NUMBERS.contains(it);
         motion.iter().chain(flow.filter(is_new)).copied().collect()
     }
 
-    pub fn new(setup: &Setup, contact: &Contact) -> Self {
+    pub(crate) fn new(setup: &Setup, contact: &Contact) -> Self {
         let grid = contact.problem.surface().grid();
         let unit = if grid.is_line() { "N/m" } else { "N" };
         let force = matches!(setup.load, Load::Force(_)).then(|| (contact.mean_pressure() * grid.area(), unit));
@@ -94,7 +94,7 @@ impl Finding {
     }
 
     /// Names and values for reading, the results first: each with its error.
-    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
         let stiffness = Some(&self.observables).filter(|it| !it.stiffness.is_nan()).map(|it| {
             let load = plus_or_minus(", mean pressure", it.mean_pressure_error);
             ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
@@ -165,13 +165,13 @@ impl Finding {
     }
 
     /// The radius of the contact in the exact solution, or half its width on a line, in words; none where the contact is not one circle or strip.
-    pub fn exact_radius(&self, units: Units) -> Option<String> {
+    pub(crate) fn exact_radius(&self, units: Units) -> Option<String> {
         let radius = self.exact.as_ref()?.contact_radius?;
         Some(format!("{} {}", self.exact_words(), units.length(radius)))
     }
 
     /// Further names and values, for who wants to know more of the contact, or of the solver.
-    pub fn details(&self, units: Units) -> Vec<(String, String)> {
+    pub(crate) fn details(&self, units: Units) -> Vec<(String, String)> {
         let it = &self.observables;
         let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
             true => format!(", {} of the edges given by the shape", percent(it.edges_of_shape)),

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 const SETUP: &str = "setup";
 
 /// Which flags of a setup a command has, and their names.
-pub trait Extent {
+pub(crate) trait Extent {
     /// The heading of the flags of the load.
     const LOAD: &'static str;
 
@@ -37,14 +37,14 @@ pub trait Extent {
 }
 
 /// All of a setup.
-pub struct OfSetup;
+pub(crate) struct OfSetup;
 
 /// The surface and its grid alone.
-pub struct OfSurface;
+pub(crate) struct OfSurface;
 
 /// The problem that another code has solved, and the goals for its result. Its mean pressure has another flag, since
 /// `--pressure` is a field here.
-pub struct OfProblem;
+pub(crate) struct OfProblem;
 
 impl Extent for OfSetup {
     const LOAD: &'static str = LOAD;
@@ -80,7 +80,7 @@ impl Extent for OfProblem {
 }
 
 /// A surface and a solid whose load is found, and the solver.
-pub struct OfSealing;
+pub(crate) struct OfSealing;
 
 impl Extent for OfSealing {
     const LOAD: &'static str = LOAD;
@@ -91,7 +91,7 @@ impl Extent for OfSealing {
 }
 
 /// A setup whose contact patches are followed: all but what is written of it.
-pub struct OfPatches;
+pub(crate) struct OfPatches;
 
 impl Extent for OfPatches {
     const LOAD: &'static str = LOAD;
@@ -105,7 +105,7 @@ impl Extent for OfPatches {
 const OF_A_SOLVE: [&str; 5] = ["friction", "path", "flow", "solver", "stop"];
 
 /// A scene and the flags that are laid over it.
-pub struct SceneArgs<E> {
+pub(crate) struct SceneArgs<E> {
     /// A scene, or a result that carries one.
     file: Option<PathBuf>,
     given: Vec<(&'static Key, Vec<String>)>,
@@ -114,34 +114,34 @@ pub struct SceneArgs<E> {
 
 impl<E: Extent> SceneArgs<E> {
     /// The same flags over another scene.
-    pub fn with_file(&self, file: PathBuf) -> Self {
+    pub(crate) fn with_file(&self, file: PathBuf) -> Self {
         Self { file: Some(file), given: self.given.clone(), extent: PhantomData }
     }
 
     /// The scene itself, if it is given.
-    pub fn file(&self) -> Option<&Path> {
+    pub(crate) fn file(&self) -> Option<&Path> {
         self.file.as_deref()
     }
 
     /// A scene as it is in its file.
-    pub fn from_file(file: PathBuf) -> Self {
+    pub(crate) fn from_file(file: PathBuf) -> Self {
         Self { file: Some(file), given: Vec::new(), extent: PhantomData }
     }
 
     /// The file of a result that is not solved again: an archive, or the folder of a run that was killed, without flags.
-    pub fn result(&self) -> Option<&Path> {
+    pub(crate) fn result(&self) -> Option<&Path> {
         let is_archive =
             |path: &&Path| path.is_dir() || path.extension().is_some_and(|it| it.eq_ignore_ascii_case("npz"));
         self.file.as_deref().filter(|_| self.given.is_empty()).filter(is_archive)
     }
 
     /// All files that are read for the setup in `table`, and its own.
-    pub fn files(&self, table: &SetupTable) -> Vec<PathBuf> {
+    pub(crate) fn files(&self, table: &SetupTable) -> Vec<PathBuf> {
         self.file.iter().cloned().chain(table.files()).collect()
     }
 
     /// The setup as it was given, its sections and keys apart.
-    pub fn table(&self) -> Result<SetupTable> {
+    pub(crate) fn table(&self) -> Result<SetupTable> {
         let path = self.file.as_deref().map(first_archive);
         path.as_deref().map_or(Ok(()), print_if_cut_off)?;
         let mut table = path.as_deref().map_or_else(|| Ok(SetupTable::default()), read)?;
@@ -158,7 +158,7 @@ impl<E: Extent> SceneArgs<E> {
     }
 
     /// The units that the scene and the flags state, and those of a height file in the surface.
-    pub fn units(&self) -> Units {
+    pub(crate) fn units(&self) -> Units {
         let table = self.file.as_deref().map(|path| read(&first_archive(path)));
         let mut table = table.and_then(Result::ok).unwrap_or_default();
         lay(&self.given, &mut table);
@@ -244,7 +244,7 @@ impl<E: Extent> clap::Args for SceneArgs<E> {
 }
 
 /// Heading of the flags of the load.
-pub const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several loads: 1e5,1e6, or 1e-3..1e-1:13 for 13 loads with equal ratios)";
+pub(crate) const LOAD: &str = "Load (one of --pressure, --reduced-pressure, --mean-gap; several loads: 1e5,1e6, or 1e-3..1e-1:13 for 13 loads with equal ratios)";
 
 /// A flag as the parser takes it.
 fn arg<E: Extent>(key: &'static Key) -> Arg {

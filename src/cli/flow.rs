@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// Leakage and conductance of a contact, each where it is asked for.
 #[derive(Serialize, Default)]
-pub struct FlowFinding {
+pub(crate) struct FlowFinding {
     /// The leakage along x and y; of a line along x only.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     along: Vec<AxisFlow>,
@@ -29,7 +29,7 @@ pub struct FlowFinding {
 
 impl FlowFinding {
     /// The flow through the gap, from the quantities of a state; none where the flow was not asked for.
-    pub fn from_numbers(numbers: &[(Quantity, f64)]) -> Option<Self> {
+    pub(crate) fn from_numbers(numbers: &[(Quantity, f64)]) -> Option<Self> {
         let get = |quantity: Quantity| numbers.iter().find(|(other, _)| *other == quantity).map(|(_, value)| *value);
         let is_finite = |it: &f64| it.is_finite();
         let per_area = get(Quantity::ConductancePerArea);
@@ -44,7 +44,7 @@ impl FlowFinding {
     }
 
     /// Names and values for reading.
-    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
         let along = self.along.iter().map(|it| {
             let said = match it.leakage {
                 [_, 0.0] => "nothing, the contact seals".to_owned(),

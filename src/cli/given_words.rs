@@ -8,7 +8,7 @@ const BEFORE_BOUNDS: [&str; 6] = ["at most ", "at least ", "than ", "from ", "to
 
 /// A sentence about a number, with the word of the command line that gave it: `-1MPa` in place of `-1000000.0`. A bound stays, and so does a
 /// number that was also given without a unit, since that may be meant.
-pub fn in_given_words(sentence: String, words: &[OsString]) -> String {
+pub(crate) fn in_given_words(sentence: String, words: &[OsString]) -> String {
     let values =
         || words.iter().filter_map(|word| word.to_str()).map(|word| word.split_once('=').map_or(word, |it| it.1));
     let is_plain = |number: f64| values().flat_map(|word| word.split(',')).any(|word| word.parse() == Ok(number));

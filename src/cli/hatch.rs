@@ -13,7 +13,7 @@ const LINE_DISTANCE: usize = 3;
 const MEANING: &str = "; hatched: filled in";
 
 /// Hatches the nodes of a map that are filled, row by row, if there are some. Positions of the panel are lengths along the grid.
-pub fn hatch(panel: &mut Panel, grid: &Grid, filled: Option<&[bool]>, units: Units) {
+pub(crate) fn hatch(panel: &mut Panel, grid: &Grid, filled: Option<&[bool]>, units: Units) {
     let Some(filled) = filled.filter(|nodes| nodes.contains(&true)) else { return };
     let (shape, lengths) = (grid.shape(), grid.size());
     let (_, size) = unit(units.metres, &LENGTHS, lengths[1]);

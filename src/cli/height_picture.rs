@@ -14,7 +14,7 @@ const POINTS: usize = 400;
 const PERCENT: f64 = 100.0;
 
 /// The density of the heights about their mean, over that of a normal distribution with the same rms height.
-pub fn density(curve: &AbbottCurve, units: Units) -> Panel {
+pub(crate) fn density(curve: &AbbottCurve, units: Units) -> Panel {
     let [low, high] = ends(curve);
     let (name, size) = unit(units.metres, &LENGTHS, high - low);
     let width = (high - low) / CLASSES as f64;
@@ -40,7 +40,7 @@ pub fn density(curve: &AbbottCurve, units: Units) -> Panel {
 }
 
 /// The share of the surface above each height, and the line through its core.
-pub fn material_ratio(curve: &AbbottCurve, units: Units) -> Panel {
+pub(crate) fn material_ratio(curve: &AbbottCurve, units: Units) -> Panel {
     let [low, high] = ends(curve);
     let (name, size) = unit(units.metres, &LENGTHS, high - low);
     let core = curve.core();

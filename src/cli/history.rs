@@ -52,7 +52,7 @@ struct HistorySummary {
 }
 
 /// Writes and prints the states of a history.
-pub fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outputs, Units)) -> Result<ExitStatus> {
+pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outputs, Units)) -> Result<ExitStatus> {
     let mut all = warnings::in_flags(&solved.warnings());
     let (setup, Some(mut outcome)) = (solved.setup, solved.history) else { return Ok(ExitStatus::Done) };
     let is_stopped = matches!(outcome.ended, Some(HistoryError::Stopped));

@@ -14,7 +14,7 @@ const ROOM: f64 = 0.05;
 const CLOSED: f64 = 1e-6;
 
 /// The picture of the states of a history, without the frames of motions: a jump is an arrow.
-pub fn draw(title: &str, outcome: &HistoryOutcome, units: Units) -> Figure {
+pub(crate) fn draw(title: &str, outcome: &HistoryOutcome, units: Units) -> Figure {
     let states: Vec<&State> =
         outcome.states.iter().map(|it| &**it).filter(|it| it.claim != ResultClaim::Moving).collect();
     let panels = outcome.drive.charts.map(|chart| panel(outcome, chart, &states, units));

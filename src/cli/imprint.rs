@@ -13,7 +13,7 @@ use std::path::Path;
 const ARRAY: &str = "npy";
 
 /// Refuses an imprint of a body that keeps none, and a name that promises another content.
-pub fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<()> {
+pub(crate) fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<()> {
     let Some(path) = path else { return Ok(()) };
     if !setup.yields() {
         return usage("--imprint is for a body that yields below its surface: give --yield-stress, or leave it out");
@@ -30,7 +30,7 @@ pub fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<()> {
 }
 
 /// Writes the heights of the surface of the body in a state, as they would be without load: a dent is negative.
-pub fn write(path: &Path, state: &State) -> Result<()> {
+pub(crate) fn write(path: &Path, state: &State) -> Result<()> {
     let Some(imprint) = state.field(FieldKind::Imprint) else { return Ok(()) };
     let spacing = state.contact.problem.surface().grid().spacing();
     Ok(Scan { height: -imprint, spacing }.write(path)?)

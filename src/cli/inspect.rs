@@ -40,7 +40,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Inspect {
+pub(crate) struct Inspect {
     /// Files of steps, or folders of such files, in natural order (step2 before step10): .npy, .npz or text; one step
     /// per file, or several along the first axis
     #[arg(value_name = "STEPS", required_unless_present = "follow", conflicts_with = "follow")]
@@ -75,7 +75,7 @@ pub struct Inspect {
 }
 
 impl Inspect {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         self.shown.check()?;
         if let Some(recording) = self.steps.iter().find(|path| is_recording(path).unwrap_or(false)) {
             return usage(format!(

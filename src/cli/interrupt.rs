@@ -32,7 +32,7 @@ struct EndRequest {
 type LastAct = Box<dyn FnOnce() + Send>;
 
 /// Handles Ctrl-C and termination requests from now on: they end the process and leave no draft but those that grow, which are named.
-pub fn listen() -> io::Result<()> {
+pub(crate) fn listen() -> io::Result<()> {
     if END.get().is_some() {
         return Ok(());
     }
@@ -59,7 +59,7 @@ pub fn listen() -> io::Result<()> {
 }
 
 /// Does something when Ctrl-C or a termination request ends the process, from now on.
-pub fn when_interrupted(act: impl FnOnce() + Send + 'static) -> io::Result<()> {
+pub(crate) fn when_interrupted(act: impl FnOnce() + Send + 'static) -> io::Result<()> {
     listen()?;
     let end = END.get_or_init(EndRequest::default);
     *end.last_act.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(act));
@@ -67,7 +67,7 @@ pub fn when_interrupted(act: impl FnOnce() + Send + 'static) -> io::Result<()> {
 }
 
 /// The command takes Ctrl-C and termination requests itself from now on. The returned flag shows whether one came. The second one ends the process.
-pub fn interrupted() -> io::Result<Arc<AtomicBool>> {
+pub(crate) fn interrupted() -> io::Result<Arc<AtomicBool>> {
     listen()?;
     let end = END.get_or_init(EndRequest::default);
     end.is_taken.store(true, Ordering::Relaxed);
@@ -112,7 +112,7 @@ impl Requests {
 }
 
 /// The observer that ends a solve once Ctrl-C was pressed.
-pub struct Interruption(pub Arc<AtomicBool>);
+pub(crate) struct Interruption(pub Arc<AtomicBool>);
 
 impl Observer for Interruption {
     fn step(&mut self, _: &Step<'_>) -> Wish {

@@ -16,7 +16,7 @@ const PER_DECADE: f64 = 6.0;
 
 /// The steps of another code, and how far they are from the reference.
 #[derive(Serialize)]
-pub struct Iteration {
+pub(crate) struct Iteration {
     /// Where the steps come from.
     pub steps_of: String,
     pub quantity: GivenField,
@@ -39,7 +39,7 @@ pub struct Iteration {
 
 impl Iteration {
     /// Writes a table of some steps, and the numbers of the last one.
-    pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         let title = self.setup.surface.title(&self.grid);
         let is_timed = self.steps.iter().any(|it| it.seconds > 0.0);
         let (count, quantity, steps_of) = (self.steps.len(), self.quantity, &self.steps_of);

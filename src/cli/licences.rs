@@ -14,10 +14,10 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Licences;
+pub(crate) struct Licences;
 
 impl Licences {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         stdout().write_all(LICENCES.as_bytes())?;
         Ok(ExitStatus::Done)
     }

@@ -40,7 +40,7 @@ struct LoadCurveSummary {
 }
 
 /// Writes and prints what came out under a list of loads.
-pub fn write(
+pub(crate) fn write(
     solved: Solved,
     problem: &Problem,
     watch: StateWatch<'_>,

@@ -17,14 +17,14 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Man {
+pub(crate) struct Man {
     /// New folder for the pages, one per command [default: all pages go to standard output]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
 
 impl Man {
-    pub fn run(&self, command: Command) -> Result<ExitStatus> {
+    pub(crate) fn run(&self, command: Command) -> Result<ExitStatus> {
         match &self.out {
             Some(folder) => {
                 let filled = fill_folder(folder, |draft| Ok(generate_to(command, draft)?));

@@ -22,7 +22,7 @@ const HIGHEST_SHARE: f64 = 0.1;
 
 /// The flags of a measurement: the radius of its tip, and its repetition.
 #[derive(Args)]
-pub struct MeasurementArgs {
+pub(crate) struct MeasurementArgs {
     /// A second measurement of the same place: tell the noise by their difference, and what it does to rms gradient and areas
     #[arg(long, value_name = "FILE", help_heading = "Measurement")]
     repeat: Option<PathBuf>,
@@ -33,7 +33,7 @@ pub struct MeasurementArgs {
 
 /// The findings about heights by the radius of the tip and by a second measurement; each is absent where its flag is not given.
 #[derive(Serialize, Default)]
-pub struct MeasurementReport {
+pub(crate) struct MeasurementReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     tip: Option<TipReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -60,12 +60,12 @@ struct TipReport {
 
 impl MeasurementArgs {
     /// Whether something is given.
-    pub fn is_given(&self) -> bool {
+    pub(crate) fn is_given(&self) -> bool {
         self.repeat.is_some() || self.tip_radius.is_some()
     }
 
     /// The files that are read.
-    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+    pub(crate) fn files(&self) -> impl Iterator<Item = PathBuf> {
         self.repeat.iter().cloned()
     }
 
@@ -73,7 +73,7 @@ impl MeasurementArgs {
     ///
     /// # Errors
     /// For a surface that was not measured, and a second measurement of another shape or size.
-    pub fn report(&self, recipe: &Recipe, cell: &Cell) -> Result<MeasurementReport> {
+    pub(crate) fn report(&self, recipe: &Recipe, cell: &Cell) -> Result<MeasurementReport> {
         if !self.is_given() {
             return Ok(MeasurementReport::default());
         }
@@ -92,7 +92,7 @@ impl MeasurementArgs {
 
 impl MeasurementReport {
     /// The findings in sentences, for people.
-    pub fn sentences(&self, units: Units) -> Vec<String> {
+    pub(crate) fn sentences(&self, units: Units) -> Vec<String> {
         let words = |length: f64| units.length(length);
         let mut lines: Vec<String> = self.tip.iter().map(|tip| tip.sentence(units)).collect();
         lines.extend(self.repeat.iter().flat_map(|it| it.sentences_in(&words)));

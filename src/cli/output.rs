@@ -13,7 +13,7 @@ use std::io::{self, Write};
 
 /// Everything that a script may want to know about a contact, and the setup that repeats it.
 #[derive(Serialize)]
-pub struct Summary {
+pub(crate) struct Summary {
     #[serde(flatten)]
     pub subject: ProblemSummary,
     #[serde(flatten)]
@@ -36,7 +36,7 @@ pub struct Summary {
 
 impl Summary {
     /// Writes the summary for reading.
-    pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
         let units = self.units;
         let slip = self.slip.iter().flat_map(|it| it.rows(units));
@@ -68,16 +68,16 @@ impl Summary {
 }
 
 /// Writes why a run was slow, if that is known.
-pub fn write_diagnosis(diagnosis: Option<&Findings>, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_diagnosis(diagnosis: Option<&Findings>, out: &mut impl Write) -> io::Result<()> {
     diagnosis.map_or(Ok(()), |diagnosis| write!(out, "\nWhy it was slow:\n{diagnosis}"))
 }
 
 /// Writes an object as one line of JSON.
-pub fn write_json(object: &impl Serialize, out: &mut impl Write) -> Result<()> {
+pub(crate) fn write_json(object: &impl Serialize, out: &mut impl Write) -> Result<()> {
     Ok(writeln!(out, "{}", serde_json::to_string(object)?)?)
 }
 
 /// Writes names and values, one pair a line.
-pub fn write_rows(rows: impl IntoIterator<Item = (String, String)>, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_rows(rows: impl IntoIterator<Item = (String, String)>, out: &mut impl Write) -> io::Result<()> {
     rows.into_iter().try_for_each(|(name, value)| writeln!(out, "  {name:<25} {value}"))
 }

@@ -21,7 +21,7 @@ const STRESS: &[&str] = &["npz"];
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
 #[command(group = clap::ArgGroup::new("recorded").args(["record", "live"]).multiple(true))]
-pub struct Outputs {
+pub(crate) struct Outputs {
     /// Record every step of the solver, or the contact under each of several loads, for the Rerun viewer. It
     /// grows in NAME.part-XXXXXX.rrd, and has its name at the end, when it replaces an existing recording
     #[arg(long, value_name = "FILE.rrd")]
@@ -70,12 +70,12 @@ pub struct Outputs {
 
 impl Outputs {
     /// The recording.
-    pub fn recording(&self) -> Option<&Path> {
+    pub(crate) fn recording(&self) -> Option<&Path> {
         self.record.as_deref()
     }
 
     /// The work besides solving, for a number of loads.
-    pub fn extras(&self, loads: usize) -> Extras {
+    pub(crate) fn extras(&self, loads: usize) -> Extras {
         Extras {
             is_recorded: self.recording().is_some(),
             is_diagnosed: false,
@@ -88,17 +88,17 @@ impl Outputs {
     }
 
     /// The table, if it is requested.
-    pub fn table(&self) -> Option<&Path> {
+    pub(crate) fn table(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "csv"))
     }
 
     /// The archive, if it is requested.
-    pub fn archive(&self) -> Option<&Path> {
+    pub(crate) fn archive(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| has_ending(path, "npz"))
     }
 
     /// The picture, if it is requested.
-    pub fn picture(&self) -> Option<&Path> {
+    pub(crate) fn picture(&self) -> Option<&Path> {
         self.out.as_deref().filter(|path| is_figure(path))
     }
 
@@ -106,12 +106,12 @@ impl Outputs {
     ///
     /// # Errors
     /// The errors of [`FigureArgs::style`].
-    pub fn style(&self) -> Result<FigureStyle> {
+    pub(crate) fn style(&self) -> Result<FigureStyle> {
         self.figure.style(self.picture().is_some())
     }
 
     /// The files to write, in their order.
-    pub fn files(&self) -> impl Iterator<Item = &Path> {
+    pub(crate) fn files(&self) -> impl Iterator<Item = &Path> {
         let [out, stress, imprint, setup] = [&self.out, &self.stress, &self.imprint, &self.save_setup];
         [self.recording(), out.as_deref(), stress.as_deref(), imprint.as_deref(), setup.as_deref()]
             .into_iter()
@@ -119,14 +119,14 @@ impl Outputs {
     }
 
     /// Computes the optional numbers of a contact that were requested.
-    pub fn complete(&self, contact: &Contact) {
+    pub(crate) fn complete(&self, contact: &Contact) {
         if self.stiffness {
             contact.stiffness();
         }
     }
 
     /// Refuses outputs that the states of a run do not have.
-    pub fn check_states(&self, drive: &Drive, setup: &Setup) -> Result<()> {
+    pub(crate) fn check_states(&self, drive: &Drive, setup: &Setup) -> Result<()> {
         let is_list = drive.is_list;
         if self.stiffness && !is_list {
             return usage("--stiffness is for one contact, but a history has many states: leave it out");
@@ -158,7 +158,7 @@ impl Outputs {
     }
 
     /// What grows beside table and archive while the states of a run come.
-    pub fn growing(&self) -> GrowingOutputs {
+    pub(crate) fn growing(&self) -> GrowingOutputs {
         GrowingOutputs {
             table: self.table().map(StateTable::beside),
             archive: self.archive().map(StateArchive::beside),
@@ -166,7 +166,7 @@ impl Outputs {
     }
 
     /// Refuses places where nothing can be written, and names that promise another content.
-    pub fn check(&self) -> Result<()> {
+    pub(crate) fn check(&self) -> Result<()> {
         self.style()?;
         let (out, stress, setup) = (self.out.as_deref(), self.stress.as_deref(), self.save_setup.as_deref());
         let named = [(self.recording(), RECORDING), (out, RESULT), (stress, STRESS), (setup, SCENE)];
@@ -176,14 +176,14 @@ impl Outputs {
 }
 
 /// The files that grow state by state. A run that is killed leaves them.
-pub struct GrowingOutputs {
+pub(crate) struct GrowingOutputs {
     pub table: Option<StateTable>,
     pub archive: Option<StateArchive>,
 }
 
 impl GrowingOutputs {
     /// Removes them, once the files beside them are written.
-    pub fn discard(self) {
+    pub(crate) fn discard(self) {
         self.table.into_iter().for_each(StateTable::discard);
         self.archive.into_iter().for_each(StateArchive::discard);
     }
