@@ -31,7 +31,7 @@ const COARSE: &str = "\
 
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
-pub struct PaperCommand {
+pub(crate) struct PaperCommand {
     /// Tables and figures to make, in the given order
     #[arg(value_name = "PART", default_value = "all", value_parser = parts())]
     parts: Vec<String>,
@@ -87,7 +87,7 @@ pub struct PaperCommand {
 }
 
 impl PaperCommand {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let (items, paper, bar) =
             (self.items(), self.paper(), blank("{prefix} [{wide_bar}] {percent} %, {msg} ({eta} left)"));
         let is_told = AtomicBool::new(!self.quick);

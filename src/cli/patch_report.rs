@@ -8,7 +8,7 @@ use std::io::{self, Write};
 const MOST: usize = 20;
 
 /// The patches of some states, in words.
-pub struct PatchReport<'a> {
+pub(crate) struct PatchReport<'a> {
     pub patches: &'a PatchHistory,
     pub units: Units,
     pub is_line: bool,
@@ -16,7 +16,7 @@ pub struct PatchReport<'a> {
 
 impl PatchReport<'_> {
     /// Writes all of it.
-    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let states = &self.patches.states;
         if states.len() > 1 {
             self.write_states(out)?;

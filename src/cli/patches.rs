@@ -29,7 +29,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct PatchesCommand {
+pub(crate) struct PatchesCommand {
     #[command(flatten)]
     scene: SceneArgs<OfPatches>,
     /// Write a table with a row for each patch in each state
@@ -68,7 +68,7 @@ struct PatchStateSummary<'a> {
 }
 
 impl PatchesCommand {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         if let Some(out) = &self.out {
             check_named(out, &["csv"])?;
         }

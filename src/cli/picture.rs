@@ -23,7 +23,7 @@ const SEVERAL: f64 = 1.5;
 const PIXELS: usize = 1024;
 
 /// The picture of a contact. Of a line: both surfaces, and the pressure along it. Of a surface: maps of the pressure and of the gap.
-pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
+pub(crate) fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
     let panels = match contact.problem.surface().grid().is_line() {
         true => vec![profile(contact, units), pressure(contact, units)],
         false => {
@@ -39,25 +39,25 @@ pub fn of_contact(title: &str, contact: &Contact, units: Units) -> Figure {
 }
 
 /// A field of a result with a title.
-pub struct NamedMap {
+pub(crate) struct NamedMap {
     pub title: String,
     pub grid: Grid,
     pub field: Field,
 }
 
 /// The title of a picture of a surface, see [`with_images`].
-pub fn title_of(recipe: &Recipe, grid: &Grid) -> String {
+pub(crate) fn title_of(recipe: &Recipe, grid: &Grid) -> String {
     with_images(recipe.title(grid), recipe)
 }
 
 /// A title that says where mirror images are beside what was measured.
-pub fn with_images(title: String, recipe: &Recipe) -> String {
+pub(crate) fn with_images(title: String, recipe: &Recipe) -> String {
     if recipe.prepare.mirror.is_some() { format!("{title} with its mirror images") } else { title }
 }
 
 /// The picture of contacts under several loads: area and `kappa_r` over the load as it was prescribed, with their errors. Values
 /// that are not resolved are shown as counted values, with open symbols.
-pub fn of_loads(title: &str, found: &[&Observables], kind: Load, units: Units) -> Figure {
+pub(crate) fn of_loads(title: &str, found: &[&Observables], kind: Load, units: Units) -> Figure {
     let area = LoadPanel {
         title: "relative contact area",
         label: "aᵣₑₗ",
@@ -157,7 +157,7 @@ fn profile(contact: &Contact, units: Units) -> Panel {
 }
 
 /// Pressures of surfaces in the same colours; where there is none, a map is white.
-pub fn pressures(maps: &[NamedMap], units: Units) -> Vec<Panel> {
+pub(crate) fn pressures(maps: &[NamedMap], units: Units) -> Vec<Panel> {
     let largest = |of: fn(&Field) -> f64| maps.iter().map(|it| of(&it.field)).fold(0.0, f64::max);
     let (highest, end) = (largest(most), largest(end_of_colours));
     let (unit, size) = unit(units.pascals, &PRESSURES, highest);
@@ -184,12 +184,12 @@ fn most(field: &Field) -> f64 {
 }
 
 /// Gaps of surfaces in the same colours.
-pub fn gaps(maps: &[NamedMap], units: Units) -> Vec<Panel> {
+pub(crate) fn gaps(maps: &[NamedMap], units: Units) -> Vec<Panel> {
     lengths("gap", maps, f64::min, units)
 }
 
 /// Depths of imprints below the highest place that the body would have without load, in the same colours.
-pub fn imprints(maps: &[NamedMap], units: Units) -> Vec<Panel> {
+pub(crate) fn imprints(maps: &[NamedMap], units: Units) -> Vec<Panel> {
     lengths("depth of the imprint", maps, f64::max, units)
 }
 
@@ -260,7 +260,7 @@ impl NodePositions {
 }
 
 /// The least and the largest of the finite values, or two values around the only one.
-pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub(crate) fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     let [low, high] = values.filter(|it| it.is_finite()).fold(ends, |[low, high], it| [low.min(it), high.max(it)]);
     match low.total_cmp(&high) {
@@ -271,7 +271,7 @@ pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// A range with some room at both ends.
-pub fn wider([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn wider([low, high]: [f64; 2]) -> [f64; 2] {
     let room = ROOM * (high - low);
     [low - room, high + room]
 }

@@ -26,7 +26,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct PlotCommand {
+pub(crate) struct PlotCommand {
     /// Results (.npz) of several loads or states, tables of such runs (.csv), and tables of studies (.csv). Bars are the error of
     /// the grid, and of means over the seeds of a study the standard deviation plus that error
     #[arg(value_name = "FILE", required = true)]
@@ -48,7 +48,7 @@ pub struct PlotCommand {
 }
 
 impl PlotCommand {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let style = self.figure.style(true)?;
         check_named(&self.out, &FIGURES)?;
         check_apart([&self.out], &self.files)?;

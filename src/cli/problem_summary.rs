@@ -15,7 +15,7 @@ const DETAILS: [&str; 2] = [JUMP, SOLVER];
 
 /// Surface, grid, solid and solver of a solve, as text and as JSON.
 #[derive(Serialize)]
-pub struct ProblemSummary {
+pub(crate) struct ProblemSummary {
     /// The parts of the surface, such as a file, in words.
     pub source: String,
     pub points: Vec<usize>,
@@ -54,7 +54,7 @@ pub struct ProblemSummary {
 
 impl ProblemSummary {
     /// The summary of a setup and its problem.
-    pub fn new(setup: &Setup, problem: &Problem) -> Result<Self, SetupError> {
+    pub(crate) fn new(setup: &Setup, problem: &Problem) -> Result<Self, SetupError> {
         let (surface, rank) = (problem.surface(), setup.surface.rank(&setup.grid)?);
         let (grid, outer) = (surface.grid(), 2 - rank.min(2));
         Ok(Self {
@@ -79,13 +79,13 @@ impl ProblemSummary {
     }
 
     /// Surface, points and solver in one line.
-    pub fn line(&self) -> String {
+    pub(crate) fn line(&self) -> String {
         let points: Vec<String> = self.points.iter().map(usize::to_string).collect();
         format!("{}, {} points, by {}", self.title, points.join(" x "), self.name)
     }
 
     /// Names and values for reading, with the jumps across the period and the settings of the solver if `is_verbose`.
-    pub fn rows(&self, units: Units, is_verbose: bool) -> Vec<(String, String)> {
+    pub(crate) fn rows(&self, units: Units, is_verbose: bool) -> Vec<(String, String)> {
         let hardness = self
             .hardness
             .map(|hardness| ("hardness H_c", format!("{}, the highest pressure", units.pressure(hardness))));
@@ -117,7 +117,7 @@ impl ProblemSummary {
 }
 
 /// Name and settings of the solver that is used.
-pub fn solver_of(setup: &Setup) -> (String, String) {
+pub(crate) fn solver_of(setup: &Setup) -> (String, String) {
     match &setup.adhesion {
         Some(adhesion) => (adhesion.method.name().into(), adhesion.method.words().into()),
         None => (setup.solver().name().into(), setup.solver().settings()),
@@ -152,7 +152,7 @@ fn others(setup: &Setup, problem: &Problem) -> Vec<(&'static str, String)> {
 }
 
 /// One value, or two of the rows and the columns.
-pub fn along_axes(values: &[f64], word: impl Fn(f64) -> String) -> String {
+pub(crate) fn along_axes(values: &[f64], word: impl Fn(f64) -> String) -> String {
     match *values {
         [y, x] => format!("y {} (rows), x {} (columns)", word(y), word(x)),
         _ => values.iter().copied().map(word).collect(),

@@ -16,7 +16,7 @@ const LENGTH: u64 = 1000;
 
 /// Shows grid level and certificate, and the progress towards the tolerance, on standard error, if that is a terminal.
 /// It uses only those values of a step that cost nothing.
-pub struct Progress {
+pub(crate) struct Progress {
     bar: ProgressBar,
     tolerance: f64,
     /// Levels above the finest one.
@@ -33,13 +33,13 @@ struct LevelProgress {
 }
 
 /// A bar with a title, for experiments that watch their runs.
-pub fn bar(title: &str) -> Box<dyn Observer> {
+pub(crate) fn bar(title: &str) -> Box<dyn Observer> {
     Box::new(Progress::new(title))
 }
 
 /// A bar for each solve of a job. Ctrl-C ends a run with several states after the last state that is solved.
 #[derive(Default)]
-pub struct Bars {
+pub(crate) struct Bars {
     interrupted: Option<Arc<AtomicBool>>,
 }
 
@@ -65,13 +65,13 @@ impl Watcher for Bars {
 
 impl Bars {
     /// Bars of a run that Ctrl-C ends.
-    pub fn until(interrupted: Arc<AtomicBool>) -> Self {
+    pub(crate) fn until(interrupted: Arc<AtomicBool>) -> Self {
         Self { interrupted: Some(interrupted) }
     }
 }
 
 /// A bar without a length on standard error, if that is a terminal and the program is not quiet.
-pub fn blank(template: &str) -> ProgressBar {
+pub(crate) fn blank(template: &str) -> ProgressBar {
     let is_shown = std::io::stderr().is_terminal() && !is_quiet();
     let bar = if is_shown { ProgressBar::no_length() } else { ProgressBar::hidden() };
     match ProgressStyle::with_template(template) {
@@ -82,7 +82,7 @@ pub fn blank(template: &str) -> ProgressBar {
 
 impl Progress {
     /// A bar that is full at the tolerance of the run.
-    pub fn new(title: &str) -> Self {
+    pub(crate) fn new(title: &str) -> Self {
         let bar = blank("{prefix} [{wide_bar}] {msg} ({elapsed})");
         bar.set_length(LENGTH);
         bar.set_prefix(title.to_owned());

@@ -17,7 +17,7 @@ use std::sync::Arc;
 #[derive(Args)]
 #[command(next_help_heading = "Output")]
 #[command(group = ArgGroup::new("recorded").args(["record", "live"]).multiple(true))]
-pub struct RecordingArgs {
+pub(crate) struct RecordingArgs {
     /// Record the result for the Rerun viewer, like the steps of a solver
     #[arg(long, value_name = "FILE.rrd")]
     pub record: Option<PathBuf>,
@@ -31,19 +31,19 @@ pub struct RecordingArgs {
 
 impl RecordingArgs {
     /// Refuses a place where no recording can be written.
-    pub fn check(&self) -> Result<(), FileError> {
+    pub(crate) fn check(&self) -> Result<(), FileError> {
         self.record.as_ref().map_or(Ok(()), |path| check_named(path, &["rrd"]))
     }
 
     /// Says that the recording was written, if one was.
-    pub fn report(&self) {
+    pub(crate) fn report(&self) {
         self.record.iter().for_each(|path| wrote(path));
         say_left_out(&self.left_out);
     }
 
     /// Goes through the steps of another code, shown to `observer` and recorded under `title` on request, compared with
     /// the reference if there is one.
-    pub fn watch(
+    pub(crate) fn watch(
         &self,
         title: &str,
         setup: &Setup,
@@ -62,13 +62,13 @@ impl RecordingArgs {
 }
 
 /// The installed viewer if the recording is live, else a file; none if nothing is recorded.
-pub fn target(path: Option<&Path>, is_live: bool, left_out: &LeftOut) -> Option<Target<'static>> {
+pub(crate) fn target(path: Option<&Path>, is_live: bool, left_out: &LeftOut) -> Option<Target<'static>> {
     let path = path.map(PathBuf::from);
     if is_live { Some(Target::Viewer(path, left_out.clone())) } else { path.map(Target::File) }
 }
 
 /// Says how many pictures the viewer was too slow to get, if there are any.
-pub fn say_left_out(left_out: &LeftOut) {
+pub(crate) fn say_left_out(left_out: &LeftOut) {
     if let Some(warning) = left_out.warning("--record-every N") {
         warnings::print(&[warning]);
     }

@@ -6,7 +6,7 @@ use asperity::contact::{ArchiveReader, ArchiveSeal};
 use std::path::Path;
 
 /// Opens a result, whose arrays are those that were written. One without a digest, or of other numerics, is drawn as it is.
-pub fn open(path: &Path) -> Result<ArchiveReader> {
+pub(crate) fn open(path: &Path) -> Result<ArchiveReader> {
     let reader = ArchiveReader::open(path)?;
     match reader.seal()? {
         ArchiveSeal::Broken => usage(format!(

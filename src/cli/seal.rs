@@ -24,7 +24,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Seal {
+pub(crate) struct Seal {
     #[command(flatten)]
     scene: SceneArgs<OfSealing>,
     /// The axis along which a fluid would flow [default: both]
@@ -52,7 +52,7 @@ struct SealSummary {
 }
 
 impl Seal {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let mut table = self.scene.table()?;
         // any load that no body is too soft for: the search takes its own
         table.remove("load");

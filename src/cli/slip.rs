@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// The numbers of a contact in partial slip.
 #[derive(Serialize)]
-pub struct SlipFinding {
+pub(crate) struct SlipFinding {
     pub friction: f64,
     /// The tangential load, in the form of the normal one.
     pub tangential: f64,
@@ -40,7 +40,7 @@ impl From<&PartialSlip> for SlipFinding {
 
 impl SlipFinding {
     /// Names and values for reading.
-    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
         let [mean, max] = [self.mean_traction, self.max_traction].map(|traction| units.pressure(traction));
         let rows = [
             ("tangential load", format!("{:.6e} of the load at which everything slides", self.tangential_over_sliding)),

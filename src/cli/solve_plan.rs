@@ -8,7 +8,7 @@ use asperity::study::Refinement;
 use std::io::{self, Write};
 
 /// A solve that is described instead of made.
-pub struct SolvePlan<'a> {
+pub(crate) struct SolvePlan<'a> {
     pub setup: &'a Setup,
     pub cost: &'a Cost,
     /// The length of a list of loads, if there is one.
@@ -19,7 +19,7 @@ pub struct SolvePlan<'a> {
 }
 
 /// Writes the estimated cost of the solve, and the size of its recording, if any.
-pub fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write(plan: &SolvePlan<'_>, out: &mut impl Write) -> io::Result<()> {
     let SolvePlan { setup, cost, loads, is_passed_twice, .. } = *plan;
     let shape = cost.grid.shape();
     writeln!(out, "Estimate for {}; nothing was solved.", solver_of(setup).0)?;
@@ -79,7 +79,7 @@ fn write_recording_of_loads(setup: &Setup, cost: &Cost, loads: usize, out: &mut 
 }
 
 /// Writes the grids that a contact may take until it has settled.
-pub fn write_grids(refinement: &Refinement, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_grids(refinement: &Refinement, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "Finer grids follow until area and kappa_r are accurate enough, if memory allows:")?;
     for setup in refinement.setups().skip(1) {
         let Ok(cost) = setup.cost(&Extras::default()) else { break };

@@ -49,7 +49,7 @@ fn rival() -> impl TypedValueParser<Value = Rival> {
 
 #[derive(Args)]
 #[command(after_help = HELP)]
-pub struct Stability {
+pub(crate) struct Stability {
     /// Cases to run: all those whose name contains one of these [default: all]
     #[arg(value_name = "NAME")]
     names: Vec<String>,
@@ -71,7 +71,7 @@ pub struct Stability {
 }
 
 impl Stability {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let trials = self.trials()?;
         if self.list {
             return self.list(&trials);

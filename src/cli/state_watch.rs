@@ -15,7 +15,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// Bars for the solves of each state, and the findings under each of a list of loads.
-pub struct StateWatch<'a> {
+pub(crate) struct StateWatch<'a> {
     bars: Bars,
     setup: &'a Setup,
     outputs: &'a Outputs,
@@ -32,7 +32,7 @@ pub struct StateWatch<'a> {
 
 impl<'a> StateWatch<'a> {
     /// A watch of the states of a setup, which Ctrl-C ends.
-    pub fn new(setup: &'a Setup, outputs: &'a Outputs, drive: &'static Drive) -> Result<Self> {
+    pub(crate) fn new(setup: &'a Setup, outputs: &'a Outputs, drive: &'static Drive) -> Result<Self> {
         let bars = Bars::until(interrupted()?);
         Ok(Self {
             bars,

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 /// Refuses a row that a grid does not have.
-pub fn check(grid: &Grid, row: Option<usize>) -> Result<()> {
+pub(crate) fn check(grid: &Grid, row: Option<usize>) -> Result<()> {
     let ny = grid.shape()[0];
     match row {
         Some(_) if grid.is_line() => usage("--stress-row chooses a row of a surface, but this is a line: leave it out"),
@@ -22,7 +22,7 @@ pub fn check(grid: &Grid, row: Option<usize>) -> Result<()> {
 }
 
 /// Writes the stress below a row, or below that of the largest pressure.
-pub fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) -> Result<()> {
+pub(crate) fn write(path: &Path, setup: &Setup, contact: &Contact, row: Option<usize>) -> Result<()> {
     let row = row.unwrap_or_else(|| contact.highest_row());
     let stress = contact.stress(row, setup.poisson().unwrap_or(USUAL_POISSON), &contact.usual_depths())?;
     let bytes = archive_of_stress((contact, row), &stress, setup.poisson().is_none(), &setup.to_saved_toml());

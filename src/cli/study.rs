@@ -38,7 +38,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Study {
+pub(crate) struct Study {
     /// The study
     #[arg(value_name = "STUDY.toml")]
     study: PathBuf,
@@ -78,7 +78,7 @@ pub struct Study {
 }
 
 impl Study {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let plan = Plan::read(&self.study)?;
         if let (Some(row), Some(path)) = (self.record_row, &self.record) {
             check_apart([path], [self.study.as_path()].into_iter().chain(plan.files()))?;
@@ -138,7 +138,7 @@ impl Study {
 }
 
 /// The table of a whole study: the one that is given, or else the one of its name in this folder.
-pub fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
+pub(crate) fn table_of(study: &Path, given: Option<&Path>) -> Result<PathBuf> {
     let path = match (given, study.file_name()) {
         (Some(path), _) => path.to_path_buf(),
         (None, Some(name)) => Path::new(name).with_extension("csv"),
@@ -197,7 +197,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = MERGE_EXAMPLES)]
-pub struct Merge {
+pub(crate) struct Merge {
     /// The study
     #[arg(value_name = "STUDY.toml")]
     study: PathBuf,
@@ -215,7 +215,7 @@ pub struct Merge {
 }
 
 impl Merge {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let plan = Plan::read(&self.study)?;
         let path = table_of(&self.study, self.out.as_deref())?;
         let style = self.figure.style(true)?;

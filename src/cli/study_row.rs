@@ -15,7 +15,7 @@ use asperity::study::{Plan, Realisation};
 use std::path::Path;
 
 /// Solves a realisation up to a row, as the study does, and records the steps under the load of the row.
-pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
+pub(crate) fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
     let row = plan.row(number)?;
     check_named(path, &["rrd"])?;
     let setup = plan.setup(row)?;
@@ -44,7 +44,7 @@ pub fn record(plan: &Plan, number: usize, path: &Path) -> Result<ExitStatus> {
 
 /// Solves the realisations of a study one after the other, and shows each in the viewer: the steps under one load, the contacts under several, or
 /// the states of a history.
-pub fn show_all(plan: &Plan) -> Result<ExitStatus> {
+pub(crate) fn show_all(plan: &Plan) -> Result<ExitStatus> {
     plan.check()?;
     let left_out = LeftOut::default();
     let show = |i: usize| show(plan, i, &left_out).with_context(|| format!("row {}", 1 + i * plan.loads().len()));

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// How the findings of a study are printed.
 #[derive(Args)]
-pub struct StudyOutput {
+pub(crate) struct StudyOutput {
     /// Print one JSON object instead of a table: the means with their errors, and the warnings
     #[arg(long)]
     json: bool,
@@ -24,7 +24,7 @@ pub struct StudyOutput {
 
 /// The findings of a study, or of a share of it.
 #[derive(Serialize)]
-pub struct StudySummary {
+pub(crate) struct StudySummary {
     table: PathBuf,
     rows: usize,
     converged: usize,
@@ -45,7 +45,7 @@ enum Means {
 
 impl StudySummary {
     /// The summary of the points of a share.
-    pub fn of_share(plan: &Plan, table: &Path, points: &[Point]) -> Self {
+    pub(crate) fn of_share(plan: &Plan, table: &Path, points: &[Point]) -> Self {
         Self {
             table: table.into(),
             rows: points.len(),
@@ -56,7 +56,7 @@ impl StudySummary {
     }
 
     /// The summary of all points of a study.
-    pub fn of_all(plan: &Plan, table: &Path, points: &[Point]) -> Self {
+    pub(crate) fn of_all(plan: &Plan, table: &Path, points: &[Point]) -> Self {
         let means = if points.iter().any(Point::has_adhesion) {
             Means::Adhesion(plan.adhesion_means(points))
         } else if points.iter().any(Point::yields) {
@@ -71,7 +71,7 @@ impl StudySummary {
     ///
     /// # Errors
     /// The warnings, where `--strict` is given.
-    pub fn finish(&self, plan: &Plan, output: &StudyOutput) -> Result<ExitStatus> {
+    pub(crate) fn finish(&self, plan: &Plan, output: &StudyOutput) -> Result<ExitStatus> {
         match &self.means {
             _ if output.json => write_json(self, &mut stdout())?,
             None => (),

@@ -11,7 +11,7 @@ use std::time::Duration;
 const LINES: usize = 40;
 
 /// Writes the cost of the rows of a share, the longest first.
-pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) -> Result<()> {
+pub(crate) fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) -> Result<()> {
     let (share, mut groups) = (plan.share(campaign.shard)?, plan.expenses()?);
     let (loads, seeds) = (plan.loads().len(), plan.seeds());
     let before = |end: usize| share.partition_point(|it| *it < end);
@@ -61,7 +61,7 @@ pub fn write_expenses(plan: &Plan, campaign: &Campaign, out: &mut impl Write) ->
 
 /// Writes the means over the seeds under each load, for each combination of values. Only points that converged and are
 /// resolved count.
-pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl Write) -> Result<()> {
+pub(crate) fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl Write) -> Result<()> {
     writeln!(
         out,
         "{rows} rows, means over {} seeds: with standard deviation (std), standard error (sem) and estimated error of the grid (grid), of the \
@@ -80,7 +80,12 @@ pub fn write_means(plan: &Plan, rows: usize, means: &[LoadMeans], out: &mut impl
 
 /// Writes the means over the seeds of a study with adhesion, for each combination of values. Only histories that were followed to their ends
 /// count.
-pub fn write_adhesion_means(plan: &Plan, rows: usize, means: &[AdhesionMeans], out: &mut impl Write) -> Result<()> {
+pub(crate) fn write_adhesion_means(
+    plan: &Plan,
+    rows: usize,
+    means: &[AdhesionMeans],
+    out: &mut impl Write,
+) -> Result<()> {
     writeln!(
         out,
         "{rows} rows, mean and standard deviation over {} seeds, pressures and energies in units of the scene",
@@ -106,7 +111,7 @@ pub fn write_adhesion_means(plan: &Plan, rows: usize, means: &[AdhesionMeans], o
 }
 
 /// Writes the means over the seeds of a study of solids that yield below their surface, for each combination of values. Only histories that converged count.
-pub fn write_yield_means(plan: &Plan, rows: usize, means: &[YieldMeans], out: &mut impl Write) -> Result<()> {
+pub(crate) fn write_yield_means(plan: &Plan, rows: usize, means: &[YieldMeans], out: &mut impl Write) -> Result<()> {
     writeln!(
         out,
         "{rows} rows, mean and standard deviation over {} seeds, lengths and energies in units of the scene",

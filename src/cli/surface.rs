@@ -34,7 +34,7 @@ Examples:
 
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
-pub struct Describe {
+pub(crate) struct Describe {
     #[command(flatten)]
     scene: SceneArgs<OfSurface>,
     /// Further files of heights, each with the same flags: a row of statistics for each, and one of their mean
@@ -71,7 +71,7 @@ pub struct Describe {
 }
 
 impl Describe {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let is_table =
             self.out.as_ref().and_then(|path| path.extension()).is_some_and(|it| it.eq_ignore_ascii_case(TABLE));
         if is_table || !self.more.is_empty() {

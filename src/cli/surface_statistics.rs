@@ -26,7 +26,7 @@ const FIELDS: f64 = 12.0;
 
 /// The statistics of a surface as they are printed.
 #[derive(Serialize)]
-pub struct Statistics {
+pub(crate) struct Statistics {
     /// The parts of the surface, such as a file, in words.
     pub source: String,
     /// What the file of heights says.
@@ -95,7 +95,7 @@ struct HeightStatistics {
 }
 
 /// A surface with its statistics.
-pub struct Described {
+pub(crate) struct Described {
     pub recipe: Recipe,
     pub grid: Grid,
     pub statistics: Statistics,
@@ -105,7 +105,7 @@ pub struct Described {
 }
 
 impl Described {
-    pub fn new((mut recipe, cell): (Recipe, Cell), units: Units) -> Result<Self> {
+    pub(crate) fn new((mut recipe, cell): (Recipe, Cell), units: Units) -> Result<Self> {
         let uneven = even(&mut recipe)?;
         let grid = recipe.grid(&cell)?;
         recipe.check(&grid)?;
@@ -230,12 +230,12 @@ impl Origin {
 
 impl Statistics {
     /// Whether lengths are in metres, as far as is known.
-    pub fn is_in_metres(&self) -> bool {
+    pub(crate) fn is_in_metres(&self) -> bool {
         self.file.as_ref().is_none_or(|file| file.is_in_metres) || self.units.metres
     }
 
     /// The numbers of a table by the names of their columns; those of heights are none where some are void.
-    pub fn columns(&self) -> Vec<(String, Option<f64>)> {
+    pub(crate) fn columns(&self) -> Vec<(String, Option<f64>)> {
         let axes = |name: &str, values: Vec<f64>| -> Vec<(String, Option<f64>)> {
             let axes = if values.len() == 1 { &["x"][..] } else { &["y", "x"] };
             axes.iter().zip(values).map(|(axis, value)| (format!("{name}_{axis}"), Some(value))).collect()
@@ -272,7 +272,7 @@ impl Statistics {
     }
 
     /// Records heights, which must not be void.
-    pub fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
+    pub(crate) fn record(&self, path: &Path, recipe: &Recipe, height: &Field, grid: Grid) -> Result<()> {
         let survey = self.whole_survey("the surface cannot be recorded")?;
         let mut text = Vec::new();
         self.write(true, &mut text)?;
@@ -283,7 +283,7 @@ impl Statistics {
     }
 
     /// The survey of heights of which none is void.
-    pub fn whole_survey(&self, refused: &str) -> Result<&Survey> {
+    pub(crate) fn whole_survey(&self, refused: &str) -> Result<&Survey> {
         match self.survey.as_ref().filter(|_| self.voids == 0) {
             Some(survey) => Ok(survey),
             None => usage(format!(
@@ -294,7 +294,7 @@ impl Statistics {
     }
 
     /// Refuses a format in metres for heights in an unknown unit.
-    pub fn check_unit(&self, recipe: &Recipe, path: &Path) -> Result<(), FileError> {
+    pub(crate) fn check_unit(&self, recipe: &Recipe, path: &Path) -> Result<(), FileError> {
         let is_array = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
         if is_array || self.file.as_ref().is_none_or(|it| it.has_unit(recipe)) {
             return Ok(());
@@ -305,13 +305,13 @@ impl Statistics {
     }
 
     /// Adds what is known of the measurement beside its heights.
-    pub fn tell(&mut self, report: MeasurementReport) {
+    pub(crate) fn tell(&mut self, report: MeasurementReport) {
         self.verdict.extend(report.sentences(self.units));
         self.measurement = report;
     }
 
     /// Writes what is wrong with the heights first, then their size, heights, texture and spectrum, and on request their differences at all scales.
-    pub fn write(&self, has_scales: bool, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write(&self, has_scales: bool, out: &mut impl Write) -> io::Result<()> {
         let units = self.units;
         writeln!(out, "{}", self.source)?;
         if !self.verdict.is_empty() {

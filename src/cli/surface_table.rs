@@ -28,7 +28,7 @@ struct TableRow {
 }
 
 /// The statistics of several files.
-pub struct SurfaceTable {
+pub(crate) struct SurfaceTable {
     rows: Vec<TableRow>,
     /// Columns in the order in which they first occur.
     columns: Vec<String>,
@@ -41,7 +41,7 @@ impl SurfaceTable {
     ///
     /// # Errors
     /// For files of which some have units and others do not, so that they have no mean.
-    pub fn new(files: &[(String, Statistics)], units: Units) -> Result<Self> {
+    pub(crate) fn new(files: &[(String, Statistics)], units: Units) -> Result<Self> {
         let with_units = files.iter().find(|(_, it)| it.is_in_metres());
         if let (Some((known, _)), Some((unknown, _))) = (with_units, files.iter().find(|(_, it)| !it.is_in_metres())) {
             return usage(format!(
@@ -69,7 +69,7 @@ impl SurfaceTable {
     }
 
     /// Writes the table to a file, and prints what a person or, in JSON, a program wants to know of it.
-    pub fn run(&self, out: Option<&Path>, is_json: bool, is_strict: bool) -> Result<ExitStatus> {
+    pub(crate) fn run(&self, out: Option<&Path>, is_json: bool, is_strict: bool) -> Result<ExitStatus> {
         warnings::refuse_if_strict(&self.warnings, is_strict)?;
         if let Some(path) = out {
             self.write(path)?;

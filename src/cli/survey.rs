@@ -6,7 +6,7 @@ use asperity::surface::{Noise, Scale, Scales, Survey};
 use std::io::{self, Write};
 
 /// Names and values of what long and short waves of heights are like.
-pub fn rows(survey: &Survey, units: Units) -> Vec<(String, String)> {
+pub(crate) fn rows(survey: &Survey, units: Units) -> Vec<(String, String)> {
     let [along_y, along_x] = survey.tilt.map(|tilt| format!("{tilt:.3e}"));
     let is_map = survey.axes.iter().any(|axis| axis.axis == "y");
     let tilt = if is_map { format!("{along_y} along y, {along_x} along x") } else { along_x };
@@ -40,7 +40,7 @@ fn smooth(axis: &Scales, units: Units) -> String {
 }
 
 /// Writes the differences of heights at each scale along each axis.
-pub fn write_scales(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_scales(survey: &Survey, out: &mut impl Write) -> io::Result<()> {
     survey.axes.iter().try_for_each(|axis| {
         let distance = format!("distance along {}", axis.axis);
         writeln!(out, "\n  {distance:<25} {:<13} {:<13} rms curvature", "rms step", "rms gradient")?;

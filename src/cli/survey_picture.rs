@@ -21,7 +21,7 @@ const ROUNDING: f64 = 1e-12;
 const BEYOND: f64 = 0.005;
 
 /// The picture of heights, which may be void, and of their survey.
-pub fn of_survey(title: &str, scan: &Scan, survey: &Survey, units: Units) -> Figure {
+pub(crate) fn of_survey(title: &str, scan: &Scan, survey: &Survey, units: Units) -> Figure {
     let rest = Artefacts::new(scan).rest;
     let first = if scan.is_line() { profile(scan, &rest, units) } else { map(scan, &rest, units) };
     // heights of a map are shown above their plane, and so are their distributions

@@ -4,15 +4,15 @@ use asperity::seen::plain;
 use std::io::{self, Stderr, Stdout, Write};
 
 /// Standard output or standard error, without characters that cannot be seen.
-pub struct Terminal<W>(W);
+pub(crate) struct Terminal<W>(W);
 
 /// Standard output.
-pub fn stdout() -> Terminal<Stdout> {
+pub(crate) fn stdout() -> Terminal<Stdout> {
     Terminal(io::stdout())
 }
 
 /// Standard error.
-pub fn stderr() -> Terminal<Stderr> {
+pub(crate) fn stderr() -> Terminal<Stderr> {
     Terminal(io::stderr())
 }
 

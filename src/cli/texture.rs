@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 /// The parameters of a surface.
 #[derive(Serialize)]
-pub struct TextureReport {
+pub(crate) struct TextureReport {
     /// The boundary under which they hold: free along the axes on which the heights jump.
     texture_boundary: &'static str,
     /// Values, and standard errors under keys that end in `_error`. Those that are not defined are null.
@@ -19,7 +19,7 @@ pub struct TextureReport {
 
 impl TextureReport {
     /// The parameters of a surface; with errors if it is a sample of a larger one.
-    pub fn new(surface: &Surface, is_sample: bool) -> Self {
+    pub(crate) fn new(surface: &Surface, is_sample: bool) -> Self {
         let SurfaceParameters { boundary, texture, moments } = SurfaceParameters::new(surface);
         let error = |it: SurfaceParameter| SurfaceParameter { error: it.error.filter(|_| is_sample), ..it };
         let parameters: Vec<_> = texture.into_iter().chain(moments).map(error).collect();
@@ -30,12 +30,12 @@ impl TextureReport {
     }
 
     /// Values by their keys, in the order of rows.
-    pub fn values(&self) -> impl Iterator<Item = (String, Option<f64>)> + '_ {
+    pub(crate) fn values(&self) -> impl Iterator<Item = (String, Option<f64>)> + '_ {
         self.parameters.iter().map(|it| (it.key.to_lowercase(), it.value))
     }
 
     /// Rows for reading.
-    pub fn rows(&self, units: Units) -> Vec<(String, String)> {
+    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
         let taken = ("texture taken as".to_owned(), self.texture_boundary.to_owned());
         let number = |it: &SurfaceParameter, value: f64| match it.is_length() {
             true => units.length(value),

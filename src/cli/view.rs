@@ -12,7 +12,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
-pub struct View {
+pub(crate) struct View {
     /// The recording, or several to lay over each other; or saved results (.npz), or the folder of a run that was killed
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
@@ -21,7 +21,7 @@ pub struct View {
 }
 
 impl View {
-    pub fn run(&self) -> Result<ExitStatus> {
+    pub(crate) fn run(&self) -> Result<ExitStatus> {
         let folder = tempfile::tempdir()?;
         let files: Vec<PathBuf> =
             self.files.iter().map(|file| recording_of(file, folder.path())).collect::<Result<_>>()?;

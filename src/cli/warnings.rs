@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::Path;
 
 /// Warnings as texts with the flags that help.
-pub fn in_flags(warnings: &[Warning]) -> Vec<String> {
+pub(crate) fn in_flags(warnings: &[Warning]) -> Vec<String> {
     warnings.iter().map(|warning| warning.in_words(flag)).collect()
 }
 
@@ -22,7 +22,7 @@ fn flag(remedy: &Remedy) -> Option<String> {
 }
 
 /// Prints warnings on standard error.
-pub fn print(warnings: &[String]) {
+pub(crate) fn print(warnings: &[String]) {
     for warning in warnings {
         writeln!(stderr(), "warning: {warning}").ok();
     }
@@ -32,7 +32,7 @@ pub fn print(warnings: &[String]) {
 ///
 /// # Errors
 /// For a file that cannot be read.
-pub fn print_if_cut_off(path: &Path) -> Result<()> {
+pub(crate) fn print_if_cut_off(path: &Path) -> Result<()> {
     if asperity::record::is_cut_off(path)? {
         let path = path.display();
         print(&[format!(
@@ -47,12 +47,12 @@ pub fn print_if_cut_off(path: &Path) -> Result<()> {
 ///
 /// # Errors
 /// The warnings, as a usage error.
-pub fn refuse_if_strict(warnings: &[String], is_strict: bool) -> Result<()> {
+pub(crate) fn refuse_if_strict(warnings: &[String], is_strict: bool) -> Result<()> {
     if is_strict && !warnings.is_empty() { usage(warnings.join(" ")) } else { Ok(()) }
 }
 
 /// Prints why steps of the preparation were chosen, on standard error.
-pub fn print_reasons(reasons: &[String]) {
+pub(crate) fn print_reasons(reasons: &[String]) {
     for reason in reasons {
         remark(format_args!("chosen: {reason}"));
     }

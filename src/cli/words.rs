@@ -7,7 +7,7 @@ const NUMBERS: [&str; 2] = ["inf", "nan"];
 
 /// Joins each negative number with the flag before it, such as `--creepage -1e-4` to `--creepage=-1e-4`. The parser would read it as
 /// another flag.
-pub fn with_negative_numbers(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
+pub(crate) fn with_negative_numbers(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut joined: Vec<OsString> = Vec::new();
     let mut are_flags_over = false;
     for word in words {

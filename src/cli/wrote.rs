@@ -4,7 +4,7 @@ use super::command_style::remark;
 use std::path::Path;
 
 /// Prints on standard error that a file was written, and how to open it.
-pub fn wrote(path: &Path) {
+pub(crate) fn wrote(path: &Path) {
     remark(format_args!("wrote {}: {}", path.display(), opened(path)));
 }
 
