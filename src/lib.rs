@@ -105,6 +105,9 @@
 //! - Random surfaces are made with ChaCha8 and are the same on every machine.
 //! - There is no unsafe code, and no input can cause a panic.
 
+// `pub` is for people outside the crate; what rooms share is `pub(crate)`.
+#![warn(unreachable_pub)]
+
 // The command line names the crate as its users do.
 #[cfg(feature = "cli")]
 extern crate self as asperity;
