@@ -33,7 +33,7 @@ fn power_law(exponent: f64) -> PowerLaw {
 }
 
 /// Power laws whose contacts grow from 0.01 to 0.1 half-widths a period, and a sine, on lines.
-pub fn realisations() -> Vec<Realisation> {
+pub(crate) fn realisations() -> Vec<Realisation> {
     let powers = POWERS.map(|(exponent, name, ..)| {
         let indenter = Indenter::PowerLaw { coefficient: COEFFICIENT, exponent };
         realisation(name, indenter, Cell::line(LINE, PERIOD), loads(&power_law(exponent), &widths([0.01, 0.1], 31)))
@@ -47,7 +47,7 @@ fn sine() -> Realisation {
 }
 
 /// The figure, and theory beside what is measured.
-pub fn reproduce(points: &Points) -> Reproduction {
+pub(crate) fn reproduce(points: &Points) -> Reproduction {
     let [area, kappa_r] = [Measure::Resolved.area(), Measure::Resolved.kappa_r()];
     let power = |(_, name, _, _, key): (_, _, _, _, &'static str)| {
         Verdict::number(key, "resolved", narrow(points, name, 0.03, kappa_r))

@@ -37,7 +37,7 @@ pub struct Breadths {
 }
 
 /// The lines or surfaces of one spectrum.
-pub struct Breadth {
+pub(crate) struct Breadth {
     /// Nayak's parameter of the spectrum.
     pub nayak: f64,
     /// The spectrum.

@@ -19,12 +19,12 @@ const SHOWN_LINE: usize = 1 << 12;
 const SHOWN_SIDE: usize = 1 << 9;
 
 /// Cylinder and sphere from narrow to wider contacts, the sphere on a grid of `side` points per side.
-pub fn realisations(side: usize) -> Vec<Realisation> {
+pub(crate) fn realisations(side: usize) -> Vec<Realisation> {
     vec![cylinder(LINE, &widths(WIDTHS, CYLINDERS)), sphere(side, &widths(WIDTHS, SPHERES))]
 }
 
 /// The figure and how far it is from the analytical lines.
-pub fn reproduce(points: &Points) -> Reproduction {
+pub(crate) fn reproduce(points: &Points) -> Reproduction {
     // the exact periodic kappa_r of contacts up to this width is within 0.4 % of the isolated one
     let mean = |name, measure: Measure| narrow(points, name, 0.05, measure.kappa_r());
     let verdicts = vec![

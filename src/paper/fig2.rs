@@ -9,7 +9,7 @@ use crate::study::{Estimate, Point, Spread};
 use std::collections::BTreeMap;
 
 /// The figure, and what the paper says of it.
-pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
+pub(crate) fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     let nx = points.finest();
     let title = format!("Fig. 2: rough lines, {nx} points, {} profiles each", lines.seeds_on(0).len());
     let panels = vec![lines.area_panel(points), lines.kappa_panel(points, [1.5, 4.2])];

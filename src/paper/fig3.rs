@@ -22,7 +22,7 @@ const BENT: &str =
 
 /// A fit to the points of one Hurst exponent, or of all.
 #[derive(Serialize)]
-pub struct FitRow {
+pub(crate) struct FitRow {
     hurst: Option<f64>,
     area: Measure,
     weights: Weights,
@@ -58,7 +58,7 @@ impl FitRow {
 }
 
 /// All fits, each to every Hurst exponent and in the end to all: first those to the counted area with equal weights.
-pub fn fits(lines: &Rough, points: &Points) -> Vec<Vec<FitRow>> {
+pub(crate) fn fits(lines: &Rough, points: &Points) -> Vec<Vec<FitRow>> {
     let kinds = Measure::ALL.into_iter().flat_map(|area| Weights::ALL.map(|weights| (area, weights)));
     kinds.map(|(area, weights)| fits_of(lines, points, area, weights)).collect()
 }
@@ -70,7 +70,7 @@ fn fits_of(lines: &Rough, points: &Points, area: Measure, weights: Weights) -> V
 }
 
 /// The figure of the fits to the counted area with equal weights, and what the paper says of it.
-pub fn reproduce(lines: &Rough, points: &Points, all: &[Vec<FitRow>]) -> Reproduction {
+pub(crate) fn reproduce(lines: &Rough, points: &Points, all: &[Vec<FitRow>]) -> Reproduction {
     let (fits, mut verdicts) = (all[0].as_slice(), Vec::new());
     if !fits.is_empty() {
         let [equal, relative] = Weights::ALL.map(|weights| is_level(lines, points, weights));

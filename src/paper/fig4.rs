@@ -15,7 +15,7 @@ const COARSER: &str = "Counting nodes overestimates the area, more so on coarser
 const HEAVY: &str = "The least-squares fit gives most weight to the largest loads, where kappa is smallest.";
 
 /// The figure, and what the paper says of it.
-pub fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
+pub(crate) fn reproduce(surfaces: &Rough, points: &Points) -> Reproduction {
     let finest = points.finest();
     let found = points.on(finest).map(|row| row.observables);
     let pairs: Vec<(f64, f64)> = found.map(|it| (it.reduced_pressure, it.relative_area_counted)).collect();

@@ -16,7 +16,7 @@ const SMOOTH: f64 = hertz::KAPPA_R_LINE / hertz::KAPPA_R_POINT;
 /// The ratios at one Hurst exponent and load with their errors, that of the grid of surfaces included: counted with the paper's
 /// points per shortest wavelength, and resolved in the continuum.
 #[derive(Serialize)]
-pub struct Ratio {
+pub(crate) struct Ratio {
     hurst: f64,
     reduced_pressure: f64,
     kappa_counted: f64,
@@ -34,7 +34,7 @@ type Of = fn(&Ratio) -> [f64; 2];
 type ValueOf = fn(&Ratio) -> f64;
 
 /// The points of lines and surfaces under the same loads.
-pub struct Both<'a> {
+pub(crate) struct Both<'a> {
     rough: &'a Rough,
     lines: Points,
     surfaces: Points,
@@ -42,7 +42,7 @@ pub struct Both<'a> {
 
 impl Both<'_> {
     /// Those of the points that have a partner under the same load; `rough` are the surfaces.
-    pub fn new(rough: &Rough, [lines, surfaces]: [Points; 2]) -> Both<'_> {
+    pub(crate) fn new(rough: &Rough, [lines, surfaces]: [Points; 2]) -> Both<'_> {
         let shared = [&lines, &surfaces].map(Points::loads);
         Both { rough, lines: lines.under(&shared[1]), surfaces: surfaces.under(&shared[0]) }
     }
@@ -55,7 +55,7 @@ impl Both<'_> {
     }
 
     /// The ratios at all Hurst exponents and loads.
-    pub fn ratios(&self) -> Vec<Ratio> {
+    pub(crate) fn ratios(&self) -> Vec<Ratio> {
         let [counted, resolved] = Measure::ALL;
         let ratio = |(hurst, load): (f64, f64)| {
             let of = |measure, quantity| {
@@ -85,7 +85,7 @@ impl Both<'_> {
     }
 
     /// The figure, and what the paper says of it.
-    pub fn reproduce(&self, ratios: &[Ratio]) -> Reproduction {
+    pub(crate) fn reproduce(&self, ratios: &[Ratio]) -> Reproduction {
         let panels = vec![panel(self.rough, ratios)];
         Reproduction::new("Fig. 5: lines over surfaces", panels, ramp(self.rough, ratios), self.verdicts())
     }

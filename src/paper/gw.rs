@@ -23,14 +23,14 @@ const KINDS: [(&str, Colour, SummitHeights, f64); 2] = [
 
 /// `kappa_r` at one separation.
 #[derive(Serialize)]
-pub struct Separation {
+pub(crate) struct Separation {
     separation: f64,
     exponential: f64,
     gaussian: f64,
 }
 
 /// `kappa_r` at all separations.
-pub fn separations() -> Vec<Separation> {
+pub(crate) fn separations() -> Vec<Separation> {
     let [low, high] = RANGE;
     let row = |i: i32| {
         let separation = low + (high - low) * f64::from(i) / f64::from(STEPS);
@@ -41,7 +41,7 @@ pub fn separations() -> Vec<Separation> {
 }
 
 /// The figure, and what the paper says of it.
-pub fn reproduce() -> Reproduction {
+pub(crate) fn reproduce() -> Reproduction {
     let limit = std::f64::consts::PI.sqrt();
     let mut panel = Panel::new("independent spheres", Axis::linear("d/σ", RANGE), Axis::linear("κ_r", [1.70, 1.80]));
     for (name, colour, heights, from) in KINDS {

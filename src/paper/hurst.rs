@@ -14,7 +14,7 @@ const FACTORS: [f64; 2] = [1.55, 1.95];
 const SHOWN: f64 = 1e-2;
 
 /// The figure, and whether the paper's statement holds.
-pub fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
+pub(crate) fn reproduce(lines: &Rough, points: &Points) -> Reproduction {
     let title = format!("κ_r of rough lines and the Hurst exponent, {} profiles each", lines.seeds_on(0).len());
     let panels = vec![factors(lines, points), contrasts(lines, points), grids(lines, points)];
     let verdicts = lines_apart(points).map(|pair| depends_on_hurst(points, pair)).into_iter().collect();

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// The factors at one Hurst exponent and load on a grid that need not be solved on, or in the continuum.
 #[derive(Serialize)]
-pub struct LimitRow {
+pub(crate) struct LimitRow {
     hurst: f64,
     reduced_pressure: f64,
     measure: Measure,
@@ -21,7 +21,7 @@ pub struct LimitRow {
 }
 
 /// The factors at all Hurst exponents and loads: counted on a grid of `nx` points along x, and both measures in the continuum.
-pub fn limits(points: &Points, nx: usize) -> Vec<LimitRow> {
+pub(crate) fn limits(points: &Points, nx: usize) -> Vec<LimitRow> {
     let kinds = [(Measure::Counted, Some(nx)), (Measure::Counted, None), (Measure::Resolved, None)];
     let mut rows = Vec::new();
     for (measure, nx) in kinds {

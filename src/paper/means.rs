@@ -6,31 +6,31 @@ use crate::study::{Estimate, GridValues, Limit, Point, Spread};
 use std::collections::BTreeMap;
 
 /// Solved points, all converged, with a contact on their grid.
-pub struct Points(pub Vec<Point>);
+pub(crate) struct Points(pub Vec<Point>);
 
 impl Points {
     /// The points of the realisations of a name.
-    pub fn named(&self, name: &str) -> impl Iterator<Item = &Point> {
+    pub(crate) fn named(&self, name: &str) -> impl Iterator<Item = &Point> {
         self.0.iter().filter(move |row| row.name == name)
     }
 
     /// A quantity of the points of the realisations of a name.
-    pub fn values(&self, name: &str, quantity: ObservableFn) -> impl Iterator<Item = f64> {
+    pub(crate) fn values(&self, name: &str, quantity: ObservableFn) -> impl Iterator<Item = f64> {
         self.named(name).map(move |row| quantity(&row.observables))
     }
 
     /// One dot per point of the realisations of a name.
-    pub fn dots(&self, name: &str, x: ObservableFn, y: ObservableFn) -> impl Iterator<Item = Dot> {
+    pub(crate) fn dots(&self, name: &str, x: ObservableFn, y: ObservableFn) -> impl Iterator<Item = Dot> {
         self.values(name, x).zip(self.values(name, y)).map(|(x, y)| Dot::at(x, y))
     }
 
     /// The points on the grid of `nx` points along x.
-    pub fn on(&self, nx: usize) -> impl Iterator<Item = &Point> {
+    pub(crate) fn on(&self, nx: usize) -> impl Iterator<Item = &Point> {
         self.0.iter().filter(move |row| row.nx == nx)
     }
 
     /// Points along x of the grids, coarsest first.
-    pub fn grids(&self) -> Vec<usize> {
+    pub(crate) fn grids(&self) -> Vec<usize> {
         let mut grids: Vec<usize> = self.0.iter().map(|row| row.nx).collect();
         grids.sort_unstable();
         grids.dedup();
@@ -38,18 +38,18 @@ impl Points {
     }
 
     /// Points along x of the finest grid.
-    pub fn finest(&self) -> usize {
+    pub(crate) fn finest(&self) -> usize {
         self.0.iter().map(|row| row.nx).max().unwrap_or(0)
     }
 
     /// `quantity` at one Hurst exponent and load, over the realisations.
-    pub fn at(&self, hurst: f64, load: f64, nx: usize, quantity: ObservableFn) -> Spread {
+    pub(crate) fn at(&self, hurst: f64, load: f64, nx: usize, quantity: ObservableFn) -> Spread {
         let is_it = |row: &&Point| row.hurst == Some(hurst) && row.observables.reduced_pressure == load;
         Spread::from_values(self.on(nx).filter(is_it).map(|row| quantity(&row.observables)))
     }
 
     /// The loads, lightest first.
-    pub fn loads(&self) -> Vec<f64> {
+    pub(crate) fn loads(&self) -> Vec<f64> {
         let mut loads: Vec<f64> = self.0.iter().map(|row| row.observables.reduced_pressure).collect();
         loads.sort_unstable_by(f64::total_cmp);
         loads.dedup();
@@ -57,13 +57,13 @@ impl Points {
     }
 
     /// The points under some loads.
-    pub fn under(mut self, loads: &[f64]) -> Self {
+    pub(crate) fn under(mut self, loads: &[f64]) -> Self {
         self.0.retain(|row| loads.contains(&row.observables.reduced_pressure));
         self
     }
 
     /// The Hurst exponents, in their order.
-    pub fn exponents(&self) -> Vec<f64> {
+    pub(crate) fn exponents(&self) -> Vec<f64> {
         let mut exponents: Vec<f64> = self.0.iter().filter_map(|row| row.hurst).collect();
         exponents.sort_unstable_by(f64::total_cmp);
         exponents.dedup();
@@ -71,19 +71,19 @@ impl Points {
     }
 
     /// `quantity` on a grid, over the realisations: of one Hurst exponent, or averaged over all; averaged over the loads.
-    pub fn average(&self, hurst: Option<f64>, nx: usize, quantity: ObservableFn) -> Estimate {
+    pub(crate) fn average(&self, hurst: Option<f64>, nx: usize, quantity: ObservableFn) -> Estimate {
         Estimate::from_values(self.averages(hurst, None, nx, quantity).into_values())
     }
 
     /// How much larger `quantity` is at the second of two Hurst exponents than at the first, by pairs of the same seed, which
     /// share their random waves; averaged over the loads.
-    pub fn contrast(&self, pair: [f64; 2], nx: usize, quantity: ObservableFn) -> Estimate {
+    pub(crate) fn contrast(&self, pair: [f64; 2], nx: usize, quantity: ObservableFn) -> Estimate {
         Estimate::from_values(self.contrasts(pair, None, nx, quantity).into_values())
     }
 
     /// A quantity of a measure as [`Points::average`] and under one load or averaged over all, extrapolated from the grids that
     /// there are to one of `nx` points along x, or to the continuum.
-    pub fn limit(
+    pub(crate) fn limit(
         &self,
         hurst: Option<f64>,
         load: Option<f64>,
@@ -95,7 +95,7 @@ impl Points {
     }
 
     /// The contrast of two Hurst exponents in the continuum, under one load or averaged over all.
-    pub fn limit_of_contrast(
+    pub(crate) fn limit_of_contrast(
         &self,
         pair: [f64; 2],
         load: Option<f64>,
@@ -107,7 +107,7 @@ impl Points {
 
     /// The contrast of two Hurst exponents in the continuum, averaged over the loads by the inverse squares of their errors. The
     /// error is that of these averages, seed by seed: loads of one profile are not independent.
-    pub fn mean_contrast(&self, pair: [f64; 2], measure: Measure, quantity: ObservableFn) -> Estimate {
+    pub(crate) fn mean_contrast(&self, pair: [f64; 2], measure: Measure, quantity: ObservableFn) -> Estimate {
         let weight = |load: &f64| {
             let weight = self.limit_of_contrast(pair, Some(*load), measure, quantity).uncertainty().powi(-2);
             (*load, if weight.is_finite() { weight } else { 0.0 })
@@ -163,7 +163,7 @@ impl Points {
     }
 
     /// The points of each realisation on a grid.
-    pub fn realisations(&self, nx: usize) -> Vec<Vec<&Point>> {
+    pub(crate) fn realisations(&self, nx: usize) -> Vec<Vec<&Point>> {
         let mut groups: Vec<Vec<&Point>> = Vec::new();
         for row in self.on(nx) {
             match groups.last_mut() {
@@ -175,7 +175,7 @@ impl Points {
     }
 
     /// One dot per load, on the finest grid: the means of `x` and `y`, with the scatter of `y`.
-    pub fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [ObservableFn; 2]) -> Vec<Dot> {
+    pub(crate) fn curve(&self, hurst: f64, loads: &[f64], [x, y]: [ObservableFn; 2]) -> Vec<Dot> {
         let nx = self.finest();
         let dot = |&load: &f64| {
             let (x, y) = (self.at(hurst, load, nx, x), self.at(hurst, load, nx, y));
@@ -185,7 +185,7 @@ impl Points {
     }
 
     /// The mean of a quantity under each load, on the finest grid.
-    pub fn along(&self, hurst: f64, loads: &[f64], quantity: ObservableFn) -> Vec<f64> {
+    pub(crate) fn along(&self, hurst: f64, loads: &[f64], quantity: ObservableFn) -> Vec<f64> {
         loads.iter().map(|&load| self.at(hurst, load, self.finest(), quantity).mean).collect()
     }
 
@@ -193,7 +193,7 @@ impl Points {
     ///
     /// The standard error is found by leaving out one seed after the other (the jackknife): such a number is no mean, so that its scatter from seed
     /// to seed is not known. The error of the grid is the distance from the same number with resolved edges, whose own error is of second order.
-    pub fn counted(&self, number: impl Fn(&Self, Measure) -> f64) -> Estimate {
+    pub(crate) fn counted(&self, number: impl Fn(&Self, Measure) -> f64) -> Estimate {
         let mut seeds: Vec<Option<u64>> = self.0.iter().map(|row| row.seed).collect();
         seeds.sort_unstable();
         seeds.dedup();
@@ -208,7 +208,7 @@ impl Points {
     }
 
     /// Means over the realisations of each grid, Hurst exponent and load.
-    pub fn means(&self) -> Vec<Mean> {
+    pub(crate) fn means(&self) -> Vec<Mean> {
         let mut means: Vec<Mean> = Vec::new();
         for Point { nx, hurst, observables, .. } in &self.0 {
             let (hurst, load) = (hurst.unwrap_or(f64::NAN), observables.reduced_pressure);
@@ -222,7 +222,7 @@ impl Points {
 
 /// Means over realisations with their standard deviations.
 #[derive(serde::Serialize)]
-pub struct Mean {
+pub(crate) struct Mean {
     nx: usize,
     hurst: f64,
     reduced_pressure: f64,

@@ -3,7 +3,7 @@
 use crate::contact::Observables;
 
 /// A quantity of a point.
-pub type ObservableFn = fn(&Observables) -> f64;
+pub(crate) type ObservableFn = fn(&Observables) -> f64;
 
 /// A way to measure the area of a contact and the gradient in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, strum::IntoStaticStr)]

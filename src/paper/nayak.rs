@@ -35,7 +35,7 @@ const QUANTITIES: [(&str, &str, ObservableFn); 2] = [("kappa", "κ", KAPPA), ("k
 
 /// The factors of a spectrum under a load, in the continuum.
 #[derive(Serialize)]
-pub struct BreadthRow {
+pub(crate) struct BreadthRow {
     name: &'static str,
     hurst: f64,
     /// Nayak's parameter of the spectrum.
@@ -58,7 +58,7 @@ pub struct BreadthRow {
 }
 
 /// The factors of all spectra under all loads.
-pub fn rows(all: &[SolvedBreadths<'_>]) -> Vec<BreadthRow> {
+pub(crate) fn rows(all: &[SolvedBreadths<'_>]) -> Vec<BreadthRow> {
     let row = |name, it: &SolvedBreadth, load: f64| {
         let [kappa, kappa_r] = [KAPPA, KAPPA_R].map(|quantity| it.limit(load, quantity));
         BreadthRow {
@@ -88,7 +88,7 @@ pub fn rows(all: &[SolvedBreadths<'_>]) -> Vec<BreadthRow> {
 
 /// A change of a factor from spectrum to spectrum.
 #[derive(Serialize)]
-pub struct TrendRow {
+pub(crate) struct TrendRow {
     name: &'static str,
     quantity: &'static str,
     /// `per decade` of Nayak's parameter at one Hurst exponent, or `at equal alpha`: the highest exponent less the lowest.
@@ -103,7 +103,7 @@ pub struct TrendRow {
 }
 
 /// All changes under all loads.
-pub fn trends(all: &[SolvedBreadths<'_>]) -> Vec<TrendRow> {
+pub(crate) fn trends(all: &[SolvedBreadths<'_>]) -> Vec<TrendRow> {
     let mut rows = Vec::new();
     for group in all {
         for (quantity, _, of) in QUANTITIES {
@@ -134,12 +134,12 @@ pub fn trends(all: &[SolvedBreadths<'_>]) -> Vec<TrendRow> {
 ///
 /// # Errors
 /// For surfaces that cannot be.
-pub fn spectra<'a>(both: [&'a Breadths; 2], points: &Points) -> Result<Vec<SolvedBreadths<'a>>, SetupError> {
+pub(crate) fn spectra<'a>(both: [&'a Breadths; 2], points: &Points) -> Result<Vec<SolvedBreadths<'a>>, SetupError> {
     both.into_iter().map(|breadths| SolvedBreadths::new(breadths, points)).collect()
 }
 
 /// The figure, and whether Nayak's parameter and the Hurst exponent matter.
-pub fn reproduce(all: &[SolvedBreadths<'_>]) -> Reproduction {
+pub(crate) fn reproduce(all: &[SolvedBreadths<'_>]) -> Reproduction {
     let panels = all.iter().flat_map(|group| {
         QUANTITIES.map(|(quantity, sign, of)| against_breadth(group, quantity, sign, of)).into_iter()
     });

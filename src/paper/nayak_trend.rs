@@ -9,7 +9,7 @@ use crate::surface::SpectralMoments;
 use std::collections::BTreeMap;
 
 /// The solved points of one spectrum.
-pub struct SolvedBreadth {
+pub(crate) struct SolvedBreadth {
     /// Hurst exponent.
     pub hurst: f64,
     /// Nayak's parameter of the spectrum.
@@ -57,7 +57,7 @@ impl SolvedBreadth {
     }
 
     /// A quantity under a load in the continuum.
-    pub fn limit(&self, load: f64, quantity: ObservableFn) -> Estimate {
+    pub(crate) fn limit(&self, load: f64, quantity: ObservableFn) -> Estimate {
         weighted(&[(1.0, self)], load, quantity)
     }
 }
@@ -79,7 +79,7 @@ fn weighted(terms: &[(f64, &SolvedBreadth)], load: f64, quantity: ObservableFn) 
 }
 
 /// The lines, or else the surfaces, of all spectra.
-pub struct SolvedBreadths<'a> {
+pub(crate) struct SolvedBreadths<'a> {
     /// What was asked for.
     pub breadths: &'a Breadths,
     /// The spectra, exponent by exponent, the narrowest first.
@@ -87,7 +87,7 @@ pub struct SolvedBreadths<'a> {
 }
 
 /// A change of a quantity from spectrum to spectrum under one load, in per cent of its mean.
-pub struct BreadthTrend {
+pub(crate) struct BreadthTrend {
     /// The change in per cent.
     pub percent: Estimate,
     /// Nayak's parameters from and to, as the realisations have them.
@@ -96,7 +96,7 @@ pub struct BreadthTrend {
 
 impl BreadthTrend {
     /// The change over its error.
-    pub fn sigma(&self) -> f64 {
+    pub(crate) fn sigma(&self) -> f64 {
         self.percent.mean / self.percent.uncertainty()
     }
 
@@ -117,24 +117,24 @@ impl<'a> SolvedBreadths<'a> {
     ///
     /// # Errors
     /// For surfaces that cannot be.
-    pub fn new(breadths: &'a Breadths, points: &Points) -> Result<Self, SetupError> {
+    pub(crate) fn new(breadths: &'a Breadths, points: &Points) -> Result<Self, SetupError> {
         let all = breadths.all().into_iter().map(|it| SolvedBreadth::new(breadths, it, points));
         Ok(Self { breadths, all: all.collect::<Result<_, _>>()? })
     }
 
     /// `line` or `surface`.
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         if self.breadths.is_line { "line" } else { "surface" }
     }
 
     /// The spectra of a Hurst exponent.
-    pub fn at_hurst(&self, hurst: f64) -> impl Iterator<Item = &SolvedBreadth> {
+    pub(crate) fn at_hurst(&self, hurst: f64) -> impl Iterator<Item = &SolvedBreadth> {
         self.all.iter().filter(move |it| it.hurst == hurst)
     }
 
     /// The change of a quantity per decade of Nayak's parameter at a Hurst exponent: the slope of the straight line of least squares
     /// in its logarithm, seed by seed. None with fewer than two spectra.
-    pub fn per_decade(&self, hurst: f64, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
+    pub(crate) fn per_decade(&self, hurst: f64, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
         let all: Vec<&SolvedBreadth> = self.at_hurst(hurst).collect();
         let place = |it: &&SolvedBreadth| it.nayak.mean.log10();
         let mean = all.iter().map(place).sum::<f64>() / all.len() as f64;
@@ -145,7 +145,7 @@ impl<'a> SolvedBreadths<'a> {
 
     /// How much larger a quantity is at the highest Hurst exponent than at the lowest, at equal Nayak's parameters of the spectra: the
     /// mean over all parameters that both have, seed by seed. None without such.
-    pub fn at_equal_nayak(&self, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
+    pub(crate) fn at_equal_nayak(&self, load: f64, quantity: ObservableFn) -> Option<BreadthTrend> {
         let [lowest, highest] = self.ends()?;
         let pairs = self.at_hurst(lowest).flat_map(|low| {
             self.at_hurst(highest).filter(|high| high.wanted == low.wanted).map(move |high| [low, high])
@@ -157,7 +157,7 @@ impl<'a> SolvedBreadths<'a> {
     }
 
     /// The lowest and the highest Hurst exponent, if there are two.
-    pub fn ends(&self) -> Option<[f64; 2]> {
+    pub(crate) fn ends(&self) -> Option<[f64; 2]> {
         match self.breadths.hurst.as_slice() {
             [first, .., last] => Some([*first, *last]),
             _ => None,

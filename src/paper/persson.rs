@@ -37,7 +37,7 @@ const AREA: ObservableFn = Measure::Resolved.area();
 const KAPPA: ObservableFn = Measure::Resolved.kappa();
 
 /// A contact as it is compared.
-pub struct Seen {
+pub(crate) struct Seen {
     point: Point,
     /// Density of the pressure in contact over its mean there, in equal bins.
     density: Vec<f64>,
@@ -49,7 +49,7 @@ pub struct Seen {
 
 impl Seen {
     /// What is seen of a contact.
-    pub fn new(point: &Point, contact: &Contact) -> Self {
+    pub(crate) fn new(point: &Point, contact: &Contact) -> Self {
         let (mean, modulus) = (contact.mean_pressure(), contact.problem.contact_modulus());
         let heights = PowerSpectrum::new(contact.problem.surface());
         let (found, theory) = (contact.pressure_spectrum(), Pressures::spectrum(mean, modulus, &heights));
@@ -88,7 +88,7 @@ fn by_octaves(point: &Point, heights: &PowerSpectrum, spectra: [&PowerSpectrum; 
 }
 
 /// Some of the lines, on their finest grid, and some of the surfaces, on their coarsest.
-pub fn realisations([lines, surfaces]: [&Rough; 2]) -> Vec<Realisation> {
+pub(crate) fn realisations([lines, surfaces]: [&Rough; 2]) -> Vec<Realisation> {
     let few = |rough: &Rough, grid: usize, count: usize| Rough {
         points: vec![rough.points[grid]],
         seeds: vec![rough.seeds_on(grid).iter().take(count).copied().collect()],
@@ -183,7 +183,7 @@ fn step(three: &[Seen]) -> [f64; 4] {
 
 /// The pressures of a group under one load.
 #[derive(Serialize)]
-pub struct PressureRow {
+pub(crate) struct PressureRow {
     name: &'static str,
     hurst: f64,
     reduced_pressure: f64,
@@ -200,7 +200,7 @@ pub struct PressureRow {
 }
 
 /// The pressures of all groups under all loads.
-pub fn rows(seen: &[Vec<Seen>]) -> Vec<PressureRow> {
+pub(crate) fn rows(seen: &[Vec<Seen>]) -> Vec<PressureRow> {
     let rows = |group: Ensemble<'_>| {
         let steps = group.steps();
         let around = |load: usize| load.checked_sub(1).and_then(|step| steps.get(step));
@@ -222,7 +222,7 @@ pub fn rows(seen: &[Vec<Seen>]) -> Vec<PressureRow> {
 
 /// A bin of the pressure or of the wavenumber of a group under one load.
 #[derive(Serialize)]
-pub struct CurveRow {
+pub(crate) struct CurveRow {
     name: &'static str,
     hurst: f64,
     reduced_pressure: f64,
@@ -237,7 +237,7 @@ pub struct CurveRow {
 }
 
 /// Distributions and spectra of all groups under all loads.
-pub fn curves(seen: &[Vec<Seen>]) -> Vec<CurveRow> {
+pub(crate) fn curves(seen: &[Vec<Seen>]) -> Vec<CurveRow> {
     let mut rows = Vec::new();
     for group in groups(seen) {
         let name = if group.is_line { "rough line" } else { "rough surface" };
@@ -269,7 +269,7 @@ fn middle(bin: usize) -> f64 {
 }
 
 /// The figure, and the work of the load.
-pub fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
+pub(crate) fn reproduce(seen: &[Vec<Seen>]) -> Reproduction {
     let groups = groups(seen);
     let [lines, surfaces]: [Vec<&Ensemble<'_>>; 2] =
         [true, false].map(|is_line| groups.iter().filter(|group| group.is_line == is_line).collect());

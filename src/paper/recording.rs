@@ -12,7 +12,7 @@ use std::path::Path;
 const DESCRIPTION: &str = "Tribology Letters 66:115 (2018), reproduced. To see the contact under a load, choose the load on the time line, or click a point of a curve.";
 
 /// Records `figure`, the curves of `ramp`, and `contacts` under its loads.
-pub fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation]) -> Result<(), StudyError> {
+pub(crate) fn record(path: &Path, figure: &Figure, ramp: &Ramp, contacts: &[Realisation]) -> Result<(), StudyError> {
     let problems = contacts.iter().map(|contact| contact.setup.problem()).collect::<Result<Vec<_>, _>>()?;
     let scenes: Vec<Scene<'_>> =
         contacts.iter().zip(&problems).map(|(contact, problem)| scene(contact, problem)).collect();

@@ -5,7 +5,7 @@ use crate::plot::{AxisScale, Colour, Figure, Panel};
 use crate::study::Realisation;
 
 /// A table or figure that was made again.
-pub struct Reproduction {
+pub(crate) struct Reproduction {
     /// The figure, and curves and contacts for a recording of it, if there is one.
     pub figure: Option<(Figure, Ramp)>,
     /// The paper's numbers beside those found here.
@@ -14,13 +14,13 @@ pub struct Reproduction {
 
 impl Reproduction {
     /// A figure that was made again.
-    pub fn new(title: impl Into<String>, panels: Vec<Panel>, ramp: Ramp, verdicts: Vec<Verdict>) -> Self {
+    pub(crate) fn new(title: impl Into<String>, panels: Vec<Panel>, ramp: Ramp, verdicts: Vec<Verdict>) -> Self {
         Self { figure: Some((Figure { title: title.into(), panels }, ramp)), verdicts }
     }
 }
 
 /// Curves over loads, and contacts that grow with them.
-pub struct Ramp {
+pub(crate) struct Ramp {
     /// The loads in words, lightest first.
     pub captions: Vec<String>,
     /// The quantity along the x axes of figure and curves, and the spacing of its values.
@@ -36,7 +36,7 @@ pub struct Ramp {
 }
 
 /// A curve over loads.
-pub struct RampCurve {
+pub(crate) struct RampCurve {
     /// Title of the view that it shares with others.
     pub view: &'static str,
     /// Name in the legend.
@@ -49,12 +49,17 @@ pub struct RampCurve {
 
 impl RampCurve {
     /// A curve through `values`.
-    pub fn new(view: &'static str, name: impl Into<String>, colour: Colour, values: impl Iterator<Item = f64>) -> Self {
+    pub(crate) fn new(
+        view: &'static str,
+        name: impl Into<String>,
+        colour: Colour,
+        values: impl Iterator<Item = f64>,
+    ) -> Self {
         Self { view, name: name.into(), colour, values: values.collect() }
     }
 }
 
 /// Loads in words, such as `p* = 1.00e-3`.
-pub fn captions(name: &str, values: &[f64]) -> Vec<String> {
+pub(crate) fn captions(name: &str, values: &[f64]) -> Vec<String> {
     values.iter().map(|value| format!("{name} = {value:.2e}")).collect()
 }

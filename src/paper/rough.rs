@@ -22,12 +22,12 @@ const POINTS_PER_WAVE: f64 = 64.0;
 
 /// Symbols of the Hurst exponents.
 /// Colours of the Hurst exponents in recordings, three shades of a kind.
-pub const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE, Colour::GREY];
+pub(crate) const WARM: [Colour; 4] = [Colour::VERMILION, Colour::ORANGE, Colour::PURPLE, Colour::GREY];
 /// Colours beside [`WARM`].
-pub const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
+pub(crate) const COLD: [Colour; 4] = [Colour::BLUE, Colour::SKY, Colour::GREEN, Colour::GREY];
 
 /// The colour of Hurst exponent `number`, if colours distinguish Hurst exponents.
-pub fn shade(number: usize) -> Colour {
+pub(crate) fn shade(number: usize) -> Colour {
     const SHADES: [Colour; 4] = [Colour::VERMILION, Colour::GREEN, Colour::BLUE, Colour::PURPLE];
     SHADES[number % SHADES.len()]
 }
@@ -240,7 +240,7 @@ pub(super) struct SymbolCurve<Q> {
 
 impl<Q> SymbolCurve<Q> {
     /// The curve of a quantity, with filled or open symbols.
-    pub fn new(name: &'static str, colour: Colour, filled: bool, quantity: Q) -> Self {
+    pub(crate) fn new(name: &'static str, colour: Colour, filled: bool, quantity: Q) -> Self {
         Self { name, colour, filled, quantity }
     }
 }
@@ -256,7 +256,7 @@ pub(super) struct ShadedCurve<Q> {
 
 impl<Q> ShadedCurve<Q> {
     /// The curves of a quantity in a view.
-    pub fn new(view: &'static str, name: &'static str, shades: &'static [Colour], quantity: Q) -> Self {
+    pub(crate) fn new(view: &'static str, name: &'static str, shades: &'static [Colour], quantity: Q) -> Self {
         Self { view, name, shades, quantity }
     }
 }

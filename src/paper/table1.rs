@@ -11,12 +11,12 @@ use crate::study::{Estimate, Point, Realisation};
 const WIDTHS: [f64; 2] = [0.01, 0.03];
 
 /// Cylinder and sphere, the sphere on a grid of `side` points per side.
-pub fn realisations(side: usize) -> Vec<Realisation> {
+pub(crate) fn realisations(side: usize) -> Vec<Realisation> {
     vec![cylinder(LINE, &widths(WIDTHS, 24)), sphere(side, &widths(WIDTHS, 6))]
 }
 
 /// Load, gradient and `kappa_r` of each, in units of `E*`, `R` and the half-width `c`.
-pub fn reproduce(points: &Points) -> Reproduction {
+pub(crate) fn reproduce(points: &Points) -> Reproduction {
     let of = |name, quantity: fn(&Point) -> f64| Estimate::from_values(points.named(name).map(quantity));
     let kappa_r = ["cylinder", "sphere"].map(|name| of(name, |row| Measure::Resolved.kappa_r()(&row.observables)));
     let gradient = |row: &Point| row.observables.rms_gradient_contact * RADIUS / half_width(row);

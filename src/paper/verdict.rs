@@ -60,7 +60,7 @@ impl StatementVerdict {
     ///
     /// The error of the grid is added to the two standard errors, not squared with them: it has the same sign in all realisations, and no number of them makes
     /// it smaller.
-    pub fn is_positive(distance: Estimate) -> Self {
+    pub(crate) fn is_positive(distance: Estimate) -> Self {
         let Estimate { mean, error, grid, .. } = distance;
         let half_width = CLOSE * error + grid;
         match mean.abs() > half_width {
@@ -72,17 +72,17 @@ impl StatementVerdict {
     }
 
     /// Whether a change in per cent is none.
-    pub fn is_constant(percent: Estimate) -> Self {
+    pub(crate) fn is_constant(percent: Estimate) -> Self {
         Self::is_positive(Estimate { mean: CONSTANT - percent.mean.abs(), ..percent })
     }
 
     /// Whether a change in per cent is one.
-    pub fn changes(percent: Estimate) -> Self {
+    pub(crate) fn changes(percent: Estimate) -> Self {
         Self::is_positive(Estimate { mean: percent.mean.abs() - CONSTANT, ..percent })
     }
 
     /// The answer to several statements at once: one that is wrong is enough to make all wrong.
-    pub fn all(answers: impl IntoIterator<Item = Self>) -> Self {
+    pub(crate) fn all(answers: impl IntoIterator<Item = Self>) -> Self {
         let answers: Vec<Self> = answers.into_iter().collect();
         let worst = [Self::NoError, Self::DoesNotHold, Self::Undecided];
         worst.into_iter().find(|answer| answers.contains(answer)).unwrap_or(Self::Holds)

@@ -9,7 +9,7 @@ use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
 /// How far a solver has come at one step.
-pub struct ConvergencePoint {
+pub(crate) struct ConvergencePoint {
     pub step: usize,
     pub eta: f64,
     pub transforms: u64,
@@ -24,13 +24,13 @@ pub struct ConvergencePoint {
 }
 
 impl ConvergencePoint {
-    pub fn median(&self) -> f64 {
+    pub(crate) fn median(&self) -> f64 {
         median(&self.seconds)
     }
 }
 
 /// One solver on one grid: a point for each halving of the certificate.
-pub struct ConvergenceCurve {
+pub(crate) struct ConvergenceCurve {
     pub rival: Rival,
     /// Points along y and x, the longer side.
     pub shape: [usize; 2],
@@ -42,7 +42,7 @@ pub struct ConvergenceCurve {
 impl ConvergenceCurve {
     /// Measures errors against the all but exact solution `reference` in a first run, which warms up, and seconds in
     /// `repeats` further runs, in which no fields are computed.
-    pub fn measure(
+    pub(crate) fn measure(
         rival: Rival,
         reference: &Contact,
         stop: &Stop,
@@ -63,12 +63,12 @@ impl ConvergenceCurve {
     }
 
     /// The largest error of `quantity` at a point or after it.
-    pub fn error_from(&self, point: usize, quantity: usize) -> Option<f64> {
+    pub(crate) fn error_from(&self, point: usize, quantity: usize) -> Option<f64> {
         self.points[point..].iter().try_fold(0.0, |worst: f64, point| Some(worst.max(point.errors[quantity]?.abs())))
     }
 
     /// The first point whose certificate is at most `eta`.
-    pub fn reaching(&self, eta: f64) -> Option<&ConvergencePoint> {
+    pub(crate) fn reaching(&self, eta: f64) -> Option<&ConvergencePoint> {
         self.points.iter().find(|point| point.eta <= eta)
     }
 }

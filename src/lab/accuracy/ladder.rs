@@ -10,12 +10,12 @@ use crate::lab::table::points;
 
 /// Loads over which errors are averaged, from the least to just below twice that: where the edge of the contact falls
 /// between two nodes makes the error of a single load jump by a factor of ten.
-pub const LOADS: usize = 8;
+pub(crate) const LOADS: usize = 8;
 /// Refinement factor of the grid that replaces an exact solution.
-pub const REFINEMENT: usize = 4;
+pub(crate) const REFINEMENT: usize = 4;
 
 /// A grid with its errors.
-pub struct Rung {
+pub(crate) struct Rung {
     pub shape: [usize; 2],
     /// Errors, root mean square over the loads.
     pub errors: QuantityValues,
@@ -24,7 +24,7 @@ pub struct Rung {
 }
 
 /// The grids of a scene and their reference.
-pub struct Ladder {
+pub(crate) struct Ladder {
     /// The source of the truth, in words.
     pub against: String,
     /// The true values at the least load.
@@ -34,7 +34,12 @@ pub struct Ladder {
 
 impl Ladder {
     /// Solves a scene on all grids under all loads.
-    pub fn solve(realised: &Realised, sides: &[usize], stop: &Stop, watch: ObserverMaker) -> Result<Self, SetupError> {
+    pub(crate) fn solve(
+        realised: &Realised,
+        sides: &[usize],
+        stop: &Stop,
+        watch: ObserverMaker,
+    ) -> Result<Self, SetupError> {
         let scene = realised.scene;
         let finest = sides.iter().copied().max().unwrap_or_default();
         let all = loads(scene).map(|load| scene.exact(finest, load).transpose());
@@ -61,13 +66,13 @@ impl Ladder {
 
     /// The largest error of `quantity` on the grid of this many points per side and on all finer ones: a coarse grid
     /// may be right by chance.
-    pub fn error_from(&self, side: usize, quantity: usize) -> Option<f64> {
+    pub(crate) fn error_from(&self, side: usize, quantity: usize) -> Option<f64> {
         let finer = self.rungs.iter().filter(|rung| rung.shape[1] >= side);
         finer.map(|rung| rung.errors[quantity]).try_fold(0.0, |worst: f64, error| Some(worst.max(error?)))
     }
 
     /// The orders in the spacing from the coarsest grid to the finest.
-    pub fn orders(&self) -> QuantityValues {
+    pub(crate) fn orders(&self) -> QuantityValues {
         let (Some(first), Some(last)) = (self.rungs.first(), self.rungs.last()) else {
             return [None; QUANTITIES.len()];
         };

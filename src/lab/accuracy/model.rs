@@ -13,7 +13,7 @@ pub struct Model {
 }
 
 /// The errors of the theories of `scene`, whose true values are `truth`.
-pub fn models(scene: AccuracyScene, truth: &QuantityValues, reduced_pressure: f64) -> Vec<Model> {
+pub(crate) fn models(scene: AccuracyScene, truth: &QuantityValues, reduced_pressure: f64) -> Vec<Model> {
     let of = |theory, values: QuantityValues| Model { theory, errors: errors(&values, truth) };
     match scene {
         AccuracyScene::Sine => vec![of("Hertz at the crest", isolated(&hertz::cylinder(crest_radius(), 1.0), scene))],

@@ -12,7 +12,7 @@ use crate::surface::RoughnessScale;
 /// grid would change the surface from one to the next. Here it is scaled once, on the finest grid. Its rms height gives
 /// the scale on the others: all of them carry the same waves, and by Parseval's theorem the same mean square of them.
 #[derive(Debug, Clone, Copy)]
-pub struct Realised {
+pub(crate) struct Realised {
     pub scene: AccuracyScene,
     seed: u64,
     /// Rms height of roughness on the finest grid.
@@ -24,7 +24,7 @@ impl Realised {
     ///
     /// # Errors
     /// For a grid that cannot carry the scene.
-    pub fn new(scene: AccuracyScene, seed: u64, finest: usize) -> Result<Self, SetupError> {
+    pub(crate) fn new(scene: AccuracyScene, seed: u64, finest: usize) -> Result<Self, SetupError> {
         let rms_height = if scene.is_rough() { Some(rms_height(&scene.setup(finest, seed))?) } else { None };
         Ok(Self { scene, seed, rms_height })
     }
@@ -33,7 +33,7 @@ impl Realised {
     ///
     /// # Errors
     /// For a grid that cannot carry the scene.
-    pub fn setup(&self, points: usize) -> Result<Setup, SetupError> {
+    pub(crate) fn setup(&self, points: usize) -> Result<Setup, SetupError> {
         let mut setup = self.scene.setup(points, self.seed);
         if let (Some(finest), Some(roughness)) = (self.rms_height, &mut setup.surface.spectrum) {
             roughness.scale = RoughnessScale::RmsHeight(finest);
@@ -45,7 +45,7 @@ impl Realised {
     ///
     /// # Errors
     /// The errors of [`Realised::setup`].
-    pub fn problem(&self, points: usize) -> Result<Problem, SetupError> {
+    pub(crate) fn problem(&self, points: usize) -> Result<Problem, SetupError> {
         self.setup(points)?.problem()
     }
 }

@@ -10,9 +10,9 @@ use std::f64::consts::PI;
 /// Length of the cell; the contact modulus is 1 as well.
 const CELL: f64 = 1.0;
 /// Radius of cylinder and sphere.
-pub const RADIUS: f64 = CELL / 4.0;
+pub(crate) const RADIUS: f64 = CELL / 4.0;
 /// Amplitude of the sine.
-pub const AMPLITUDE: f64 = 0.01;
+pub(crate) const AMPLITUDE: f64 = 0.01;
 const RMS_GRADIENT: f64 = 1e-3;
 const REDUCED_PRESSURE: f64 = 0.05;
 

@@ -66,13 +66,13 @@ pub struct Python {
 
 impl Peer {
     /// The codes that solve single contacts without adhesion.
-    pub const OF_CONTACTS: [Self; 4] = [Self::Tamaas, Self::ContactMechanics, Self::Aspher, Self::AspherMixed];
+    pub(crate) const OF_CONTACTS: [Self; 4] = [Self::Tamaas, Self::ContactMechanics, Self::Aspher, Self::AspherMixed];
 
     /// Solves a contact of a cell of length 1 and modulus 1 on a number of threads, to a tolerance in the sense of the code.
     ///
     /// # Errors
     /// Why there is no solution: the code is not installed, cannot solve this contact, or takes too long.
-    pub fn solve(
+    pub(crate) fn solve(
         self,
         python: &Python,
         problem: &Problem,
@@ -92,7 +92,13 @@ impl Peer {
     ///
     /// # Errors
     /// Why there is no solution: the code is not installed, cannot do this, or takes too long.
-    pub fn run(self, python: &Python, surface: &Surface, task: Value, threads: usize) -> Result<PeerSolution, String> {
+    pub(crate) fn run(
+        self,
+        python: &Python,
+        surface: &Surface,
+        task: Value,
+        threads: usize,
+    ) -> Result<PeerSolution, String> {
         self.try_run(python, surface, task, threads).unwrap_or_else(|error| Err(error.to_string()))
     }
 

@@ -17,7 +17,7 @@ const WIDTH: f64 = 3.0;
 /// The displacement under `pressure`, row by row and with zero mean: small grids by the direct sum, larger ones by a
 /// plain transform for any length. The mean pressure is subtracted first: it displaces nothing, but would be rounded.
 /// Free grids are summed directly.
-pub fn displacement(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
+pub(crate) fn displacement(grid: &Grid, solid: &dyn ElasticSolid, pressure: &[f64]) -> Vec<f64> {
     if !grid.is_periodic() {
         return direct::displacement(grid, solid, pressure);
     }

@@ -11,7 +11,7 @@ use crate::grid::Grid;
 const THICKNESSES: [f64; 6] = [1e-5, 1e-3, 0.03, 0.3, 3.0, 1e3];
 
 /// Layers thin and thick, on both bases, compressible and not, under pressures and at an approach.
-pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
+pub(crate) fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
     let mut trials = Vec::new();
     for (kind, grid) in grids {
         for (base, name) in [(Base::Bonded, "bonded"), (Base::Sliding, "sliding")] {
@@ -40,7 +40,7 @@ pub fn layers(grids: [(&'static str, Grid); 2]) -> Vec<Trial> {
 ///
 /// # Errors
 /// None that is known: the grids are fixed.
-pub fn free() -> Result<Vec<Trial>, SetupError> {
+pub(crate) fn free() -> Result<Vec<Trial>, SetupError> {
     let grids = [
         ("line", Grid::line(512, 1.0)?.with_periodic([true, false])),
         ("line-odd", Grid::line(301, 1.0)?.with_periodic([true, false])),

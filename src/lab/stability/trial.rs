@@ -30,7 +30,7 @@ pub struct Trial {
 }
 
 /// Another contact that must come to the same end.
-pub enum EquivalentContact {
+pub(crate) enum EquivalentContact {
     /// The contact in other units, whose dimensionless results must be the same.
     InOtherUnits(Pose),
     /// The contact of a mean gap under the mean pressure that was found, which must open to the same mean gap.
@@ -38,7 +38,7 @@ pub enum EquivalentContact {
 }
 
 /// A function that poses a problem.
-pub type Pose = Box<dyn Fn() -> Result<Problem, SetupError>>;
+pub(crate) type Pose = Box<dyn Fn() -> Result<Problem, SetupError>>;
 
 impl Trial {
     /// The contact that `pose` poses, to be solved from the flat start.
