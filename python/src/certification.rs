@@ -189,7 +189,7 @@ impl Problem {
         displacement: Option<Bound<'_, PyAny>>,
         tolerance: Option<f64>,
     ) -> PyResult<Certification> {
-        if slf.get().setup.setup.yields() {
+        if slf.get().setup.setup.feels().eigenstrain {
             return bail(
                 "a yield stress is given, but results are certified of bodies that have not yielded before: leave it out",
             );

@@ -156,7 +156,7 @@ impl Problem {
         }
         sections.insert("load".into(), Value::Object(load));
         let setup = Setup::from_sections(&sections)?;
-        if setup.setup.adhesion.is_some() {
+        if setup.setup.feels().attraction {
             // adhesion has loads that no other contact has, such as pulls, and so its problem does not depend on the load
             setup.setup.problem_of(self.surface.clone()).map_err(py_error)?;
             return Ok(self.under(self.problem.clone(), setup));

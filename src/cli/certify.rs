@@ -190,7 +190,7 @@ impl Certify {
 /// Refuses setups whose contact depends on its past, or on more than its pressure: no certificate of one pressure tells whether it is right.
 fn check_single(setup: &Setup) -> Result<()> {
     check_elastic(setup)?;
-    if setup.adhesion.is_some() {
+    if setup.feels().attraction {
         return usage(
             "adhesion is given, but a contact with attraction has several solutions, and no certificate of a pressure tells which one is meant: leave it \
              out",

@@ -41,7 +41,7 @@ pub(crate) fn check_one_load(table: &mut SetupTable) -> Result<()> {
 
 /// Refuses a body that yields below its surface, whose contact depends on its past.
 pub(crate) fn check_elastic(setup: &Setup) -> Result<()> {
-    if setup.yields() {
+    if setup.feels().eigenstrain {
         return usage(
             "a yield stress is given, but this command is for bodies that have not yielded before: leave it out",
         );

@@ -181,7 +181,7 @@ impl HistorySummary {
         let columns: Vec<Quantity> = outcome.drive.columns.iter().chain(&OF_FLOW).copied().filter(has).collect();
         writeln!(out)?;
         columns.iter().try_for_each(|it| write!(out, " {:>15}", it.row().short))?;
-        let is_claimed = self.adhesion.is_some();
+        let is_claimed = outcome.drive.has_claims;
         writeln!(out, "{}", if is_claimed { "  claim" } else { "" })?;
         for state in &outcome.states {
             columns.iter().try_for_each(|it| write!(out, " {:>15}", cell(*it, state, units)))?;

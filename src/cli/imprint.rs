@@ -15,7 +15,7 @@ const ARRAY: &str = "npy";
 /// Refuses an imprint of a body that keeps none, and a name that promises another content.
 pub(crate) fn check(path: Option<&Path>, setup: &Setup, units: Units) -> Result<()> {
     let Some(path) = path else { return Ok(()) };
-    if !setup.yields() {
+    if !setup.feels().eigenstrain {
         return usage("--imprint is for a body that yields below its surface: give --yield-stress, or leave it out");
     }
     check_named(path, &Scan::endings())?;

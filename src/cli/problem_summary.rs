@@ -126,7 +126,7 @@ pub(crate) fn solver_of(setup: &Setup) -> (String, String) {
 
 /// The solver that is used, in the form of the section `solver`. Sliding and adhesion have solvers of their own, which have no settings.
 fn described(setup: &Setup) -> Map<String, Value> {
-    if setup.adhesion.is_some() {
+    if setup.feels().attraction {
         return [("method".to_owned(), Value::from(solver_of(setup).0))].into_iter().collect();
     }
     let section = match serde_json::to_value(setup.solver) {

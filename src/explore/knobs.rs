@@ -8,7 +8,7 @@ use super::refusal::{Refusal, RefusalRule};
 use super::scale::{MODULUS, RETARDATION_TIME};
 use super::schema::{self, MOST_BUMPS, MOST_POINTS, SURFACE_SIDE, USUAL_HARDENING, USUAL_RANGE};
 use super::source::{SceneFile, SurfaceSource};
-use crate::contact::{Feels, Friction, Law, Load, Stop};
+use crate::contact::{Friction, Law, Load, Stop};
 use crate::elastic::Base;
 use crate::grid::Grid;
 use crate::setup::{
@@ -298,7 +298,7 @@ impl Knobs {
         let pressed = self.pressed(source)?;
         let grid = pressed.surface.grid(&pressed.grid)?;
         let load = if self.is_at_gaps() { pressed.load } else { Load::ReducedPressure(self.load) };
-        let feels = pressed.drive()?.map_or(Feels::PRESSURE, |drive| drive.feels);
+        let feels = pressed.feels();
         let setup = Setup {
             load,
             solver: self.solver,

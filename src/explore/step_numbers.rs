@@ -36,9 +36,7 @@ impl StepNumbers {
     /// No numbers yet; those of states of a drive hold all that is shown of them.
     pub(crate) fn new(drive: Option<&Drive>) -> Self {
         let shown = |drive: &Drive| {
-            let Drive { charts, columns, .. } = drive;
-            let drawn = charts.iter().flat_map(|chart| [chart.x, Some(chart.y)]).flatten();
-            let shown: BTreeSet<Quantity> = drawn.chain(columns.iter().copied()).collect();
+            let shown: BTreeSet<Quantity> = drive.shown().collect();
             shown.into_iter().filter(|it| !is_kept(*it)).collect()
         };
         Self { of_states: drive.map(shown).unwrap_or_default(), ..Self::default() }

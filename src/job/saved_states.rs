@@ -1,7 +1,7 @@
 //! States of histories that are read from a file.
 
 use crate::contact::{
-    ArchiveReader, CutLayers, Feels, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField,
+    ArchiveReader, CutLayers, FieldKind, Load, Problem, Quantity, ResultClaim, SavedContact, State, StateField,
     StateValues, read_cut_layers, read_state_fields,
 };
 use crate::error::{FileError, SetupError, StudyError};
@@ -61,13 +61,12 @@ pub(super) fn saved_states(
     problem: &Problem,
 ) -> Result<Vec<State>, StudyError> {
     let columns = StateColumns::read(reader)?;
-    let feels = setup.drive()?.map_or(Feels::PRESSURE, |drive| drive.feels);
     let mut states = Vec::with_capacity(contacts.len());
     for (number, saved) in contacts.into_iter().enumerate() {
         let (point, claim) = (columns.points[number], columns.claims[number]);
         let of = |quantity: Quantity| columns.number(quantity, number);
         let under = moving(setup, under_load(setup, problem, point, &saved), of(Quantity::Speed))?;
-        let contact = saved.into_contact(under).map_err(SetupError::from)?.with_values(StateValues::new(feels));
+        let contact = saved.into_contact(under).map_err(SetupError::from)?.with_values(StateValues::new(setup.feels()));
         let state = State::from_parts(contact, (point, claim), of, columns.fields(number));
         states.push(state.with_layers(columns.layers.clone()));
     }
@@ -86,7 +85,7 @@ fn moving(setup: &Setup, problem: Problem, speed: Option<f64>) -> Result<Problem
 /// The problem under the load of a state: that of the point of the path, or its mean pressure between two points.
 fn under_load(setup: &Setup, problem: &Problem, point: Option<usize>, contact: &SavedContact) -> Problem {
     let path = setup.path_points();
-    if setup.adhesion.is_some() {
+    if setup.feels().attraction {
         // no load of another contact is one with adhesion, but at an approach the displacement contains the uniform one
         let like = Load::Approach(0.5 * problem.highest());
         let posed = matches!(setup.load, Load::Approach(_)).then(|| problem.clone().with_load(like).ok()).flatten();

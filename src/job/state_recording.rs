@@ -24,16 +24,6 @@ const ROOM: f64 = 4.0;
 /// Changes of a quantity below this part of it are rounding, and no curve.
 const ROUNDING: f64 = 1e-7;
 
-/// Quantities whose curves stand first, in the rows of their own.
-const FIRST: [Quantity; 6] = [
-    Quantity::Friction,
-    Quantity::MeanPressure,
-    Quantity::RelativeArea,
-    Quantity::Dissipated,
-    Quantity::PlasticWork,
-    Quantity::KappaR,
-];
-
 /// A recording of the states of a run, which grows state by state.
 ///
 /// The loads of a list are known before, and with them the axes of its recording. The states of a history are not: they are recorded by their numbers
@@ -91,7 +81,7 @@ impl<'a> StateRecording<'a> {
         let is_list = posed.drive.is_list;
         let draft = self.path.take().filter(|_| !is_list && self.beside.is_empty());
         let (units, is_line) = (self.options.units(), posed.problem.surface().grid().is_line());
-        let curves = if is_list { curves_of_loads() } else { curves(&told(posed, first), &units) };
+        let curves = if is_list { curves_of_loads() } else { curves(posed.drive, &told(posed, first), &units) };
         let expected = posed.setup.expected_states().unwrap_or(0).max(2);
         let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
         let scene = Scene {
@@ -183,7 +173,7 @@ impl HistoryOutcome {
             ..Scene::from_setup(setup, &highest.contact.problem)
         };
         let units = options.units();
-        let curves = curves(&self.changing(), &units);
+        let curves = curves(self.drive, &self.changing(), &units);
         let loads = Loads {
             title: format!("{}, {} states", scene.title, states.len()),
             description: format!("{}. {}.", surface_in_words(setup, &units), states[0].claim.words()),
@@ -256,10 +246,10 @@ fn told(posed: &Posed<'_>, first: &State) -> Vec<Quantity> {
     all.filter(|it| it.row().has_curve && Some(*it) != axis).collect()
 }
 
-/// The curves of quantities, the most important ones first.
-fn curves(quantities: &[Quantity], units: &RecordUnits) -> Vec<StateCurve> {
+/// The curves of quantities, first those that the drive shows first.
+fn curves(drive: &Drive, quantities: &[Quantity], units: &RecordUnits) -> Vec<StateCurve> {
     let mut quantities = quantities.to_vec();
-    quantities.sort_by_key(|it| FIRST.iter().position(|first| first == it).unwrap_or(FIRST.len()));
+    quantities.sort_by_key(|it| drive.shown().position(|shown| shown == *it).unwrap_or(usize::MAX));
     let of = |it: Quantity| {
         let colour = if it.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
         let title = it.row().title;

@@ -131,7 +131,7 @@ impl<'a> Scene<'a> {
     /// The load that was given. With adhesion it is that of the setup: the problem has one that stands in for any, since the attraction takes a part of it.
     fn load(&self) -> Load {
         match &self.setup {
-            Some(setup) if setup.adhesion.is_some() => setup.load,
+            Some(setup) if setup.feels().attraction => setup.load,
             _ => self.problem.load(),
         }
     }

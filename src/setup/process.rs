@@ -1,7 +1,7 @@
 //! The states that a setup describes: their number, their path, and what makes them.
 
 use super::{Drive, Setup, Solid};
-use crate::contact::{Load, Problem};
+use crate::contact::{Feels, Load, Problem};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::history::{PathPoint, Process};
@@ -29,6 +29,11 @@ impl Setup {
     /// The errors of [`Setup::drive`].
     pub fn is_history(&self) -> Result<bool, SetupError> {
         Ok(self.history_drive()?.is_some())
+    }
+
+    /// What the solid feels besides the pressure between the surfaces; the pressure alone where sections do not go together.
+    pub fn feels(&self) -> Feels {
+        self.drive().ok().flatten().map_or(Feels::PRESSURE, |drive| drive.feels)
     }
 
     /// The number of states of a history or a list of loads, an estimate where steps are chosen by the error in time; 0 for one contact.

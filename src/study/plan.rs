@@ -3,7 +3,7 @@
 use super::expense::Expense;
 use super::realisation::Realisation;
 use super::shard::Shard;
-use crate::contact::{Feels, Law, Load};
+use crate::contact::{Law, Load};
 use crate::error::{SetupError, StudyError};
 use crate::files::read_text_bytes;
 use crate::quantity::{has_length_unit, has_pressure_unit};
@@ -136,13 +136,13 @@ impl Plan {
 
     /// Whether each row is the history of a setup with adhesion.
     pub(super) fn has_adhesion(&self) -> bool {
-        self.first.adhesion.is_some()
+        self.first.feels().attraction
     }
 
     /// Whether each row is the history of a solid that yields below its surface.
     #[cfg(feature = "figures")]
     pub(super) fn yields(&self) -> bool {
-        self.first.yields()
+        self.first.feels().eigenstrain
     }
 
     /// The number of states of the history of each row; none where each row is a contact.
@@ -156,7 +156,7 @@ impl Plan {
     /// The law under which all contacts are elastic or yield; none for a solid that creeps, whose modulus depends on the time, and for one that yields
     /// below its surface, which has a law of its own.
     pub(super) fn law(&self) -> Option<Law> {
-        let feels = self.first.drive().ok().flatten().map_or(Feels::PRESSURE, |drive| drive.feels);
+        let feels = self.first.feels();
         (!feels.memory && !feels.eigenstrain).then_some(self.first.law)
     }
 
