@@ -38,7 +38,7 @@ pub struct Drive {
     pub doubts: fn(&Setup, &[Arc<State>]) -> Vec<Warning>,
     /// Whether its load must be a pressure, since friction follows that.
     pub(super) needs_pressure: bool,
-    /// Whether it is a list of loads: contacts of which each is what it is without the others.
+    /// Whether its states are contacts under a list of loads, written and judged like contacts under one load, and not the states of a history.
     pub is_list: bool,
     /// What states that are not converged have missed.
     pub missed: &'static str,

@@ -377,7 +377,8 @@ impl Setup {
     /// The exact solution under a mean pressure, if the surface is an indenter with an exact solution and nothing
     /// yields.
     pub fn exact(&self, grid: &Grid, mean_pressure: f64) -> Option<Exact> {
-        (self.law.is_hard_wall() && self.drive().is_ok_and(|it| it.is_none())).then_some(())?;
+        let is_at_rest = self.sliding.is_none() && self.is_history().is_ok_and(|is_history| !is_history);
+        (self.law.is_hard_wall() && is_at_rest).then_some(())?;
         let solid = self.elastic().ok().filter(|solid| solid.is_half_space())?;
         Exact::new(&self.surface.smooth()?, grid, solid.contact_modulus(), mean_pressure)
     }

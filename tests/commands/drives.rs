@@ -14,6 +14,7 @@ use std::sync::OnceLock;
 const ROUGH: &str = "--hurst 0.8 --rolloff 0.125 --short-cutoff 0.02 --rms-gradient 0.1 --points 256 --size 1";
 const SURFACE: &str = "--hurst 0.8 --rolloff 0.5 --short-cutoff 0.2 --rms-gradient 0.1 --points 32,32 --size 1,1";
 const CYLINDER: &str = "--indenter cylinder --radius 1 --points 128 --size 0.5 --boundary free --modulus 1";
+const HERTZ: &str = "--indenter cylinder --radius 1 --points 256 --size 4";
 const STICKY: &str =
     "--indenter sine --amplitude 0.01 --points 256 --size 1 --modulus 1 --adhesion 4e-4 --adhesion-range 5e-3";
 
@@ -36,7 +37,7 @@ const fn several(name: &'static str, surface: &'static str, motion: &'static str
     Drive { name, surface, motion, is_single: false }
 }
 
-pub static DRIVES: [Drive; 20] = [
+pub static DRIVES: [Drive; 24] = [
     single("rest", ROUGH, "--reduced-pressure 0.05"),
     single("rest with flow", SURFACE, "--modulus 1GPa --reduced-pressure 0.05 --flow --resistivity 1e-7,2e-7"),
     single("rest that yields", ROUGH, "--modulus 1 --reduced-pressure 0.05 --hardness 0.04"),
@@ -45,6 +46,10 @@ pub static DRIVES: [Drive; 20] = [
     single("rest at a mean gap", ROUGH, "--mean-gap 0.0015"),
     single("sliding at one speed", ROUGH, "--reduced-pressure 0.05 --creep 9,1 --speed 0.01"),
     several("loads", ROUGH, "--reduced-pressure 0.02,0.05 --unload"),
+    single("rest on an indenter", HERTZ, "--reduced-pressure 0.01"),
+    several("loads on an indenter", HERTZ, "--reduced-pressure 0.01,0.02"),
+    several("loads while sliding", ROUGH, "--reduced-pressure 0.02,0.05 --creep 9,1 --speed 0.01"),
+    several("loads by gfmd", ROUGH, "--reduced-pressure 0.02,0.05 --solver gfmd"),
     several("loads with flow", SURFACE, "--modulus 1GPa --reduced-pressure 0.02,0.05 --flow"),
     several("loads that yield", ROUGH, "--modulus 1 --reduced-pressure 0.02,0.05 --unload --hardness 0.04"),
     several(
