@@ -89,6 +89,18 @@ pub fn write_csv<T: Serialize>(path: &Path, rows: impl IntoIterator<Item = T>) -
     })
 }
 
+/// Writes rows of words to a file of comma-separated values. The first row has the names of the columns.
+///
+/// # Errors
+/// The errors of [`write_beside`].
+pub(crate) fn write_words(path: &Path, rows: impl IntoIterator<Item = Vec<String>>) -> Result<(), FileError> {
+    write_beside(path, |file| {
+        let mut csv = csv::Writer::from_writer(file);
+        rows.into_iter().try_for_each(|row| csv.write_record(row))?;
+        csv.flush()
+    })
+}
+
 /// Checks that a folder can be created at `path`: the path has a name, is free or an empty folder, and its parent is
 /// writable.
 fn check_folder(path: &Path) -> Result<(), FileError> {

@@ -3,9 +3,8 @@
 use super::history::HistoryOutcome;
 use crate::contact::{Contact, Observables, Quantity, QuantityKind, State, Status};
 use crate::error::FileError;
-use crate::files::{write_beside, write_csv};
+use crate::files::{write_csv, write_words};
 use serde::Serialize;
-use std::io::Write;
 use std::path::Path;
 
 /// A node of a line.
@@ -41,7 +40,7 @@ pub fn write_nodes(path: &Path, contact: &Contact) -> Result<(), FileError> {
 /// Writes the numbers of contacts under several loads, one load a row, with those of a motion and of what flows where these are found.
 ///
 /// # Errors
-/// The errors of [`write_beside`].
+/// The errors of [`write_csv`].
 pub fn write_loads(path: &Path, loads: &[LoadNumbers<'_>]) -> Result<(), FileError> {
     // a number may be absent under one load and not under another one
     let mut further: Vec<Quantity> = Vec::new();
@@ -50,18 +49,15 @@ pub fn write_loads(path: &Path, loads: &[LoadNumbers<'_>]) -> Result<(), FileErr
             further.push(*quantity);
         }
     }
-    write_beside(path, |file| {
-        let named = Quantity::found().chain(further.iter().copied());
-        let names = ["load_number", "status"].into_iter().chain(named.map(Quantity::name));
-        writeln!(file, "{}", names.collect::<Vec<_>>().join(","))?;
-        loads.iter().enumerate().try_for_each(|(i, load)| {
-            let found = Quantity::found().zip(load.observables.numbers()).map(|(it, value)| word(it, value));
-            let known = further.iter().map(|it| word(*it, load.get(*it)));
-            let first = [(i + 1).to_string(), load.status.name().to_owned()];
-            let cells: Vec<String> = first.into_iter().chain(found).chain(known).collect();
-            writeln!(file, "{}", cells.join(","))
-        })
-    })
+    let named = Quantity::found().chain(further.iter().copied()).map(Quantity::name);
+    let names = ["load_number", "status"].into_iter().chain(named).map(str::to_owned).collect();
+    let rows = loads.iter().enumerate().map(|(i, load)| {
+        let found = Quantity::found().zip(load.observables.numbers()).map(|(it, value)| word(it, value));
+        let known = further.iter().map(|it| word(*it, load.get(*it)));
+        let first = [(i + 1).to_string(), load.status.name().to_owned()];
+        first.into_iter().chain(found).chain(known).collect()
+    });
+    write_words(path, std::iter::once(names).chain(rows))
 }
 
 /// The numbers of a contact under one of several loads.
@@ -102,21 +98,18 @@ impl HistoryOutcome {
     /// Writes the numbers of all states, one state a row, with adhesion with the claim of each.
     ///
     /// # Errors
-    /// The errors of [`write_beside`].
+    /// The errors of [`write_csv`].
     pub fn write_table(&self, path: &Path) -> Result<(), FileError> {
-        let (states, quantities) = (&self.states, self.quantities());
-        write_beside(path, |file| {
-            let claimed = self.drive.has_claims.then_some("claim");
-            let first = ["state", "status"].into_iter().chain(claimed);
-            let names: Vec<&str> = first.chain(quantities.iter().map(|it| it.name())).collect();
-            writeln!(file, "{}", names.join(","))?;
-            states.iter().enumerate().try_for_each(|(i, state)| {
-                let values = quantities.iter().map(|it| cell(*it, state));
-                let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
-                let first = [(i + 1).to_string(), state.contact.status.name().to_owned()].into_iter().chain(claim);
-                let cells: Vec<String> = first.chain(values).collect();
-                writeln!(file, "{}", cells.join(","))
-            })
-        })
+        let quantities = self.quantities();
+        let claimed = self.drive.has_claims.then_some("claim");
+        let first = ["state", "status"].into_iter().chain(claimed);
+        let names = first.chain(quantities.iter().map(|it| it.name())).map(str::to_owned).collect();
+        let rows = self.states.iter().enumerate().map(|(i, state)| {
+            let values = quantities.iter().map(|it| cell(*it, state));
+            let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
+            let first = [(i + 1).to_string(), state.contact.status.name().to_owned()].into_iter().chain(claim);
+            first.chain(values).collect()
+        });
+        write_words(path, std::iter::once(names).chain(rows))
     }
 }

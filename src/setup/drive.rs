@@ -79,7 +79,7 @@ impl StateChart {
 
 impl Drive {
     /// The quantities that it shows of its states, the most important ones first: those of its charts, then the columns of its table.
-    pub(crate) fn shown(&self) -> impl Iterator<Item = Quantity> {
+    pub fn shown(&self) -> impl Iterator<Item = Quantity> {
         let ordinates = self.charts.iter().map(|chart| chart.y);
         ordinates.chain(self.charts.iter().filter_map(|chart| chart.x)).chain(self.columns.iter().copied())
     }
