@@ -69,7 +69,7 @@ const PLACES: &[(&str, &[&str])] = &[
         "libm",
         &["theory/", "contact/forecast.rs", "contact/multilevel/split.rs", "paper/fit.rs", "setup/expected_area.rs"],
     ),
-    ("ndarray_npy", &["surface/", "contact/archive.rs"]),
+    ("ndarray_npy", &["contact/archive.rs", "formats/"]),
     ("parquet", &["study/parquet.rs"]),
     ("pdf_writer", &["plot/pdf.rs"]),
     ("procfs", &["memory.rs", "lab/"]),
