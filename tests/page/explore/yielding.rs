@@ -93,9 +93,9 @@ fn what_cannot_be_solved_or_takes_too_long_is_refused() {
     for (changes, words) in [
         (json!({"hardness": 5e-4}), "a yield stress and a hardness"),
         (json!({"layer": 0.1}), "a yield stress and a layer"),
-        (json!({"creep": 9, "time": 1}), "a yield stress and creep"),
-        (json!({"adhesion": 1e-6}), "a yield stress and adhesion"),
-        (json!({"friction": 0.3, "sideways": 0.5}), "a yield stress and friction"),
+        (json!({"creep": 9, "time": 1}), "creep and a yield stress"),
+        (json!({"adhesion": 1e-6}), "adhesion and a yield stress"),
+        (json!({"friction": 0.3, "sideways": 0.5}), "tangential loads of a path and a yield stress"),
         (json!({"solver": {"method": "gfmd"}}), "gfmd"),
         (
             json!({"points": 4096}),
@@ -109,7 +109,7 @@ fn what_cannot_be_solved_or_takes_too_long_is_refused() {
         assert!(answer.status == 400 && answer.text().contains(words), "{changes}: {}", answer.text());
     }
     let swept = page.post("/api/sweep", &cylinder(json!({})).to_string());
-    assert!(swept.status == 400 && swept.text().contains("cannot be swept: set the yield stress"), "{}", swept.text());
+    assert!(swept.status == 400 && swept.text().contains("a yield stress cannot be swept"), "{}", swept.text());
     let hold = json!({"knobs": cylinder(json!({})), "mean-gap": null, "is-deep": false}).to_string();
     let held = page.post("/api/hold", &hold);
     assert!(held.status == 400 && held.text().contains("cannot be dragged"), "{}", held.text());
