@@ -62,7 +62,7 @@ def test_every_way_and_the_command_line_find_the_same_traction(tmp_path: Path) -
         ({"mean_pressure": LOAD, "friction": {"coefficient": 0.1, "tangential": 0.2 * LOAD}}, "makes everything slide"),
         ({"mean_gap": 0.1, "friction": FRICTION}, "friction needs a given pressure"),
         ({"mean_pressure": LOAD, "law": {"hardness": 0.1}, "friction": FRICTION}, "and a hardness are given"),
-        ({"mean_pressure": [LOAD, 2 * LOAD], "friction": FRICTION}, "several loads without a path and friction cannot be combined"),
+        ({"mean_pressure": [LOAD, 2 * LOAD], "friction": FRICTION}, "several loads outside a path and friction cannot be combined"),
         ({"mean_pressure": LOAD, "friction": {"coefficent": 0.1, "tangential": 1.0}}, "did you mean 'coefficient'"),
     ],
 )

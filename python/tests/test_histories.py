@@ -98,7 +98,7 @@ def test_python_and_the_command_line_find_the_same_history(tmp_path: Path) -> No
 def test_what_cannot_be_is_refused_in_words_of_python() -> None:
     with pytest.raises(asp.AsperityError, match="creep without times of a path cannot be solved"):
         asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]})
-    with pytest.raises(asp.AsperityError, match="creep and several loads without a path cannot be combined"):
+    with pytest.raises(asp.AsperityError, match="creep and several loads outside a path cannot be combined"):
         asp.solve(rough(), reduced_pressure=[0.01, 0.02], viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0})
     with pytest.raises(asp.AsperityError, match="leave it out of a history"):
         asp.solve(rough(), reduced_pressure=0.02, viscoelastic={"creep": [9.0, 1.0]}, path={"time": 1.0}, diagnose=True)

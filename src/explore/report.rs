@@ -101,7 +101,7 @@ pub struct RunReport {
 /// The process of a run with several states, and what the page shows of them.
 #[derive(Clone, Serialize)]
 pub struct ProcessReport {
-    /// What leads from state to state.
+    /// The drive that leads from one state to the next; its name in JSON.
     #[serde(rename = "kind", serialize_with = "name_of")]
     pub drive: &'static Drive,
     /// Two charts: the quantities on both axes, or none for the number of the state.

@@ -59,7 +59,7 @@ impl JobRun<'_> {
                 None => break None,
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved
-                    states.extend((posed.drive.is_list).then(|| Arc::new(state)));
+                    states.extend(posed.drive.is_list.then(|| Arc::new(state)));
                     break Some(HistoryError::Stopped);
                 }
                 Some(solved) => solved,

@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// The states of a history, and what they add up to.
 #[derive(Debug)]
 pub struct HistoryOutcome {
-    /// What leads from state to state.
+    /// The drive that has led from one state to the next.
     pub drive: &'static Drive,
     /// The attraction and what came of it, with adhesion.
     pub adhesion: Option<AdhesionOutcome>,

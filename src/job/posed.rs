@@ -12,7 +12,7 @@ pub struct Posed<'a> {
     pub setup: &'a Setup,
     /// Its problem; that of a list of loads is under the largest of them.
     pub problem: &'a Problem,
-    /// What leads from state to state.
+    /// The drive that leads from one state to the next.
     pub drive: &'static Drive,
 }
 

@@ -56,7 +56,7 @@ impl<'a> JobRun<'a> {
         Self { title: Some(title.into()), problem: Some(problem), other: Some(steps), ..Self::new(setup) }
     }
 
-    /// What leads from state to state; none for one contact.
+    /// The drive that leads from one state to the next; none for one contact.
     ///
     /// # Errors
     /// The errors of [`Setup::drive`].

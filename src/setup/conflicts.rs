@@ -29,8 +29,8 @@ impl Setup {
         if let Some(other) = Ingredient::all().find(|it| (it.is_given)(self) && !takes(it.path)) {
             return Err(not_together(drive, other.name));
         }
-        let needed = drive.needs.iter().filter_map(|path| Ingredient::find(path));
-        match needed.into_iter().find(|it| !(it.is_given)(self)) {
+        let mut needed = drive.needs.iter().filter_map(|path| Ingredient::find(path));
+        match needed.find(|it| !(it.is_given)(self)) {
             Some(needed) => {
                 let given = [("drive", drive.given.name.into()), ("needed", needed.name.into())];
                 Err(ConflictRule::NotAlone.with(given).into())

@@ -10,7 +10,7 @@ use crate::setup::ingredient::Ingredient;
 pub const LOADS: Drive = Drive {
     name: "loads",
     keys: &[],
-    given: Ingredient { path: "load", name: "several loads without a path", is_given: |it| !it.loads.is_empty() },
+    given: Ingredient { path: "load", name: "several loads outside a path", is_given: |it| !it.loads.is_empty() },
     takes: &["law.hardness", "solver.method", "sliding", "viscoelastic"],
     needs: &[],
     states: |it| it.loads.len(),

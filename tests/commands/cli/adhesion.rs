@@ -210,7 +210,7 @@ fn what_cannot_be_is_refused_in_one_sentence() {
         (sticky("--mean-gap 1um --diagnose"), "--diagnose"),
         (sticky("--mean-gap 1um --adhesion-table rises.csv"), "only one of both"),
         (sticky("--mean-gap=-1um"), "give a positive one"),
-        (sticky("--mean-gap 1um,2um"), "adhesion and several loads without a path cannot be combined"),
+        (sticky("--mean-gap 1um,2um"), "adhesion and several loads outside a path cannot be combined"),
         (sticky("--mean-gap 1um --boundary free"), "a mean gap has no meaning on a free boundary"),
         (sticky("--approach 10nm"), "an approach has no meaning on a periodic half-space"),
         (sine("--mean-gap 1um --adhesion 10mJ/m^2"), "needs the range"),

@@ -306,7 +306,7 @@ fn friction_and_stress_that_cannot_be_are_refused() {
     refuse_in_one_sentence(
         &folder,
         &format!("{several} --friction 0.5 --tangential 1e-3"),
-        "several loads without a path and friction cannot be combined",
+        "several loads outside a path and friction cannot be combined",
     );
     refuse_in_one_sentence(&folder, &format!("{several} --stress new-stress.npz"), "give one");
     refuse_in_one_sentence(&folder, &format!("{line} --stress new-stress.csv"), "npz");
