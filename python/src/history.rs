@@ -77,8 +77,8 @@ impl History {
     }
 
     /// What each state claims to be, in a word: with adhesion "solution", "stable", "marginal", "saddle", "stationary", "not-converged", "moving" (a frame of
-    /// a jump) or "separated"; otherwise "solution", "path-steps" and "given-steps" (of friction), "load-step" (of a solid that yields), "bounded" or
-    /// "rounds-converged".
+    /// a jump) or "separated"; otherwise "solution", "path-steps" and "given-steps" (of friction), "load-step" (of a solid that yields), "bounded", or
+    /// "rounds-converged", "rounds-of-path-steps" and "rounds-of-given-steps" (of bodies of different materials).
     #[getter]
     fn claims(&self) -> Vec<&'static str> {
         self.outcome.states.iter().map(|state| state.claim.into()).collect()

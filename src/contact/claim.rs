@@ -47,6 +47,16 @@ pub enum ResultClaim {
         message = "rounds converged: the pressure is certified for this traction, and the traction for this pressure, but not both together"
     )]
     RoundsConverged,
+    /// Converged rounds in each step of a path whose steps are not exact: the error by their length is estimated.
+    #[strum(
+        message = "rounds converged in each step of the path: the pressure is certified for this traction, and the traction for this pressure, but not both together; shift and lost energy have estimated errors by the steps"
+    )]
+    RoundsOfPathSteps,
+    /// Converged rounds in each given step of a path, of which the error by the steps is not known.
+    #[strum(
+        message = "rounds converged in each given step of the path: the pressure is certified for this traction, and the traction for this pressure, but not both together; the error of shift and lost energy by these steps is not known"
+    )]
+    RoundsOfGivenSteps,
     /// A state with adhesion that is in equilibrium and stable; there may be others.
     #[strum(
         message = "stable: in equilibrium, and small changes do not grow; other states may exist under the same load"
@@ -86,6 +96,8 @@ impl ResultClaim {
                 | Self::GivenSteps
                 | Self::Bounded
                 | Self::RoundsConverged
+                | Self::RoundsOfPathSteps
+                | Self::RoundsOfGivenSteps
         );
         if is_solved_for && !contact.is_converged() { Self::NotConverged } else { self }
     }

@@ -88,7 +88,13 @@ impl HistoryOutcome {
     /// What is claimed of all states, none if there are none: nothing where one of them is not converged, and the error by steps where a part of the
     /// path has one.
     pub fn claim(&self) -> Option<ResultClaim> {
-        let weakest = [ResultClaim::NotConverged, ResultClaim::GivenSteps, ResultClaim::PathSteps];
+        let weakest = [
+            ResultClaim::NotConverged,
+            ResultClaim::RoundsOfGivenSteps,
+            ResultClaim::RoundsOfPathSteps,
+            ResultClaim::GivenSteps,
+            ResultClaim::PathSteps,
+        ];
         let is_claimed = |claim: &ResultClaim| self.states.iter().any(|state| state.claim == *claim);
         // those on the way claim nothing that holds for the others
         let first = self.states.iter().map(|state| state.claim).find(|claim| *claim != ResultClaim::Moving);

@@ -1,8 +1,8 @@
 //! Slip of bodies of different materials: pressure and traction displace the surface in each other's direction.
 
-use asperity::contact::{ContactModulus, Load, Multilevel, Problem, ResultClaim, Stop};
+use asperity::contact::{ContactModulus, Load, Multilevel, Problem, Quantity, ResultClaim, Stop};
 use asperity::error::SlipError;
-use asperity::history::{SlipHistory, Zone};
+use asperity::history::{PathPoint, Process, SlipHistory, SlipPace, SlipProcess, Zone};
 use asperity::surface::{Indenter, Spectrum};
 use asperity::{Grid, Surface};
 use std::f64::consts::PI;
@@ -57,6 +57,28 @@ fn the_stick_zone_under_a_growing_load_is_that_of_spence() {
         // a node that comes into contact slips before, so shorter steps are better: to first order
         assert!(missed[1].abs() < 0.008 * part && missed[1] < 0.65 * missed[0], "{missed:?} of {part}");
     }
+}
+
+/// Where the number of steps is given, the first normal load grows in as many steps: the stick zone comes to that of Spence (`k = 3 - sqrt(8)` for
+/// `beta = 2 mu`), and the lost energy to that of steps which are chosen by the tolerance.
+#[test]
+fn the_first_normal_load_grows_in_given_steps_too() {
+    let (problem, mu) = (cylinder(1001), 0.01);
+    let pressed = |pace: SlipPace| {
+        let point = PathPoint { tangential: Some(0.0), ..PathPoint::under(problem.load()) };
+        let mut process = SlipProcess::new(history(&problem, mu, 2.0 * mu, 1e-9), vec![point], pace);
+        process.next(&mut ()).unwrap().unwrap()
+    };
+    let lost = |pace: SlipPace| pressed(pace).value(Quantity::Dissipated);
+    let chosen = pressed(SlipPace::Tolerance(1e-2));
+    assert_eq!(chosen.claim, ResultClaim::RoundsOfPathSteps);
+    let state = pressed(SlipPace::Count(32));
+    assert_eq!(state.claim, ResultClaim::RoundsOfGivenSteps);
+    let share = state.value(Quantity::StickShare);
+    assert!((share - (3.0 - 8f64.sqrt())).abs() < 0.02, "{share}");
+    let exact = chosen.value(Quantity::Dissipated);
+    let missed = [4, 8, 16].map(|count| (lost(SlipPace::Count(count)) / exact - 1.0).abs());
+    assert!(missed[2] < 0.02 && missed[1] < 0.6 * missed[0] && missed[2] < 0.6 * missed[1], "{missed:?}");
 }
 
 /// A cylinder of which nearly all slips: `p = E*/(2R) sin(pi r) (x + a)^(1-r) (b - x)^r` with `cot(pi r) = -mu beta`, derived from the
