@@ -137,7 +137,7 @@ impl Ready<'_> {
         for (i, (run, found)) in self.job.runs.iter().zip(&mut found).enumerate() {
             let Found::States(outcome) = found else { continue };
             let (posed, mut failure) = (run.posed(i, problem(run))?, outcome.failure.take());
-            give(&mut sinks, &mut failure, |sink| sink.end(&posed, outcome));
+            give(&mut sinks, &mut failure, |sink| sink.end(&posed, &outcome.states));
             outcome.failure = failure;
         }
         Ok(found)

@@ -1,17 +1,12 @@
 //! Recordings of results that are read again.
 
-use super::posed::Posed;
 use super::saved::{SavedFound, SavedResult};
-use super::sink::StateSink;
-use super::state_recording::StateRecording;
 use super::{Job, JobRun};
-use crate::contact::{Contact, State};
+use crate::contact::Contact;
 use crate::error::{Failure, SetupError};
 use crate::foreign::{Frame, GivenField, Replay};
-use crate::record::{Options, Target};
-use crate::setup::LOADS;
+use crate::record::Target;
 use std::path::Path;
-use std::sync::Arc;
 
 impl SavedResult {
     /// Writes a recording of the result: of a contact its last step, of loads and histories one frame for each state.
@@ -21,10 +16,13 @@ impl SavedResult {
     pub fn record(&self, path: &Path) -> Result<(), SetupError> {
         match &self.found {
             SavedFound::Contact(state, _) => self.record_contact(&state.contact, path),
-            SavedFound::States(outcome) if outcome.drive.is_list => self.record_loads(&outcome.states, path),
             SavedFound::States(outcome) => {
-                let problem = self.setup.problem_of(self.surface.clone())?;
-                Ok(outcome.record(path, &self.setup, &problem)?)
+                // a list that was ended early has fewer loads than its setup
+                let loads = || outcome.states.iter().map(|state| state.contact.problem.load()).collect();
+                let setup =
+                    if outcome.drive.is_list { self.setup.clone().under_loads(loads()) } else { self.setup.clone() };
+                let problem = setup.problem_of(self.surface.clone())?;
+                Ok(outcome.record(path, &setup, &problem)?)
             }
         }
     }
@@ -36,19 +34,5 @@ impl SavedResult {
         let title = self.setup.surface.title(self.surface.grid());
         let run = JobRun::from_other(&title, self.setup.clone(), contact.problem.clone(), &steps);
         Job::from_run(run).recorded(Target::File(path.into())).run(&mut ()).map(drop)
-    }
-
-    fn record_loads(&self, states: &[Arc<State>], path: &Path) -> Result<(), SetupError> {
-        let contacts = || states.iter().map(|state| &state.contact);
-        let heaviest = contacts().max_by(|one, two| one.mean_pressure().total_cmp(&two.mean_pressure()));
-        let Some(heaviest) = heaviest else { return Ok(()) };
-        let setup = self.setup.clone().under_loads(contacts().map(|contact| contact.problem.load()).collect());
-        let problem = self.setup.problem_of(self.surface.clone())?.with_load(heaviest.problem.load())?;
-        let posed = Posed { run: 0, setup: &setup, problem: &problem, drive: &LOADS };
-        let mut recording = StateRecording::open(Target::File(path.into()), Options::from(&self.setup))?;
-        for (number, state) in states.iter().enumerate() {
-            recording.state(&posed, number, state)?;
-        }
-        Ok(recording.finish()?)
     }
 }

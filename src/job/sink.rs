@@ -1,9 +1,9 @@
 //! What receives the states of a run while it goes on.
 
-use super::history::HistoryOutcome;
 use super::posed::Posed;
 use crate::contact::State;
 use crate::error::FileError;
+use std::sync::Arc;
 
 /// What receives the states of the runs of a job, each as soon as it is solved: a recording, a table, an archive.
 pub trait StateSink {
@@ -13,11 +13,11 @@ pub trait StateSink {
     /// For what cannot be written. The sink gets nothing more then, and the run goes on.
     fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError>;
 
-    /// Takes all states of a run when all runs have ended.
+    /// Takes all states of a run again when all runs have ended, those of the runs in their order.
     ///
     /// # Errors
     /// For what cannot be written.
-    fn end(&mut self, _posed: &Posed<'_>, _outcome: &HistoryOutcome) -> Result<(), FileError> {
+    fn end(&mut self, _posed: &Posed<'_>, _states: &[Arc<State>]) -> Result<(), FileError> {
         Ok(())
     }
 }
@@ -27,7 +27,7 @@ impl<S: StateSink + ?Sized> StateSink for &mut S {
         (**self).state(posed, number, state)
     }
 
-    fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
-        (**self).end(posed, outcome)
+    fn end(&mut self, posed: &Posed<'_>, states: &[Arc<State>]) -> Result<(), FileError> {
+        (**self).end(posed, states)
     }
 }

@@ -13,26 +13,18 @@ use crate::record::{
 };
 use crate::seen::capital;
 use crate::setup::{Drive, Setup};
-use std::path::{Path, PathBuf};
-
-/// The largest distance of surfaces apart that a picture has room for, in heights of the highest peak.
-const MOST_APART: f64 = 3.0;
+use std::path::Path;
+use std::sync::Arc;
 
 /// Room for further fields while their largest values are not known, over those of the first state.
 const ROOM: f64 = 4.0;
 
-/// Changes of a quantity below this part of it are rounding, and no curve.
-const ROUNDING: f64 = 1e-7;
-
 /// A recording of the states of a run, which grows state by state.
 ///
-/// The loads of a list are known before, and with them the axes of its recording. The states of a history are not: they are recorded by their numbers
-/// first, on axes by the first state. If the history ends, its file is replaced by the one of [`HistoryOutcome::record`], whose axes fit all states. A
-/// killed run leaves what was reached.
+/// The loads of a list are known before, and with them the axes of its recording. The states of a history are not: its axes have room for what its
+/// setup says, and are fitted to all states at the end. A killed run leaves what was reached.
 pub struct StateRecording<'a> {
     target: Option<Target<'a>>,
-    /// The file, if it has a name.
-    path: Option<PathBuf>,
     options: Options,
     /// The title of the first run, if it has one of its own.
     title: Option<String>,
@@ -45,8 +37,8 @@ pub struct StateRecording<'a> {
 struct Begun {
     recording: LoadRecording,
     curves: Vec<StateCurve>,
-    /// The file of a history, which is written again at its end.
-    draft: Option<PathBuf>,
+    /// The quantities of the curves of a history, in the same order; none of a list of loads, whose curves are others.
+    quantities: Vec<Quantity>,
 }
 
 /// A curve over the states: how it is drawn, and its value.
@@ -58,8 +50,7 @@ impl<'a> StateRecording<'a> {
     /// # Errors
     /// The errors of [`Target::opened`].
     pub fn open(target: Target<'a>, options: Options) -> Result<Self, FileError> {
-        let path = target.file().map(Path::to_owned);
-        Ok(Self { target: Some(target.opened()?), path, options, title: None, beside: Vec::new(), begun: None })
+        Ok(Self { target: Some(target.opened()?), options, title: None, beside: Vec::new(), begun: None })
     }
 
     /// The recording of some runs beside each other, whose problems are posed.
@@ -68,27 +59,20 @@ impl<'a> StateRecording<'a> {
         self
     }
 
-    /// Ends the recording of a list of loads.
-    ///
-    /// # Errors
-    /// [`FileError::Write`].
-    pub fn finish(mut self) -> Result<(), FileError> {
-        self.begun.take().map_or(Ok(()), |begun| begun.recording.finish())
-    }
-
     fn begin(&mut self, posed: &Posed<'_>, first: &State) -> Result<(), FileError> {
         let Some(target) = self.target.take() else { return Ok(()) };
         let is_list = posed.drive.is_list;
-        let draft = self.path.take().filter(|_| !is_list && self.beside.is_empty());
         let (units, is_line) = (self.options.units(), posed.problem.surface().grid().is_line());
-        let curves = if is_list { curves_of_loads() } else { curves(posed.drive, &told(posed, first), &units) };
-        let expected = posed.setup.expected_states().unwrap_or(0).max(2);
-        let setup = Setup { load: posed.problem.load(), ..posed.setup.clone() };
+        let quantities = if is_list { Vec::new() } else { in_order(posed.drive, told(posed, first)) };
+        let of_history = || quantities.iter().map(|quantity| curve_of(*quantity, &units)).collect();
+        let curves: Vec<StateCurve> = if is_list { curves_of_loads() } else { of_history() };
+        let problem = under_heaviest_load(posed);
+        let setup = Setup { load: problem.load(), ..posed.setup.clone() };
         let scene = Scene {
             exact: None,
-            further: if is_list { Vec::new() } else { further(posed, &[first], ROOM) },
-            zone: YieldZone::new(posed.setup, &[first], ROOM),
-            ..Scene::from_setup(&setup, posed.problem)
+            further: if is_list { Vec::new() } else { further(posed, first) },
+            zone: YieldZone::new(posed.setup, first),
+            ..Scene::from_setup(&setup, &problem)
         };
         let title = self.title.clone().unwrap_or_else(|| scene.title.clone());
         let description = surface_in_words(posed.setup, &units);
@@ -97,6 +81,7 @@ impl<'a> StateRecording<'a> {
         let beside =
             self.beside.iter().filter_map(|run| Some(Scene { exact: None, ..run.scene(run.problem.as_ref()?) }));
         let scenes: Vec<Scene<'_>> = std::iter::once(Scene { title: title.clone(), ..scene }).chain(beside).collect();
+        let times = posed.setup.path_points().iter().filter_map(|point| point.time).collect();
         let loads = Loads {
             title: if is_list { format!("{title}, {count} loads") } else { title.clone() },
             description: match is_list {
@@ -105,14 +90,48 @@ impl<'a> StateRecording<'a> {
             },
             captions: given.iter().map(|load| load_in_words(*load, is_line, &units)).collect(),
             curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
-            axis: if is_list { axis_of_loads(given, is_line, &units) } else { numbered(expected) },
+            axis: if is_list { axis_of_loads(given, is_line, &units) } else { axis(posed, &units) },
             figure: None,
-            timeline: if is_list { Timeline::Loads } else { Timeline::States(Vec::new()) },
+            timeline: if is_list { Timeline::Loads } else { Timeline::States(times) },
             followed: is_list.then(|| posed.setup.surface.own_shape(posed.problem.surface().grid().shape())),
             scenes: &scenes,
         };
         let recording = LoadRecording::to(target, &loads, self.options.clone())?;
-        self.begun = Some(Begun { recording, curves, draft });
+        self.begun = Some(Begun { recording, curves, quantities });
+        Ok(())
+    }
+
+    /// Ends the recording, on axes that fit all states.
+    fn finish(&mut self, drive: &Drive) -> Result<(), FileError> {
+        let Some(Begun { recording, quantities, .. }) = self.begun.take() else { return Ok(()) };
+        if drive.is_list {
+            return recording.finish();
+        }
+        let number = |it: &Quantity| quantities.iter().position(|other| other == it);
+        let order: Vec<usize> = in_order(drive, quantities.clone()).iter().filter_map(number).collect();
+        recording.finish_states(&order)
+    }
+}
+
+impl Begun {
+    /// Adds a state of a history, and a curve for each quantity that no state before had.
+    fn add_state(
+        &mut self,
+        posed: &Posed<'_>,
+        number: usize,
+        state: &State,
+        units: &RecordUnits,
+    ) -> Result<(), FileError> {
+        let place = posed.drive.axis.map_or(number as f64 + 1.0, |it| state.value(it));
+        let words = caption(posed.drive, number, state, units);
+        self.recording.add_state(words, place, state.get(Quantity::Time));
+        let new: Vec<Quantity> = told(posed, state).into_iter().filter(|it| !self.quantities.contains(it)).collect();
+        for quantity in new {
+            let curve = curve_of(quantity, units);
+            self.recording.add_curve(curve.0.clone())?;
+            self.curves.push(curve);
+            self.quantities.push(quantity);
+        }
         Ok(())
     }
 }
@@ -122,23 +141,27 @@ impl StateSink for StateRecording<'_> {
         if self.begun.is_none() {
             self.begin(posed, state)?;
         }
-        let Some(Begun { recording, curves, .. }) = &mut self.begun else { return Ok(()) };
-        if !posed.drive.is_list {
-            recording.caption(number, caption(posed.drive, number, state, &self.options.units()));
+        let Some(begun) = &mut self.begun else { return Ok(()) };
+        // a run beside the first one may have more states
+        if number >= begun.recording.count() {
+            begun.add_state(posed, number, state, &self.options.units())?;
         }
         if posed.run == 0 {
-            recording.values(number, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
+            let values: Vec<f64> = begun.curves.iter().map(|(_, of)| of(state)).collect();
+            begun.recording.values(number, &values)?;
         }
-        add(recording, posed.run, number, state)
+        let further: Vec<(&'static str, &[f64])> =
+            state.fields.iter().map(|it| (it.name(), it.values.as_slice().unwrap_or_default())).collect();
+        begun.recording.state(posed.run, number, &state.contact, &further)
     }
 
-    fn end(&mut self, posed: &Posed<'_>, outcome: &HistoryOutcome) -> Result<(), FileError> {
-        let Some(Begun { recording, draft, .. }) = self.begun.take() else { return Ok(()) };
-        recording.finish()?;
-        match draft {
-            Some(path) => outcome.record_with(&path, posed.setup, posed.problem, self.options.clone()),
-            None => Ok(()),
+    fn end(&mut self, posed: &Posed<'_>, states: &[Arc<State>]) -> Result<(), FileError> {
+        let Some(begun) = &self.begun else { return Ok(()) };
+        for (number, state) in states.iter().enumerate() {
+            begun.recording.redraw(posed.run, number, &state.contact)?;
         }
+        let is_last = posed.run == self.beside.len();
+        if is_last { self.finish(posed.drive) } else { Ok(()) }
     }
 }
 
@@ -157,106 +180,60 @@ impl HistoryOutcome {
     /// # Errors
     /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
     pub fn record(&self, path: &Path, setup: &Setup, problem: &Problem) -> Result<(), FileError> {
-        self.record_with(path, setup, problem, Options::from(setup))
-    }
-
-    fn record_with(&self, path: &Path, setup: &Setup, problem: &Problem, options: Options) -> Result<(), FileError> {
-        let states: Vec<&State> = self.states.iter().map(|it| &**it).collect();
-        let highest = states.iter().max_by(|a, b| a.contact.max_pressure().total_cmp(&b.contact.max_pressure()));
-        let Some(highest) = highest else { return Ok(()) };
         let posed = Posed { run: 0, setup, problem, drive: self.drive };
-        let scene = Scene {
-            exact: None,
-            apart: self.apart(problem),
-            further: further(&posed, &states, 1.0),
-            zone: YieldZone::new(setup, &states, 1.0),
-            ..Scene::from_setup(setup, &highest.contact.problem)
-        };
-        let units = options.units();
-        let curves = curves(self.drive, &self.changing(), &units);
-        let loads = Loads {
-            title: format!("{}, {} states", scene.title, states.len()),
-            description: format!("{}. {}.", surface_in_words(setup, &units), states[0].claim.words()),
-            captions: states.iter().enumerate().map(|(i, state)| caption(self.drive, i, state, &units)).collect(),
-            curves: curves.iter().map(|(curve, _)| curve.clone()).collect(),
-            axis: self.axis(&units),
-            figure: None,
-            timeline: Timeline::States(states.iter().filter_map(|state| state.get(Quantity::Time)).collect()),
-            followed: None,
-            scenes: &[scene],
-        };
-        let recording = LoadRecording::create(path, &loads, options)?;
-        for (i, state) in states.iter().enumerate() {
-            recording.values(i, &curves.iter().map(|(_, of)| of(state)).collect::<Vec<_>>())?;
-            add(&recording, 0, i, state)?;
+        let mut recording = StateRecording::open(Target::File(path.into()), Options::from(setup))?;
+        for (number, state) in self.states.iter().enumerate() {
+            recording.state(&posed, number, state)?;
         }
-        recording.finish()
-    }
-
-    /// The largest distance between the surfaces where they are closest, as far as a picture has room for it.
-    fn apart(&self, problem: &Problem) -> f64 {
-        let least = |state: &State| state.contact.gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = self.states.iter().map(|state| least(state)).fold(0.0, f64::max);
-        most.min(MOST_APART * problem.highest())
-    }
-
-    /// The quantities with curves whose values change.
-    fn changing(&self) -> Vec<Quantity> {
-        let axis = self.drive.axis;
-        let changes = |it: &Quantity| {
-            let values = self.states.iter().filter_map(|state| state.get(*it));
-            let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
-            let ends = [f64::INFINITY, f64::NEG_INFINITY];
-            let [low, high] = values.iter().fold(ends, |[low, high], &value| [low.min(value), high.max(value)]);
-            high - low > ROUNDING * low.abs().max(high.abs()) || values.len() == 1
-        };
-        let all = self.quantities().into_iter();
-        all.filter(|it| Some(*it) != axis && it.row().has_curve && changes(it)).collect()
-    }
-
-    /// The axis of the charts: the quantity along which the process goes, or the number of the state.
-    fn axis(&self, units: &RecordUnits) -> LoadAxis {
-        let drive = self.drive;
-        match drive.axis {
-            Some(it) if drive.is_logarithmic => {
-                LoadAxis::log(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit))
-            }
-            Some(it) => LoadAxis::linear(it.name(), self.values(it)).with_unit(units.of_kind(it.row().unit)),
-            None => numbered(self.states.len()),
-        }
+        recording.end(&posed, &self.states)
     }
 }
 
-/// The numbers of some states as an axis.
-fn numbered(states: usize) -> LoadAxis {
-    LoadAxis::linear("state", (1..=states).map(|i| i as f64).collect())
+/// The problem under the largest load of the path of a history, for which its pictures have room; that of a list of loads has it already.
+fn under_heaviest_load(posed: &Posed<'_>) -> Problem {
+    let points = posed.setup.path_points().into_iter();
+    let heaviest = points.map(|point| point.load).max_by(|one, two| one.value().total_cmp(&two.value()));
+    let under = |load: Load| posed.problem.clone().with_load(load).ok();
+    heaviest.and_then(under).unwrap_or_else(|| posed.problem.clone())
 }
 
-/// Adds the fields of a state of a scene to a recording.
-fn add(recording: &LoadRecording, scene: usize, number: usize, state: &State) -> Result<(), FileError> {
-    let further: Vec<(&'static str, &[f64])> =
-        state.fields.iter().map(|it| (it.name(), it.values.as_slice().unwrap_or_default())).collect();
-    recording.state(scene, number, &state.contact, &further)
+/// The axis of the charts of a history: the quantity along which its drive goes, with room for what its path says, or the number of the state.
+fn axis(posed: &Posed<'_>, units: &RecordUnits) -> LoadAxis {
+    let setup = posed.setup;
+    let Some(quantity) = posed.drive.axis else {
+        let states = setup.expected_states().unwrap_or(0).max(2);
+        return LoadAxis::linear("state", Vec::new()).expecting(vec![0.5, states as f64 + 0.5]);
+    };
+    let times = setup.path_points().into_iter().filter_map(|point| point.time);
+    let speeds = setup.sliding.iter().flat_map(|sliding| sliding.speed.iter().copied());
+    let axis = match posed.drive.is_logarithmic {
+        true => LoadAxis::log(quantity.name(), Vec::new()),
+        false => LoadAxis::linear(quantity.name(), Vec::new()),
+    };
+    axis.with_unit(units.of_kind(quantity.row().unit)).expecting(times.chain(speeds).collect())
 }
 
-/// The quantities with curves that the first state of a history has.
-fn told(posed: &Posed<'_>, first: &State) -> Vec<Quantity> {
+/// The quantities with curves that a state of a history has.
+fn told(posed: &Posed<'_>, state: &State) -> Vec<Quantity> {
     let axis = posed.drive.axis;
-    let all = first.numbers().iter().map(|(quantity, _)| *quantity);
+    let all = state.numbers().iter().map(|(quantity, _)| *quantity);
     all.filter(|it| it.row().has_curve && Some(*it) != axis).collect()
 }
 
-/// The curves of quantities, first those that the drive shows first.
-fn curves(drive: &Drive, quantities: &[Quantity], units: &RecordUnits) -> Vec<StateCurve> {
-    let mut quantities = quantities.to_vec();
+/// Quantities in the order of their curves: first those that the drive shows first.
+fn in_order(drive: &Drive, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
+    quantities.sort_unstable();
     quantities.sort_by_key(|it| drive.shown().position(|shown| shown == *it).unwrap_or(usize::MAX));
-    let of = |it: Quantity| {
-        let colour = if it.row().unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
-        let title = it.row().title;
-        let curve = RecordedCurve { unit: units.of_kind(it.row().unit).into(), ..curve(&view(title), title, colour) };
-        (curve, Box::new(move |state: &State| state.value(it)) as Box<_>)
-    };
-    quantities.into_iter().map(of).collect()
+    quantities
+}
+
+/// The curve of a quantity over the states.
+fn curve_of(quantity: Quantity, units: &RecordUnits) -> StateCurve {
+    let row = quantity.row();
+    let colour = if row.unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
+    let unit = units.of_kind(row.unit).into();
+    let curve = RecordedCurve { unit, ..curve(&view(row.title), row.title, colour) };
+    (curve, Box::new(move |state: &State| state.value(quantity)))
 }
 
 /// The curves over a list of loads.
@@ -306,21 +283,19 @@ fn caption(drive: &Drive, number: usize, state: &State, units: &RecordUnits) -> 
     if words.is_empty() { format!("state {}", number + 1) } else { words.join(", ") }
 }
 
-/// The further fields of some states, with their ranges over these, times some room.
-fn further(posed: &Posed<'_>, states: &[&State], room: f64) -> Vec<FurtherField> {
-    let Some(first) = states.first() else { return Vec::new() };
+/// The further fields of the states of a history, on axes with room for values some times larger than those of the first state.
+fn further(posed: &Posed<'_>, first: &State) -> Vec<FurtherField> {
     // the fields of a cut and of a leakage have drawings of their own
     let is_drawn = |it: &&StateField| it.is_on_surface() && it.kind.row().unit != Unit::One;
     let field = |it: &StateField| {
         let row = it.kind.row();
-        let values = states.iter().filter_map(|state| state.field(it.kind)).flatten();
         let ends = [f64::INFINITY, f64::NEG_INFINITY];
-        let [low, high] = values.fold(ends, |[low, high], value| [low.min(*value), high.max(*value)]);
+        let [low, high] = it.values.iter().fold(ends, |[low, high], value| [low.min(*value), high.max(*value)]);
         let unit = match row.unit {
             Unit::Pressure => posed.problem.contact_modulus(),
             _ => posed.problem.rms_height(),
         };
-        FurtherField::new(row.name, row.title, (row.symbol, unit), [room * low, room * high])
+        FurtherField::new(row.name, row.title, (row.symbol, unit), [ROOM * low, ROOM * high])
     };
     first.fields.iter().filter(is_drawn).map(field).collect()
 }

@@ -23,8 +23,6 @@ pub struct Scene<'a> {
     /// The state for errors by wavelength, such as the end of an earlier, identical run; without it there are no such
     /// errors.
     pub reference: Option<Arc<Reference>>,
-    /// Room below the highest peak in the profile of a line, a length, for states in which nothing touches.
-    pub apart: f64,
     /// Fields besides pressure and gap that its states have.
     pub further: Vec<FurtherField>,
     /// The layers below its surface, where its solid yields.
@@ -41,30 +39,22 @@ pub struct YieldZone {
     pub interfaces: Vec<f64>,
     /// The yield stress, a pressure.
     pub yield_stress: f64,
-    /// The largest accumulated plastic strain of all states.
-    pub strain: f64,
-    /// The largest von Mises stress of all states, a pressure.
-    pub stress: f64,
+    /// The least accumulated plastic strain that its scale reaches.
+    pub least_strain: f64,
+    /// The largest strain and the largest von Mises stress of the first state.
+    pub first: [f64; 2],
 }
 
 impl YieldZone {
-    /// The layers below some states of a setup, with the largest values of their fields. The largest strain is multiplied
-    /// by `room`, since it grows in the states that follow; the stress stays near the yield stress where the solid flows.
-    /// None where the solid does not yield below its surface.
-    pub fn new(setup: &Setup, states: &[&State], room: f64) -> Option<Self> {
+    /// The layers below the first state of a setup, with the largest values of its fields. None where the solid does not yield below its
+    /// surface.
+    pub fn new(setup: &Setup, first: &State) -> Option<Self> {
         let yield_stress = setup.yield_stress()?;
-        let interfaces = states.iter().find_map(|state| state.layers.as_ref())?.interfaces.clone();
-        let largest = |kind: FieldKind| {
-            let values = states.iter().filter_map(|state| state.field(kind)).flatten();
-            values.copied().fold(0.0, f64::max)
-        };
-        let least = LEAST_STRAIN * yield_stress / setup.contact_modulus().ok()?;
-        Some(Self {
-            interfaces,
-            yield_stress,
-            strain: room * largest(FieldKind::PlasticStrain).max(least),
-            stress: largest(FieldKind::VonMises).max(yield_stress),
-        })
+        let interfaces = first.layers.as_ref()?.interfaces.clone();
+        let largest = |kind: FieldKind| first.field(kind).into_iter().flatten().copied().fold(0.0, f64::max);
+        let first = [FieldKind::PlasticStrain, FieldKind::VonMises].map(largest);
+        let least_strain = LEAST_STRAIN * yield_stress / setup.contact_modulus().ok()?;
+        Some(Self { interfaces, yield_stress, least_strain, first })
     }
 }
 
@@ -79,20 +69,25 @@ pub struct FurtherField {
     pub symbol: &'static str,
     /// The value at the number 1 of the axis.
     pub unit: f64,
-    /// Least and largest value over all states.
+    /// The range of the axis while the states come; at the end it reaches over all of them.
     pub range: [f64; 2],
 }
 
 impl FurtherField {
     /// The field with an axis that reaches from zero over all values, or around zero where they have both signs.
     pub fn new(name: &'static str, title: &str, (symbol, unit): (&'static str, f64), [low, high]: [f64; 2]) -> Self {
+        Self { name, title: title.into(), symbol, unit, range: [0.0; 2] }.over([low, high])
+    }
+
+    /// The same field with an axis for values from `low` to `high`.
+    pub(super) fn over(&self, [low, high]: [f64; 2]) -> Self {
         let most = low.abs().max(high.abs());
         let range = match most > 0.0 {
-            false => [0.0, unit],
+            false => [0.0, self.unit],
             true if low < 0.0 => [-most, most],
             true => [0.0, most],
         };
-        Self { name, title: title.into(), symbol, unit, range }
+        Self { range, ..self.clone() }
     }
 }
 
@@ -106,7 +101,6 @@ impl<'a> Scene<'a> {
             setup: None,
             exact: None,
             reference: None,
-            apart: 0.0,
             further: Vec::new(),
             zone: None,
         }

@@ -73,7 +73,17 @@ pub(crate) trait Drawing: Send + Sync {
     }
 
     /// Fits axes and scales to the data, for all times.
-    fn settle(&self, _to: &RecordingStream, _extent: FieldExtent) -> RecordingStreamResult<()> {
+    fn settle(&self, _to: &RecordingStream, _extent: &FieldExtent) -> RecordingStreamResult<()> {
+        Ok(())
+    }
+
+    /// Records a state again at the current time, where its picture cannot be stretched to the reach of all states.
+    fn redraw(
+        &self,
+        _to: &RecordingStream,
+        _fields: &FrameFields<'_>,
+        _all: &FieldExtent,
+    ) -> RecordingStreamResult<()> {
         Ok(())
     }
 

@@ -117,24 +117,64 @@ fn largest(problem: &Problem, pressure: &[f64]) -> Vec<PatchReading> {
 }
 
 /// The reach of the fields of some states: the largest pressure, the largest gap, the largest shear stress below.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FieldExtent {
     pub pressure: f64,
     pub gap: f64,
     pub shear: f64,
     /// The lowest and the highest place of the relief.
     pub relief: [f64; 2],
+    /// The largest distance between the surfaces of a state where they are closest, 0 where they touch.
+    pub apart: f64,
+    /// The least and the largest value of each further field, by its name.
+    pub further: Vec<(&'static str, [f64; 2])>,
 }
 
 impl FieldExtent {
-    pub(crate) const NONE: Self =
-        Self { pressure: 0.0, gap: 0.0, shear: 0.0, relief: [f64::INFINITY, f64::NEG_INFINITY] };
+    pub(crate) const NONE: Self = Self {
+        pressure: 0.0,
+        gap: 0.0,
+        shear: 0.0,
+        relief: [f64::INFINITY, f64::NEG_INFINITY],
+        apart: 0.0,
+        further: Vec::new(),
+    };
 
-    pub(crate) fn and(self, other: Self) -> Self {
-        let [low, high] = [f64::min(self.relief[0], other.relief[0]), f64::max(self.relief[1], other.relief[1])];
-        let (pressure, gap) = (self.pressure.max(other.pressure), self.gap.max(other.gap));
-        Self { pressure, gap, shear: self.shear.max(other.shear), relief: [low, high] }
+    pub(crate) fn and(mut self, other: Self) -> Self {
+        self.pressure = self.pressure.max(other.pressure);
+        self.gap = self.gap.max(other.gap);
+        self.shear = self.shear.max(other.shear);
+        self.relief = widest(self.relief, other.relief);
+        self.apart = self.apart.max(other.apart);
+        for (name, range) in other.further {
+            match self.further.iter_mut().find(|(own, _)| *own == name) {
+                Some((_, own)) => *own = widest(*own, range),
+                None => self.further.push((name, range)),
+            }
+        }
+        self
     }
+
+    /// The same reach without room for surfaces apart, for states that are not drawn again.
+    pub(crate) fn touching(self) -> Self {
+        Self { apart: 0.0, ..self }
+    }
+
+    /// The reach of one further field of a state.
+    pub(crate) fn of_further(name: &'static str, values: &[f64]) -> Self {
+        Self { further: vec![(name, range(values.iter().copied()))], ..Self::NONE }
+    }
+
+    /// The least and the largest value of a further field, if a state has it.
+    pub(crate) fn further(&self, name: &str) -> Option<[f64; 2]> {
+        let found = self.further.iter().find(|(other, _)| *other == name);
+        found.map(|(_, range)| *range).filter(|[low, high]| low <= high)
+    }
+}
+
+/// The range over two ranges.
+fn widest([low, high]: [f64; 2], [other_low, other_high]: [f64; 2]) -> [f64; 2] {
+    [low.min(other_low), high.max(other_high)]
 }
 
 /// Smallest and largest finite value.
@@ -149,9 +189,14 @@ mod tests {
 
     #[test]
     fn extents_reach_as_far_as_all_states() {
-        let near = FieldExtent { pressure: 1.0, gap: 5.0, shear: 0.5, relief: [0.0, 1.0] };
-        let far = FieldExtent { pressure: 3.0, gap: 2.0, shear: 0.1, relief: [-1.0, 0.5] };
-        assert_eq!(near.and(far), FieldExtent { pressure: 3.0, gap: 5.0, shear: 0.5, relief: [-1.0, 1.0] });
-        assert_eq!(FieldExtent::NONE.and(far), far);
+        let further = vec![("traction", [-1.0, 0.5])];
+        let near = FieldExtent { pressure: 1.0, gap: 5.0, shear: 0.5, relief: [0.0, 1.0], apart: 0.2, further };
+        let further = vec![("slip", [0.0, 2.0]), ("traction", [-0.5, 3.0])];
+        let far = FieldExtent { pressure: 3.0, gap: 2.0, shear: 0.1, relief: [-1.0, 0.5], apart: 0.1, further };
+        let both = near.clone().and(far.clone());
+        assert_eq!((both.pressure, both.gap, both.shear, both.relief, both.apart), (3.0, 5.0, 0.5, [-1.0, 1.0], 0.2));
+        assert_eq!((both.further("traction"), both.further("slip")), (Some([-1.0, 3.0]), Some([0.0, 2.0])));
+        assert_eq!(both.further("strain"), None);
+        assert_eq!(FieldExtent::NONE.and(far.clone()), far);
     }
 }

@@ -123,7 +123,7 @@ impl Stage {
     /// Adds the map of contact patches of a line under `loads`, if contacts are recorded.
     pub(crate) fn map_patches(&mut self, loads: &LoadAxis) {
         if let (Plane::Line(plane), true) = (&self.plane, self.what.has(Part::Mask)) {
-            self.patches = Some(PatchMap::new(plane, loads.clone()));
+            self.patches = Some(PatchMap::new(plane, loads));
         }
     }
 
@@ -231,8 +231,18 @@ impl Stage {
     }
 
     /// Fits axes and scales to some states, for all times.
-    pub(crate) fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
+    pub(crate) fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
         self.drawings.iter().try_for_each(|drawing| drawing.settle(to, extent))
+    }
+
+    /// Records again what cannot be stretched of a state, at the current time; `all` is the reach of all states.
+    pub(crate) fn redraw(
+        &self,
+        to: &RecordingStream,
+        fields: &FrameFields<'_>,
+        all: &FieldExtent,
+    ) -> RecordingStreamResult<()> {
+        self.drawings.iter().try_for_each(|drawing| drawing.redraw(to, fields, all))
     }
 
     /// Records words above the pictures at the current time.

@@ -3,6 +3,9 @@
 //! The only timeline is `load`, the number of the load from 1 on; the value of each is under `/load/value`. The states of a history have
 //! `step` in its place and, where they have times, a time line of those. A time picked in a curve or on the time line shows the contacts
 //! under that load. The pictures are those of [`Recording`], on axes that all loads share.
+//!
+//! Loads and curves are known before the first contact. The states of a history are not: each of them brings its place on the axis
+//! ([`LoadRecording::add_state`]) and perhaps a new curve, and axes, scales and layout are fitted to all of them at the end.
 
 use super::output::Output;
 use super::recording::{Name, Recording, stages};
@@ -14,7 +17,7 @@ use crate::plot;
 use crate::record::draw::{
     Chart, Curves, FieldExtent, FigurePicture, FrameFields, LOAD, LoadAxis, Palette, RecordedCurve, Stage,
 };
-use crate::record::layout::{TEXT, fit_loads, send_loads};
+use crate::record::layout::{TEXT, fit_charts, fit_loads, send_loads};
 use crate::record::options::Options;
 use crate::record::parts::Parts;
 use crate::record::scene::Scene;
@@ -60,7 +63,7 @@ pub enum Timeline {
     Loads,
     /// `step`: the number of the state, from 1 on. Where the states have times, also `time`, a duration in seconds; or, where its
     /// nanoseconds do not resolve the times or end before them, a sequence whose name says what it counts, such as `time in 1e-18 s`. No
-    /// two states are at the same time of it.
+    /// two states are at the same time of it. The times are those of the path, between which the states come.
     States(Vec<f64>),
 }
 
@@ -76,7 +79,7 @@ impl Timeline {
 
 /// A recording over loads that is being written into a file, which can be opened at any time.
 ///
-/// Loads can come in any order and from several threads. Missing loads are not shown.
+/// Loads can come in any order and from several threads. Missing loads are not shown. The states of a history come in their order.
 pub struct LoadRecording {
     recording: Recording,
     description: String,
@@ -85,6 +88,8 @@ pub struct LoadRecording {
     timeline: Timeline,
     times: StateTimes,
     curves: Curves,
+    /// Whether curves are recorded.
+    has_curves: bool,
     figure: Option<FigurePicture>,
     progress: Mutex<LoadsSoFar>,
 }
@@ -118,16 +123,43 @@ impl LoadRecording {
         Self::begin(output, id.as_deref(), loads, options)
     }
 
-    /// Names load number `load`, from 0 on, where its words were not known at the beginning.
-    pub fn caption(&mut self, load: usize, words: String) {
-        if load >= self.captions.len() {
-            self.captions.resize(load + 1, String::new());
+    /// How many loads or states it has words for.
+    pub fn count(&self) -> usize {
+        self.captions.len()
+    }
+
+    /// Adds a state of a history behind the others, in words and with its place on the axis; also its time, if it has one. Its values and its
+    /// contact can be recorded then.
+    pub fn add_state(&mut self, words: String, place: f64, time: Option<f64>) {
+        let number = self.captions.len();
+        self.captions.push(words);
+        self.axis.place(number, place);
+        if let Some(time) = time {
+            self.times.add(number, time);
         }
-        self.captions[load] = words;
+        self.progress().charts.iter_mut().for_each(|chart| chart.place(number, place));
+    }
+
+    /// Adds a curve behind the others, with a chart of its own.
+    ///
+    /// # Errors
+    /// [`FileError::Write`] if writing fails.
+    pub fn add_curve(&mut self, curve: RecordedCurve) -> Result<(), FileError> {
+        if !self.has_curves {
+            return Ok(());
+        }
+        let number = self.curves.push(curve.clone());
+        let palette = Palette::new(self.recording.options.theme);
+        let mut progress = self.progress();
+        let chart = Chart::new(progress.charts.len(), (number, curve), &self.axis, palette);
+        progress.charts.push(chart);
+        drop(progress);
+        self.recording.write(|stream| self.curves.log_static(stream))
     }
 
     fn begin(output: Output, id: Option<&str>, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
-        let curves = if options.what.has(Part::Traces) { loads.curves.clone() } else { Vec::new() };
+        let has_curves = options.what.has(Part::Traces);
+        let curves = if has_curves { loads.curves.clone() } else { Vec::new() };
         let options = Options { what: options.what.and(Parts::PICTURES), ..options };
         let mut stages = stages(loads.scenes, "/contact", &options);
         for stage in &mut stages {
@@ -140,7 +172,7 @@ impl LoadRecording {
         let extents = vec![FieldExtent::NONE; stages.len()];
         let mut charts = Chart::all(&curves, &loads.axis, palette);
         let mut figure = loads.figure.map(|figure| FigurePicture::new(figure, loads.axis.values.clone(), palette));
-        let curves = Curves(curves);
+        let curves = Curves::new(curves);
         fit_loads(&mut stages, figure.as_mut(), &mut charts, &curves, options.window);
         let times = match &loads.timeline {
             Timeline::Loads => StateTimes::new(&[]),
@@ -160,6 +192,7 @@ impl LoadRecording {
                 patches: loads.followed.map(PatchHistory::new),
             }),
             curves,
+            has_curves,
             figure,
         };
         recording.recording.write(|stream| recording.log_static(stream))?;
@@ -222,16 +255,38 @@ impl LoadRecording {
             }
             let fields = FrameFields::from_contact(contact).with_further(further);
             let extent = stage.extent(&fields);
-            let widened = self.progress().extents[scene].and(extent);
-            self.progress().extents[scene] = widened;
+            self.widen(scene, extent);
             stage.log_frame(stream, &fields)?;
             stage.log_contact(stream, contact)?;
             if scene == 0 {
                 self.follow_patches(stream, load, contact)?;
             }
             let Some(patches) = &stage.patches else { return Ok(()) };
-            patches.log(stream, load, &fields)
+            patches.log(stream, (load, &self.axis), &fields)
         })
+    }
+
+    /// Records a state again, where its pictures cannot be stretched to the reach of all states: after all of them, in their order.
+    ///
+    /// # Errors
+    /// [`FileError::Write`] if writing fails.
+    ///
+    /// # Panics
+    /// If there is no such scene or state.
+    pub fn redraw(&self, scene: usize, load: usize, contact: &Contact) -> Result<(), FileError> {
+        let all = self.progress().extents[scene].clone();
+        if all.apart <= 0.0 {
+            return Ok(());
+        }
+        self.recording.write(|stream| {
+            self.set_time(stream, load);
+            self.recording.stages[scene].redraw(stream, &FrameFields::from_contact(contact), &all)
+        })
+    }
+
+    fn widen(&self, scene: usize, extent: FieldExtent) {
+        let own = &mut self.progress().extents[scene];
+        *own = std::mem::replace(own, FieldExtent::NONE).and(extent);
     }
 
     /// Records what happened to the contact patches since the load before. They are followed no longer if it was not recorded.
@@ -250,6 +305,26 @@ impl LoadRecording {
         }
     }
 
+    /// Ends the recording of a history, as [`LoadRecording::finish`] does. Of its curves those have charts that change, in the `order` of
+    /// their numbers.
+    ///
+    /// # Errors
+    /// [`FileError::Write`] if that fails.
+    pub fn finish_states(mut self, order: &[usize]) -> Result<(), FileError> {
+        self.axis = self.axis.settled();
+        let mut charts = std::mem::take(&mut self.progress().charts);
+        charts.retain(|chart| chart.is_shown() && chart.place_among(order).is_some());
+        charts.sort_by_key(|chart| chart.place_among(order));
+        let is_shown = |number: &usize| charts.iter().any(|chart| chart.place_among(&[*number]).is_some());
+        self.curves.show(&order.iter().copied().filter(is_shown).collect::<Vec<_>>());
+        let Self { recording: Recording { stages, options, .. }, curves, .. } = &self;
+        fit_charts(stages, &mut charts, curves, options.window);
+        charts.iter_mut().for_each(Chart::settle_loads);
+        self.progress().charts = charts;
+        self.recording.write(|stream| self.send_layout(stream))?;
+        self.finish()
+    }
+
     /// Fits axes and colours to the contacts, writes what is left, and the index of the file.
     ///
     /// # Errors
@@ -260,32 +335,37 @@ impl LoadRecording {
     }
 
     fn settle(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
-        let LoadsSoFar { loads, extents, charts, patches } = &mut *self.progress();
+        let turn = |to: &RecordingStream, load: usize| self.set_time(to, load);
+        let LoadsSoFar { extents, charts, patches, .. } = &mut *self.progress();
         let tree = self.recording.stages.first().and_then(|stage| stage.tree.as_ref());
         if let (Some(tree), Some(patches)) = (tree, patches) {
-            tree.settle(stream, &|to, load| self.set_time(to, load), patches)?;
+            tree.settle(stream, &turn, patches)?;
         }
         for (stage, extent) in self.recording.stages.iter().zip(extents).filter(|(_, it)| **it != FieldExtent::NONE) {
-            stage.settle(stream, *extent)?;
+            stage.settle(stream, extent)?;
             if let Some(patches) = &stage.patches {
-                patches.settle(stream, loads.iter().copied())?;
+                patches.settle(stream, &turn, &self.axis)?;
             }
         }
-        charts.iter_mut().try_for_each(|chart| chart.settle(stream, &|to, load| self.set_time(to, load)))
+        charts.iter_mut().try_for_each(|chart| chart.settle(stream, &turn))
     }
 
     fn log_static(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
         let Self { recording, figure, curves, .. } = self;
-        let charts = &self.progress().charts;
-        send_loads(&recording.stages, figure.as_ref(), charts, curves, self.timeline.name(), stream)?;
+        self.send_layout(stream)?;
         curves.log_static(stream)?;
-        charts.iter().try_for_each(|chart| chart.log_static(stream))?;
+        self.progress().charts.iter().try_for_each(|chart| chart.log_static(stream))?;
         let value = with_unit(&self.axis.name, &self.axis.unit);
         stream.log_static(VALUE, &SeriesLines::new().with_names([value.as_str()]))?;
         if let Some(figure) = figure {
             figure.log_static(stream)?;
         }
         recording.stages.iter().try_for_each(|stage| stage.log_static(stream))
+    }
+
+    fn send_layout(&self, stream: &RecordingStream) -> RecordingStreamResult<()> {
+        let Self { recording, figure, curves, .. } = self;
+        send_loads(&recording.stages, figure.as_ref(), &self.progress().charts, curves, self.timeline.name(), stream)
     }
 
     /// Sets the time of a stream to that of a load.
@@ -311,10 +391,12 @@ impl LoadRecording {
 
     /// The load and its numbers, above what the recording is about.
     fn text(&self, load: usize, table: &str) -> TextDocument {
-        let (caption, number, all) = (&self.captions[load], load + 1, self.captions.len());
-        let description = &self.description;
-        let word = if self.timeline == Timeline::Loads { "Load" } else { "State" };
-        TextDocument::from_markdown(format!("# {caption}\n\n{word} {number} of {all}.\n\n{table}\n\n{description}"))
+        let (caption, number, description) = (&self.captions[load], load + 1, &self.description);
+        let place = match &self.timeline {
+            Timeline::Loads => format!("Load {number} of {}", self.captions.len()),
+            Timeline::States(_) => format!("State {number}"),
+        };
+        TextDocument::from_markdown(format!("# {caption}\n\n{place}.\n\n{table}\n\n{description}"))
     }
 
     fn progress(&self) -> MutexGuard<'_, LoadsSoFar> {

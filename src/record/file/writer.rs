@@ -159,7 +159,7 @@ impl Writer {
         }
         self.log_frame(contact.work, Phase { level: 0, ..self.phase }, fields)?;
         self.stage().log_contact(&self.stream, contact)?;
-        self.stage().settle(&self.stream, self.stage().extent(fields))?;
+        self.stage().settle(&self.stream, &self.stage().extent(fields).touching())?;
         let found = self.steps.end(&self.stream, contact)?.map_or_else(String::new, |found| {
             let words = found.to_string();
             format!("\n\n**Why it was slow**: {}\n\n{}", words.trim_end().replace('\n', "\n\n"), found.table())
@@ -216,8 +216,8 @@ impl Writer {
         if is_cut_off || is_low {
             self.axis_end = ROOM * highest;
             self.statics.wait();
-            let extent = self.stage().extent(fields);
-            self.stage().settle(&self.stream, FieldExtent { pressure: self.axis_end, ..extent })?;
+            let extent = self.stage().extent(fields).touching();
+            self.stage().settle(&self.stream, &FieldExtent { pressure: self.axis_end, ..extent })?;
         }
         Ok(())
     }

@@ -31,6 +31,14 @@ pub(crate) fn fit_loads(
     }
 }
 
+/// Gives charts the proportions of their panes in a window, beside scenes whose pictures keep theirs.
+pub(crate) fn fit_charts(stages: &[Stage], charts: &mut [Chart], curves: &Curves, window: [f64; 2]) {
+    let sizes = Sizes::new(&[layout(stages, None, charts, curves)], window);
+    for chart in charts {
+        chart.fit(sizes.get(&chart.root).unwrap_or(PANE));
+    }
+}
+
 /// Writes the layout of scenes, a figure and curves over the loads.
 pub(crate) fn send_loads(
     stages: &[Stage],

@@ -33,13 +33,34 @@ pub enum CurveKind {
 }
 
 /// The curves of a recording.
-pub(crate) struct Curves(pub Vec<RecordedCurve>);
+pub(crate) struct Curves {
+    all: Vec<RecordedCurve>,
+    /// The numbers of those that are shown, in their order.
+    shown: Vec<usize>,
+}
 
 impl Curves {
+    /// Curves of which all are shown.
+    pub(crate) fn new(all: Vec<RecordedCurve>) -> Self {
+        Self { shown: (0..all.len()).collect(), all }
+    }
+
+    /// Adds a curve, which is shown behind the others, and gives its number.
+    pub(crate) fn push(&mut self, curve: RecordedCurve) -> usize {
+        self.all.push(curve);
+        self.shown.push(self.all.len() - 1);
+        self.all.len() - 1
+    }
+
+    /// Shows some curves and no others, in this order.
+    pub(crate) fn show(&mut self, shown: &[usize]) {
+        self.shown = shown.to_vec();
+    }
+
     /// Titles of the views and the entities in each, in the order in which they come first.
     pub(crate) fn views(&self) -> Vec<(&str, Vec<String>)> {
         let mut views: Vec<(&str, Vec<String>)> = Vec::new();
-        for (i, curve) in self.0.iter().enumerate() {
+        for (i, curve) in self.shown.iter().filter_map(|i| Some((*i, self.all.get(*i)?))) {
             match views.iter_mut().find(|(title, _)| *title == curve.view) {
                 Some((_, entities)) => entities.push(entity(i)),
                 None => views.push((&curve.view, vec![entity(i)])),
@@ -50,7 +71,7 @@ impl Curves {
 
     /// Records names and colours.
     pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
-        for (i, RecordedCurve { name, colour, unit, .. }) in self.0.iter().enumerate() {
+        for (i, RecordedCurve { name, colour, unit, .. }) in self.all.iter().enumerate() {
             let name = &with_unit(name, unit);
             let (name, colour) = (name.as_str(), palette::colour(legible(Colour(*colour))));
             let line = SeriesLines::new().with_names([name]).with_colors([colour]).with_widths([1.8]);
@@ -62,13 +83,13 @@ impl Curves {
 
     /// Records values at the current time.
     pub(crate) fn log(&self, to: &RecordingStream, values: &[f64]) -> RecordingStreamResult<()> {
-        let mut finite = values.iter().take(self.0.len()).enumerate().filter(|(_, value)| value.is_finite());
+        let mut finite = values.iter().take(self.all.len()).enumerate().filter(|(_, value)| value.is_finite());
         finite.try_for_each(|(i, &value)| to.log(entity(i), &Scalars::single(value)))
     }
 
     /// The values with their names, in Markdown.
     pub(crate) fn table(&self, values: &[f64]) -> String {
-        let finite = self.0.iter().zip(values).filter(|(_, value)| value.is_finite());
+        let finite = self.all.iter().zip(values).filter(|(_, value)| value.is_finite());
         let written = |curve: &RecordedCurve, value: f64| match curve.unit.as_str() {
             "" => number(value),
             unit => value_with_unit(value, unit),

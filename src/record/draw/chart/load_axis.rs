@@ -1,10 +1,11 @@
 //! The axis of the loads of a recording.
 
 use crate::plot::{Axis, AxisScale};
+use crate::record::draw::fields::range;
 use crate::record::units::{FittingUnit, with_unit};
 
 /// The quantity that distinguishes the loads, and its value at each load, in order. A value that has no place on the
-/// axis leaves its load without one.
+/// axis leaves its load without one. Where the values come one after the other, the axis has room for expected ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadAxis {
     /// Name of the quantity.
@@ -13,8 +14,10 @@ pub struct LoadAxis {
     pub unit: String,
     /// Spacing of the values.
     pub scale: AxisScale,
-    /// Values of all loads.
+    /// Values of all loads that are known.
     pub values: Vec<f64>,
+    /// Values that are expected, such as the ends of a path: the axis reaches over them until the recording ends.
+    pub expected: Vec<f64>,
 }
 
 /// Half of the room of a load that is alone, in decades or over its value.
@@ -23,17 +26,40 @@ const ALONE: f64 = 0.5;
 impl LoadAxis {
     /// Loads on a logarithmic axis.
     pub fn log(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), unit: String::new(), scale: AxisScale::Log, values }
+        Self { name: name.into(), unit: String::new(), scale: AxisScale::Log, values, expected: Vec::new() }
     }
 
     /// Loads on a linear axis.
     pub fn linear(name: impl Into<String>, values: Vec<f64>) -> Self {
-        Self { name: name.into(), unit: String::new(), scale: AxisScale::Linear, values }
+        Self { name: name.into(), unit: String::new(), scale: AxisScale::Linear, values, expected: Vec::new() }
     }
 
     /// The axis of values in a unit.
     pub fn with_unit(self, unit: &str) -> Self {
         Self { unit: unit.into(), ..self }
+    }
+
+    /// The axis with room for values that are expected.
+    pub fn expecting(self, expected: Vec<f64>) -> Self {
+        Self { expected, ..self }
+    }
+
+    /// Takes the value of a load that has come. Where it lies beyond those that were expected, the axis becomes twice as long, so that it
+    /// changes seldom, however many loads come.
+    pub(in crate::record) fn place(&mut self, load: usize, value: f64) {
+        if load >= self.values.len() {
+            self.values.resize(load + 1, f64::NAN);
+        }
+        self.values[load] = value;
+        let [low, high] = range(self.expected.iter().copied());
+        if value > high && low < high {
+            self.expected.push(value + (value - low));
+        }
+    }
+
+    /// The same axis with room for the values that came and for no others.
+    pub(in crate::record) fn settled(&self) -> Self {
+        Self { expected: Vec::new(), ..self.clone() }
     }
 
     /// The name of the quantity with the unit of the numbers along the axis.
@@ -48,16 +74,18 @@ impl LoadAxis {
 
     /// The unit along the axis.
     fn fitting(&self) -> FittingUnit {
-        let sizes = self.values.iter().map(|value| value.abs()).filter(|size| size.is_finite());
+        let all = self.values.iter().chain(&self.expected);
+        let sizes = all.map(|value| value.abs()).filter(|size| size.is_finite());
         FittingUnit::new(&self.unit, sizes.fold(0.0, f64::max))
     }
 
     /// The axis over the rooms of some loads.
     pub(in crate::record) fn over(&self, loads: impl IntoIterator<Item = usize>) -> Axis {
         let rooms = loads.into_iter().filter_map(|load| self.room(load)).flatten();
-        let ends = rooms.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], end| [low.min(end), high.max(end)]);
-        match ends {
-            [low, high] if low < high => Axis { name: self.title(), scale: self.scale, range: ends },
+        let size = self.fitting().size;
+        let expected = self.expected.iter().map(|value| value / size);
+        match range(rooms.chain(expected)) {
+            ends @ [low, high] if low < high => Axis { name: self.title(), scale: self.scale, range: ends },
             _ => Axis::linear(self.title(), [0.0, 1.0]),
         }
     }
@@ -117,6 +145,19 @@ mod tests {
         assert_eq!((pressures.title(), pressures.number(2)), ("mean pressure [MPa]".into(), Some(20.0)));
         assert_eq!((gaps.title(), gaps.whole().name), ("mean gap [nm]".into(), "mean gap [nm]".into()));
         assert!((gaps.whole().range[1] - 250.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn there_is_room_for_what_is_expected_until_the_end() {
+        let mut times = LoadAxis::linear("time", Vec::new()).expecting(vec![0.0, 10.0]);
+        assert_eq!(times.whole().range, [0.0, 10.0]);
+        for (load, time) in [0.0, 1.0, 3.0].into_iter().enumerate() {
+            times.place(load, time);
+        }
+        assert_eq!(times.whole().range, [-0.5, 10.0]);
+        assert_eq!(times.settled().whole().range, [-0.5, 4.0]);
+        times.place(3, 12.0);
+        assert_eq!(times.whole().range, [-0.5, 24.0]);
     }
 
     #[test]

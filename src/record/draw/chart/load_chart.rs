@@ -31,6 +31,8 @@ const MARKER: f32 = 4.5;
 const WIDE: f64 = 12.0;
 /// Share of the largest value below which the smallest one has zero beside it on the axis.
 const NEAR_ZERO: f64 = 0.5;
+/// Changes below this part of the largest value are rounding.
+pub(crate) const ROUNDING: f64 = 1e-7;
 /// Share of a value that an axis around it alone reaches to either side.
 const ALONE: f64 = 0.1;
 
@@ -49,6 +51,8 @@ pub(crate) struct Chart {
     frame: AxesFrame,
     /// Values of all curves of the recording by their loads.
     values: BTreeMap<usize, Vec<f64>>,
+    /// Whether the last loads are not drawn yet, as their values are those of the loads before.
+    is_behind: bool,
 }
 
 impl Chart {
@@ -56,23 +60,46 @@ impl Chart {
     pub(crate) fn all(curves: &[RecordedCurve], loads: &LoadAxis, palette: &'static Palette) -> Vec<Self> {
         let mut charts: Vec<Self> = Vec::new();
         for (number, curve) in curves.iter().enumerate() {
-            let member = (number, curve.clone());
             match charts.iter_mut().find(|chart| chart.name == curve.view) {
-                Some(chart) => chart.curves.push(member),
-                None => charts.push(Self {
-                    name: curve.view.clone(),
-                    root: format!("/chart/{}", charts.len()),
-                    palette,
-                    curves: vec![member],
-                    loads: loads.clone(),
-                    aside: 0.0,
-                    frame: canvas::frame(PANE, [loads.whole(), around(&curve.view, [])], 0.0),
-                    values: BTreeMap::new(),
-                }),
+                Some(chart) => chart.curves.push((number, curve.clone())),
+                None => charts.push(Self::new(charts.len(), (number, curve.clone()), loads, palette)),
             }
         }
         charts.iter_mut().for_each(|chart| chart.fit(PANE));
         charts
+    }
+
+    /// Chart number `place` of a recording, with a curve and its number among all curves.
+    pub(crate) fn new(
+        place: usize,
+        curve: (usize, RecordedCurve),
+        loads: &LoadAxis,
+        palette: &'static Palette,
+    ) -> Self {
+        let name = curve.1.view.clone();
+        let mut chart = Self {
+            root: format!("/chart/{place}"),
+            palette,
+            curves: vec![curve],
+            loads: loads.clone(),
+            aside: 0.0,
+            frame: canvas::frame(PANE, [loads.whole(), around(&name, [])], 0.0),
+            values: BTreeMap::new(),
+            is_behind: false,
+            name,
+        };
+        chart.fit(PANE);
+        chart
+    }
+
+    /// Takes the value of a load along the axis, where it was not known before.
+    pub(crate) fn place(&mut self, load: usize, value: f64) {
+        self.loads.place(load, value);
+    }
+
+    /// The place of its first curve among some curves, by their numbers.
+    pub(crate) fn place_among(&self, shown: &[usize]) -> Option<usize> {
+        shown.iter().position(|number| self.curves.iter().any(|(own, _)| own == number))
     }
 
     /// Gives it the proportions of a pane, width and height in points.
@@ -121,17 +148,43 @@ impl Chart {
         values: &[f64],
     ) -> RecordingStreamResult<()> {
         self.values.insert(load, values.to_vec());
-        let y = self.fitted();
-        if y == self.frame.y {
+        // a curve that stays where it is costs nothing before it moves
+        if self.values.len() > 1 && !self.changes() {
+            self.is_behind = true;
+            return Ok(());
+        }
+        let axes = [self.loads.whole(), self.fitted()];
+        let is_fitted = axes[0] == self.frame.x && axes[1] == self.frame.y;
+        if is_fitted && !self.is_behind {
             return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, turn, load));
         }
-        self.frame.y = y;
+        [self.frame.x, self.frame.y] = axes;
         self.draw_again(to, turn)
     }
 
-    /// Fits the axis of the loads to those that came.
-    pub(crate) fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
+    /// Whether it has something to show: a curve that changes, or one of a single load.
+    pub(crate) fn is_shown(&self) -> bool {
+        self.changes() || self.curves.iter().any(|(number, _)| self.known(*number).count() == 1)
+    }
+
+    /// Whether a curve has more than one value.
+    fn changes(&self) -> bool {
+        self.curves.iter().any(|(number, _)| {
+            let [low, high] = range(self.known(*number));
+            high - low > ROUNDING * low.abs().max(high.abs())
+        })
+    }
+
+    /// Fits the axis of the loads to those that came, before it is drawn again.
+    pub(crate) fn settle_loads(&mut self) {
+        self.loads = self.loads.settled();
         self.frame.x = self.loads.over(self.values.keys().copied());
+    }
+
+    /// Draws it on axes that fit the loads that came.
+    pub(crate) fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
+        self.settle_loads();
+        self.frame.y = self.fitted();
         self.draw_again(to, turn)
     }
 
@@ -145,7 +198,8 @@ impl Chart {
         to.log_static(format!("{}/dots", self.root), &self.dots(values.len()))
     }
 
-    fn draw_again(&self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
+    fn draw_again(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
+        self.is_behind = false;
         self.log_static(to)?;
         self.values.keys().try_for_each(|&load| self.draw(to, turn, load))
     }

@@ -128,7 +128,7 @@ impl Drawing for FieldCurves {
         FieldExtent { pressure, gap, ..FieldExtent::NONE }
     }
 
-    fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
+    fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
         self.log_scaled(to, [self.pressure.fitted(extent.pressure), self.gap.fitted(extent.gap)])
     }
 }

@@ -71,7 +71,7 @@ impl Drawing for FieldImages {
         FieldExtent { pressure, gap, ..FieldExtent::NONE }
     }
 
-    fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
+    fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
         self.pressure.log_scale(to, &self.pressure.scale.fitted(extent.pressure))?;
         self.gap.log_scale(to, &self.gap.scale.fitted(extent.gap))
     }

@@ -203,7 +203,7 @@ impl Drawing for Relief {
     }
 
     /// Stretches the relief so that the final state is [`RELIEF`] high, for all times.
-    fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
+    fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
         self.stretch(to, extent.relief)
     }
 }

@@ -188,7 +188,7 @@ impl Drawing for StressDrawing {
     }
 
     /// Fits the colours to the shear stresses; the fringes stay.
-    fn settle(&self, to: &RecordingStream, extent: FieldExtent) -> RecordingStreamResult<()> {
+    fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
         self.colours.as_ref().map_or(Ok(()), |image| image.log_scale(to, &image.scale.fitted(extent.shear)))
     }
 }

@@ -4,7 +4,7 @@ use super::stress::{COLUMNS, ROWS, depths, frame};
 use crate::contact::{FieldKind, FieldRow};
 use crate::grid::Grid;
 use crate::record::draw::drawing::{Drawing, Place, Subject};
-use crate::record::draw::fields::FrameFields;
+use crate::record::draw::fields::{FieldExtent, FrameFields};
 use crate::record::draw::ink::canvas;
 use crate::record::draw::ink::image::Image;
 use crate::record::draw::ink::palette::ColourMap;
@@ -25,9 +25,13 @@ struct ZoneDrawing {
     length_unit: String,
     /// The depth of each row.
     depth: Vec<f64>,
-    /// The name of each field among those of a frame, and its picture.
+    /// The name of each field among those of a frame, its title, and its picture.
     images: [(&'static str, String, Image); 2],
 }
+
+/// Room for the largest plastic strain, over that of the first state: it grows in the states that follow. The stress stays near the yield stress
+/// where the solid flows.
+const STRAIN_ROOM: f64 = 4.0;
 
 /// The drawing of the cut of a scene, if its solid yields below the surface.
 pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
@@ -39,16 +43,27 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let pixel = (ends[1] - ends[0]) / COLUMNS as f64;
     let sheet = frame(ends, pixel, ROWS[0], &options.length_unit);
     let place = if grid.is_line() { "below the line" } else { "in a cut through the highest peak" };
-    let image = |kind: FieldKind, most: f64, unit: f64| {
-        let FieldRow { name, title, symbol, .. } = *kind.row();
-        let scale = Ruler::over(symbol, [0.0, most], unit);
+    let [strain, stress] = zone.first;
+    let scales = scales(&zone, [STRAIN_ROOM * strain, stress]);
+    let image = |kind: FieldKind, scale: Ruler| {
+        let FieldRow { name, title, .. } = *kind.row();
         let image = Image::new(format!("{root}/{name}"), &sheet, palette, scale, ColourMap::inferno());
         (name, format!("{title} {place}"), image)
     };
-    let images =
-        [image(FieldKind::PlasticStrain, zone.strain, 1.0), image(FieldKind::VonMises, zone.stress, zone.yield_stress)];
+    let [strain, stress] = scales;
+    let images = [image(FieldKind::PlasticStrain, strain), image(FieldKind::VonMises, stress)];
     let (depth, length_unit) = (depths(ROWS[0], pixel), options.length_unit.clone());
     Some(Box::new(ZoneDrawing { grid, zone, ends, pixel, length_unit, depth, images }))
+}
+
+/// The scales of both pictures, for a largest strain and a largest stress: at least up to a small strain and the yield stress.
+fn scales(zone: &YieldZone, [strain, stress]: [f64; 2]) -> [Ruler; 2] {
+    let scale = |kind: FieldKind, most: f64, unit: f64| Ruler::over(kind.row().symbol, [0.0, most], unit);
+    let yield_stress = zone.yield_stress;
+    [
+        scale(FieldKind::PlasticStrain, strain.max(zone.least_strain), 1.0),
+        scale(FieldKind::VonMises, stress.max(yield_stress), yield_stress),
+    ]
 }
 
 impl ZoneDrawing {
@@ -107,5 +122,17 @@ impl Drawing for ZoneDrawing {
             let Some((_, values)) = fields.further.iter().find(|(other, _)| other == name) else { return Ok(()) };
             image.log(to, self.pixels(values).into_iter())
         })
+    }
+
+    fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
+        let shown = fields.further.iter().filter(|(name, _)| self.images.iter().any(|(other, ..)| other == name));
+        let extents = shown.map(|(name, values)| FieldExtent::of_further(name, values));
+        extents.fold(FieldExtent::NONE, FieldExtent::and)
+    }
+
+    fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
+        let most = self.images.each_ref().map(|(name, ..)| extent.further(name).map_or(0.0, |[_, most]| most));
+        let scaled = self.images.iter().zip(scales(&self.zone, most));
+        scaled.into_iter().try_for_each(|((.., image), scale)| image.scaled(scale, ColourMap::inferno()).log_static(to))
     }
 }

@@ -33,6 +33,12 @@ impl Image {
         Self { root, frame: frame.clone(), colours, scale }
     }
 
+    /// The same image on another scale and in other colours.
+    pub(crate) fn scaled(&self, scale: Ruler, map: ColourMap) -> Self {
+        let Self { root, frame, colours, .. } = self;
+        Self::new(root.clone(), frame, colours.palette, scale, map)
+    }
+
     /// Makes it as large as a pane allows, width and height in points.
     pub(crate) fn fit(&mut self, pane: [f64; 2]) {
         canvas::fit_image(&mut self.frame, pane);

@@ -8,6 +8,8 @@ use crate::record::draw::ink::fill::zigzag;
 use crate::record::draw::ink::line_plane::LinePlane;
 use crate::record::draw::ink::pane::Pane;
 use rerun::{Radius, RecordingStream, RecordingStreamResult, Transform3D};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Half of the width of the bars that fill a row: in a small window still wide enough to leave no pixel out.
 const BAR: f32 = 2.0;
@@ -19,16 +21,19 @@ const ROOMY: f32 = 12.0;
 pub(crate) struct PatchMap {
     frame: AxesFrame,
     plane: LinePlane,
-    loads: LoadAxis,
     root: String,
+    /// The name of the quantity along the loads.
+    along: String,
+    /// The lower and the upper end of the row of each load on the canvas, as it was drawn.
+    drawn: Mutex<BTreeMap<usize, [f32; 2]>>,
 }
 
 impl PatchMap {
     /// The map of a line under `loads`, on the canvas of its pictures.
-    pub(crate) fn new(plane: &LinePlane, loads: LoadAxis) -> Self {
+    pub(crate) fn new(plane: &LinePlane, loads: &LoadAxis) -> Self {
         let frame = plane.frame_with(&loads.whole());
         let root = format!("{}/patches", plane.root);
-        Self { frame, plane: plane.clone(), loads, root }
+        Self { frame, plane: plane.clone(), root, along: loads.name.clone(), drawn: Mutex::default() }
     }
 
     /// Takes the proportions of its pane, width and height in points.
@@ -39,7 +44,7 @@ impl PatchMap {
 
     /// The view of the map.
     pub(crate) fn pane(&self) -> Pane {
-        self.plane.pane("patches", &format!("Contact patches against {}", self.loads.title()), false)
+        self.plane.pane("patches", &format!("Contact patches against {}", self.along), false)
     }
 
     pub(crate) fn log_static(&self, to: &RecordingStream) -> RecordingStreamResult<()> {
@@ -47,37 +52,67 @@ impl PatchMap {
         canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &self.frame)
     }
 
-    /// Records the contact under load number `load` at the current time; it stays for heavier loads.
-    pub(crate) fn log(&self, to: &RecordingStream, load: usize, fields: &FrameFields<'_>) -> RecordingStreamResult<()> {
-        let Some(room) = self.loads.room(load) else { return Ok(()) };
-        let [bottom, top] = room.map(|end| self.frame.position([0.0, self.frame.y.place(end)])[1] as f32);
-        let free = if bottom - top > ROOMY { 0.5 * FREE * (bottom - top) + BAR } else { 0.0 };
-        let ends = [bottom - free, top + free];
+    /// Records the contact under load number `load` of an axis at the current time; it stays for heavier loads.
+    pub(crate) fn log(
+        &self,
+        to: &RecordingStream,
+        (load, loads): (usize, &LoadAxis),
+        fields: &FrameFields<'_>,
+    ) -> RecordingStreamResult<()> {
+        let Some(ends) = ends(&self.frame, loads, load) else { return Ok(()) };
+        self.drawn().insert(load, ends);
         let row = style(self.plane.palette.contact, Radius::new_scene_units(BAR), 10.0);
         let row = row.with_strips(self.plane.segments(fields).into_iter().map(|segment| filled(segment, ends)));
-        to.log(format!("{}/row/{}", self.root, load + 1), &row)?;
+        to.log(self.row(load), &row)?;
+        self.log_cursor(to, ends)
+    }
+
+    /// Marks the row of the current load on both sides.
+    fn log_cursor(&self, to: &RecordingStream, ends: [f32; 2]) -> RecordingStreamResult<()> {
         let width = self.frame.size[0] as f32;
         let cursor = style(self.plane.palette.ink, Radius::new_ui_points(2.0), 30.0);
         let sides = [0.0, width].map(|x| ends.map(|y| [x, y]));
         to.log(format!("{}/cursor", self.root), &cursor.with_strips(sides))
     }
 
-    /// Stretches the map to the loads that came, for all times.
+    /// Moves and stretches each row to its place among the loads that came, for all times, and marks them again at the times to which `turn`
+    /// goes. The room of a row was not known before the load after it had come.
     pub(crate) fn settle(
         &self,
         to: &RecordingStream,
-        loads: impl IntoIterator<Item = usize>,
+        turn: &dyn Fn(&RecordingStream, usize),
+        loads: &LoadAxis,
     ) -> RecordingStreamResult<()> {
-        let y = self.loads.over(loads);
-        let [low, high] = y.range.map(|end| self.frame.y.place(end));
-        let stretch = 1.0 / (high - low);
-        let shift = self.frame.size[1] * (1.0 - (1.0 - low) * stretch);
-        let transform = Transform3D::from_translation([0.0, shift as f32, 0.0]).with_scale([1.0, stretch as f32, 1.0]);
-        for stretched in ["row", "cursor"] {
-            to.log_static(format!("{}/{stretched}", self.root), &transform)?;
+        let drawn = self.drawn();
+        let frame = AxesFrame { y: loads.over(drawn.keys().copied()), ..self.frame.clone() };
+        for (&load, &[bottom, top]) in drawn.iter() {
+            let Some(settled) = ends(&frame, loads, load) else { continue };
+            let stretch = (settled[0] - settled[1]) / (bottom - top);
+            let shift = settled[1] - stretch * top;
+            let transform = Transform3D::from_translation([0.0, shift, 0.0]).with_scale([1.0, stretch, 1.0]);
+            to.log_static(self.row(load), &transform)?;
+            turn(to, load);
+            self.log_cursor(to, settled)?;
         }
-        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &AxesFrame { y, ..self.frame.clone() })
+        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &frame)
     }
+
+    /// The entity of the row of a load.
+    fn row(&self, load: usize) -> String {
+        format!("{}/row/{}", self.root, load + 1)
+    }
+
+    fn drawn(&self) -> MutexGuard<'_, BTreeMap<usize, [f32; 2]>> {
+        self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The lower and the upper end of the row of a load in a frame, with some room free beside its neighbours.
+fn ends(frame: &AxesFrame, loads: &LoadAxis, load: usize) -> Option<[f32; 2]> {
+    let [bottom, top] = loads.room(load)?.map(|end| frame.position([0.0, frame.y.place(end)])[1] as f32);
+    let free = if bottom - top > ROOMY { 0.5 * FREE * (bottom - top) + BAR } else { 0.0 };
+    let ends = [bottom - free, top + free];
+    (ends[0] > ends[1]).then_some(ends)
 }
 
 /// Bars between the heights `ends`, side by side from `left` to `right` so that they do not stick out; one or two where that

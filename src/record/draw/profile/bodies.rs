@@ -1,7 +1,7 @@
 //! The indenter above the solid along a line.
 
 use crate::record::draw::drawing::{Drawing, Place, Subject};
-use crate::record::draw::fields::{FrameFields, range};
+use crate::record::draw::fields::{FieldExtent, FrameFields, range};
 use crate::record::draw::ink::canvas::{self, strip, style};
 use crate::record::draw::ink::fill;
 use crate::record::draw::ink::line_plane::{LinePlane, WIDTH, curve};
@@ -13,13 +13,17 @@ use rerun::{Radius, RecordingStream, RecordingStreamResult};
 
 /// Room above and below the profile, in heights of the profile.
 const ROOM: f64 = 0.06;
+/// The largest distance of surfaces apart that the profile has room for, in heights of the profile. From further away the shapes could not be read.
+const MOST_APART: f64 = 3.0;
 
 /// The indenter at rest, and the solid a gap below it.
+#[derive(Clone)]
 struct Bodies {
     plane: LinePlane,
     title: String,
-    /// The place of the indenter on the vertical axis, for all nodes of the window.
-    indenter: Vec<f32>,
+    /// The heights of the indenter at all nodes of the window, upwards.
+    heights: Vec<f64>,
+    length_unit: String,
     axis: Ruler,
 }
 
@@ -28,21 +32,35 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let Plane::Line(plane) = subject.plane else { return None };
     let height = subject.scene.problem.height();
     let nodes = plane.window.every(1);
-    let [low, high] = range(nodes.values(height));
-    let room = ROOM * (high - low);
-    let axis = Ruler::new("z", &subject.options.length_unit, [-high - 2.0 * room - subject.scene.apart, -low + room]);
+    let heights: Vec<f64> = nodes.values(height).map(|h| -h).collect();
+    let length_unit = subject.options.length_unit.clone();
     Some(Box::new(Bodies {
         plane: plane.clone(),
         title: format!("{}: indenter above the solid", subject.scene.title),
-        indenter: nodes.values(height).map(|h| axis.place(-h) as f32).collect(),
-        axis,
+        axis: axis(&heights, &length_unit, 0.0),
+        heights,
+        length_unit,
     }))
+}
+
+/// The vertical axis for the heights of an indenter, and below it for a solid that is as far `apart`.
+fn axis(heights: &[f64], length_unit: &str, apart: f64) -> Ruler {
+    let [low, high] = range(heights.iter().copied());
+    let room = ROOM * (high - low);
+    Ruler::new("z", length_unit, [low - 2.0 * room - apart, high + room])
 }
 
 impl Bodies {
     /// The height of the indenter on the canvas, at a node of the window.
     fn indenter(&self, node: usize) -> f32 {
-        self.plane.height() * (1.0 - self.indenter[node])
+        self.plane.height() * (1.0 - self.axis.place(self.heights[node]) as f32)
+    }
+
+    /// The same bodies with room for a solid that is apart, as far as the shapes can be read.
+    fn with_room(&self, apart: f64) -> Self {
+        let [low, high] = range(self.heights.iter().copied());
+        let apart = apart.min(MOST_APART * (high - low));
+        Self { axis: axis(&self.heights, &self.length_unit, apart), ..self.clone() }
     }
 
     /// The solid, a gap below the nodes of the indenter.
@@ -84,5 +102,19 @@ impl Drawing for Bodies {
         let body = fill::under(&solid, WIDTH, self.plane.height(), f32::max);
         to.log(format!("{root}/solid_fill"), &strip(body))?;
         to.log(format!("{root}/solid"), &strip(solid))
+    }
+
+    fn extent(&self, fields: &FrameFields<'_>) -> FieldExtent {
+        let least = fields.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        FieldExtent { apart: if least.is_finite() { least.max(0.0) } else { 0.0 }, ..FieldExtent::NONE }
+    }
+
+    fn settle(&self, to: &RecordingStream, extent: &FieldExtent) -> RecordingStreamResult<()> {
+        if extent.apart > 0.0 { self.with_room(extent.apart).log_static(to) } else { Ok(()) }
+    }
+
+    /// The fill of the solid ends at the box, so that it cannot be stretched to a box that is deeper.
+    fn redraw(&self, to: &RecordingStream, fields: &FrameFields<'_>, all: &FieldExtent) -> RecordingStreamResult<()> {
+        if all.apart > 0.0 { self.with_room(all.apart).log_frame(to, fields) } else { Ok(()) }
     }
 }
