@@ -39,7 +39,7 @@
 //! - A [`history::Process`] makes one [`contact::State`] after the other, each from the last one: loads, creep, slip, sliding, rolling, adhesion, plastic flow. It goes along
 //!   its path (`next`), or where it is moved (`move_to`).
 //! - A [`contact::Quantity`] is a number that can be read of a state. There is one table of them; a number without a meaning is absent.
-//! - A [`job::StateSink`] receives states as they come. A run that is killed leaves those that it reached.
+//! - A [`setup::StateSink`] receives states as they come. A run that is killed leaves those that it reached.
 //! - A [`setup::Setup`] describes all of it in a form that can be written to a file and read back without loss.
 //! - A [`job::Job`] runs a setup. The command line, the page, studies and Python call jobs, so that all of them do the same.
 //!

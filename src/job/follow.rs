@@ -1,13 +1,11 @@
 //! The states of a run, one after the other.
 
 use super::history::HistoryOutcome;
-use super::posed::Posed;
 use super::run::JobRun;
-use super::sink::StateSink;
 use super::watch::{Pass, ShowSteps, Watcher};
 use crate::contact::{Observer, Problem, State, Status, goes_on};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
-use crate::setup::{Flow, Setup};
+use crate::setup::{Flow, Posed, Setup, StateSink};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

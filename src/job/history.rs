@@ -1,6 +1,5 @@
 //! The states of a run with several: loads, creep, slip, sliding, rolling or adhesion.
 
-use super::posed::Posed;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{
     Observables, Problem, Quantity, ResultClaim, State, warning_of_friction, warning_of_trail, warnings_of,
@@ -8,7 +7,7 @@ use crate::contact::{
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, CycleLoss, cycle_losses, open_cycles};
-use crate::setup::{Drive, Setup, warning_of_leakage};
+use crate::setup::{Drive, Posed, Setup, warning_of_leakage};
 use crate::warning::Warning;
 use serde::Serialize;
 use std::collections::BTreeSet;

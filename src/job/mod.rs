@@ -23,31 +23,23 @@ mod follow;
 mod history;
 mod outcome;
 mod patches;
-mod posed;
 mod ready;
+#[cfg(feature = "record")]
+mod recording;
 mod run;
 mod saved;
-#[cfg(feature = "record")]
-mod saved_recording;
 mod saved_states;
-mod sink;
 mod state_archive;
-#[cfg(feature = "record")]
-mod state_recording;
 mod state_table;
 mod tables;
 mod watch;
 
 pub use history::{AdhesionOutcome, HistoryOutcome};
 pub use outcome::{Outcome, Solved, warnings_of_contacts};
-pub use posed::Posed;
 pub use ready::Ready;
 pub use run::JobRun;
 pub use saved::{SavedFound, SavedResult};
-pub use sink::StateSink;
 pub use state_archive::StateArchive;
-#[cfg(feature = "record")]
-pub use state_recording::StateRecording;
 pub use state_table::StateTable;
 pub use tables::{LoadNumbers, write_loads, write_nodes};
 pub use watch::{Pass, ShowSteps, Watcher};
@@ -55,7 +47,7 @@ pub use watch::{Pass, ShowSteps, Watcher};
 use crate::error::SetupError;
 #[cfg(feature = "record")]
 use crate::record::{Options, Target};
-use crate::setup::{Auto, Cost, Extras, Part, Setup};
+use crate::setup::{Auto, Cost, Extras, Part, Setup, StateSink};
 use crate::study::Refinement;
 use crate::surface::Field;
 

@@ -1,10 +1,9 @@
 //! The contact patches of runs and results.
 
-use super::posed::Posed;
 use super::saved::{SavedFound, SavedResult};
-use super::sink::StateSink;
 use crate::contact::{PatchHistory, State};
 use crate::error::FileError;
+use crate::setup::{Posed, StateSink};
 
 impl StateSink for PatchHistory {
     fn state(&mut self, posed: &Posed<'_>, _: usize, state: &State) -> Result<(), FileError> {

@@ -5,17 +5,15 @@ use super::follow::{StateKeeping, give};
 use super::history::HistoryOutcome;
 use super::outcome::{Outcome, Solved};
 use super::run::JobRun;
-use super::sink::StateSink;
 #[cfg(feature = "record")]
-use super::state_recording::StateRecording;
 use super::watch::{Pass, Watcher};
 use crate::contact::{Contact, Observer, PartialSlip, Problem};
 use crate::diagnosis::{Diagnosis, Reference};
 use crate::error::SetupError;
 use crate::history::Sliding;
 #[cfg(feature = "record")]
-use crate::record::Recording;
-use crate::setup::{Extras, Setup};
+use crate::record::{Recording, StateRecording};
+use crate::setup::{Extras, Setup, StateSink};
 use crate::study::Settled;
 use crate::warning::Warning;
 use std::sync::Arc;
@@ -119,6 +117,7 @@ impl Ready<'_> {
 
     /// Solves all runs one after the other, and records them on request.
     fn solve(&mut self, diagnosis: &mut Option<Diagnosis>, watch: &mut dyn Watcher) -> Result<Vec<Found>, SetupError> {
+        let mut sinks = std::mem::take(&mut self.job.sinks);
         #[cfg(feature = "record")]
         if let Some((target, options)) = self.job.recorded.take() {
             if self.job.runs[0].drive()?.is_none() {
@@ -126,9 +125,10 @@ impl Ready<'_> {
                 let recording = Recording::to(target, &scenes, options)?;
                 return self.solve_recorded(recording, diagnosis, watch);
             }
-            self.job.sinks.push(Box::new(StateRecording::open(target, options)?.of_runs(&self.job.runs)));
+            let recording = StateRecording::open(target, options)?;
+            let beside = self.job.runs[1..].iter().map(|run| run.scene(problem(run))).collect();
+            sinks.push(Box::new(recording.with_scenes(self.job.runs[0].title.clone(), beside)));
         }
-        let mut sinks = std::mem::take(&mut self.job.sinks);
         let mut solve = |i: usize| match self.job.runs[i].drive()? {
             None => self.solve_run(i, &mut (), diagnosis, watch),
             Some(_) => self.follow_run(i, &mut sinks, watch),

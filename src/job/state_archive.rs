@@ -1,10 +1,9 @@
 //! The archive of the states of a run that goes on.
 
-use super::posed::Posed;
-use super::sink::StateSink;
 use crate::contact::{State, archive_of_part};
 use crate::error::FileError;
 use crate::files::{Draft, write_beside};
+use crate::setup::{Posed, StateSink};
 use std::io::{self, Write};
 use std::path::PathBuf;
 

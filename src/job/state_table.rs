@@ -1,11 +1,10 @@
 //! The table of the states of a run that goes on.
 
-use super::posed::Posed;
-use super::sink::StateSink;
 use super::tables::cell;
 use crate::contact::{Quantity, State};
 use crate::error::FileError;
 use crate::files::Draft;
+use crate::setup::{Posed, StateSink};
 use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;

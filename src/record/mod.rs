@@ -56,7 +56,8 @@ mod units;
 pub use description::load_in_words;
 pub use draw::{CurveKind, Ghost, LoadAxis, RecordedCurve};
 pub use file::{
-    LeftOut, LoadRecording, Loads, Output, Pieces, Recorder, Recording, Target, Timeline, compare, record_survey,
+    LeftOut, LoadRecording, Loads, Output, Pieces, Recorder, Recording, StateCurve, StateRecording, Target, Timeline,
+    compare, record_survey,
 };
 pub use options::Options;
 pub use parts::Parts;

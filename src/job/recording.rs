@@ -1,12 +1,29 @@
-//! Recordings of results that are read again.
+//! Recordings of results that were found before.
 
+use super::history::HistoryOutcome;
 use super::saved::{SavedFound, SavedResult};
 use super::{Job, JobRun};
-use crate::contact::Contact;
-use crate::error::{Failure, SetupError};
+use crate::contact::{Contact, Problem};
+use crate::error::{Failure, FileError, SetupError};
 use crate::foreign::{Frame, GivenField, Replay};
-use crate::record::Target;
+use crate::record::{Options, StateRecording, Target};
+use crate::setup::{Posed, Setup, StateSink};
 use std::path::Path;
+
+impl HistoryOutcome {
+    /// Writes a recording of all states, on the timelines `step` and, where states have times, the one of [`Timeline::States`](crate::record::Timeline::States).
+    ///
+    /// # Errors
+    /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
+    pub fn record(&self, path: &Path, setup: &Setup, problem: &Problem) -> Result<(), FileError> {
+        let posed = Posed { run: 0, setup, problem, drive: self.drive };
+        let mut recording = StateRecording::open(Target::File(path.into()), Options::from(setup))?;
+        for (number, state) in self.states.iter().enumerate() {
+            recording.state(&posed, number, state)?;
+        }
+        recording.end(&posed, &self.states)
+    }
+}
 
 impl SavedResult {
     /// Writes a recording of the result: of a contact its last step, of loads and histories one frame for each state.

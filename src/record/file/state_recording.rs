@@ -1,19 +1,17 @@
 //! The recording of the states of a run: one frame for each, as soon as it is solved.
 
-use super::history::HistoryOutcome;
-use super::posed::Posed;
-use super::run::JobRun;
-use super::sink::StateSink;
+use super::loads::{LoadRecording, Loads, Timeline};
+use super::target::Target;
 use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Unit};
 use crate::error::FileError;
 use crate::plot::Colour;
-use crate::record::{
-    CurveKind, FurtherField, LoadAxis, LoadRecording, Loads, Options, RecordUnits, RecordedCurve, Scene, Target,
-    Timeline, YieldZone, load_in_words, value_with_unit,
-};
+use crate::record::description::load_in_words;
+use crate::record::draw::{CurveKind, LoadAxis, RecordedCurve};
+use crate::record::options::Options;
+use crate::record::scene::{FurtherField, Scene, YieldZone};
+use crate::record::units::{RecordUnits, value_with_unit};
 use crate::seen::capital;
-use crate::setup::{Drive, Setup};
-use std::path::Path;
+use crate::setup::{Drive, Posed, Setup, StateSink};
 use std::sync::Arc;
 
 /// Room for further fields while their largest values are not known, over those of the first state.
@@ -28,8 +26,10 @@ pub struct StateRecording<'a> {
     options: Options,
     /// The title of the first run, if it has one of its own.
     title: Option<String>,
-    /// Runs beside the first one, which are recorded beside it.
-    beside: Vec<JobRun<'a>>,
+    /// Scenes of runs that are recorded beside the first one.
+    beside: Vec<Scene<'a>>,
+    /// Curves over the states of the first run beside those of its own.
+    further_curves: Vec<StateCurve>,
     begun: Option<Begun>,
 }
 
@@ -41,21 +41,38 @@ struct Begun {
     quantities: Vec<Quantity>,
 }
 
-/// A curve over the states: how it is drawn, and its value.
-type StateCurve = (RecordedCurve, Box<dyn Fn(&State) -> f64>);
+/// A curve over the states: how it is drawn, and its value; NaN where a state has none.
+pub type StateCurve = (RecordedCurve, Box<dyn Fn(&State) -> f64>);
 
 impl<'a> StateRecording<'a> {
+    /// The view of the relative area over a list of loads.
+    pub const AREA: &'static str = "Relative area";
+
     /// The recording that goes to a target, which is opened at once.
     ///
     /// # Errors
     /// The errors of [`Target::opened`].
     pub fn open(target: Target<'a>, options: Options) -> Result<Self, FileError> {
-        Ok(Self { target: Some(target.opened()?), options, title: None, beside: Vec::new(), begun: None })
+        Ok(Self {
+            target: Some(target.opened()?),
+            options,
+            title: None,
+            beside: Vec::new(),
+            further_curves: Vec::new(),
+            begun: None,
+        })
     }
 
-    /// The recording of some runs beside each other, whose problems are posed.
-    pub(super) fn of_runs(mut self, runs: &[JobRun<'a>]) -> Self {
-        (self.title, self.beside) = (runs[0].title.clone(), runs[1..].to_vec());
+    /// The recording under a title, with the scenes of further runs beside the first one. Without a title it is the surface that names it.
+    pub fn with_scenes(mut self, title: Option<String>, beside: Vec<Scene<'a>>) -> Self {
+        let beside = beside.into_iter().map(|scene| Scene { exact: None, ..scene }).collect();
+        (self.title, self.beside) = (title, beside);
+        self
+    }
+
+    /// The recording of a list of loads with further curves, such as those of theories.
+    pub fn with_curves(mut self, curves: Vec<StateCurve>) -> Self {
+        self.further_curves = curves;
         self
     }
 
@@ -65,7 +82,8 @@ impl<'a> StateRecording<'a> {
         let (units, is_line) = (self.options.units(), posed.problem.surface().grid().is_line());
         let quantities = if is_list { Vec::new() } else { in_order(posed.drive, told(posed, first)) };
         let of_history = || quantities.iter().map(|quantity| curve_of(*quantity, &units)).collect();
-        let curves: Vec<StateCurve> = if is_list { curves_of_loads() } else { of_history() };
+        let mut curves: Vec<StateCurve> = if is_list { curves_of_loads() } else { of_history() };
+        curves.append(&mut self.further_curves);
         let problem = under_heaviest_load(posed);
         let setup = Setup { load: problem.load(), ..posed.setup.clone() };
         let scene = Scene {
@@ -78,9 +96,8 @@ impl<'a> StateRecording<'a> {
         let description = surface_in_words(posed.setup, &units);
         let given = &posed.setup.loads;
         let count = given.len();
-        let beside =
-            self.beside.iter().filter_map(|run| Some(Scene { exact: None, ..run.scene(run.problem.as_ref()?) }));
-        let scenes: Vec<Scene<'_>> = std::iter::once(Scene { title: title.clone(), ..scene }).chain(beside).collect();
+        let first_scene = Scene { title: title.clone(), ..scene };
+        let scenes: Vec<Scene<'_>> = std::iter::once(first_scene).chain(self.beside.iter().cloned()).collect();
         let times = posed.setup.path_points().iter().filter_map(|point| point.time).collect();
         let loads = Loads {
             title: if is_list { format!("{title}, {count} loads") } else { title.clone() },
@@ -157,7 +174,9 @@ impl StateSink for StateRecording<'_> {
 
     fn end(&mut self, posed: &Posed<'_>, states: &[Arc<State>]) -> Result<(), FileError> {
         let Some(begun) = &self.begun else { return Ok(()) };
-        for (number, state) in states.iter().enumerate() {
+        let is_list = posed.drive.is_list;
+        // surfaces under loads are never apart
+        for (number, state) in states.iter().enumerate().filter(|_| !is_list) {
             begun.recording.redraw(posed.run, number, &state.contact)?;
         }
         let is_last = posed.run == self.beside.len();
@@ -171,21 +190,6 @@ impl Drop for StateRecording<'_> {
         if let Some(target) = self.target.take() {
             target.discard();
         }
-    }
-}
-
-impl HistoryOutcome {
-    /// Writes a recording of all states, on the timelines `step` and, where states have times, the one of [`Timeline::States`].
-    ///
-    /// # Errors
-    /// [`FileError::Target`] and [`FileError::Write`] for a file that cannot be made or written.
-    pub fn record(&self, path: &Path, setup: &Setup, problem: &Problem) -> Result<(), FileError> {
-        let posed = Posed { run: 0, setup, problem, drive: self.drive };
-        let mut recording = StateRecording::open(Target::File(path.into()), Options::from(setup))?;
-        for (number, state) in self.states.iter().enumerate() {
-            recording.state(&posed, number, state)?;
-        }
-        recording.end(&posed, &self.states)
     }
 }
 
@@ -243,7 +247,7 @@ fn curves_of_loads() -> Vec<StateCurve> {
         (curve(view, name, colour), Box::new(value))
     };
     vec![
-        of("Relative area", "a_rel", Colour::SKY, Observables::resolved_area),
+        of(StateRecording::AREA, "a_rel", Colour::SKY, Observables::resolved_area),
         of("kappa_r", "kappa_r", Colour::ORANGE, Observables::resolved_kappa_r),
         of("kappa", "kappa", Colour::SKY, Observables::resolved_kappa),
         of("Mean gap over rms height", "<g> / h_rms", Colour::ORANGE, |it| Some(it.mean_gap_over_rms_height)),

@@ -1,7 +1,7 @@
-//! A run that can begin.
+//! A run of several states that can begin.
 
+use super::{Drive, Setup};
 use crate::contact::Problem;
-use crate::setup::{Drive, Setup};
 
 /// A run whose setup was checked and whose surface was made.
 #[derive(Clone, Copy)]
