@@ -37,10 +37,6 @@ mod source;
 mod step_numbers;
 mod sticking_hand;
 mod sweep;
-#[cfg(feature = "record")]
-mod tape;
-#[cfg(not(feature = "record"))]
-#[path = "no_tape.rs"]
 mod tape;
 mod top;
 mod why;

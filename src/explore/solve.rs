@@ -56,13 +56,12 @@ pub(crate) fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup, beside: Option<Set
         section: None,
     };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
-    let record = setup.record.clone();
     let posed = |setup: &Setup, problem| JobRun { problem: Some(problem), ..JobRun::new(setup.clone()) };
     let job = Job::from_run(JobRun { title: Some(title), ..posed(&setup, problem) });
     let job = beside.iter().fold(job, |job, (setup, problem)| {
         job.beside(JobRun { name: "beside".into(), ..posed(setup, problem.clone()) })
     });
-    let job = tape::recorded(job, &id, &record, turn.view(), |live| {
+    let job = tape::recorded(job, &id, turn.view(), |live| {
         turn.keep(SessionRecording::new(&id, &file_stem, live));
         turn.update_report(|news| news.run = Some(report));
     });

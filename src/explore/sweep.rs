@@ -1,4 +1,4 @@
-//! A sweep of the load from first touch to full contact, recorded load by load.
+//! A sweep of the load from first touch to full contact: a list of loads that ends where the contact is full.
 
 use super::hand::fast_solver;
 use super::knobs::Knobs;
@@ -7,11 +7,11 @@ use super::report::{ExactNumbers, SweepPoint, SweepReport, file_stem};
 use super::section::Section;
 use super::session::Turn;
 use super::session_recording::SessionRecording;
-use super::tape::SweepTape;
-use crate::contact::{Contact, Each, Failure, Law, Load, Observables, Problem, Step};
+use super::tape;
+use crate::contact::{Contact, Each, Failure, Law, Load, Observables, Observer, Problem, State, Step};
 use crate::error::ProblemError;
-use crate::history::{Loading, Process};
-use crate::setup::{Setup, Solid};
+use crate::job::{Job, JobRun, Pass, Watcher};
+use crate::setup::{Flow, Method, Setup, Solid};
 use crate::theory::{Exact, persson};
 use std::ops::ControlFlow;
 
@@ -27,29 +27,44 @@ const FEWEST_NODES: usize = 4;
 /// Solves one load after the other, each from the previous contact, until the contact is full or the turn is over.
 pub(crate) fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Failure> {
     let loads: Vec<f64> = loads().collect();
-    let problem = at_load(&setup.problem()?, FIRST)?;
-    let theories = [is_rough_flat(&setup), exact(&setup, &problem).is_some()];
+    let solver = fast_solver(&setup).name();
+    let problem = setup.problem()?;
     let surface = setup.surface.title(problem.surface().grid());
     let [motion, for_files] = knobs.motion_in_words();
     let report = SweepReport {
         id: format!("sweep-{}", turn.number),
-        file_stem: file_stem(&surface, &format!("sweep{for_files}"), fast_solver(&setup).name()),
+        file_stem: file_stem(&surface, &format!("sweep{for_files}"), solver),
         title: format!("{surface}, load sweep{motion}"),
         knobs,
         ended: false,
         points: Vec::new(),
     };
+    let has_exact = exact(&setup, &at_load(&problem, FIRST)?).is_some();
+    let setup = under_loads(setup, &loads);
+    // pictures have room for this load
     let heaviest = at_load(&problem, heaviest(&loads))?;
-    let (tape, live) = SweepTape::begin((&report, &setup, &heaviest), &loads, theories, turn.view())?;
-    turn.keep(SessionRecording::new(&report.id, &report.file_stem, live));
-    let mut press = Press { turn, setup: &setup, report, tape: &tape, row: None, motion: Motion::default() };
-    press.publish();
-    let pressed = press.all(&problem, &loads);
-    press.report.ended = true;
-    let Press { report, motion, .. } = press;
-    tape.finish()?;
+    let run = JobRun { title: Some(report.title.clone()), problem: Some(heaviest), ..JobRun::new(setup.clone()) };
+    let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
+    let job = Job::from_run(run).keeping_last(true);
+    let job = tape::swept(job, (&id, &report.title), has_exact, turn.view(), |live| {
+        turn.keep(SessionRecording::new(&id, &file_stem, live));
+    })?;
+    let mut collector =
+        SweepCollector { turn, setup: &setup, report, loads: &loads, seen: 0, row: None, motion: Motion::default() };
+    collector.publish();
+    let solved = job.run(&mut collector);
+    collector.report.ended = true;
+    let SweepCollector { report, motion, .. } = collector;
     turn.finish_sweep(report, motion);
-    pressed
+    let failure = solved?.solved.into_iter().find_map(|it| it.history?.failure);
+    failure.map_or(Ok(()), |failure| Err(failure.into()))
+}
+
+/// The setup under the loads of a sweep, solved by the fastest solver. What flows and what would slip is not asked for.
+fn under_loads(setup: Setup, loads: &[f64]) -> Setup {
+    let solver = if setup.sliding.is_some() { setup.solver } else { Method::Multilevel {} };
+    let setup = Setup { solver, flow: Flow::default(), friction: None, ..setup };
+    setup.under_loads(loads.iter().map(|load| Load::ReducedPressure(*load)).collect())
 }
 
 fn loads() -> impl Iterator<Item = f64> {
@@ -58,12 +73,17 @@ fn loads() -> impl Iterator<Item = f64> {
 }
 
 /// Whether Persson's theory is about a surface: it is for rough flats at rest on an elastic half-space, random or measured.
-fn is_rough_flat(setup: &Setup) -> bool {
+pub(super) fn is_rough_flat(setup: &Setup) -> bool {
     let Setup { surface, solid, law, .. } = setup;
     let is_half_space = !matches!(solid, Some(Solid::Layer { .. }));
     let is_rough = surface.spectrum.is_some() || surface.height.is_some();
     let is_elastic = *law == Law::HardWall && setup.viscoelastic.is_none();
     is_half_space && is_elastic && is_rough && surface.indenter.is_none()
+}
+
+/// Persson's relative area of a contact under its load.
+pub(super) fn persson(contact: &Contact) -> f64 {
+    contact.problem.load().reduced_pressure().map_or(f64::NAN, persson::relative_area)
 }
 
 /// The load that the pictures have room for: contact is full there, if the surface is rough.
@@ -76,63 +96,55 @@ fn at_load(problem: &Problem, load: f64) -> Result<Problem, ProblemError> {
     problem.clone().with_load(Load::ReducedPressure(load))
 }
 
-fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
+/// The exact solution of a problem of a setup, where there is one.
+pub(super) fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
     setup.exact(problem.surface().grid(), problem.expected_mean_pressure())
 }
 
-/// A running sweep.
-struct Press<'a> {
+/// Collects what the page shows of a running sweep, and ends it when the contact is full.
+struct SweepCollector<'a> {
     turn: Turn<'a>,
     setup: &'a Setup,
     report: SweepReport,
-    tape: &'a SweepTape,
+    loads: &'a [f64],
+    /// The number of contacts so far.
+    seen: usize,
     /// The row of the sections, in which contact began.
     row: Option<usize>,
     motion: Motion,
 }
 
-impl Press<'_> {
-    /// Solves and records load after load.
-    fn all(&mut self, problem: &Problem, loads: &[f64]) -> Result<(), Failure> {
-        let turn = self.turn;
-        let mut watch =
-            Each(|_: &Step<'_>| if turn.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) });
-        let setup = self.setup;
-        let all = loads.iter().map(|load| Load::ReducedPressure(*load)).collect();
-        let mut loading = Loading::new(problem.clone(), fast_solver(setup), setup.stop).along(all);
-        for (number, &load) in loads.iter().enumerate() {
-            let Some(state) = loading.next(&mut watch) else { break };
-            let contact = state?.contact;
-            if !turn.goes_on() {
-                break;
-            }
-            self.show(number, load, &contact)?;
-            if self.report.points.last().is_some_and(|point| point.observables.relative_area >= FULL) {
-                break;
-            }
-        }
-        Ok(())
+impl Watcher for SweepCollector<'_> {
+    fn observer(&mut self, _: Pass<'_>) -> Box<dyn Observer + '_> {
+        let (turn, is_full) = (self.turn, self.is_full());
+        let goes_on = move || turn.goes_on() && !is_full;
+        Box::new(Each(move |_: &Step<'_>| if goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }))
     }
 
-    /// Records load number `number`, from 0 on, and reports it if it is more than a few nodes.
-    fn show(&mut self, number: usize, load: f64, contact: &Contact) -> Result<(), Failure> {
-        self.tape.contact(number, contact)?;
-        if contact.counted().contact_nodes < FEWEST_NODES {
-            return Ok(());
-        }
-        let point = SweepPoint {
+    /// Reports a contact if it is more than a few nodes.
+    fn state(&mut self, _: usize, state: &State) {
+        let (number, contact) = (self.seen, &state.contact);
+        self.seen += 1;
+        let Some(&load) = self.loads.get(number).filter(|_| contact.counted().contact_nodes >= FEWEST_NODES) else {
+            return;
+        };
+        self.report.points.push(SweepPoint {
             number: number + 1,
             load,
             observables: Observables::new(contact),
-            persson: is_rough_flat(self.setup).then(|| persson::relative_area(load)),
+            persson: is_rough_flat(self.setup).then(|| persson(contact)),
             exact: exact(self.setup, &contact.problem).as_ref().map(ExactNumbers::from),
-        };
-        self.tape.point(&point)?;
-        self.report.points.push(point);
+        });
         let row = *self.row.get_or_insert_with(|| contact.highest_row());
         self.motion.add_load(number + 1, Section::from_load(contact, row));
         self.publish();
-        Ok(())
+    }
+}
+
+impl SweepCollector<'_> {
+    /// Whether the last contact is full.
+    fn is_full(&self) -> bool {
+        self.report.points.last().is_some_and(|point| point.observables.relative_area >= FULL)
     }
 
     fn publish(&self) {

@@ -78,7 +78,7 @@ fn the_first_normal_load_grows_in_given_steps_too() {
     assert!((share - (3.0 - 8f64.sqrt())).abs() < 0.02, "{share}");
     let exact = chosen.value(Quantity::Dissipated);
     let missed = [4, 8, 16].map(|count| (lost(SlipPace::Count(count)) / exact - 1.0).abs());
-    assert!(missed[2] < 0.02 && missed[1] < 0.6 * missed[0] && missed[2] < 0.6 * missed[1], "{missed:?}");
+    assert!(missed[2] < 0.05 && missed[1] < 0.5 * missed[0] && missed[2] < 0.5 * missed[1], "{missed:?}");
 }
 
 /// A cylinder of which nearly all slips: `p = E*/(2R) sin(pi r) (x + a)^(1-r) (b - x)^r` with `cot(pi r) = -mu beta`, derived from the
