@@ -4,8 +4,6 @@
 const HOW_SOLVED = ["certificate", "traction_certificate", "step_certificate", "iterations", "transforms", "seconds"];
 /** Those of which more than two digits would say nothing. */
 const ROUGHLY = ["kappa_r_error", "seconds"];
-/** The observables beside which exact values stand. */
-const EXACT = ["relative_area", "kappa_r"];
 
 /** The relative error from which on a number stands with it. */
 const COARSE = 0.05;
@@ -41,7 +39,7 @@ function rowsOfContact(run, both, exact) {
   const isTold = (name) => [...both, run.numbers].some((told) => Number.isFinite(told?.[name]));
   const names = observables.map(({ name }) => name).filter((name) => isTold(name) || !run.numbers);
   return names.map((name) => {
-    const theory = exact && EXACT.includes(name) ? exact[name] : undefined;
+    const theory = exact?.[name];
     return { name, values: both.map((told) => cleared(told, name)), exact: theory, shown: [...both.map((told) => valueOf(told, name)), theory === undefined ? "" : figure(theory)] };
   });
 }

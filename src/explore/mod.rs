@@ -38,6 +38,7 @@ mod step_numbers;
 mod sticking_hand;
 mod sweep;
 mod tape;
+mod theories;
 mod top;
 mod why;
 mod words;

@@ -8,11 +8,12 @@ use super::section::Section;
 use super::session::Turn;
 use super::session_recording::SessionRecording;
 use super::tape;
-use crate::contact::{Contact, Each, Failure, Law, Load, Observables, Observer, Problem, State, Step};
+use super::theories::{exact, is_rough_flat, persson};
+use crate::contact::{Each, Failure, Load, Observables, Observer, Problem, State, Step};
 use crate::error::ProblemError;
 use crate::job::{Job, JobRun, Pass, Watcher};
-use crate::setup::{Flow, Method, Setup, Solid};
-use crate::theory::{Exact, persson};
+use crate::setup::{Flow, Method, Setup};
+use crate::theory;
 use std::ops::ControlFlow;
 
 /// Loads of a sweep: first value of `p*`, loads per decade, and last value, unless contact is full before.
@@ -72,33 +73,14 @@ fn loads() -> impl Iterator<Item = f64> {
     (0..=steps).map(|i| FIRST * 10f64.powf(f64::from(i) / PER_DECADE))
 }
 
-/// Whether Persson's theory is about a surface: it is for rough flats at rest on an elastic half-space, random or measured.
-pub(super) fn is_rough_flat(setup: &Setup) -> bool {
-    let Setup { surface, solid, law, .. } = setup;
-    let is_half_space = !matches!(solid, Some(Solid::Layer { .. }));
-    let is_rough = surface.spectrum.is_some() || surface.height.is_some();
-    let is_elastic = *law == Law::HardWall && setup.viscoelastic.is_none();
-    is_half_space && is_elastic && is_rough && surface.indenter.is_none()
-}
-
-/// Persson's relative area of a contact under its load.
-pub(super) fn persson(contact: &Contact) -> f64 {
-    contact.problem.load().reduced_pressure().map_or(f64::NAN, persson::relative_area)
-}
-
 /// The load that the pictures have room for: contact is full there, if the surface is rough.
 fn heaviest(loads: &[f64]) -> f64 {
-    let is_full = |load: &f64| persson::relative_area(*load) >= FULL;
+    let is_full = |load: &f64| theory::persson::relative_area(*load) >= FULL;
     loads.iter().copied().find(is_full).unwrap_or(LAST)
 }
 
 fn at_load(problem: &Problem, load: f64) -> Result<Problem, ProblemError> {
     problem.clone().with_load(Load::ReducedPressure(load))
-}
-
-/// The exact solution of a problem of a setup, where there is one.
-pub(super) fn exact(setup: &Setup, problem: &Problem) -> Option<Exact> {
-    setup.exact(problem.surface().grid(), problem.expected_mean_pressure())
 }
 
 /// Collects what the page shows of a running sweep, and ends it when the contact is full.

@@ -6,7 +6,7 @@ use crate::job::Job;
 use std::sync::Arc;
 #[cfg(feature = "record")]
 use {
-    super::sweep,
+    super::theories::{exact, is_rough_flat, persson},
     crate::contact::{Quantity, State},
     crate::plot::Colour,
     crate::record::{CurveKind, Ghost, Options, Output, RecordedCurve, StateCurve, StateRecording, Target},
@@ -106,8 +106,8 @@ fn theories(setup: &Setup, has_exact: bool) -> Vec<StateCurve> {
         kind,
     };
     let mut curves: Vec<StateCurve> = Vec::new();
-    if sweep::is_rough_flat(setup) {
-        let area = |state: &State| sweep::persson(&state.contact);
+    if is_rough_flat(setup) {
+        let area = |state: &State| persson(&state.contact);
         let kappa = move |state: &State| area(state) / state.value(Quantity::ReducedPressure);
         curves.push((curve(StateRecording::AREA, "Persson", CurveKind::Theory, GREY), Box::new(area)));
         curves.push((curve("kappa", "Persson", CurveKind::Theory, GREY), Box::new(kappa)));
@@ -116,7 +116,7 @@ fn theories(setup: &Setup, has_exact: bool) -> Vec<StateCurve> {
     let names = [(StateRecording::AREA, "exact"), ("kappa_r", "exact kappa_r")];
     for ((view, name), of) in names.into_iter().zip(readings).filter(|_| has_exact) {
         let setup = setup.clone();
-        let value = move |state: &State| sweep::exact(&setup, &state.contact.problem).and_then(of).unwrap_or(f64::NAN);
+        let value = move |state: &State| exact(&setup, &state.contact.problem).and_then(of).unwrap_or(f64::NAN);
         curves.push((curve(view, name, CurveKind::Exact, Colour::GREEN), Box::new(value)));
     }
     curves

@@ -84,8 +84,10 @@ impl<'a> StateRecording<'a> {
         let of_history = || quantities.iter().map(|quantity| curve_of(*quantity, &units)).collect();
         let mut curves: Vec<StateCurve> = if is_list { curves_of_loads() } else { of_history() };
         curves.append(&mut self.further_curves);
-        let problem = under_heaviest_load(posed);
-        let setup = Setup { load: problem.load(), ..posed.setup.clone() };
+        let problem = under_heaviest_load(posed, first);
+        // a list has no load of its own; with adhesion the problem of a history has one that stands in for any
+        let load = if is_list { problem.load() } else { posed.setup.load };
+        let setup = Setup { load, ..posed.setup.clone() };
         let scene = Scene {
             exact: None,
             further: if is_list { Vec::new() } else { further(posed, first) },
@@ -193,12 +195,16 @@ impl Drop for StateRecording<'_> {
     }
 }
 
-/// The problem under the largest load of the path of a history, for which its pictures have room; that of a list of loads has it already.
-fn under_heaviest_load(posed: &Posed<'_>) -> Problem {
+/// The problem under the largest load of the path of a history, for which its pictures have room, or that of its first state where no contact has
+/// such a load; that of a list of loads has it already.
+fn under_heaviest_load(posed: &Posed<'_>, first: &State) -> Problem {
+    if posed.drive.is_list {
+        return posed.problem.clone();
+    }
     let points = posed.setup.path_points().into_iter();
     let heaviest = points.map(|point| point.load).max_by(|one, two| one.value().total_cmp(&two.value()));
-    let under = |load: Load| posed.problem.clone().with_load(load).ok();
-    heaviest.and_then(under).unwrap_or_else(|| posed.problem.clone())
+    let problem = &first.contact.problem;
+    heaviest.and_then(|load| problem.clone().with_load(load).ok()).unwrap_or_else(|| problem.clone())
 }
 
 /// The axis of the charts of a history: the quantity along which its drive goes, with room for what its path says, or the number of the state.

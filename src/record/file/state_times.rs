@@ -149,7 +149,7 @@ mod tests {
         let ticks: Vec<i64> = found.ticks.values().copied().collect();
         assert_eq!(ticks, [0, 1, 1_000_000_000, 1_000_000_001, 1_000_000_002, 2_000_000_000]);
         let apart = [0.0, 1e-15, 3e-15, 1e15, 2e15];
-        assert!(is_rising(&on_path(&apart, &apart)) && is_rising(&on_path(&[1.0], &apart)));
+        assert!(is_rising(&on_path(&apart, &apart)) && is_rising(&on_path(&[1.0], &apart[..3])));
         for odd in [vec![], vec![0.0], vec![f64::NAN, 1.0, f64::INFINITY], vec![5e-324, 1e-323, 1e308, 1.7e308]] {
             let found = on_path(&odd, &odd);
             let distinct: std::collections::BTreeSet<_> = found.ticks.values().collect();

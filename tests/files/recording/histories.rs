@@ -66,8 +66,8 @@ fn no_two_states_are_at_the_same_time_and_exact_times_are_numbers() {
         (
             1.0,
             "time = [0, 1e-9, 2e-9, 1e3, 1e3], load = [0.05, 0.05, 0.1, 0.1, 0.05], steps = 2",
-            "time in 1e-12 s",
-            1e-12,
+            "time in 1e-15 s",
+            1e-15,
         ),
         (1e12, "time = [0, 1e12, 1e12], load = [0.1, 0.1, 0.05], steps = 3", "time in 1 s", 1.0),
     ] {

@@ -75,8 +75,8 @@ impl PatchMap {
         to.log(format!("{}/cursor", self.root), &cursor.with_strips(sides))
     }
 
-    /// Moves and stretches each row to its place among the loads that came, for all times, and marks them again at the times to which `turn`
-    /// goes. The room of a row was not known before the load after it had come.
+    /// Stretches the map to the loads that came, for all times. Where the rooms of rows were not known when they were drawn, since the loads after
+    /// them had not come, each is moved to its own place and marked again at the times to which `turn` goes.
     pub(crate) fn settle(
         &self,
         to: &RecordingStream,
@@ -85,16 +85,20 @@ impl PatchMap {
     ) -> RecordingStreamResult<()> {
         let drawn = self.drawn();
         let frame = AxesFrame { y: loads.over(drawn.keys().copied()), ..self.frame.clone() };
-        for (&load, &[bottom, top]) in drawn.iter() {
+        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &frame)?;
+        if drawn.iter().all(|(load, own)| ends(&self.frame, loads, *load) == Some(*own)) {
+            let [from, onto] =
+                [&self.frame, &frame].map(|it| frame.y.range.map(|end| it.position([0.0, it.y.place(end)])[1] as f32));
+            let stretched = ["row", "cursor"].map(|name| format!("{}/{name}", self.root));
+            return stretched.into_iter().try_for_each(|entity| to.log_static(entity, &stretch(from, onto)));
+        }
+        for (&load, &own) in drawn.iter() {
             let Some(settled) = ends(&frame, loads, load) else { continue };
-            let stretch = (settled[0] - settled[1]) / (bottom - top);
-            let shift = settled[1] - stretch * top;
-            let transform = Transform3D::from_translation([0.0, shift, 0.0]).with_scale([1.0, stretch, 1.0]);
-            to.log_static(self.row(load), &transform)?;
+            to.log_static(self.row(load), &stretch(own, settled))?;
             turn(to, load);
             self.log_cursor(to, settled)?;
         }
-        canvas::log_axes(to, self.plane.palette, &format!("{}/axes", self.root), &frame)
+        Ok(())
     }
 
     /// The entity of the row of a load.
@@ -105,6 +109,12 @@ impl PatchMap {
     fn drawn(&self) -> MutexGuard<'_, BTreeMap<usize, [f32; 2]>> {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// What moves and stretches one range of heights on the canvas onto another one.
+fn stretch(from: [f32; 2], onto: [f32; 2]) -> Transform3D {
+    let stretch = (onto[0] - onto[1]) / (from[0] - from[1]);
+    Transform3D::from_translation([0.0, onto[1] - stretch * from[1], 0.0]).with_scale([1.0, stretch, 1.0])
 }
 
 /// The lower and the upper end of the row of a load in a frame, with some room free beside its neighbours.
