@@ -88,7 +88,7 @@ async function begin() {
   await tellWindow();
   const before = await ask("state");
   known = await ask("observables");
-  observables = [...known, SECONDS].filter((row) => row.is_traced || SHOWN.includes(row.name)).concat(CONDUCTANCE);
+  observables = [...known.filter((row) => row.page && !row.is_known_by_process), SECONDS, CONDUCTANCE];
   const start = await ask("start");
   if (!isOwn(start)) sceneStart = start;
   knobs = before.run ? before.run.knobs : before.sweep ? before.sweep.knobs : structuredClone(start);

@@ -350,11 +350,11 @@ function lengthOf(metres, digits = 3) {
   return `${figure(Number((metres / size).toPrecision(digits)), digits)} ${unit}`;
 }
 
-/** The observables that the server knows, and those that are shown: those that change step by step, and these. */
+/** All quantities that the server knows, and the numbers of a contact that stand in the table: those that the table of quantities says, and two that no
+ * state knows. */
 let known = [];
 let observables = [];
-const SHOWN = ["friction", "kappa_r_error", "iterations", "transforms", "seconds"];
-const SECONDS = { name: "seconds" };
+const SECONDS = { name: "seconds", page: "solving" };
 const CONDUCTANCE = { name: "conductance" };
 
 /** The text of a status, which the server reports in English; of surfaces that were pulled apart, whether they hold, and of a process that goes on,

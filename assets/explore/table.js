@@ -1,7 +1,5 @@
 // The table of numbers: its rows, on the page and in a file.
 
-/** Those that tell how a contact was solved, which are folded away. */
-const HOW_SOLVED = ["certificate", "traction_certificate", "step_certificate", "iterations", "transforms", "seconds"];
 /** Those of which more than two digits would say nothing. */
 const ROUGHLY = ["kappa_r_error", "seconds"];
 
@@ -103,7 +101,8 @@ function showTable(run, other, before) {
   const both = [moment || run, other].map((it) => it?.numbers);
   const exact = moment && "exact" in moment ? moment.exact : run.exact;
   const rows = [...rowsOfContact(run, both, exact), ...rowsOfProcess(run, both), ...rowsFoundLater(run, [moment ? null : run, run.beside ? null : before]), ...rowsOfPullOff(run, run.beside ? null : before)];
-  const isOfSolving = ({ name }) => HOW_SOLVED.includes(name);
+  // how a contact was solved is folded away
+  const isOfSolving = ({ name }) => [...known, SECONDS].some((row) => row.name === name && row.page === "solving");
   byId("numbers").tBodies[0].replaceChildren(...rows.filter((row) => !isOfSolving(row)).map(rowElement));
   byId("solving").replaceChildren(...(isOfStates(run) ? [] : [rowOfSolver(run, run.beside ? null : before)]), ...rows.filter(isOfSolving).map(rowElement));
   shownTable = { titles: [moment?.title ?? titleOf(run), other ? titleOf(other) : null], moduli: both.map(modulusOf), rows };

@@ -1,36 +1,34 @@
-//! Histories: the states of a contact that creeps, slips, slides, rolls or sticks.
+//! Histories: the states of a contact under several loads, or of one that creeps, slips, slides, rolls, sticks or yields.
 
 use crate::arrays::vector;
 use crate::contact::Contact;
-use crate::contact_files::ending;
 use crate::conversion::to_python;
 use crate::detached::Detached;
-use crate::error::{BoxedError, bail, py_error, unknown_name};
-use crate::output::check_output;
+use crate::error::{py_error, unknown_name};
+use crate::measures::columns;
+use crate::patches;
 use crate::problem::Problem;
 use crate::setup::Setup;
 use crate::shared_state::SharedState;
-use crate::states::States;
-use asperity::contact::{Quantity, State, archive_of_states};
-use asperity::files::write_beside;
+use asperity::contact::{Load, PatchHistory, Quantity, State};
 use asperity::job::HistoryOutcome;
 use asperity::setup::StateChart;
 use asperity::surface::Field;
 use numpy::ndarray::{ArrayD, Axis, stack};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use pyo3::types::{PyDict, PyIterator, PyTuple};
 use std::sync::Arc;
 
-/// The states of a contact that creeps in time, slips under tangential loads, slides at some speeds, rolls, has adhesion or yields below its surface, in
-/// their order: a sequence of Contact.
+/// The states of a contact under a list of loads, or of one that creeps in time, slips under tangential loads, slides at some speeds, rolls, has adhesion
+/// or yields below its surface, in their order: a sequence of Contact.
 ///
-/// history[0] is the contact of the first state. history.numbers["friction"] holds the friction of all states, and
-/// history.fields["traction"] the tractions of all states. A contact of a history has the numbers of its state in its measures.
-#[pyclass(frozen, sequence, extends = States, module = "asperity")]
+/// history[0] is the contact of the first state. history.measures["kappa_r"] holds kappa_r of all states, history.numbers["friction"] the
+/// friction, and history.fields["traction"] the tractions. A contact of a history has the numbers of its state in its measures.
+#[pyclass(frozen, sequence, module = "asperity")]
 pub struct History {
+    pub contacts: Py<PyTuple>,
+    pub setup: Setup,
     pub outcome: Arc<HistoryOutcome>,
     pub rank: usize,
 }
@@ -39,31 +37,57 @@ impl History {
     /// The history that was followed from a setup.
     pub fn new(py: Python<'_>, outcome: HistoryOutcome, problem: &Problem, setup: Setup) -> PyResult<Py<Self>> {
         let Problem { surface, rank, preparation, .. } = problem;
-        let rank = *rank;
+        let is_list = outcome.drive.is_list;
         let contact = |state: &Arc<State>| {
-            let contact = Contact::new(SharedState(state.clone()), surface.clone(), setup.setup.clone(), rank);
-            Contact { is_of_history: true, preparation: preparation.clone(), ..contact }
+            // the contacts under a list of loads do not depend on each other, and each has a setup of its own
+            let under = || setup.setup.under(state.contact.problem.load());
+            let own = if is_list { under() } else { setup.setup.clone() };
+            let contact = Contact::new(SharedState(state.clone()), surface.clone(), own, *rank);
+            Py::new(py, Contact { is_of_history: !is_list, preparation: preparation.clone(), ..contact })
         };
-        let states = States::new(py, outcome.states.iter().map(contact), setup.clone())?;
-        Self::from_states(py, outcome, states, rank)
+        let contacts = outcome.states.iter().map(contact).collect::<PyResult<Vec<_>>>()?;
+        let contacts = PyTuple::new(py, contacts)?.unbind();
+        Py::new(py, Self { contacts, setup, outcome: Arc::new(outcome), rank: *rank })
     }
 
-    /// The history with an outcome and the contacts of its states.
-    pub fn from_states(py: Python<'_>, outcome: HistoryOutcome, states: States, rank: usize) -> PyResult<Py<Self>> {
-        let history = Self { outcome: Arc::new(outcome), rank };
-        Py::new(py, PyClassInitializer::from(states).add_subclass(history))
+    /// The contacts themselves.
+    pub fn each(&self, py: Python<'_>) -> PyResult<Vec<Py<Contact>>> {
+        self.contacts.bind(py).iter().map(|it| Ok(it.cast::<Contact>()?.clone().unbind())).collect()
     }
 
-    /// Writes the fields and numbers of all states.
-    fn write_archive(&self, path: &Path, setup: &Setup) -> Result<(), BoxedError> {
-        let bytes = archive_of_states(&self.outcome.states, self.rank, &setup.to_saved_table().to_toml());
-        Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
+    /// The contact patches from state to state.
+    fn patch_history(&self, py: Python<'_>) -> PyResult<PatchHistory> {
+        let contacts = self.each(py)?;
+        py.detached(|| {
+            let shape = contacts.first().map_or([0, 0], |it| it.get().contact.problem.surface().grid().shape());
+            let mut history = PatchHistory::new(self.setup.setup.surface.own_shape(shape));
+            contacts.iter().for_each(|it| history.add(&it.get().contact));
+            history
+        })
     }
 }
 
 #[pymethods]
 impl History {
-    /// What the contact does: "creep", "slip", "sliding", "rolling", "adhesion" or "plastic".
+    /// Whether the solver converged in all states.
+    #[getter]
+    fn converged(&self, py: Python<'_>) -> PyResult<bool> {
+        Ok(self.each(py)?.iter().all(|it| it.get().contact.is_converged()))
+    }
+
+    /// The setup that repeats the states. Heights that were given as an array have the name array.npy in it.
+    #[getter]
+    fn setup(&self) -> Setup {
+        self.setup.clone()
+    }
+
+    /// The values of a list of loads, in the form in which they were given; empty for what is no list.
+    #[getter]
+    fn loads<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        vector(py, self.setup.setup.loads.iter().map(|load| load.value()).collect())
+    }
+
+    /// What the contact does: "loads" under a list of them, "creep", "slip", "sliding", "rolling", "adhesion" or "plastic".
     #[getter]
     fn process(&self) -> &'static str {
         self.outcome.drive.name
@@ -107,6 +131,17 @@ impl History {
         Ok(numbers)
     }
 
+    /// All numbers of Contact.measures by their names, each an array with a value for every state.
+    #[getter]
+    fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        columns(py, &self.each(py)?)
+    }
+
+    /// The numbers that stand in tables and figures: the measures of a list of loads, else the numbers of the process.
+    pub fn _columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        if self.outcome.drive.is_list { self.measures(py) } else { self.numbers(py) }
+    }
+
     /// Further fields of the states by their names, such as traction, slip, stored_strain, attraction or imprint, each an array with a first axis of states.
     #[getter]
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -128,18 +163,16 @@ impl History {
 
     /// The energy that each closed cycle of the path lost, per area of the cell.
     #[getter]
-    fn energy_per_cycle<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyArray1<f64>> {
-        let setup = &slf.as_super().get().setup;
-        let cycles = slf.get().outcome.cycles(&setup.setup);
-        vector(slf.py(), cycles.iter().map(|cycle| cycle.energy).collect())
+    fn energy_per_cycle<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let cycles = self.outcome.cycles(&self.setup.setup);
+        vector(py, cycles.iter().map(|cycle| cycle.energy).collect())
     }
 
     /// The estimated errors of `energy_per_cycle` by the steps in time or of the path; NaN where none is estimated.
     #[getter]
-    fn energy_per_cycle_error<'py>(slf: &Bound<'py, Self>) -> Bound<'py, PyArray1<f64>> {
-        let setup = &slf.as_super().get().setup;
-        let cycles = slf.get().outcome.cycles(&setup.setup);
-        vector(slf.py(), cycles.iter().map(|cycle| cycle.error.unwrap_or(f64::NAN)).collect())
+    fn energy_per_cycle_error<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let cycles = self.outcome.cycles(&self.setup.setup);
+        vector(py, cycles.iter().map(|cycle| cycle.error.unwrap_or(f64::NAN)).collect())
     }
 
     /// Explains a number of `numbers` in one sentence.
@@ -156,57 +189,52 @@ impl History {
         Quantity::find(name).map_or("1", |it| it.row().unit.into())
     }
 
-    /// The charts of a figure: names of the quantities on both axes, their titles, and whether the first axis is logarithmic.
+    /// The charts of a figure: names of the quantities on both axes, their titles, and whether the first axis is logarithmic. Those of a list of loads
+    /// have the load along the first axis as it was prescribed.
     fn _charts(&self) -> [([&'static str; 2], [&'static str; 2], bool); 2] {
         let drive = self.outcome.drive;
-        let ends = |it: StateChart| [it.x, Some(it.y)];
+        let load = self.setup.setup.loads.first().map(|load| match load {
+            Load::ReducedPressure(_) => Quantity::ReducedPressure,
+            Load::MeanPressure(_) | Load::Force(_) => Quantity::MeanPressure,
+            Load::MeanGap(_) => Quantity::MeanGap,
+            Load::Approach(_) => Quantity::Approach,
+        });
+        let ends = |it: StateChart| [load.or(it.x), Some(it.y)];
         let name = |it: Option<Quantity>| it.map_or("state", Quantity::name);
         let title = |it: Option<Quantity>| it.map_or("state", |it| it.row().title);
         drive.charts.map(|it| (ends(it).map(name), ends(it).map(title), drive.is_logarithmic))
     }
 
-    /// Writes the history to a file whose ending says what: .npz for the fields and numbers of all states, with the setup, .csv for the table that the
-    /// command line writes, .svg, .pdf or .png for the figure of `plot`. asperity.load reads a .npz again.
-    fn save(slf: Bound<'_, Self>, path: PathBuf) -> PyResult<()> {
-        let (it, setup) = (slf.get(), &slf.as_super().get().setup);
-        check_output(&path, &["npz", "csv", "svg", "pdf", "png"], &setup.setup)?;
-        if it.outcome.states.is_empty() {
-            return bail("the history has no states: nothing is saved");
-        }
-        match ending(&path).as_str() {
-            "npz" => slf.py().try_detached(|| it.write_archive(&path, setup)),
-            "csv" => slf.py().try_detached(|| it.outcome.write_table(&path)),
-            _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
-        }
+    /// The contact patches of all states as arrays by name, a row for each patch in each state: the index of the state (state), the number of the patch,
+    /// which it keeps from state to state (patch), nodes, area, load, load_share (of the load of all patches), kappa_r, x and y. See Contact.patches.
+    fn patches<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
+        patches::of_states(slf.py(), &slf.get().patch_history(slf.py())?)
     }
 
-    /// The numbers as a data frame of pandas, with a row for every state.
-    fn to_pandas<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("pandas")?.call_method1("DataFrame", (slf.get().numbers(slf.py())?,))
+    /// What happened to the contact patches, as a list of tuples: the index of the first state that shows it, "born", "died", "merged" or "split", the
+    /// number of the patch, and the number of the patch that it merged into or was split from, or None.
+    fn patch_events(&self, py: Python<'_>) -> PyResult<Vec<patches::PatchEventRow>> {
+        Ok(patches::events(self.patch_history(py)?))
     }
 
-    /// The fields and numbers as a Dataset of xarray, over the states and the positions of the nodes.
-    fn to_xarray<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.export")?.call_method1("history_to_xarray", (slf,))
+    fn __len__(&self, py: Python<'_>) -> usize {
+        self.contacts.bind(py).len()
     }
 
-    /// A figure by matplotlib, with the quantities that the command line draws: area and gap over time for creep; mean pressure and area over the mean
-    /// gap for adhesion, with an arrow for each jump; traction over the shift and the share that sticks for slip; friction and area over the
-    /// speed for sliding; friction and the share that sticks over the creepage for rolling.
-    ///
-    /// `length_unit` and `pressure_unit`, such as "um" and "MPa", are those of the axes, of a problem in metres and pascals.
-    #[pyo3(signature = (*, length_unit=None, pressure_unit=None))]
-    fn plot<'py>(
-        slf: Bound<'py, Self>,
-        length_unit: Option<&str>,
-        pressure_unit: Option<&str>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let units = (slf.clone(), length_unit, pressure_unit);
-        slf.py().import("asperity.plotting")?.call_method1("plot_history", units)
+    fn __getitem__<'py>(&self, py: Python<'py>, index: Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.contacts.bind(py).as_any().get_item(index)
     }
 
-    fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("asperity.plotting")?.call_method1("history_as_html", (slf,))
+    fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        self.contacts.bind(py).try_iter()
+    }
+
+    fn __copy__(slf: Bound<'_, Self>) -> Bound<'_, Self> {
+        slf
+    }
+
+    fn __deepcopy__<'py>(slf: Bound<'py, Self>, _memo: &Bound<'py, PyAny>) -> Bound<'py, Self> {
+        slf
     }
 
     fn __repr__(&self) -> String {

@@ -5,7 +5,6 @@ use crate::contact::Contact;
 use crate::error::{bail, py_error};
 use crate::history::History;
 use crate::problem::Problem;
-use crate::states::States;
 use asperity::contact::{CutLayers, FieldKind, Quantity, ResultClaim, State, StateField};
 use asperity::job::HistoryOutcome;
 use numpy::PyArrayDyn;
@@ -32,13 +31,14 @@ impl History {
             one.claim == two.claim && one.point == two.point && one.fields == two.fields && one.layers == two.layers
         };
         let [one, two] = [slf, other].map(|it| &it.get().outcome.states);
-        let has_same_contacts = slf.as_super().get().is_same(slf.py(), other.as_super().get())?;
-        Ok(has_same_contacts && one.iter().zip(two).all(is_same))
+        let [own, others] = [slf, other].map(|it| it.get());
+        let has_same_contacts = own.contacts.bind(slf.py()).eq(others.contacts.bind(slf.py()))?;
+        Ok(own.setup == others.setup && has_same_contacts && one.iter().zip(two).all(is_same))
     }
 
     fn __reduce__<'py>(slf: Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, HistoryParts<'py>)> {
         let (py, it) = (slf.py(), slf.get());
-        let States { contacts, setup } = slf.as_super().get();
+        let Self { contacts, setup, .. } = it;
         let Some(first) = contacts.bind(py).iter().next() else {
             return bail("the history has no states: there is nothing to pickle");
         };
@@ -80,12 +80,8 @@ impl History {
         let states = contacts.iter().zip(states).map(state).collect::<PyResult<Vec<_>>>()?;
         let Problem { problem, setup, rank, .. } = problem;
         let outcome = HistoryOutcome::from_states(&setup.setup, problem, states).map_err(py_error)?;
-        Self::from_states(
-            contacts.py(),
-            outcome,
-            States { contacts: contacts.clone().unbind(), setup: setup.clone() },
-            *rank,
-        )
+        let (outcome, setup, rank) = (Arc::new(outcome), setup.clone(), *rank);
+        Py::new(contacts.py(), Self { contacts: contacts.clone().unbind(), setup, outcome, rank })
     }
 }
 

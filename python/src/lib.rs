@@ -28,10 +28,10 @@ mod error;
 mod flow;
 mod fork;
 mod history;
+mod history_files;
 mod history_parts;
 mod ledger;
 mod load;
-mod load_curve;
 mod measures;
 mod operator;
 mod output;
@@ -46,7 +46,6 @@ mod sink;
 mod slip;
 mod solve;
 mod solve_options;
-mod states;
 mod step;
 mod stress;
 mod study;
@@ -116,7 +115,6 @@ mod _asperity {
     #[pymodule_export]
     use crate::load::load;
     #[pymodule_export]
-    use crate::load_curve::LoadCurve;
     #[pymodule_export]
     use crate::problem::Problem;
     #[pymodule_export]
@@ -126,7 +124,6 @@ mod _asperity {
     #[pymodule_export]
     use crate::slip::PartialSlip;
     #[pymodule_export]
-    use crate::states::States;
     #[pymodule_export]
     use crate::step::Step;
     #[pymodule_export]

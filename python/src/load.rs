@@ -5,21 +5,18 @@ use crate::conversion::{Sections, section_mut};
 use crate::detached::Detached;
 use crate::error::py_error;
 use crate::history::History;
-use crate::load_curve::LoadCurve;
 use crate::prepared_array::sections_of_array;
 use crate::problem::Problem;
 use crate::setup::Setup;
-use crate::shared_state::SharedState;
 use crate::surface::Surface;
 use crate::warn::warn_sentence;
-use asperity::contact::State;
 use asperity::job::{SavedFound, SavedResult};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Reads a saved result (.npz) again: a Contact, a LoadCurve or a History, of this package or of the command line.
+/// Reads a saved result (.npz) again: a Contact or a History, of this package or of the command line.
 ///
 /// A file that is as it was written, by the same revision of the numerics, is believed: everything comes back as it was saved, with certificates and
 /// claims. A digest in the file tells it; it guards against damage and mix-ups, not against forgery. A file without a digest, with another one, or of
@@ -39,14 +36,6 @@ pub fn load(py: Python<'_>, path: PathBuf) -> PyResult<Py<PyAny>> {
             let slip = slip.map(|slip| *slip);
             let contact = Contact { slip, ..Contact::new(*state, surface, setup.setup, rank) };
             Ok(Py::new(py, contact)?.into_any())
-        }
-        SavedFound::States(outcome) if outcome.drive.is_list => {
-            let contact = |state: &Arc<State>| {
-                let under = setup.setup.under(state.contact.problem.load());
-                Contact::new(SharedState(state.clone()), surface.clone(), under, rank)
-            };
-            let contacts = outcome.states.iter().map(contact).collect();
-            Ok(LoadCurve::new(py, contacts, setup)?.into_any())
         }
         SavedFound::States(outcome) => {
             let problem = setup.setup.problem_of(surface.clone()).map_err(py_error)?;

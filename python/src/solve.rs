@@ -5,7 +5,6 @@ use crate::contact::Contact;
 use crate::detached::Detached;
 use crate::error::{BoxedError, bail, py_error};
 use crate::history::History;
-use crate::load_curve::LoadCurve;
 use crate::own_solver::OwnSolver;
 use crate::problem::Problem;
 use crate::setup::Setup;
@@ -25,10 +24,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Fields of a recording or a result in memory, besides those of a solver.
 const FIELDS: f64 = 4.0;
-/// Fields of each contact of a load curve.
-const FIELDS_OF_CONTACT: f64 = 3.0;
-/// Fields of a state of a history: its contact, and further fields such as traction and slip.
-const FIELDS_OF_STATE: f64 = FIELDS_OF_CONTACT + 2.0;
+/// Fields of a state of a history: the three of its contact, and further fields such as traction and slip.
+const FIELDS_OF_STATE: f64 = 5.0;
 
 /// One solve: a problem, its setup with the keywords laid over it, and the options.
 struct Solve<'a> {
@@ -51,8 +48,8 @@ impl Watcher for Steps<'_> {
 
 #[pymethods]
 impl Problem {
-    /// Solves the problem. The contact is returned whether the solver converged or not, with a warning if it did not; a list of loads returns
-    /// a LoadCurve; a path, several speeds or rolling return a History.
+    /// Solves the problem. The contact is returned whether the solver converged or not, with a warning if it did not; a list of loads, a path,
+    /// several speeds or rolling return a History.
     ///
     /// `solver` is "multilevel", "polonsky-keer" or "gfmd", or a dictionary with its method and settings, or a function of the problem that
     /// yields one pressure after the other. It stops at a certificate `eta <= tolerance` (1e-8); with a pressure_tolerance it also waits for this bound of the relative
@@ -66,7 +63,6 @@ impl Problem {
         let (options, setup) = SolveOptions::from_keywords(options, &self.setup, self.problem.surface().grid())?;
         let solve = Solve { problem: self, setup: &setup, options: &options };
         match setup.setup.drive_of_states().map_err(py_error)? {
-            Some(drive) if drive.is_list => Ok(solve.curve(py)?.into_any()),
             Some(_) => Ok(solve.history(py)?.into_any()),
             None => Ok(Py::new(py, solve.contact(py)?)?.into_any()),
         }
@@ -76,7 +72,7 @@ impl Problem {
 #[pymethods]
 impl Setup {
     /// Solves the setup, with its own solver unless another one is given. The keywords are those of Problem.solve. It
-    /// returns a Contact, a LoadCurve if the setup has a list of loads, or a History if it has a path, several speeds or rolling.
+    /// returns a Contact, or a History if the setup has a list of loads, a path, several speeds or rolling.
     #[pyo3(signature = (**options), text_signature = "($self, *, solver=None, tolerance=None, pressure_tolerance=None, max_iterations=None, refine=None, area_tolerance=None, start=None, callback=None, record=None, recording=None, live=False, stream=None, diagnose=False)")]
     fn solve(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Py<PyAny>> {
         self.problem(py)?.solve(py, options)
@@ -147,32 +143,7 @@ impl Solve<'_> {
         }
     }
 
-    /// Solves under one load after the other.
-    fn curve(&self, py: Python<'_>) -> PyResult<Py<LoadCurve>> {
-        self.check_fields(FIELDS_OF_CONTACT * self.setup.setup.loads.len().saturating_sub(1) as f64)?;
-        let outcome = self.states(py)?;
-        if let Some(failure) = outcome.failure {
-            return Err(py_error(failure));
-        }
-        if let Some(error) = outcome.ended.filter(|it| !matches!(it, HistoryError::Stopped)) {
-            return Err(py_error(StudyError::from(error)));
-        }
-        let contacts: Vec<Contact> = outcome.states.into_iter().map(|state| self.under_its_load(state)).collect();
-        let unfinished = contacts.iter().filter_map(|it| warning_of_failure(&it.contact)).count();
-        if unfinished > 0 {
-            let loads = contacts.len();
-            warn_sentence(
-                py,
-                &format!(
-                    "The solver did not converge under {unfinished} of {loads} loads. See the status of the contacts."
-                ),
-            )?;
-        }
-        warn_about(py, &contacts.iter().collect::<Vec<_>>())?;
-        LoadCurve::new(py, contacts, self.setup.clone())
-    }
-
-    /// Follows a history.
+    /// Follows a list of loads or a history.
     fn history(&self, py: Python<'_>) -> PyResult<Py<History>> {
         let SolveOptions { diagnose, start, .. } = self.options;
         let of_one_contact =
@@ -186,11 +157,21 @@ impl Solve<'_> {
         if let Some(failure) = outcome.failure.take() {
             return Err(py_error(failure));
         }
-        if let Some(error) = outcome.ended.as_ref().filter(|it| !matches!(it, HistoryError::Stopped)) {
+        let is_list = outcome.drive.is_list;
+        if let Some(error) = outcome.ended.take_if(|it| !matches!(it, HistoryError::Stopped)) {
+            if is_list {
+                return Err(py_error(StudyError::from(error)));
+            }
             warn_sentence(py, &format!("The history ended after {} states: {error}.", outcome.states.len()))?;
         }
-        warn(py, &outcome.warnings())?;
-        History::new(py, outcome, self.problem, self.setup.clone())
+        if !is_list {
+            warn(py, &outcome.warnings())?;
+        }
+        let history = History::new(py, outcome, self.problem, self.setup.clone())?;
+        if is_list {
+            warn_about_loads(py, &history.get().each(py)?)?;
+        }
+        Ok(history)
     }
 
     /// The states of a run with several.
@@ -198,14 +179,6 @@ impl Solve<'_> {
         let outcome = self.in_background(py, |steps| Ok(self.job().run(&mut Steps(steps))?))?;
         let history = outcome.solved.into_iter().next().and_then(|solved| solved.history);
         history.ok_or_else(|| py_error("the run has no states"))
-    }
-
-    /// The contact of a curve as an object of Python.
-    fn under_its_load(&self, state: Arc<State>) -> Contact {
-        let setup = self.setup.setup.under(state.contact.problem.load());
-        let Problem { surface, rank, preparation, .. } = self.problem;
-        let preparation = preparation.clone();
-        Contact { preparation, ..Contact::new(SharedState(state), surface.clone(), setup, *rank) }
     }
 
     /// Does some work in the background, shows its steps to the callback and passes on its recording.
@@ -242,11 +215,22 @@ impl Solve<'_> {
     }
 }
 
-/// Issues warnings about doubtful numbers of contacts, unless the run was stopped.
-fn warn_about(py: Python<'_>, contacts: &[&Contact]) -> PyResult<()> {
+/// Issues warnings about contacts under a list of loads: how many are not found, and unless the run was stopped, which numbers are doubtful.
+fn warn_about_loads(py: Python<'_>, contacts: &[Py<Contact>]) -> PyResult<()> {
+    let contacts: Vec<&Contact> = contacts.iter().map(Py::get).collect();
+    let unfinished = contacts.iter().filter_map(|it| warning_of_failure(&it.contact)).count();
+    if unfinished > 0 {
+        let loads = contacts.len();
+        warn_sentence(
+            py,
+            &format!(
+                "The solver did not converge under {unfinished} of {loads} loads. See the status of the contacts."
+            ),
+        )?;
+    }
     if contacts.iter().any(|it| it.contact.status == Status::StoppedByObserver) {
         return Ok(());
     }
-    let warnings = py.detached(|| warnings_about(contacts))?;
+    let warnings = py.detached(|| warnings_about(&contacts))?;
     warn(py, &warnings)
 }

@@ -60,7 +60,7 @@ def test_lines_surfaces_and_curves_are_datasets_too() -> None:
     assert np.array_equal(SURFACE.to_xarray(), SURFACE.height)
     curve = asp.solve(line, reduced_pressure=[0.05, 0.1])
     data = curve.to_xarray()
-    assert data.pressure.dims == ("load", "x") and data.height.dims == ("x",)
+    assert data.pressure.dims == ("state", "x") and data.height.dims == ("x",)
     assert np.array_equal(data.pressure[1], curve[1].pressure) and list(data["load"]) == [0.05, 0.1]
     assert np.array_equal(data.mean_gap, curve.measures["mean_gap"])
 

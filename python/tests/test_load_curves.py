@@ -29,7 +29,7 @@ def test_a_list_of_loads_is_the_curve_of_the_command_line(tmp_path: Path) -> Non
         assert np.array_equal(curve.measures["mean_gap"], there["mean_gap"])
         assert np.array_equal(curve[2].pressure, there["pressure"][2])
     again = asp.Setup.read(tmp_path / "scene.toml").solve()
-    assert isinstance(again, asp.LoadCurve) and again == curve
+    assert isinstance(again, asp.History) and again == curve
 
 
 def test_lists_may_be_tuples_arrays_and_texts_with_units() -> None:
@@ -61,7 +61,7 @@ def test_a_curve_is_a_sequence_a_table_and_a_pickle() -> None:
         curve[3]
     again = pickle.loads(pickle.dumps(curve))
     assert again == curve and np.array_equal(again[1].gap, curve[1].gap)
-    assert repr(curve) == "LoadCurve(3 loads by reduced_pressure, 3 converged)"
+    assert repr(curve) == "History(loads, 3 states)"
     pytest.importorskip("pandas")
     assert list(curve.to_pandas()["kappa_r"]) == list(curve.measures["kappa_r"])
 

@@ -52,9 +52,11 @@ def test_maps_hold_the_fields() -> None:
 
 def test_a_curve_is_drawn_over_the_reduced_pressure() -> None:
     curve = asp.solve(asp.Surface(CYLINDER, LENGTH), reduced_pressure=[0.1, 0.2, 0.4])
-    area, _, gap = (axes.lines[0] for axes in curve.plot().axes)
+    area, kappa_r = (axes.lines[0] for axes in curve.plot().axes)
     assert np.array_equal(area.get_xdata(), curve.measures["reduced_pressure"])
-    assert (np.diff(area.get_ydata()) > 0).all() and (np.diff(gap.get_ydata()) < 0).all()
+    assert (np.diff(area.get_ydata()) > 0).all() and np.array_equal(kappa_r.get_ydata(), curve.measures["kappa_r"])
+    gaps = asp.solve(asp.Surface(CYLINDER, LENGTH), mean_gap=[0.02, 0.01]).plot().axes[0].lines[0]
+    assert np.allclose(gaps.get_xdata(), [0.02, 0.01])
 
 
 def test_notebooks_show_a_picture_and_the_main_numbers() -> None:

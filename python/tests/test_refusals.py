@@ -285,7 +285,7 @@ REFUSALS: list[Refusal] = [
     (lambda: solve().leakage(0), TypeError, "axis must be 'x' or 'y', not int"),
     (lambda: solve().stress(depths=1.0), TypeError, "depths must be a list of lengths, numbers or texts such as '1 um', not float"),
     (lambda: solve().stress(depths=["1 s"]), asp.AsperityError, "a depth is '1 s': give a length, a number or one with a unit such as '1 um'"),
-    (lambda: asp.show(3), TypeError, "what must be a Contact, a LoadCurve, a Surface or the name of a file, not int"),
+    (lambda: asp.show(3), TypeError, "what must be a Contact, a History, a Surface or the name of a file, not int"),
     # sections
     (lambda: solve(law=1.0), asp.AsperityError, "law is 1.0: give a dictionary of hardness"),
     (lambda: solve(friction=0.3), asp.AsperityError, "friction is 0.3: give a dictionary of coefficient, tangential"),

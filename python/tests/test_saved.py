@@ -58,7 +58,7 @@ def test_a_load_curve_comes_back(law: dict[str, float] | None, tmp_path: Path) -
     loads = [1e-3, 4e-3, 2e-3]
     curve = asp.solve(ROUGH, solid=1.0, mean_pressure=loads, law=law)
     again = saved(curve, tmp_path)
-    assert isinstance(again, asp.LoadCurve) and list(again.loads) == loads and again.converged and again.setup == curve.setup
+    assert isinstance(again, asp.History) and list(again.loads) == loads and again.converged and again.setup == curve.setup
     for there, here in zip(again, curve):
         check_same(there, here)
 

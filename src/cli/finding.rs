@@ -71,7 +71,7 @@ impl Finding {
     pub(crate) fn further(&self) -> Vec<(Quantity, f64)> {
         let MotionNumbers(motion) = &self.motion;
         let flow = self.flow.iter().flat_map(|it| it.numbers.iter());
-        let is_new = |(it, _): &&(Quantity, f64)| it.row().is_known_by_process() && !Sliding::NUMBERS.contains(it);
+        let is_new = |(it, _): &&(Quantity, f64)| it.row().is_known_by_process && !Sliding::NUMBERS.contains(it);
         motion.iter().chain(flow.filter(is_new)).copied().collect()
     }
 

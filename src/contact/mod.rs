@@ -105,7 +105,7 @@ pub use plasticity::Plasticity;
 pub use polonsky_keer::PolonskyKeer;
 pub use problem::{ContactModulus, Problem};
 pub use quantity::{Observables, Quantity};
-pub use quantity_row::{QuantityKind, QuantityRow, Unit};
+pub use quantity_row::{PageTable, QuantityKind, QuantityRow, Unit};
 pub use reading::Reading;
 pub use readings::Readings;
 pub use resolution::Resolution;

@@ -8,7 +8,7 @@
 
 use super::quantity_row::Curve;
 use super::readings::{in_contact, known, positive};
-use crate::contact::{QuantityKind, QuantityRow, Readings, Unit, Validity};
+use crate::contact::{PageTable, QuantityKind, QuantityRow, Readings, Unit, Validity};
 use serde::{Deserialize, Serialize};
 use strum::{EnumIter, EnumString, IntoEnumIterator, IntoStaticStr};
 
@@ -16,17 +16,17 @@ use strum::{EnumIter, EnumString, IntoEnumIterator, IntoStaticStr};
 /// `found` can be computed of any contact.
 ///
 /// The parts of a row: `symbol` and `title` in charts, `short` where a column of text needs another heading than the title, `unit`, `kind` of its values
-/// (numbers, unless the type or the row says otherwise), which `curve` it has in recordings, for which states it is `valid`, the `errors` that are estimated of
+/// (numbers, unless the type or the row says otherwise), which `curve` it has in recordings, on which part of the `page` it stands, for which states it is `valid`, the `errors` that are estimated of
 /// it, whether `solve` prints it in a row of its own (`printed`), how it is computed `of` a reading, and one `sentence`.
 macro_rules! quantities {
     (
         known { $($known:ident $known_name:ident {
             symbol: $known_symbol:literal, title: $known_title:literal, $(short: $known_short:literal,)? unit: $known_unit:ident, kind: $known_kind:ident,
-            curve: $known_curve:ident, $(errors: [$($known_error:ident),+],)? sentence: $known_sentence:literal
+            curve: $known_curve:ident, $(page: $known_page:ident,)? $(errors: [$($known_error:ident),+],)? sentence: $known_sentence:literal
         })+ }
         found { $($found:ident $field:ident: $type:ty {
             symbol: $symbol:literal, title: $title:literal, $(short: $short:literal,)? unit: $unit:ident, $(kind: $kind:ident,)? curve: $curve:ident,
-            valid: $validity:ident, $(errors: [$($error:ident),+],)? $(printed: $is_printed:literal,)? of: $of:expr, sentence: $sentence:literal
+            $(page: $page:ident,)? valid: $validity:ident, $(errors: [$($error:ident),+],)? $(printed: $is_printed:literal,)? of: $of:expr, sentence: $sentence:literal
         })+ }
     ) => {
         /// A number that can be read of a state.
@@ -56,6 +56,8 @@ macro_rules! quantities {
                 has_curve: matches!(Curve::$known_curve, Curve::States | Curve::Both),
                 validity: Validity::Always,
                 is_printed: false,
+                page: [$(Some(PageTable::$known_page),)? None][0],
+                is_known_by_process: true,
                 errors: &[$($(stringify!($known_error)),+)?],
                 sentence: $known_sentence,
                 read: None,
@@ -71,6 +73,8 @@ macro_rules! quantities {
                 has_curve: matches!(Curve::$curve, Curve::States | Curve::Both),
                 validity: Validity::$validity,
                 is_printed: [$($is_printed,)? false][0],
+                page: QuantityRow::page([$(Some(PageTable::$page),)? None][0], Curve::$curve),
+                is_known_by_process: false,
                 errors: &[$($(stringify!($error)),+)?],
                 sentence: $sentence,
                 read: Some(|reading| {
@@ -198,7 +202,7 @@ quantities! {
             sentence: "Difference of the largest and the smallest displacement of the surface by the plastic strain: the depth of the imprint that stays without load." }
         PlasticWork plastic_work { symbol: "W_pl", title: "plastic work", unit: EnergyPerArea, kind: Number, curve: States,
             sentence: "Energy that flow has taken up since the beginning, per area of the cell." }
-        StepCertificate step_certificate { symbol: "eta_s", title: "certificate of the load step", short: "eta of step", unit: One, kind: Bound, curve: None,
+        StepCertificate step_certificate { symbol: "eta_s", title: "certificate of the load step", short: "eta of step", unit: One, kind: Bound, curve: None, page: Solving,
             sentence: "Bound of the distance of the load step from its least energy, over the energy that flow took up in the step plus a thousandth of the elastic energy." }
         ImprintStepError imprint_step_error { symbol: "|d_imp|, s", title: "error of the imprint by the steps", unit: Length, kind: Number, curve: None,
             sentence: "Estimated error of the depth of the imprint by the load steps: three times the difference from steps of half the length, and at least 0.4 % of the depth." }
@@ -212,7 +216,7 @@ quantities! {
             sentence: "Estimated error of the relative area by the layers: twice the difference from layers of twice the thickness, and at least half the difference between these and layers of four times the thickness." }
         RelativeAreaGridError relative_area_grid_error { symbol: "|da|, dx", title: "error of the area by the grid", unit: One, kind: Number, curve: None,
             sentence: "Estimated error of the relative area by the grid: the difference from half as many points along each axis." }
-        TractionCertificate traction_certificate { symbol: "eta_t", title: "certificate of the traction", short: "eta of traction", unit: One, kind: Bound, curve: None,
+        TractionCertificate traction_certificate { symbol: "eta_t", title: "certificate of the traction", short: "eta of traction", unit: One, kind: Bound, curve: None, page: Solving,
             sentence: "Certificate eta of the traction." }
         OpenPercolatesX open_percolates_x { symbol: "open?", title: "open area percolates along x", unit: One, kind: Flag, curve: None,
             sentence: "Whether the open area connects both sides along x." }
@@ -361,10 +365,10 @@ quantities! {
         RelativeAreaError relative_area_error: f64 { symbol: "|da| / a_rel", title: "error of the relative area", unit: One, curve: None, valid: NoAdhesion,
             of: |it| it.resolution().relative_area_error,
             sentence: "Estimated relative error of the relative contact area on this grid." }
-        KappaRError kappa_r_error: f64 { symbol: "|dkappa_r| / kappa_r", title: "error of kappa_r", unit: One, curve: None, valid: NoAdhesion,
+        KappaRError kappa_r_error: f64 { symbol: "|dkappa_r| / kappa_r", title: "error of kappa_r", unit: One, curve: None, page: Contact, valid: NoAdhesion,
             of: |it| it.resolution().kappa_r_error,
             sentence: "Estimated relative error of kappa_r on this grid." }
-        Certificate certificate: f64 { symbol: "eta", title: "certificate", short: "eta", unit: One, kind: Bound, curve: Steps, valid: NoAdhesion,
+        Certificate certificate: f64 { symbol: "eta", title: "certificate", short: "eta", unit: One, kind: Bound, curve: Steps, page: Solving, valid: NoAdhesion,
             of: |it| it.certificate().eta,
             sentence: "Certificate: a bound of the energy error, divided by load times rms height." }
         PressureErrorBound pressure_error_bound: f64 { symbol: "|dp| / |p|", title: "bound of the pressure error", unit: One, curve: None, valid: Elastic,
@@ -388,13 +392,13 @@ quantities! {
         MeanPressureError mean_pressure_error: f64 { symbol: "|d<p>| / <p>", title: "error of the mean pressure", unit: One, curve: None, valid: Elastic,
             of: |it| it.mean_pressure_error(),
             sentence: "Relative error of the mean pressure at a given mean gap, to first order, from the contact stiffness; 0 if the pressure is given." }
-        Friction friction: f64 { symbol: "mu", title: "friction coefficient", short: "friction", unit: One, curve: States, valid: Elastic,
+        Friction friction: f64 { symbol: "mu", title: "friction coefficient", short: "friction", unit: One, curve: States, page: Contact, valid: Elastic,
             of: |it| it.friction(),
             sentence: "Hysteretic friction coefficient of a contact that slides over a viscoelastic solid: the force along x by the loss in the solid over the load. Not defined at rest." }
-        Iterations iterations: usize { symbol: "iterations", title: "iterations", unit: One, curve: None, valid: Always,
+        Iterations iterations: usize { symbol: "iterations", title: "iterations", unit: One, curve: None, page: Solving, valid: Always,
             of: |it| it.iterations(),
             sentence: "Iterations of the solver." }
-        Transforms transforms: u64 { symbol: "transforms", title: "transforms", unit: One, curve: None, valid: Always,
+        Transforms transforms: u64 { symbol: "transforms", title: "transforms", unit: One, curve: None, page: Solving, valid: Always,
             of: |it| it.transforms(),
             sentence: "Fourier transforms, forward and inverse." }
     }

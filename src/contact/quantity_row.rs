@@ -62,6 +62,16 @@ pub enum QuantityKind {
     Flag,
 }
 
+/// The part of the table of the page in which a number of a contact stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum PageTable {
+    /// The numbers of the contact.
+    Contact,
+    /// How it was solved.
+    Solving,
+}
+
 /// Which curves a quantity has in recordings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Curve {
@@ -103,6 +113,10 @@ pub struct QuantityRow {
     /// Whether `solve` prints it in a row of its own, without further words.
     #[serde(skip)]
     pub is_printed: bool,
+    /// The part of the table of the page in which it stands, if it stands there; what is recorded at each step always does.
+    pub page: Option<PageTable>,
+    /// Whether only the process that makes a state knows the number.
+    pub is_known_by_process: bool,
     /// The names of the quantities that estimate its error, the most general one first.
     pub errors: &'static [&'static str],
     /// One sentence.
@@ -119,8 +133,12 @@ impl QuantityRow {
         self.title.strip_prefix("error of ")?.rsplit_once(" by ").map(|(_, cause)| cause)
     }
 
-    /// Whether only the process that makes a state knows the number.
-    pub fn is_known_by_process(&self) -> bool {
-        self.read.is_none()
+    /// The part of the table of the page for a number with some curve: that which its row gives, and else that of a contact where it has a curve over
+    /// steps.
+    pub(super) const fn page(given: Option<PageTable>, curve: Curve) -> Option<PageTable> {
+        match (given, curve) {
+            (None, Curve::Steps | Curve::Both) => Some(PageTable::Contact),
+            (given, _) => given,
+        }
     }
 }

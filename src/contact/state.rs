@@ -90,7 +90,7 @@ impl State {
         if let Some(own) = self.contact.values().get(quantity) {
             return Some(own).filter(|value| !value.is_nan());
         }
-        if quantity.row().is_known_by_process() {
+        if quantity.row().is_known_by_process {
             return None;
         }
         match self.numbers.get() {

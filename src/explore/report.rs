@@ -114,7 +114,7 @@ impl From<&'static Drive> for ProcessReport {
     fn from(drive: &'static Drive) -> Self {
         let Drive { charts, columns, .. } = drive;
         let chart = |it: &StateChart| [it.x.map(Quantity::name), Some(it.y.name())];
-        let known = columns.iter().filter(|it| it.row().is_known_by_process());
+        let known = columns.iter().filter(|it| it.row().is_known_by_process);
         Self { drive, charts: [chart(&charts[0]), chart(&charts[1])], numbers: known.map(|it| it.name()).collect() }
     }
 }
@@ -265,6 +265,6 @@ impl Numbers {
 
 /// The numbers of a contact that only the process knows of which it is a state.
 fn known_by_process(contact: &Contact) -> BTreeMap<&'static str, f64> {
-    let known = contact.values().numbers().iter().filter(|(quantity, _)| quantity.row().is_known_by_process());
+    let known = contact.values().numbers().iter().filter(|(quantity, _)| quantity.row().is_known_by_process);
     known.map(|(quantity, value)| (quantity.name(), *value)).collect()
 }

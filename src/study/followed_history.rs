@@ -37,7 +37,7 @@ impl FollowedHistory {
         let seconds = states.iter().map(|state| state.contact.work.seconds).sum();
         let mut numbers = totals(&states);
         let last = states.pop().ok_or(StudyError::NoHistory)?.contact;
-        let own = last.values().numbers().iter().filter(|(it, _)| it.row().is_known_by_process());
+        let own = last.values().numbers().iter().filter(|(it, _)| it.row().is_known_by_process);
         numbers.extend(own);
         numbers.extend(setup.flow.measure(&last).map_err(SetupError::from)?.numbers);
         Ok(Self { numbers, status, seconds, last })

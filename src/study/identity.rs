@@ -96,7 +96,7 @@ impl<'a> Identity<'a> {
         self.realisation.press(watch, |contact| {
             load += 1;
             let found = self.realisation.setup.flow.measure(contact).map_err(SetupError::from)?;
-            let own = contact.values().numbers().iter().filter(|(it, _)| it.row().is_known_by_process());
+            let own = contact.values().numbers().iter().filter(|(it, _)| it.row().is_known_by_process);
             let further = own.copied().chain(found.numbers).collect();
             each(Point { further, ..self.point(load, contact) }, contact);
             Ok::<(), StudyError>(())

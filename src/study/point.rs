@@ -56,7 +56,7 @@ const META: usize = 13;
 
 /// The further numbers of a line, in the order of the table of quantities.
 pub(super) fn further() -> impl Iterator<Item = Quantity> {
-    Quantity::iter().filter(|it| it.row().is_known_by_process())
+    Quantity::iter().filter(|it| it.row().is_known_by_process)
 }
 
 /// A further number as a word.
@@ -146,7 +146,7 @@ impl Point {
         let point: Self = record.deserialize(Some(names))?;
         let observables = record.deserialize(Some(names))?;
         let named = names.iter().zip(record).filter_map(|(name, word)| {
-            let quantity = Quantity::find(name).filter(|it| it.row().is_known_by_process())?;
+            let quantity = Quantity::find(name).filter(|it| it.row().is_known_by_process)?;
             Some((quantity, number(word)?))
         });
         let further = named.collect();

@@ -7,7 +7,7 @@
     True
 
 - `solve` presses heights on a solid and returns a `Contact`: fields as numpy arrays, measures, and a `Certificate` that bounds its error. With a
-  list of loads it returns a `LoadCurve`; along a path, at several speeds and while rolling it returns a `History`.
+  list of loads, along a path, at several speeds and while rolling it returns a `History`.
 - `Surface`, `Problem` and `Setup` describe a contact. A `Setup` is text that repeats it to the last bit.
 - `study` solves a setup with lists, in this process or on the workers of Dask, and returns a `Table` for numpy, pandas and Arrow.
 - `certify` checks a result of any other code, and `Recorder` each step of your own loop.
@@ -34,13 +34,11 @@ from asperity._asperity import (
     Contact,
     History,
     Ledger,
-    LoadCurve,
     NotConverged,
     PartialSlip,
     Problem,
     Recorder,
     Setup,
-    States,
     Step,
     Study,
     Surface,
@@ -120,13 +118,11 @@ __all__ = [
     "Contact",
     "History",
     "Ledger",
-    "LoadCurve",
     "NotConverged",
     "PartialSlip",
     "Problem",
     "Recorder",
     "Setup",
-    "States",
     "Step",
     "Study",
     "Surface",
@@ -173,7 +169,7 @@ if TYPE_CHECKING:
     @overload
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[Press]) -> Contact: ...
     @overload
-    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressSeveral]) -> LoadCurve: ...
+    def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressSeveral]) -> History: ...
     @overload
     def solve(height: Heights, size: Length | Sequence[Length] | None = None, **keywords: Unpack[PressAlong]) -> History: ...
     @overload
@@ -222,14 +218,14 @@ def solve(
     stream: Callable[[bytes], object] | None = None,
     diagnose: bool = False,
     **unknown: Any,
-) -> Contact | LoadCurve | History:
+) -> Contact | History:
     """Presses heights on an elastic solid, and returns the contact.
 
     height: heights of a line, shape (n), or of a surface, shape (ny, nx), as lengths, with peaks towards the solid positive; or a Surface; or a
         file of heights.
     size: length of the cell, or the lengths along y and x. It is not needed where a file contains it.
     mean_pressure, reduced_pressure (mean pressure divided by rms gradient and contact modulus), mean_gap, force (of a line: force per length),
-        approach: the load, one of them. A list of loads, or a range such as "1e-3..1e-1:5", returns a LoadCurve; each solve starts from the
+        approach: the load, one of them. A list of loads, or a range such as "1e-3..1e-1:5", returns a History; each solve starts from the
         previous contact.
     boundary: "periodic" (the cell repeats) or "free" (no pressure outside the cell), or one for each axis.
     datum: on a free boundary of a line, the distance from a line load at which the displacement is zero.
@@ -309,7 +305,7 @@ def solve(
         "diagnose": diagnose,
     }
     if not progress:
-        solved: Contact | LoadCurve | History = problem.solve(**options)
+        solved: Contact | History = problem.solve(**options)
         return solved
     from asperity.progress import show_steps
 

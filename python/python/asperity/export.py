@@ -1,4 +1,4 @@
-"""Contacts, load curves, histories and surfaces as Datasets of xarray, and as files of them."""
+"""Contacts, histories and surfaces as Datasets of xarray, and as files of them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity._asperity import AsperityError, Contact, History, LoadCurve, Surface, observables
+from asperity._asperity import AsperityError, Contact, History, Surface
 
 if TYPE_CHECKING:
     import os
@@ -49,21 +49,7 @@ def contact_to_xarray(contact: Contact) -> xr.Dataset:
     return xr.Dataset(fields, _positions(contact, axes), contact.measures | words)
 
 
-def curve_to_xarray(curve: LoadCurve) -> xr.Dataset:
-    """The fields of all contacts along the dimension `load`, with the measures as variables."""
-    import xarray as xr
-
-    first = curve[0]
-    axes = _axes(first.pressure)
-    fields = _stacked("load", list(curve))
-    explained = {row["name"]: {"long_name": row["sentence"], "symbol": row["symbol"], "unit": row["unit"]} for row in observables()}
-    measures = {name: ("load", values, explained.get(name, {})) for name, values in curve.measures.items()}
-    status = {"status": ("load", [contact.status for contact in curve])}
-    positions = _positions(first, axes) | {"load": curve.loads}
-    return xr.Dataset(fields | measures | status, positions, {"setup": curve.setup.to_toml()})
-
-
-def load_displacement(curve: LoadCurve) -> tuple[Any, Any, str]:
+def load_displacement(curve: History) -> tuple[Any, Any, str]:
     """The mean pressure over the displacement of the surface, for all boundaries: two arrays, and what the displacement is.
 
     On a free boundary it is the "approach". On a periodic one, where there is no approach, it is the "mean displacement": how far the mean plane of the
@@ -86,18 +72,26 @@ def history_to_xarray(history: History) -> xr.Dataset:
     first = history[0]
     axes = _axes(first.pressure)
     further = {name: (("state", *axes), values, {"long_name": NAMES[name]}) for name, values in history.fields.items()}
-    numbers = {
-        name: ("state", values, {"long_name": History.explain(name), "unit": History._unit(name)})
-        for name, values in history.numbers.items()
-    }
+    numbers = {name: ("state", values, _explained(name)) for name, values in history._columns().items()}
     words = {"status": ("state", [contact.status for contact in history]), "claim": ("state", history.claims)}
     positions = _positions(first, axes) | {"state": np.arange(1, len(history) + 1)}
+    if history.loads.size:
+        # a list that was ended early has fewer states than loads
+        positions["load"] = ("state", history.loads[: len(history)])
     described = {"process": history.process, "setup": history.setup.to_toml()}
     return xr.Dataset(_stacked("state", list(history)) | further | numbers | words, positions, described)
 
 
-def write_netcdf(what: Contact | LoadCurve | History | Surface, path: os.PathLike[str] | str) -> None:
-    """Writes the Dataset of a contact, a load curve, a history or a surface to a NetCDF file."""
+def _explained(name: str) -> dict[str, str]:
+    """What a number is, and its unit in a word; nothing of a number that no table explains."""
+    try:
+        return {"long_name": History.explain(name), "unit": History._unit(name)}
+    except AsperityError:
+        return {}
+
+
+def write_netcdf(what: Contact | History | Surface, path: os.PathLike[str] | str) -> None:
+    """Writes the Dataset of a contact, a history or a surface to a NetCDF file."""
     data = what.to_xarray()
     # NetCDF has no attributes that are true or false
     data.attrs = {name: int(value) if isinstance(value, bool) else value for name, value in data.attrs.items()}

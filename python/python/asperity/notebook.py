@@ -7,20 +7,20 @@ from importlib.util import find_spec
 from time import monotonic
 from typing import Any
 
-from asperity._asperity import AsperityError, Contact, History, LoadCurve, Setup, Surface
+from asperity._asperity import AsperityError, Contact, History, Setup, Surface
 
 
-def show(what: Contact | LoadCurve | History | Surface | os.PathLike[str] | str, *, width: int = 1000, height: int = 700) -> Any:
-    """Shows a recording in the viewer inside a notebook, or a figure of a contact, a load curve, a history or a surface.
+def show(what: Contact | History | Surface | os.PathLike[str] | str, *, width: int = 1000, height: int = 700) -> Any:
+    """Shows a recording in the viewer inside a notebook, or a figure of a contact, a history or a surface.
 
-    what: the file of a recording (.rrd), a contact, a load curve, a history or a surface. The package `rerun-notebook` shows recordings. Without
+    what: the file of a recording (.rrd), a contact, a history or a surface. The package `rerun-notebook` shows recordings. Without
         it the setup in the recording is solved again, to the last bit, and its figure is shown. A recording without a whole setup, such as that of
         heights given as an array, returns its path, which `asperity view` or any Rerun viewer opens.
     """
-    if isinstance(what, (Contact, LoadCurve, History, Surface)):
+    if isinstance(what, (Contact, History, Surface)):
         return what.plot()
     if not isinstance(what, (str, os.PathLike)):
-        raise TypeError(f"what must be a Contact, a LoadCurve, a Surface or the name of a file, not {type(what).__name__}")
+        raise TypeError(f"what must be a Contact, a History, a Surface or the name of a file, not {type(what).__name__}")
     path = os.fspath(what)
     if not os.path.exists(path):
         raise FileNotFoundError(f"cannot read {path}: there is no such file")

@@ -1,4 +1,4 @@
-"""Figures of surfaces, contacts, load curves and histories by matplotlib, and pictures of them for notebooks."""
+"""Figures of surfaces, contacts and histories by matplotlib, and pictures of them for notebooks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from asperity._asperity import AsperityError, Contact, History, LoadCurve, Surface, Table
+from asperity._asperity import AsperityError, Contact, History, Surface, Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -99,37 +99,12 @@ def plot_contact(contact: Contact, length_unit: str | None = None, pressure_unit
     return figure
 
 
-LOADS = {
-    "reduced-pressure": ("reduced_pressure", "p*", ""),
-    "mean-gap": ("mean_gap", "mean gap", "length"),
-    "approach": ("approach", "approach", "length"),
-}
-"""Measure, name and kind of the loads of a curve; all others are shown as mean pressures."""
-
-
-def plot_curve(curve: LoadCurve, length_unit: str | None = None, pressure_unit: str | None = None) -> Figure:
-    """Relative contact area, kappa_r and mean gap over the load as it was prescribed, all with edges between the nodes where they are known."""
-    figure, units = _figure(12, 4), _Axes(length_unit, pressure_unit)
-    measures = curve.measures
-    prescribed = next(iter(curve.setup.to_dict()["load"]), "")
-    load, name, kind = LOADS.get(prescribed, ("mean_pressure", "mean pressure", "pressure"))
-    resolved = [
-        ("relative_area", r"$a_\mathrm{rel}$", ""), ("kappa_r", r"$\kappa_\mathrm{r}$", ""), ("mean_gap", "mean gap", "length")
-    ]
-    for axes, (measure, label, of) in zip(figure.subplots(1, 3), resolved):
-        axes.plot(units.values(kind, measures[load]), units.values(of, measures[measure]), marker="o", markersize=4)
-        axes.set(xscale="log", xlabel=units.label(name, kind), ylabel=units.label(label, of))
-        if of:
-            axes.ticklabel_format(axis="y", scilimits=(-3, 4))
-    return figure
-
-
 def plot_history(history: History, length_unit: str | None = None, pressure_unit: str | None = None) -> Figure:
     """The two charts of a process, without the frames of motions; a jump of a history with adhesion is an arrow."""
     figure, units = _figure(9, 4), _Axes(length_unit, pressure_unit)
     claims = np.array(history.claims)
     still = claims != "moving"
-    numbers: dict[str, Any] = {name: values[still] for name, values in history.numbers.items()}
+    numbers: dict[str, Any] = {name: values[still] for name, values in history._columns().items()}
     numbers["state"] = 1.0 + np.arange(still.sum())
     apart = claims[still] == "separated"
     jumps: Any = np.flatnonzero(np.isfinite(numbers.get("jump", np.full(still.sum(), np.nan))))
@@ -180,18 +155,11 @@ def surface_as_html(surface: Surface) -> str:
     return _html("Surface", rows, lambda: plot_surface(surface))
 
 
-def curve_as_html(curve: LoadCurve) -> str:
-    """A small picture and the main numbers of a load curve, for notebooks."""
-    converged = sum(contact.converged for contact in curve)
-    rows = {"loads": str(len(curve)), "converged": str(converged)} | _ranges(curve.measures, CURVE_NUMBERS)
-    return _html("Load curve", rows, lambda: plot_curve(curve))
-
-
 def history_as_html(history: History) -> str:
     """A small picture and the main numbers of a history, for notebooks."""
     named = dict.fromkeys(name for axes, _, _ in history._charts() for name in axes)
     rows = {"process": history.process, "states": str(len(history)), "claim": ", ".join(dict.fromkeys(history.claims))}
-    return _html("History", rows | _ranges(history.numbers, named), lambda: plot_history(history))
+    return _html("History", rows | _ranges(history._columns(), named), lambda: plot_history(history))
 
 
 def table_as_html(table: Table) -> str:
@@ -204,9 +172,6 @@ def table_as_html(table: Table) -> str:
     left = f"<p>{shown} of {len(table)} rows</p>" if shown < len(table) else ""
     return f"<table><caption>Table of {len(table)} rows</caption><tr>{head}</tr>{body}</table>{left}"
 
-
-CURVE_NUMBERS = ("mean_pressure", "relative_area", "kappa_r", "mean_gap")
-"""The numbers of a load curve that a notebook shows."""
 
 MOST_ROWS = 10
 """Rows of a table that a notebook shows."""

@@ -69,7 +69,12 @@ impl LoadAxis {
 
     /// The number of a load along the axis.
     pub(in crate::record) fn number(&self, load: usize) -> Option<f64> {
-        Some(*self.values.get(load)? / self.fitting().size)
+        Some(*self.values.get(load)? / self.size())
+    }
+
+    /// The value at the number 1 of the axis.
+    pub(in crate::record) fn size(&self) -> f64 {
+        self.fitting().size
     }
 
     /// The unit along the axis.
@@ -82,7 +87,7 @@ impl LoadAxis {
     /// The axis over the rooms of some loads.
     pub(in crate::record) fn over(&self, loads: impl IntoIterator<Item = usize>) -> Axis {
         let rooms = loads.into_iter().filter_map(|load| self.room(load)).flatten();
-        let size = self.fitting().size;
+        let size = self.size();
         let expected = self.expected.iter().map(|value| value / size);
         match range(rooms.chain(expected)) {
             ends @ [low, high] if low < high => Axis { name: self.title(), scale: self.scale, range: ends },

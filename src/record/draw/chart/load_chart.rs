@@ -7,7 +7,7 @@ use crate::record::draw::fields::range;
 use crate::record::draw::ink::canvas::{self, PANE, strips};
 use crate::record::draw::ink::palette::{Palette, colour};
 use crate::record::units::{FittingUnit, with_unit};
-use rerun::{LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult};
+use rerun::{LineStrips2D, Points2D, Radius, RecordingStream, RecordingStreamResult, Transform3D};
 use std::collections::BTreeMap;
 use std::ops::RangeBounds;
 
@@ -38,7 +38,7 @@ const ALONE: f64 = 0.1;
 
 /// Curves of one view, drawn up to the current load, where they have a marker.
 ///
-/// Axes grow with what they show: then all loads are drawn again.
+/// Axes grow with what they show: then what was drawn is stretched to them, for all times. Each load would otherwise be drawn again whenever one more comes.
 pub(crate) struct Chart {
     name: String,
     pub root: String,
@@ -49,10 +49,42 @@ pub(crate) struct Chart {
     /// Room for the legend, over the size of words.
     aside: f64,
     frame: AxesFrame,
+    /// The axes that curves are drawn on, before they are stretched; none before the first load.
+    drawn: Option<DrawnAxes>,
     /// Values of all curves of the recording by their loads.
     values: BTreeMap<usize, Vec<f64>>,
-    /// Whether the last loads are not drawn yet, as their values are those of the loads before.
-    is_behind: bool,
+    /// The first of the last loads that are not drawn yet, as their values are those of the loads before.
+    behind: Option<usize>,
+}
+
+/// A frame, and the values at the number 1 of both of its axes.
+#[derive(Clone)]
+struct DrawnAxes {
+    frame: AxesFrame,
+    sizes: [f64; 2],
+}
+
+impl DrawnAxes {
+    /// Where two values lie on the canvas.
+    fn position(&self, values: [f64; 2]) -> Option<[f64; 2]> {
+        let places = self.frame.places(values[0] / self.sizes[0], values[1] / self.sizes[1]);
+        places.iter().all(|place| place.is_finite()).then(|| self.frame.position(places))
+    }
+
+    /// What stretches curves on these axes to others; none where one of the scales is another one.
+    fn stretched_to(&self, other: &Self) -> Option<Transform3D> {
+        let axes = [&self.frame.x, &self.frame.y];
+        if axes.map(|axis| axis.scale) != [other.frame.x.scale, other.frame.y.scale] {
+            return None;
+        }
+        let end = |end: usize| [0, 1].map(|i| axes[i].range[end] * self.sizes[i]);
+        let [low, high] = [0, 1].map(|i| Some([self.position(end(i))?, other.position(end(i))?]));
+        let ([low, low_onto], [high, high_onto]) = (low?, high?);
+        let scale = [0, 1].map(|i| (high_onto[i] - low_onto[i]) / (high[i] - low[i]));
+        let shift = [0, 1].map(|i| low_onto[i] - scale[i] * low[i]);
+        let [scale, shift] = [scale, shift].map(|both| both.map(|it| it as f32));
+        Some(Transform3D::from_translation([shift[0], shift[1], 0.0]).with_scale([scale[0], scale[1], 1.0]))
+    }
 }
 
 impl Chart {
@@ -84,8 +116,9 @@ impl Chart {
             loads: loads.clone(),
             aside: 0.0,
             frame: canvas::frame(PANE, [loads.whole(), around(&name, [])], 0.0),
+            drawn: None,
             values: BTreeMap::new(),
-            is_behind: false,
+            behind: None,
             name,
         };
         chart.fit(PANE);
@@ -150,16 +183,40 @@ impl Chart {
         self.values.insert(load, values.to_vec());
         // a curve that stays where it is costs nothing before it moves
         if self.values.len() > 1 && !self.changes() {
-            self.is_behind = true;
+            self.behind = Some(self.behind.map_or(load, |behind| behind.min(load)));
             return Ok(());
         }
         let axes = [self.loads.whole(), self.fitted()];
-        let is_fitted = axes[0] == self.frame.x && axes[1] == self.frame.y;
-        if is_fitted && !self.is_behind {
-            return self.values.range(load..).try_for_each(|(&load, _)| self.draw(to, turn, load));
+        if self.drawn.is_none() || axes[0] != self.frame.x || axes[1] != self.frame.y {
+            [self.frame.x, self.frame.y] = axes;
+            if self.stretch(to, turn)? {
+                return Ok(());
+            }
         }
-        [self.frame.x, self.frame.y] = axes;
-        self.draw_again(to, turn)
+        let first = self.behind.take().map_or(load, |behind| behind.min(load));
+        self.values.range(first..).try_for_each(|(&load, _)| self.draw(to, turn, load))
+    }
+
+    /// The axes of its frame.
+    fn axes(&self) -> DrawnAxes {
+        DrawnAxes { frame: self.frame.clone(), sizes: [self.loads.size(), self.unit().size] }
+    }
+
+    /// Stretches what was drawn to the axes of the frame. Where a scale has become another one, all loads are drawn again, and it returns that.
+    fn stretch(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<bool> {
+        self.log_static(to)?;
+        let axes = self.axes();
+        let stretched = self.drawn.as_ref().and_then(|drawn| drawn.stretched_to(&axes));
+        let transform = stretched.unwrap_or(Transform3D::from_scale([1.0, 1.0, 1.0]));
+        for drawn in ["lines", "dots", "exact"] {
+            to.log_static(format!("{}/{drawn}", self.root), &transform)?;
+        }
+        if stretched.is_some() {
+            return Ok(false);
+        }
+        (self.drawn, self.behind) = (Some(axes), None);
+        self.values.keys().try_for_each(|&load| self.draw(to, turn, load))?;
+        Ok(true)
     }
 
     /// Whether it has something to show: a curve that changes, or one of a single load.
@@ -185,7 +242,9 @@ impl Chart {
     pub(crate) fn settle(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
         self.settle_loads();
         self.frame.y = self.fitted();
-        self.draw_again(to, turn)
+        self.stretch(to, turn)?;
+        let behind = self.behind.take().unwrap_or(usize::MAX);
+        self.values.range(behind..).try_for_each(|(&load, _)| self.draw(to, turn, load))
     }
 
     /// Draws the values of all curves of the recording under all loads at once, for all times.
@@ -193,15 +252,10 @@ impl Chart {
         self.values = values.iter().cloned().enumerate().collect();
         self.frame.x = self.loads.whole();
         self.frame.y = self.fitted();
+        self.drawn = Some(self.axes());
         self.log_static(to)?;
         to.log_static(format!("{}/lines", self.root), &self.lines(values.len()))?;
         to.log_static(format!("{}/dots", self.root), &self.dots(values.len()))
-    }
-
-    fn draw_again(&mut self, to: &RecordingStream, turn: &TurnTo<'_>) -> RecordingStreamResult<()> {
-        self.is_behind = false;
-        self.log_static(to)?;
-        self.values.keys().try_for_each(|&load| self.draw(to, turn, load))
     }
 
     /// Draws curves up to a load at the time of that load.
@@ -274,10 +328,9 @@ impl Chart {
 
     /// Where a curve lies under some loads, with these.
     fn points(&self, number: usize, loads: impl RangeBounds<usize>) -> impl Iterator<Item = (usize, [f64; 2])> {
-        let (frame, size) = (&self.frame, self.unit().size);
         self.values.range(loads).filter_map(move |(&load, values)| {
-            let places = frame.places(self.loads.number(load)?, *values.get(number)? / size);
-            places.iter().all(|place| place.is_finite()).then(|| (load, frame.position(places)))
+            let position = self.drawn.as_ref()?.position([*self.loads.values.get(load)?, *values.get(number)?])?;
+            Some((load, position))
         })
     }
 
