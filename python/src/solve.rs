@@ -8,19 +8,18 @@ use crate::history::History;
 use crate::own_solver::OwnSolver;
 use crate::problem::Problem;
 use crate::setup::Setup;
-use crate::shared_state::SharedState;
 use crate::solve_options::SolveOptions;
 use crate::step::Step;
 use crate::warn::warn_sentence;
 use crate::warnings::{warn, warning_of_failure, warnings_about};
-use asperity::contact::{Observer, State, Status};
+use asperity::contact::{Observer, Status};
 use asperity::error::{HistoryError, StudyError};
 use asperity::foreign::{GivenField, Replay};
 use asperity::job::{HistoryOutcome, Job, JobRun, Outcome, Pass, Solved, Watcher};
 use asperity::setup::Cost;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 /// Fields of a recording or a result in memory, besides those of a solver.
 const FIELDS: f64 = 4.0;

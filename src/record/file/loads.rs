@@ -154,7 +154,7 @@ impl LoadRecording {
         let chart = Chart::new(progress.charts.len(), (number, curve), &self.axis, palette);
         progress.charts.push(chart);
         drop(progress);
-        self.recording.write(|stream| self.curves.log_static(stream))
+        self.write(|stream| self.curves.log_static(stream))
     }
 
     fn begin(output: Output, id: Option<&str>, loads: &Loads<'_>, options: Options) -> Result<Self, FileError> {
@@ -179,7 +179,12 @@ impl LoadRecording {
             Timeline::States(times) => StateTimes::new(times),
         };
         let recording = Self {
-            recording: Recording::open(output, &Name::new(loads.title.clone(), loads.scenes, id), stages, options)?,
+            recording: Recording::open(
+                output.for_states(),
+                &Name::new(loads.title.clone(), loads.scenes, id),
+                stages,
+                options,
+            )?,
             description: format!("{}\n\n{}", loads.description, times.note()).trim_end().to_owned(),
             captions: loads.captions.clone(),
             axis: loads.axis.clone(),
@@ -208,7 +213,7 @@ impl LoadRecording {
     /// # Panics
     /// If there is no such load.
     pub fn values(&self, load: usize, values: &[f64]) -> Result<(), FileError> {
-        self.recording.write(|stream| {
+        self.write(|stream| {
             self.turn_to(stream, load)?;
             self.curves.log(stream, values)?;
             let table = self.curves.table(values);
@@ -247,7 +252,7 @@ impl LoadRecording {
         further: &[(&'static str, &[f64])],
     ) -> Result<(), FileError> {
         let stage = &self.recording.stages[scene];
-        self.recording.write(|stream| {
+        self.write(|stream| {
             self.turn_to(stream, load)?;
             stream.log(stage.description(), &stage.described(&Stage::result(contact, &Reading::from(contact)), ""))?;
             if stage.what.has_planes() {
@@ -278,10 +283,16 @@ impl LoadRecording {
         if all.apart <= 0.0 {
             return Ok(());
         }
-        self.recording.write(|stream| {
+        self.write(|stream| {
             self.set_time(stream, load);
             self.recording.stages[scene].redraw(stream, &FrameFields::from_contact(contact), &all)
         })
+    }
+
+    /// Records by `log`; it is written soon, within 0.2 s.
+    fn write(&self, log: impl FnOnce(&RecordingStream) -> RecordingStreamResult<()>) -> Result<(), FileError> {
+        self.recording.log(log)?;
+        self.recording.check()
     }
 
     fn widen(&self, scene: usize, extent: FieldExtent) {

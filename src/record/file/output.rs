@@ -109,6 +109,12 @@ impl Output {
         }
     }
 
+    /// The same file at the pace of states, unless a viewer shows it.
+    pub(super) fn for_states(self) -> Self {
+        let pace = if let FlushPace::Filed = self.pace { FlushPace::STATES } else { self.pace };
+        Self { pace, ..self }
+    }
+
     /// When waiting steps are written.
     pub(super) fn pace(&self) -> FlushPace {
         self.pace

@@ -26,6 +26,9 @@ pub(crate) enum FlushPace {
 impl FlushPace {
     /// The pace of a viewer that runs.
     pub(crate) const SHOWN: Self = Self::Watched(Duration::from_millis(200));
+    /// The pace of states, whether one takes a millisecond or an hour. A piece of the file for each entity of each state would take twice the time of
+    /// quick histories: pieces have heads of kilobytes. A run that is killed loses the states of the last 0.2 s at most.
+    pub(crate) const STATES: Self = Self::Watched(Duration::from_millis(200));
     /// The pace of the interactive page.
     #[cfg(feature = "explore")]
     pub(crate) const LIVE: Self = Self::Watched(Duration::from_millis(40));

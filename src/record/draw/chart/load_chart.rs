@@ -181,8 +181,8 @@ impl Chart {
         values: &[f64],
     ) -> RecordingStreamResult<()> {
         self.values.insert(load, values.to_vec());
-        // a curve that stays where it is costs nothing before it moves
-        if self.values.len() > 1 && !self.changes() {
+        // a curve that does not change may never be shown
+        if !self.changes() {
             self.behind = Some(self.behind.map_or(load, |behind| behind.min(load)));
             return Ok(());
         }
@@ -207,11 +207,12 @@ impl Chart {
         self.log_static(to)?;
         let axes = self.axes();
         let stretched = self.drawn.as_ref().and_then(|drawn| drawn.stretched_to(&axes));
+        let is_stretched = stretched.is_some();
         let transform = stretched.unwrap_or(Transform3D::from_scale([1.0, 1.0, 1.0]));
         for drawn in ["lines", "dots", "exact"] {
             to.log_static(format!("{}/{drawn}", self.root), &transform)?;
         }
-        if stretched.is_some() {
+        if is_stretched {
             return Ok(false);
         }
         (self.drawn, self.behind) = (Some(axes), None);
