@@ -209,7 +209,8 @@ impl Chart {
         let stretched = self.drawn.as_ref().and_then(|drawn| drawn.stretched_to(&axes));
         let is_stretched = stretched.is_some();
         let transform = stretched.unwrap_or(Transform3D::from_scale([1.0, 1.0, 1.0]));
-        for drawn in ["lines", "dots", "exact"] {
+        let drawn = ["lines", "dots"].into_iter().chain(self.has_exact().then_some("exact"));
+        for drawn in drawn {
             to.log_static(format!("{}/{drawn}", self.root), &transform)?;
         }
         if is_stretched {
@@ -264,10 +265,12 @@ impl Chart {
         turn(to, load);
         to.log(format!("{}/lines", self.root), &self.lines(load))?;
         to.log(format!("{}/dots", self.root), &self.dots(load))?;
-        if !self.curves.iter().any(|(_, curve)| curve.kind == CurveKind::Exact) {
-            return Ok(());
-        }
-        to.log(format!("{}/exact", self.root), &self.dashes(load))
+        if self.has_exact() { to.log(format!("{}/exact", self.root), &self.dashes(load)) } else { Ok(()) }
+    }
+
+    /// Whether one of its curves is an exact solution.
+    fn has_exact(&self) -> bool {
+        self.curves.iter().any(|(_, curve)| curve.kind == CurveKind::Exact)
     }
 
     /// All curves but exact ones.
