@@ -21,8 +21,9 @@ const MOST_APART: f64 = 3.0;
 struct Bodies {
     plane: LinePlane,
     title: String,
-    /// The heights of the indenter at all nodes of the window, upwards.
+    /// The heights of the indenter at all nodes of the window, upwards, and their places on the vertical axis.
     heights: Vec<f64>,
+    places: Vec<f32>,
     length_unit: String,
     axis: Ruler,
 }
@@ -34,13 +35,20 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Option<Box<dyn Drawing>> {
     let nodes = plane.window.every(1);
     let heights: Vec<f64> = nodes.values(height).map(|h| -h).collect();
     let length_unit = subject.options.length_unit.clone();
+    let axis = axis(&heights, &length_unit, 0.0);
     Some(Box::new(Bodies {
         plane: plane.clone(),
         title: format!("{}: indenter above the solid", subject.scene.title),
-        axis: axis(&heights, &length_unit, 0.0),
+        places: places(&heights, &axis),
+        axis,
         heights,
         length_unit,
     }))
+}
+
+/// The places of heights on an axis.
+fn places(heights: &[f64], axis: &Ruler) -> Vec<f32> {
+    heights.iter().map(|height| axis.place(*height) as f32).collect()
 }
 
 /// The vertical axis for the heights of an indenter, and below it for a solid that is as far `apart`.
@@ -53,14 +61,15 @@ fn axis(heights: &[f64], length_unit: &str, apart: f64) -> Ruler {
 impl Bodies {
     /// The height of the indenter on the canvas, at a node of the window.
     fn indenter(&self, node: usize) -> f32 {
-        self.plane.height() * (1.0 - self.axis.place(self.heights[node]) as f32)
+        self.plane.height() * (1.0 - self.places[node])
     }
 
     /// The same bodies with room for a solid that is apart, as far as the shapes can be read.
     fn with_room(&self, apart: f64) -> Self {
         let [low, high] = range(self.heights.iter().copied());
         let apart = apart.min(MOST_APART * (high - low));
-        Self { axis: axis(&self.heights, &self.length_unit, apart), ..self.clone() }
+        let axis = axis(&self.heights, &self.length_unit, apart);
+        Self { places: places(&self.heights, &axis), axis, ..self.clone() }
     }
 
     /// The solid, a gap below the nodes of the indenter.
