@@ -5,7 +5,6 @@ use super::follow::{StateKeeping, give};
 use super::history::HistoryOutcome;
 use super::outcome::{Outcome, Solved};
 use super::run::JobRun;
-#[cfg(feature = "record")]
 use super::watch::{Pass, Watcher};
 use crate::contact::{Contact, Observer, PartialSlip, Problem};
 use crate::diagnosis::{Diagnosis, Reference};
