@@ -10,8 +10,8 @@ use super::session_recording::SessionRecording;
 use super::tape;
 use super::theories::{exact, is_rough_flat, persson};
 use crate::contact::{Each, Failure, Load, Observables, Observer, Problem, State, Step};
-use crate::error::ProblemError;
-use crate::job::{Job, JobRun, Pass, Watcher};
+use crate::error::{HistoryError, ProblemError};
+use crate::job::{HistoryOutcome, Job, JobRun, Pass, Watcher};
 use crate::setup::{Flow, Method, Setup};
 use crate::theory;
 use std::ops::ControlFlow;
@@ -57,8 +57,11 @@ pub(crate) fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Fail
     collector.report.ended = true;
     let SweepCollector { report, motion, .. } = collector;
     turn.finish_sweep(report, motion);
-    let failure = solved?.solved.into_iter().find_map(|it| it.history?.failure);
-    failure.map_or(Ok(()), |failure| Err(failure.into()))
+    match solved?.solved.into_iter().find_map(|it| it.history) {
+        Some(HistoryOutcome { failure: Some(failure), .. }) => Err(failure.into()),
+        Some(HistoryOutcome { ended: Some(error), .. }) if !matches!(error, HistoryError::Stopped) => Err(error.into()),
+        _ => Ok(()),
+    }
 }
 
 /// The setup under the loads of a sweep, solved by the fastest solver. What flows and what would slip is not asked for.

@@ -32,7 +32,7 @@ const WIDE: f64 = 12.0;
 /// Share of the largest value below which the smallest one has zero beside it on the axis.
 const NEAR_ZERO: f64 = 0.5;
 /// Changes below this part of the largest value are rounding.
-pub(crate) const ROUNDING: f64 = 1e-7;
+const ROUNDING: f64 = 1e-7;
 /// Share of a value that an axis around it alone reaches to either side.
 const ALONE: f64 = 0.1;
 
