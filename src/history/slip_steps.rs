@@ -4,7 +4,7 @@ use super::slip::SlipHistory;
 use super::slip_memory::SlipMemory;
 use super::slip_state::SlipState;
 use super::slip_totals::{SlipPathErrors, SlipTotals};
-use crate::contact::{Load, Observer, ResultClaim};
+use crate::contact::{Load, Observer, ResultClaim, Status};
 use crate::error::SlipError;
 
 /// The first step on a way, over the way: in general, and without coupling where the normal load stays and only the direction of slip turns, which
@@ -154,7 +154,8 @@ impl<'s> SlipSteps<'s> {
             SlipPace::Count(count) => self.divide(pressing, count, observer)?,
             SlipPace::Tolerance(_) => self.pass(pressing, observer)?,
         };
-        Ok(if way.from == way.to { pressed } else { self.pass(way, observer)?.after(pressed) })
+        let is_there = way.from == way.to || is_stopped(&pressed);
+        Ok(if is_there { pressed } else { self.pass(way, observer)?.after(pressed) })
     }
 
     /// The whole way: in one step where the number of steps is given or one step is exact, and else in as many as the tolerance needs.
@@ -177,6 +178,9 @@ impl<'s> SlipSteps<'s> {
         };
         let mut state = self.step(LoadWay { to: loads(end(1)), ..way }, observer)?;
         for step in 2..=count {
+            if is_stopped(&state) {
+                break;
+            }
             let part = LoadWay { from: loads(end(step - 1)), to: loads(end(step)), ..way };
             state = self.step(part, observer)?.after(state);
         }
@@ -247,7 +251,7 @@ impl<'s> SlipSteps<'s> {
                 Some(earlier) => state.after(earlier),
                 None => state,
             };
-            if done >= 1.0 {
+            if done >= 1.0 || is_stopped(&state) {
                 return Ok(state);
             }
             passed = Some(state);
@@ -313,6 +317,11 @@ impl<'s> SlipSteps<'s> {
         };
         state
     }
+}
+
+/// Whether an observer has stopped the run: further steps would each begin, and find nothing.
+fn is_stopped(state: &SlipState) -> bool {
+    state.contact.status == Status::StoppedByObserver
 }
 
 /// The stated errors by how much a doubled step differs from its halves, with their signs: of shift, lost energy, and the share that sticks.
