@@ -138,10 +138,11 @@ fn rounded(value: Value) -> Value {
     }
 }
 
-/// What the page needs of a quantity; it has sentences of its own.
+/// The row of a quantity without its sentence, of which the page has one of its own.
 fn observable(quantity: Quantity) -> Value {
-    let row = quantity.row();
-    json!({ "name": row.name, "symbol": row.symbol, "unit": row.unit, "is_traced": row.is_traced, "errors": row.errors })
+    let mut row = json!(quantity.row());
+    row.as_object_mut().map(|row| row.remove("sentence"));
+    row
 }
 
 /// The runs of a step: all states that can be turned to, and the sweep if the load is swept.
