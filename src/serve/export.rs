@@ -141,7 +141,9 @@ fn rounded(value: Value) -> Value {
 /// The row of a quantity without its sentence, of which the page has one of its own.
 fn observable(quantity: Quantity) -> Value {
     let mut row = json!(quantity.row());
-    row.as_object_mut().map(|row| row.remove("sentence"));
+    if let Some(row) = row.as_object_mut() {
+        row.remove("sentence");
+    }
     row
 }
 
