@@ -155,7 +155,7 @@ impl FieldExtent {
         self
     }
 
-    /// The same reach without room for surfaces apart, for states that are not drawn again.
+    /// The reach as if the surfaces touched, so that the axis of the profile stays: for the steps of a solver, which are not drawn again.
     pub(crate) fn touching(self) -> Self {
         Self { apart: 0.0, ..self }
     }

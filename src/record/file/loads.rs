@@ -79,8 +79,8 @@ impl Timeline {
 
 /// A recording over loads that is being written into a file, which can be opened at any time.
 ///
-/// Loads can come in any order and from several threads. Missing loads are not shown. The states of a history come in their order. What is
-/// recorded is written soon after, so that a failure may be told by a later call.
+/// Loads can come in any order and from several threads. Missing loads are not shown. The states of a history come in their order. The file
+/// is written within 0.2 s after a call, so that an error of writing may be returned by a later call.
 pub struct LoadRecording {
     recording: Recording,
     description: String,

@@ -14,8 +14,9 @@ use crate::seen::capital;
 use crate::setup::{Drive, Posed, Setup, StateSink};
 use std::sync::Arc;
 
-/// Room for further fields while their largest values are not known, over those of the first state.
-const ROOM: f64 = 4.0;
+/// The end of the axis of a further field while its largest value is not known, over that of the first state. Loads and times of a path go up by some such
+/// factor after its first point; the axis is fitted to all states at the end, so that the factor decides the picture of a running history alone.
+const FURTHER_FIELD_ROOM: f64 = 4.0;
 
 /// A recording of the states of a run, which grows state by state.
 ///
@@ -305,7 +306,12 @@ fn further(posed: &Posed<'_>, first: &State) -> Vec<FurtherField> {
             Unit::Pressure => posed.problem.contact_modulus(),
             _ => posed.problem.rms_height(),
         };
-        FurtherField::new(row.name, row.title, (row.symbol, unit), [ROOM * low, ROOM * high])
+        FurtherField::new(
+            row.name,
+            row.title,
+            (row.symbol, unit),
+            [FURTHER_FIELD_ROOM * low, FURTHER_FIELD_ROOM * high],
+        )
     };
     first.fields.iter().filter(is_drawn).map(field).collect()
 }

@@ -31,8 +31,8 @@ const MARKER: f32 = 4.5;
 const WIDE: f64 = 12.0;
 /// Share of the largest value below which the smallest one has zero beside it on the axis.
 const NEAR_ZERO: f64 = 0.5;
-/// Changes below this part of the largest value are rounding.
-const ROUNDING: f64 = 1e-7;
+/// A curve whose values differ by less than this part of the largest one does not change: solvers leave differences of 1e-8, their tolerance.
+const LEAST_RELATIVE_CHANGE: f64 = 1e-7;
 /// Share of a value that an axis around it alone reaches to either side.
 const ALONE: f64 = 0.1;
 
@@ -71,8 +71,9 @@ impl DrawnAxes {
         places.iter().all(|place| place.is_finite()).then(|| self.frame.position(places))
     }
 
-    /// What stretches curves on these axes to others; none where one of the scales is another one.
-    fn stretched_to(&self, other: &Self) -> Option<Transform3D> {
+    /// The scale and the shift, along x and y, that carry curves drawn on these axes to the same curves on other axes; none where one axis is linear and
+    /// the other one logarithmic.
+    fn stretched_to(&self, other: &Self) -> Option<[[f64; 2]; 2]> {
         let axes = [&self.frame.x, &self.frame.y];
         if axes.map(|axis| axis.scale) != [other.frame.x.scale, other.frame.y.scale] {
             return None;
@@ -82,8 +83,7 @@ impl DrawnAxes {
         let ([low, low_onto], [high, high_onto]) = (low?, high?);
         let scale = [0, 1].map(|i| (high_onto[i] - low_onto[i]) / (high[i] - low[i]));
         let shift = [0, 1].map(|i| low_onto[i] - scale[i] * low[i]);
-        let [scale, shift] = [scale, shift].map(|both| both.map(|it| it as f32));
-        Some(Transform3D::from_translation([shift[0], shift[1], 0.0]).with_scale([scale[0], scale[1], 1.0]))
+        Some([scale, shift])
     }
 }
 
@@ -207,13 +207,13 @@ impl Chart {
         self.log_static(to)?;
         let axes = self.axes();
         let stretched = self.drawn.as_ref().and_then(|drawn| drawn.stretched_to(&axes));
-        let is_stretched = stretched.is_some();
-        let transform = stretched.unwrap_or(Transform3D::from_scale([1.0, 1.0, 1.0]));
+        let [scale, shift] = stretched.unwrap_or([[1.0; 2], [0.0; 2]]).map(|both| both.map(|it| it as f32));
+        let transform = Transform3D::from_translation([shift[0], shift[1], 0.0]).with_scale([scale[0], scale[1], 1.0]);
         let drawn = ["lines", "dots"].into_iter().chain(self.has_exact().then_some("exact"));
         for drawn in drawn {
             to.log_static(format!("{}/{drawn}", self.root), &transform)?;
         }
-        if is_stretched {
+        if stretched.is_some() {
             return Ok(false);
         }
         (self.drawn, self.behind) = (Some(axes), None);
@@ -221,16 +221,16 @@ impl Chart {
         Ok(true)
     }
 
-    /// Whether it has something to show: a curve that changes, or one of a single load.
+    /// Whether a layout shows the chart: it has a curve that changes, or one with the value of a single load.
     pub(crate) fn is_shown(&self) -> bool {
         self.changes() || self.curves.iter().any(|(number, _)| self.known(*number).count() == 1)
     }
 
-    /// Whether a curve has more than one value.
+    /// Whether one of its curves changes from load to load.
     fn changes(&self) -> bool {
         self.curves.iter().any(|(number, _)| {
             let [low, high] = range(self.known(*number));
-            high - low > ROUNDING * low.abs().max(high.abs())
+            high - low > LEAST_RELATIVE_CHANGE * low.abs().max(high.abs())
         })
     }
 
@@ -370,6 +370,22 @@ fn around(name: &str, values: impl IntoIterator<Item = f64>) -> Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A curve that was drawn on other axes lies, once it is stretched, where it would be drawn on the new ones.
+    #[test]
+    fn a_stretched_curve_lies_on_its_new_axes() {
+        let axes = |x: Axis, y: Axis, sizes| DrawnAxes { frame: canvas::frame(PANE, [x, y], 0.0), sizes };
+        let drawn = axes(Axis::log("t", [1.0, 10.0]), Axis::linear("y", [-1.0, 2.0]), [1.0, 1e-3]);
+        let onto = axes(Axis::log("t", [1e-2, 1e3]), Axis::linear("y", [-5.0, 40.0]), [10.0, 1e-6]);
+        let [scale, shift] = drawn.stretched_to(&onto).unwrap();
+        for values in [[1.0, 0.0], [2.5, 1.9e-3], [300.0, -7e-3]] {
+            let [before, after] = [&drawn, &onto].map(|axes| axes.position(values).unwrap());
+            assert!(
+                (0..2).all(|i| (scale[i] * before[i] + shift[i] - after[i]).abs() < 1e-6 * after[i].abs().max(1.0))
+            );
+        }
+        assert!(drawn.stretched_to(&axes(drawn.frame.x.clone(), Axis::log("y", [1.0, 2.0]), [1.0; 2])).is_none());
+    }
 
     #[test]
     fn axes_reach_around_values_over_whole_steps_or_decades() {

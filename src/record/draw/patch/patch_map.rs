@@ -111,7 +111,7 @@ impl PatchMap {
     }
 }
 
-/// What moves and stretches one range of heights on the canvas onto another one.
+/// The transform that carries one range of heights on the canvas onto another one.
 fn stretch(from: [f32; 2], onto: [f32; 2]) -> Transform3D {
     let stretch = (onto[0] - onto[1]) / (from[0] - from[1]);
     Transform3D::from_translation([0.0, onto[1] - stretch * from[1], 0.0]).with_scale([1.0, stretch, 1.0])
