@@ -146,6 +146,7 @@ pub mod quantity;
 #[cfg(feature = "record")]
 pub mod record;
 pub mod seen;
+pub mod sentence;
 #[cfg(feature = "serve")]
 pub mod serve;
 pub mod setup;

@@ -1,5 +1,7 @@
 //! The memory that is free.
 
+use crate::sentence::{Sentence, sentence};
+
 #[cfg(all(target_os = "linux", feature = "figures"))]
 mod group;
 
@@ -33,9 +35,11 @@ pub(crate) fn check_bytes(needed: f64) -> Result<(), MissingMemory> {
 }
 
 /// How much memory is free, after the words on how much is needed.
-pub(crate) fn free_in_words(free: Option<f64>) -> String {
-    let free = free.map(crate::quantity::bytes_in_words);
-    free.map_or("more than the system allows".into(), |free| format!("and {free} are free"))
+pub(crate) fn free_in_words(free: Option<f64>) -> Sentence {
+    match free.map(crate::quantity::bytes_in_words) {
+        Some(free) => sentence!("and {free} are free", free),
+        None => "more than the system allows".into(),
+    }
 }
 
 /// Refuses work that needs more bytes than are free, or than the system allows.

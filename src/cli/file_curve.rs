@@ -238,5 +238,5 @@ pub(crate) fn key(path: &str) -> &str {
 fn missing(path: &Path, name: &str) -> FileError {
     let reason =
         format!("it has no {name}: give another quantity, or a value from the lists of a study, such as hurst");
-    FileError::Format { path: path.into(), what: "result or table", reason }
+    FileError::Format { path: path.into(), what: "result or table", reason: reason.into() }
 }

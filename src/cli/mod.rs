@@ -190,7 +190,7 @@ pub fn run(words: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(outcome) => outcome.exit_code(),
         Err(error) if is_unheard(&error) => ExitStatus::Done.exit_code(),
         Err(error) => {
-            let sentence = in_given_words(error.to_string(), &words);
+            let sentence = in_given_words(error.as_ref(), &words);
             writeln!(stderr(), "error: {sentence}{}", remedy(&error)).ok();
             exit_code(&error)
         }

@@ -4,6 +4,7 @@ use super::archive::CERTIFICATE;
 use crate::contact::{ArchiveSeal, Certificate, Resolved, SavedContact, Status, Work};
 use crate::error::FileError;
 use crate::formats::{has_field, read_fields, read_fields_shape, read_text};
+use crate::sentence::Sentence;
 use crate::surface::Field;
 use ndarray::{ArrayD, Axis, Ix2, concatenate};
 use std::path::{Path, PathBuf};
@@ -265,7 +266,7 @@ impl ArchiveReader {
         fields.map(contact).collect()
     }
 
-    fn wrong(&self, reason: impl Into<String>) -> FileError {
+    fn wrong(&self, reason: impl Into<Sentence>) -> FileError {
         wrong(&self.path, reason)
     }
 }
@@ -286,6 +287,6 @@ fn parts_of(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     Ok(parts)
 }
 
-fn wrong(path: &Path, reason: impl Into<String>) -> FileError {
+fn wrong(path: &Path, reason: impl Into<Sentence>) -> FileError {
     FileError::Format { path: path.into(), what: "result", reason: reason.into() }
 }

@@ -1,7 +1,8 @@
 //! What does not go together in a setup, or is missing in it: one table.
 
+use crate::sentence::{Sentence, Value, Worded};
 use std::fmt::{self, Display, Formatter};
-use strum::{EnumIter, EnumMessage, EnumProperty, IntoStaticStr};
+use strum::{EnumIter, EnumMessage, EnumProperty, IntoEnumIterator, IntoStaticStr};
 
 /// A rule that a setup breaks. Its name in kebab case is its id, such as `sliding-without-creep`; ids are stable.
 ///
@@ -63,7 +64,7 @@ pub enum ConflictRule {
     NotAlone,
 
     #[strum(props(keys = "friction.tangential path.tangential rolling.tangential rolling.creepage"), message =
-        "the tangential load is {tangential}, but friction needs a positive one: give it, or a path of tangential loads, or rolling")]
+        "the tangential load is {tangential:?}, but friction needs a positive one: give it, or a path of tangential loads, or rolling")]
     NoTangential,
     #[strum(props(keys = "friction.tangential law.hardness"), message =
         "a tangential load and a hardness are given, but partial slip is solved for elastic contacts only: leave one of them out")]
@@ -84,7 +85,7 @@ pub enum ConflictRule {
 
     #[strum(props(keys = "sliding.speed"), message = "sliding needs a speed: give one or more")]
     SlidingWithoutSpeed,
-    #[strum(props(keys = "sliding.speed"), message = "the speed {speed} is given: give a positive, finite speed")]
+    #[strum(props(keys = "sliding.speed"), message = "the speed {speed:?} is given: give a positive, finite speed")]
     SlidingSpeed,
     #[strum(props(keys = "sliding.speed grid.boundary"), message =
         "sliding needs a periodic boundary: leave the boundary out")]
@@ -93,12 +94,12 @@ pub enum ConflictRule {
     #[strum(props(keys = "rolling.creepage rolling.tangential"), message =
         "rolling needs either a creepage or a tangential load: give one of them, and not both")]
     RollingDrives,
-    #[strum(props(keys = "rolling.creepage rolling.tangential"), message = "a value of rolling is {value}: give a finite one")]
+    #[strum(props(keys = "rolling.creepage rolling.tangential"), message = "a value of rolling is {value:?}: give a finite one")]
     RollingValue,
-    #[strum(props(keys = "rolling.step"), message = "the step of rolling is {step}: give a positive, finite length")]
+    #[strum(props(keys = "rolling.step"), message = "the step of rolling is {step:?}: give a positive, finite length")]
     RollingStep,
     #[strum(props(keys = "rolling.step grid.size"), message =
-        "the step of rolling is {step}, longer than the line of {length}: give a shorter one, such as the spacing of the grid, {spacing}")]
+        "the step of rolling is {step:?}, longer than the line of {length:?}: give a shorter one, such as the spacing of the grid, {spacing:?}")]
     RollingStepOfLine,
     #[strum(props(keys = "rolling grid.points"), message = "rolling is solved on lines only: give a line")]
     RollingOnSurface,
@@ -111,17 +112,17 @@ pub enum ConflictRule {
     #[strum(props(keys = "path.time path.load path.tangential"), message =
         "the path has {times} times, {loads} loads and {tangentials} tangential loads: give one of each for every point, or leave a list out")]
     PathLengths,
-    #[strum(props(keys = "path.time path.load path.tangential"), message = "a {quantity} of the path is {value}: give a finite value")]
+    #[strum(props(keys = "path.time path.load path.tangential"), message = "a {quantity} of the path is {value:?}: give a finite value")]
     PathNotFinite,
-    #[strum(props(keys = "path.time path.load"), message = "a {quantity} of the path is {value}: give a finite value, 0 or more")]
+    #[strum(props(keys = "path.time path.load"), message = "a {quantity} of the path is {value:?}: give a finite value, 0 or more")]
     PathNegative,
-    #[strum(props(keys = "path.time"), message = "the path goes back from the time {before} to {time}: give ascending times")]
+    #[strum(props(keys = "path.time"), message = "the path goes back from the time {before:?} to {time:?}: give ascending times")]
     PathBack,
     #[strum(props(keys = "path.steps"), message = "the path has 0 steps between two points: give 1 or more")]
     PathWithoutSteps,
-    #[strum(props(keys = "path.time-tolerance"), message = "the tolerance in time is {tolerance}: give a value between 0 and 1")]
+    #[strum(props(keys = "path.time-tolerance"), message = "the tolerance in time is {tolerance:?}: give a value between 0 and 1")]
     TimeTolerance,
-    #[strum(props(keys = "path.tolerance"), message = "the tolerance of the path is {tolerance}: give a value between 0 and 1")]
+    #[strum(props(keys = "path.tolerance"), message = "the tolerance of the path is {tolerance:?}: give a value between 0 and 1")]
     PathTolerance,
     #[strum(props(keys = "path.file path.time path.load path.tangential"), message =
         "{quantity} is given by {file} and beside it: leave one of them out")]
@@ -197,7 +198,7 @@ impl ConflictRule {
     }
 
     /// The conflict of values that were given, by their names.
-    pub fn with<const N: usize>(self, given: [(&'static str, String); N]) -> Conflict {
+    pub fn with<const N: usize>(self, given: [(&'static str, Value); N]) -> Conflict {
         Conflict { rule: self, given: given.into() }
     }
 }
@@ -206,29 +207,32 @@ impl ConflictRule {
 ///
 /// ```
 /// use asperity::error::ConflictRule;
-/// let conflict = ConflictRule::SlidingSpeed.with([("speed", "-1.0".into())]);
+/// let conflict = ConflictRule::SlidingSpeed.with([("speed", (-1.0).into())]);
 /// assert_eq!(conflict.to_string(), "the speed -1.0 is given: give a positive, finite speed");
 /// assert_eq!((conflict.rule.id(), conflict.rule.keys().next()), ("sliding-speed", Some("sliding.speed")));
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Conflict {
     pub rule: ConflictRule,
-    pub given: Vec<(&'static str, String)>,
+    pub given: Vec<(&'static str, Value)>,
 }
 
 impl Display for Conflict {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&with_places(self.rule.sentence(), &self.given))
+        self.sentence().fmt(f)
     }
 }
 
 impl std::error::Error for Conflict {}
 
-/// A sentence with values in its places, which are names in braces.
-pub(crate) fn with_places(sentence: &str, given: &[(&'static str, String)]) -> String {
-    let value = |place: &str| given.iter().find(|(name, _)| *name == place).map_or("", |(_, value)| value);
-    let parts = sentence.split(['{', '}']).enumerate();
-    parts.map(|(i, part)| if i % 2 == 1 { value(part) } else { part }).collect()
+impl Worded for Conflict {
+    fn sentence(&self) -> Sentence {
+        Sentence::new(self.rule.sentence(), self.given.clone())
+    }
+
+    fn templates() -> Vec<&'static str> {
+        ConflictRule::iter().map(ConflictRule::sentence).collect()
+    }
 }
 
 impl From<ConflictRule> for Conflict {
@@ -241,7 +245,6 @@ impl From<ConflictRule> for Conflict {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
-    use strum::IntoEnumIterator;
 
     #[test]
     fn every_rule_has_a_sentence_with_what_to_do_and_keys() {

@@ -5,48 +5,54 @@ use super::{
     PlasticError, PreparationError, ProblemError, RoughnessError, SealError, SettingError, SetupError, SlipError,
     SolidError, SolveError, StepsError, StudyError, SurfaceError,
 };
+use crate::sentence::{Sentence, Worded};
 use std::error::Error;
 use std::iter::successors;
 
 /// An error of the library, which knows whether other input can help.
-pub trait InputError: Error + 'static {
+pub trait InputError: Worded + 'static {
     /// Whether other input can help; it cannot where the machine or the method failed.
     fn is_input(&self) -> bool {
         true
     }
 }
 
-/// Tells whether other input can help against an error, if it is of one type.
-type Judge = fn(&(dyn Error + 'static)) -> Option<bool>;
+/// An error of one type of the library, if it is of that type.
+type Known = for<'a> fn(&'a (dyn Error + 'static)) -> Option<&'a dyn InputError>;
 
 /// All errors of the library.
-const ERRORS: [Judge; 22] = [
-    judged::<AdhesionError>,
-    judged::<ClaimError>,
-    judged::<Conflict>,
-    judged::<CreepError>,
-    judged::<FileError>,
-    judged::<FlowError>,
-    judged::<GridError>,
-    judged::<HistoryError>,
-    judged::<MotionError>,
-    judged::<PlasticError>,
-    judged::<PreparationError>,
-    judged::<ProblemError>,
-    judged::<RoughnessError>,
-    judged::<SealError>,
-    judged::<SettingError>,
-    judged::<SetupError>,
-    judged::<SlipError>,
-    judged::<SolidError>,
-    judged::<SolveError>,
-    judged::<StepsError>,
-    judged::<StudyError>,
-    judged::<SurfaceError>,
+const ERRORS: [Known; 22] = [
+    known::<AdhesionError>,
+    known::<ClaimError>,
+    known::<Conflict>,
+    known::<CreepError>,
+    known::<FileError>,
+    known::<FlowError>,
+    known::<GridError>,
+    known::<HistoryError>,
+    known::<MotionError>,
+    known::<PlasticError>,
+    known::<PreparationError>,
+    known::<ProblemError>,
+    known::<RoughnessError>,
+    known::<SealError>,
+    known::<SettingError>,
+    known::<SetupError>,
+    known::<SlipError>,
+    known::<SolidError>,
+    known::<SolveError>,
+    known::<StepsError>,
+    known::<StudyError>,
+    known::<SurfaceError>,
 ];
 
-fn judged<E: InputError>(error: &(dyn Error + 'static)) -> Option<bool> {
-    error.downcast_ref::<E>().map(E::is_input)
+fn known<'a, E: InputError>(error: &'a (dyn Error + 'static)) -> Option<&'a dyn InputError> {
+    error.downcast_ref::<E>().map(|error| error as &dyn InputError)
+}
+
+/// An error as one of the library, if it is of its types.
+fn of_library<'a>(error: &'a (dyn Error + 'static)) -> Option<&'a dyn InputError> {
+    ERRORS.iter().find_map(|known| known(error))
 }
 
 /// Whether an error is caused by wrong input: the first error of the library among it and its sources says so.
@@ -58,7 +64,19 @@ fn judged<E: InputError>(error: &(dyn Error + 'static)) -> Option<bool> {
 /// ```
 pub fn is_input(error: &(dyn Error + 'static)) -> bool {
     let mut chain = successors(Some(error), |&error| error.source());
-    chain.find_map(|error| ERRORS.iter().find_map(|judge| judge(error))).unwrap_or(false)
+    chain.find_map(of_library).is_some_and(InputError::is_input)
+}
+
+/// What an error says, with its values where it is one of the library.
+///
+/// ```
+/// use asperity::Grid;
+/// use asperity::error::sentence_of;
+/// let error = Grid::line(128, 0.0).unwrap_err();
+/// assert_eq!(sentence_of(&error).template(), "the length along {axis} is {length}: give a positive, finite length");
+/// ```
+pub fn sentence_of(error: &(dyn Error + 'static)) -> Sentence {
+    of_library(error).map_or_else(|| error.to_string().into(), Worded::sentence)
 }
 
 impl InputError for ClaimError {}
@@ -333,12 +351,12 @@ mod tests {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/error");
         let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
         let files: Vec<PathBuf> = files.chain([format!("{folder}.rs").into()]).collect();
-        let judged = include_str!("input.rs");
+        let known = include_str!("input.rs");
         let mut count = 0;
         for text in files.iter().map(|path| fs::read_to_string(path).unwrap()) {
-            let names = text.split("\npub enum ").skip(1).filter_map(|rest| rest.split([' ', '<']).next());
+            let names = text.split("\n    pub enum ").skip(1).filter_map(|rest| rest.split([' ', '<']).next());
             for name in names.filter(|name| name.ends_with("Error")) {
-                assert!(judged.contains(&format!("    judged::<{name}>,\n")), "{name} is not judged");
+                assert!(known.contains(&format!("    known::<{name}>,\n")), "{name} is not judged");
                 count += 1;
             }
         }

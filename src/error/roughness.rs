@@ -1,16 +1,19 @@
 //! Random roughness that cannot be made.
 
 use super::{FileError, SetupError, SurfaceError};
+use crate::sentence::worded;
 
-/// Random roughness that cannot be made: by its values, or by one of its files.
-#[derive(Debug, thiserror::Error)]
-pub enum RoughnessError {
-    /// Its values cannot be, or not on this grid.
-    #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// The file of a spectrum or of heights cannot be read.
-    #[error(transparent)]
-    File(#[from] FileError),
+worded! {
+    /// Random roughness that cannot be made: by its values, or by one of its files.
+    #[derive(Debug, thiserror::Error)]
+    pub enum RoughnessError {
+        /// Its values cannot be, or not on this grid.
+        #[error(transparent)]
+        Surface(#[from] SurfaceError),
+        /// The file of a spectrum or of heights cannot be read.
+        #[error(transparent)]
+        File(#[from] FileError),
+    }
 }
 
 impl From<RoughnessError> for SetupError {

@@ -1,5 +1,6 @@
 //! Faults of texts that are no setups: where they are, and what is wrong.
 
+use crate::sentence::{ToValue, Value};
 use std::fmt::{self, Display, Formatter};
 use std::path::{Path, PathBuf};
 
@@ -30,6 +31,12 @@ impl TextPlace {
     /// The place in a file.
     pub fn in_file(self, path: &Path) -> Self {
         Self { path: Some(path.into()), ..self }
+    }
+}
+
+impl ToValue for TextPlace {
+    fn to_value(&self) -> Value {
+        Value::Text(self.to_string())
     }
 }
 
@@ -85,6 +92,12 @@ pub enum TextFault {
     NoName { reason: String },
     #[error("{reason}")]
     Other { reason: String },
+}
+
+impl ToValue for Box<TextFault> {
+    fn to_value(&self) -> Value {
+        Value::Text(self.to_string())
+    }
 }
 
 /// A value that was found in a text, as it is written there.

@@ -193,7 +193,11 @@ impl TextColumn {
 /// # Errors
 /// [`FileError::Read`] for a file that cannot be read, [`FileError::Format`] for one that is no such table.
 pub fn read_columns(path: &Path) -> Result<Vec<TextColumn>, FileError> {
-    columns_of(&read_text_bytes(path)?).map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })
+    columns_of(&read_text_bytes(path)?).map_err(|reason| FileError::Format {
+        path: path.into(),
+        what: "table",
+        reason: reason.into(),
+    })
 }
 
 /// The columns of a table whose first row names them. They are separated by semicolons, tabs or commas, of which the first one that the row of

@@ -86,7 +86,7 @@ impl SavedResult {
 }
 
 fn unfit(path: &Path, reason: String) -> FileError {
-    FileError::Format { path: path.into(), what: "result", reason }
+    FileError::Format { path: path.into(), what: "result", reason: reason.into() }
 }
 
 /// The surface of a result, and whether its heights are others than those of the setup. It is made again, so that it knows its

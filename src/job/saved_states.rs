@@ -30,7 +30,8 @@ impl StateColumns {
         for quantity in Quantity::iter() {
             numbers.extend(reader.numbers(quantity.name())?.map(|values| (quantity, values)));
         }
-        let wrong = |reason: String| FileError::Format { path: reader.path().into(), what: "result", reason };
+        let wrong =
+            |reason: String| FileError::Format { path: reader.path().into(), what: "result", reason: reason.into() };
         let claim = |word: String| word.parse().map_err(|_| wrong(format!("its claim {word:?} is not known")));
         let claims = reader.words("claim")?.into_iter().map(claim).collect::<Result<_, _>>()?;
         let points = reader.words("point")?.iter().map(|word| word.parse().ok()).collect();

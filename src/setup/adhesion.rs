@@ -56,7 +56,8 @@ fn read_table(file: &InputFile) -> Result<Attraction, SetupError> {
     let path = file.path();
     let wrong = |reason: String| SetupError::Table { path: path.into(), reason };
     let columns = columns_of(&file.text_bytes()?);
-    let columns = columns.map_err(|reason| FileError::Format { path: path.into(), what: "table", reason })?;
+    let columns =
+        columns.map_err(|reason| FileError::Format { path: path.into(), what: "table", reason: reason.into() })?;
     let column = |name: &str, kind: &str, read: fn(&str) -> Option<f64>| {
         let found = columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));
         let missing = || wrong(format!("the column {name} is missing: name columns gap and traction"));

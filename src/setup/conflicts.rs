@@ -57,7 +57,7 @@ impl Setup {
             return Err(ConflictRule::HistoryByGfmd.into());
         }
         if drive.needs_pressure && !self.load.is_pressure() {
-            return Err(ConflictRule::SlipLoad.with([("load", self.load.to_string())]).into());
+            return Err(ConflictRule::SlipLoad.with([("load", self.load.to_string().into())]).into());
         }
         Ok(())
     }

@@ -318,8 +318,8 @@ impl Setup {
     fn check_friction(&self) -> Result<(), SetupError> {
         let Some(friction) = self.friction else { return Ok(()) };
         if friction.tangential == 0.0 {
-            let tangential = format!("{:?}", friction.tangential);
-            return Err(ConflictRule::NoTangential.with([("tangential", tangential)]).into());
+            let given = [("tangential", friction.tangential.into())];
+            return Err(ConflictRule::NoTangential.with(given).into());
         }
         friction.ratio(self.load)?;
         if self.law.is_hard_wall() { Ok(()) } else { Err(ConflictRule::FrictionOfYielding.into()) }

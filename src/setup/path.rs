@@ -81,12 +81,12 @@ impl LoadPath {
             return Err(ConflictRule::PathWithoutPoints.into());
         }
         if most > MOST_POINTS {
-            let given = [("points", most.to_string()), ("most", MOST_POINTS.to_string())];
+            let given = [("points", most.into()), ("most", MOST_POINTS.into())];
             return Err(ConflictRule::PathTooLong.with(given).into());
         }
         if [times, loads, tangentials].iter().any(|length| *length != 0 && *length != most) {
             let given = [("times", times), ("loads", loads), ("tangentials", tangentials)];
-            return Err(ConflictRule::PathLengths.with(given.map(|(name, length)| (name, length.to_string()))).into());
+            return Err(ConflictRule::PathLengths.with(given.map(|(name, length)| (name, length.into()))).into());
         }
         for (name, list) in COLUMNS.into_iter().zip(lists) {
             let is_signed = name == "tangential" || name == "load" && may_part;
@@ -95,11 +95,11 @@ impl LoadPath {
                 false => (0.0, ConflictRule::PathNegative),
             };
             if let Some(value) = list.iter().find(|value| !value.is_finite() || **value < least) {
-                return Err(rule.with([("quantity", name.into()), ("value", format!("{value:?}"))]).into());
+                return Err(rule.with([("quantity", name.into()), ("value", (*value).into())]).into());
             }
         }
         if let Some(pair) = self.time.windows(2).find(|pair| pair[1] < pair[0]) {
-            let given = [("before", format!("{:?}", pair[0])), ("time", format!("{:?}", pair[1]))];
+            let given = [("before", pair[0].into()), ("time", pair[1].into())];
             return Err(ConflictRule::PathBack.with(given).into());
         }
         if self.steps == Some(0) {
@@ -109,7 +109,7 @@ impl LoadPath {
             [(self.time_tolerance, ConflictRule::TimeTolerance), (self.tolerance, ConflictRule::PathTolerance)];
         for (tolerance, rule) in tolerances {
             if let Some(it) = tolerance.filter(|it| !(*it > 0.0 && *it < 1.0)) {
-                return Err(rule.with([("tolerance", format!("{it:?}"))]).into());
+                return Err(rule.with([("tolerance", it.into())]).into());
             }
         }
         Ok(())

@@ -22,7 +22,9 @@ impl SetupTable {
             for (name, values) in columns(Path::new(&file), kind.as_deref())? {
                 let path = format!("path.{name}");
                 if self.find(&path).is_some() {
-                    return Err(ConflictRule::PathTwice.with([("quantity", name.into()), ("file", file)]).into());
+                    return Err(ConflictRule::PathTwice
+                        .with([("quantity", name.into()), ("file", file.into())])
+                        .into());
                 }
                 self.lay(&path, values.into());
             }

@@ -35,7 +35,7 @@ impl Viscoelastic {
             _ => return Err(ConflictRule::CreepTwice.into()),
         };
         if !list.len().is_multiple_of(2) {
-            let given = [("form", form.into()), ("values", list.len().to_string())];
+            let given = [("form", form.into()), ("values", list.len().into())];
             return Err(ConflictRule::CreepPairs.with(given).into());
         }
         let terms: Vec<PronyTerm> = list.chunks_exact(2).map(|it| PronyTerm { ratio: it[0], time: it[1] }).collect();
@@ -80,7 +80,7 @@ impl SlidingMotion {
     /// [`SetupError::Conflict`] for no speed, and for one that is not positive and finite.
     pub fn check(&self) -> Result<(), SetupError> {
         match self.speed.iter().find(|it| !(it.is_finite() && **it > 0.0)) {
-            Some(speed) => Err(ConflictRule::SlidingSpeed.with([("speed", format!("{speed:?}"))]).into()),
+            Some(speed) => Err(ConflictRule::SlidingSpeed.with([("speed", (*speed).into())]).into()),
             None if self.speed.is_empty() => Err(ConflictRule::SlidingWithoutSpeed.into()),
             None => Ok(()),
         }
@@ -97,11 +97,11 @@ impl RollingMotion {
             return Err(ConflictRule::RollingDrives.into());
         }
         if let Some(value) = self.creepage.iter().chain(&self.tangential).find(|it| !it.is_finite()) {
-            return Err(ConflictRule::RollingValue.with([("value", format!("{value:?}"))]).into());
+            return Err(ConflictRule::RollingValue.with([("value", (*value).into())]).into());
         }
         match self.step {
             Some(step) if !(step.is_finite() && step > 0.0) => {
-                Err(ConflictRule::RollingStep.with([("step", format!("{step:?}"))]).into())
+                Err(ConflictRule::RollingStep.with([("step", step.into())]).into())
             }
             _ => Ok(()),
         }

@@ -22,6 +22,7 @@ const LAYERS: &[(&str, u8)] = &[
     ("memory", 0),
     ("quantity", 0),
     ("seen", 0),
+    ("sentence", 0),
     ("warning", 0),
     ("fourier", 1),
     ("grid", 1),

@@ -209,7 +209,7 @@ pub(super) fn io_error(failure: EncodeError) -> io::Error {
 }
 
 fn not_made(path: &Path, failure: &io::Error) -> FileError {
-    FileError::Target { path: path.into(), reason: reason(failure) }
+    FileError::Target { path: path.into(), reason: reason(failure).to_string() }
 }
 
 /// The installed viewer, bound to its port so that what is sent does not wait for it.

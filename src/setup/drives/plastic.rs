@@ -133,7 +133,7 @@ impl Setup {
             return Err(ConflictRule::YieldOfFree.into());
         }
         if matches!(self.load, Load::Approach(_)) {
-            return Err(ConflictRule::YieldLoad.with([("load", self.load.to_string())]).into());
+            return Err(ConflictRule::YieldLoad.with([("load", self.load.to_string().into())]).into());
         }
         let limit = self.plastic_solid(grid)?.0.deep_limit();
         let pressures = self.path_points().into_iter().filter_map(|point| match point.load {

@@ -66,7 +66,7 @@ impl Setup {
         match self.rolling.as_ref().and_then(|rolling| rolling.step).filter(|step| *step > length) {
             Some(step) => {
                 let given = [("step", step), ("length", length), ("spacing", spacing)];
-                let given = given.map(|(name, value)| (name, format!("{value:?}")));
+                let given = given.map(|(name, value)| (name, value.into()));
                 Err(ConflictRule::RollingStepOfLine.with(given).into())
             }
             None => Ok(()),

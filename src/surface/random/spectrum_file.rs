@@ -121,7 +121,8 @@ impl SpectrumFile {
     /// For a file that cannot be read, or that has no spectrum in it.
     pub fn read(&self, convention: Option<SpectrumConvention>, is_line: bool) -> Result<SpectrumTable, FileError> {
         let bytes = self.file.text_bytes()?;
-        let wrong = |reason: String| FileError::Format { path: self.path().into(), what: "spectrum", reason };
+        let wrong =
+            |reason: String| FileError::Format { path: self.path().into(), what: "spectrum", reason: reason.into() };
         let text = std::str::from_utf8(&bytes).map_err(|_| wrong("it is not a text".into()))?;
         let (rows, convention) = match text.lines().any(|line| line.contains("Data series")) {
             true => {
