@@ -27,12 +27,16 @@ pub fn plain(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// A sentence that begins with a capital letter.
+/// A sentence that begins with a capital letter, unless it begins with a symbol such as `kappa_r`.
 ///
 /// ```
 /// assert_eq!(asperity::seen::capital("no artefacts were found"), "No artefacts were found");
+/// assert_eq!(asperity::seen::capital("kappa_r is unknown"), "kappa_r is unknown");
 /// ```
 pub fn capital(sentence: &str) -> String {
+    if sentence.split(' ').next().is_some_and(|word| word.contains('_')) {
+        return sentence.to_owned();
+    }
     let mut letters = sentence.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

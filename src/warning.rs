@@ -1,5 +1,7 @@
 //! Warnings about results and surfaces: what may be wrong, and what to do about it.
 
+use crate::seen::capital;
+use crate::sentence::Sentence;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
@@ -14,19 +16,19 @@ pub struct Remedy {
 }
 
 /// A reason to doubt a result, and what a person can do about it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Warning {
-    /// What may be wrong, where, and how much: a sentence without its full stop.
-    pub statement: String,
+    /// What may be wrong, where, and how much: a sentence without its full stop, whose first letter may be small.
+    pub statement: Sentence,
     /// What to do: a sentence without its full stop.
-    pub advice: String,
+    pub advice: Sentence,
     /// Settings that do what the advice says; one of them is enough.
     pub remedies: Vec<Remedy>,
 }
 
 impl Warning {
     /// A warning without settings that help.
-    pub fn new(statement: impl Into<String>, advice: impl Into<String>) -> Self {
+    pub fn new(statement: impl Into<Sentence>, advice: impl Into<Sentence>) -> Self {
         Self { statement: statement.into(), advice: advice.into(), remedies: Vec::new() }
     }
 
@@ -47,6 +49,7 @@ impl Warning {
     /// ```
     pub fn in_words(&self, word: impl Fn(&Remedy) -> Option<String>) -> String {
         let Self { statement, advice, remedies } = self;
+        let statement = capital(&statement.to_string());
         let words: Vec<String> = remedies.iter().filter_map(word).collect();
         match words.is_empty() {
             true => format!("{statement}. {advice}."),

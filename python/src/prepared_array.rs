@@ -76,7 +76,7 @@ impl PreparedArray {
         let made =
             || asperity::Surface::new(coarse, prepared.scan.height)?.with_filled(filled.as_ref()).refined(factor);
         let surface = height.py().try_detached(made)?;
-        let preparation = reasons.into_iter().chain(prepared.effects).collect();
+        let preparation = reasons.into_iter().chain(prepared.effects).map(|it| it.to_string()).collect();
         Ok(Self { surface, sections, rank, preparation })
     }
 }

@@ -60,7 +60,7 @@ impl Surface {
         for file in recipe.files().filter(|_| !recipe.prepare.is_none()) {
             preparation.extend(recipe.prepared(file, &grid).map_err(py_error)?.effects);
         }
-        let preparation = preparation.into();
+        let preparation = preparation.iter().map(ToString::to_string).collect();
         Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 
@@ -114,7 +114,7 @@ impl Surface {
     /// The surface of an array of heights on a cell.
     fn of_array(height: &ArrayLike<'_>, cell: Sections) -> PyResult<Self> {
         let PreparedArray { surface, sections, rank, preparation } = PreparedArray::new(height, cell)?;
-        let preparation = preparation.into();
+        let preparation = preparation.iter().map(ToString::to_string).collect();
         Ok(Self { preparation, ..Self::from_surface(surface.into(), sections, rank) })
     }
 

@@ -91,7 +91,8 @@ impl Explore {
             (Begin::Scene(path), None) => with_scene(path)?,
             (Begin::Start(start), Some(path)) => {
                 let heights = HeightFile::from(path.clone());
-                let sessions = Sessions::with_heights(heights).map_err(|refusal| Usage(refusal.sentence))?;
+                let sessions =
+                    Sessions::with_heights(heights).map_err(|refusal| Usage(refusal.sentence.to_string()))?;
                 (sessions, start.knobs())
             }
             (Begin::Start(start), None) => (Sessions::default(), start.knobs()),
@@ -129,7 +130,7 @@ fn with_scene(path: &Path) -> Result<(Sessions, Knobs)> {
     if table.take_auto()?.is_some() {
         return usage("the page cannot use refine = auto or points = auto: give numbers");
     }
-    let refused = |refusal: Refusal| Usage(refusal.sentence);
+    let refused = |refusal: Refusal| Usage(refusal.sentence.to_string());
     let setup = table.setup()?;
     if !setup.loads.is_empty() {
         return usage("the page solves one load at a time, but several are given: give one");

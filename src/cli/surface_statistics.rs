@@ -14,6 +14,7 @@ use asperity::error::FileError;
 use asperity::formats::{HeightFile, Measurement, Scan};
 use asperity::record::record_survey;
 use asperity::seen::capital;
+use asperity::sentence::{Sentence, Value};
 use asperity::setup::{Cell, Cost, Recipe};
 use asperity::surface::{Artefacts, Field, PreparationChoice, RankMap, Resample, Roughness, Surface, Survey};
 use serde::Serialize;
@@ -37,7 +38,7 @@ pub(crate) struct Statistics {
     /// Distances of rows and columns, or of the nodes of a line.
     spacing: Vec<f64>,
     /// What the steps of the preparation came to.
-    steps: Vec<String>,
+    steps: Vec<Sentence>,
     voids: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub survey: Option<Survey>,
@@ -331,7 +332,7 @@ impl Statistics {
             ("rms gradient", self.rms_gradient().map_or("not known".to_owned(), significant)),
         ];
         write_rows(rows.map(|(name, value)| (name.to_owned(), value)), out)?;
-        write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.clone())), out)?;
+        write_rows(self.steps.iter().map(|step| ("prepared".to_owned(), step.to_string())), out)?;
         if let Some(whole) = &self.whole {
             writeln!(out, "\nHeights and slopes")?;
             write_rows(whole.rows(units), out)?;
@@ -355,8 +356,11 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Un
     if !recipe.is_measured() {
         return Ok(Vec::new());
     }
-    let words = |length: f64| units.length(length);
-    let found = survey.artefacts.iter().map(|it| capital(&it.sentence_in(&words)));
+    let words = |value: &Value| match value {
+        Value::Length(length) => Some(units.length(*length)),
+        _ => None,
+    };
+    let found = survey.artefacts.iter().map(|it| capital(&it.sentence().in_words(words)));
     let error =
         Some(survey.area_error).filter(|it| *it >= Artefacts::TOLD).map(|error| match recipe.prepare.is_none() {
             true => format!("As they are, areas may be off by up to {:.0} % by what can be mended", 100.0 * error),
@@ -375,8 +379,10 @@ fn verdict(recipe: &Recipe, survey: &Survey, scan: &Scan, grid: &Grid, units: Un
         true => lines.push("--prepare auto would leave the heights as they are".into()),
         false => lines.push(format!("--prepare auto would do: {}", choice.preparation.description())),
     }
-    let is_new = |it: &&String| !survey.artefacts.iter().any(|artefact| it.starts_with(&artefact.sentence()));
-    lines.extend(choice.reasons.iter().filter(is_new).map(|reason| format!("  {reason}")));
+    let known: Vec<String> = survey.artefacts.iter().map(|it| it.sentence().to_string()).collect();
+    let reasons = choice.reasons.iter().map(Sentence::to_string);
+    let is_new = |reason: &String| !known.iter().any(|artefact| reason.starts_with(artefact));
+    lines.extend(reasons.filter(is_new).map(|reason| format!("  {reason}")));
     lines.push(UNKNOWN.into());
     Ok(lines)
 }

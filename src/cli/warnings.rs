@@ -4,6 +4,7 @@ use super::command_style::remark;
 use super::exit_status::usage;
 use super::terminal::stderr;
 use anyhow::Result;
+use asperity::sentence::Sentence;
 use asperity::setup::Key;
 use asperity::warning::{Remedy, Warning};
 use std::io::Write;
@@ -52,7 +53,7 @@ pub(crate) fn refuse_if_strict(warnings: &[String], is_strict: bool) -> Result<(
 }
 
 /// Prints why steps of the preparation were chosen, on standard error.
-pub(crate) fn print_reasons(reasons: &[String]) {
+pub(crate) fn print_reasons(reasons: &[Sentence]) {
     for reason in reasons {
         remark(format_args!("chosen: {reason}"));
     }

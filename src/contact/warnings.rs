@@ -2,6 +2,7 @@
 //! above those at which solids yield, slopes that are not small.
 
 use super::{Contact, Law, Observables, Quantity, ResultClaim, State};
+use crate::sentence::{Sentence, sentence};
 use crate::warning::Warning;
 use std::borrow::Borrow;
 
@@ -87,11 +88,11 @@ impl Contacts<'_> {
     }
 
     /// The end of a statement that holds for some of them.
-    fn count(self, count: usize) -> String {
+    fn count(self, count: usize) -> Sentence {
         match (self.all, self.are_states) {
-            (1, _) => String::new(),
-            (all, false) => format!(" under {count} of {all} loads"),
-            (all, true) => format!(" in {count} of {all} states"),
+            (1, _) => "".into(),
+            (all, false) => sentence!(" under {count} of {all} loads", count, all),
+            (all, true) => sentence!(" in {count} of {all} states", count, all),
         }
     }
 }
@@ -143,9 +144,10 @@ pub fn warning_of_rim(contact: &Contact) -> Option<Warning> {
     let pressed = nodes_at_rim(contact);
     (pressed > 0).then(|| {
         Warning::new(
-            format!(
+            sentence!(
                 "The contact reaches the free rim at {pressed} nodes. The heights beyond the rim are missing, so the \
-                 pressure there is that of a sharp edge"
+                 pressure there is that of a sharp edge",
+                pressed
             ),
             "Use a larger part of the surface, or a smaller load",
         )
@@ -190,10 +192,16 @@ pub fn warning_of_friction<'a>(contacts: impl IntoIterator<Item = &'a Contact>) 
     let large = errors.iter().copied().filter(|error| *error > LARGEST_ERROR);
     let count = large.clone().count();
     let largest = amount(large.reduce(f64::max)?);
-    let at = if errors.len() == 1 { String::new() } else { format!(" at {count} of {} speeds", errors.len()) };
+    let at = match errors.len() {
+        1 => "".into(),
+        all => sentence!(" at {count} of {all} speeds", count, all),
+    };
     Some(
-        Warning::new(format!("The friction coefficient may be off by {largest}{at} on this grid"), "Use a finer grid")
-            .with_remedy("grid.refine", None),
+        Warning::new(
+            sentence!("The friction coefficient may be off by {largest}{at} on this grid", largest, at),
+            "Use a finer grid",
+        )
+        .with_remedy("grid.refine", None),
     )
 }
 
@@ -214,7 +222,7 @@ fn trail_and_cell(contact: &Contact) -> Option<[f64; 2]> {
 fn too_heavy(contacts: Contacts<'_>) -> Option<Warning> {
     let heavy = contacts.found.iter().map(|it| it.reduced_pressure).filter(|it| *it > HEAVIEST).reduce(f64::max)?;
     Some(Warning::new(
-        format!("The reduced pressure {heavy:.3e} is far above 1, so the contact is nearly full"),
+        sentence!("The reduced pressure {heavy:.3e} is far above 1, so the contact is nearly full", heavy),
         "Check the load, the modulus, the size and their units",
     ))
 }
@@ -223,9 +231,9 @@ fn unknown(contacts: Contacts<'_>) -> Option<Warning> {
     let count = contacts.found.iter().filter(|it| is_unknown(it) && !has_no_gradient(it)).count();
     (count > 0).then(|| {
         Warning::new(
-            format!(
-                "This grid is too coarse for kappa_r and its error estimate, so kappa_r may be completely wrong{}",
-                contacts.count(count)
+            sentence!(
+                "This grid is too coarse for kappa_r and its error estimate, so kappa_r may be completely wrong{count}",
+                count = contacts.count(count)
             ),
             "Use a finer grid, or heights that are neither rounded nor clipped",
         )
@@ -238,11 +246,8 @@ fn without_gradient(contacts: Contacts<'_>) -> Option<Warning> {
     let count = contacts.found.iter().filter(|it| has_no_gradient(it)).count();
     (count > 0).then(|| {
         Warning::new(
-            format!(
-                "The shape of the surface gives most edges of the contact, as those of a punch or of rounded and clipped heights, so there \
-                 is no rms gradient in contact and no kappa_r{}",
-                contacts.count(count)
-            ),
+            sentence!("The shape of the surface gives most edges of the contact, as those of a punch or of rounded and clipped heights, so there \
+                 is no rms gradient in contact and no kappa_r{count}", count = contacts.count(count)),
             "Read area, pressure and gap, or give heights that are neither rounded nor clipped",
         )
     })
@@ -256,8 +261,12 @@ fn loose(contacts: Contacts<'_>) -> Option<Warning> {
     Some(
         Warning::new(
             match largest < 1.0 {
-                true => format!("The relative error of the pressure may be {:.0} %{count}", 100.0 * largest),
-                false => format!("The relative error of the pressure may be 100 % or more{count}"),
+                true => sentence!(
+                    "The relative error of the pressure may be {largest:.0} %{count}",
+                    largest = 100.0 * largest,
+                    count
+                ),
+                false => sentence!("The relative error of the pressure may be 100 % or more{count}", count),
             },
             "Set a tolerance for the pressure",
         )
@@ -271,15 +280,25 @@ fn coarse(contacts: Contacts<'_>) -> Option<Warning> {
     let worst = doubtful.into_iter().max_by(|a, b| error(a).total_cmp(&error(b)))?;
     let share = (100.0 * worst.unresolved_share).round();
     let small = match share {
-        0.0 => String::new(),
-        share => format!(": {share} % of the contact is in patches that are too small to trust"),
+        0.0 => "".into(),
+        share => sentence!(": {share} % of the contact is in patches that are too small to trust", share),
     };
     let [kappa_r, area] = [worst.kappa_r_error, worst.relative_area_error].map(amount);
     let statement = match (has_kappa_r(worst), worst.relative_area_error.is_nan()) {
-        (true, _) => format!("kappa_r may be off by {kappa_r}, the area by {area}{count} on this grid{small}"),
-        (false, false) => format!("The area may be off by {area}{count} on this grid{small}"),
+        (true, _) => sentence!(
+            "kappa_r may be off by {kappa_r}, the area by {area}{count} on this grid{small}",
+            kappa_r,
+            area,
+            count,
+            small
+        ),
+        (false, false) => sentence!("The area may be off by {area}{count} on this grid{small}", area, count, small),
         (false, true) => {
-            format!("{share} % of the contact is in patches that are too small to trust{count} on this grid")
+            sentence!(
+                "{share} % of the contact is in patches that are too small to trust{count} on this grid",
+                share,
+                count
+            )
         }
     };
     Some(
@@ -292,13 +311,11 @@ fn coarse(contacts: Contacts<'_>) -> Option<Warning> {
 fn filled(contacts: Contacts<'_>) -> Option<Warning> {
     let shares = contacts.found.iter().filter(|it| it.filled_area_share > LARGEST_FILLED_SHARE);
     let worst = shares.clone().max_by(|a, b| a.filled_area_share.total_cmp(&b.filled_area_share))?;
+    let count = contacts.count(shares.count());
     let [area, load] = [worst.filled_area_share, worst.filled_load_share].map(|share| 100.0 * share);
     Some(
         Warning::new(
-            format!(
-                "{area:.0} % of the contact and {load:.0} % of the load are on heights that were filled in and never measured{}, and the area may be off by as much",
-                contacts.count(shares.count())
-            ),
+            sentence!("{area:.0} % of the contact and {load:.0} % of the load are on heights that were filled in and never measured{count}, and the area may be off by as much", area, load, count),
             "Crop the heights to a part that was measured",
         )
         .with_remedy("surface.prepare.crop", None),
@@ -312,19 +329,22 @@ fn yielding(strains: &[Strain], law: Law) -> Option<Warning> {
     }
     let share = |it: &Strain| it.max_pressure / it.modulus;
     let largest = |above: f64| strains.iter().filter(|it| it.modulus >= above).map(share).reduce(f64::max);
-    let warning = match (largest(STIFF).filter(|it| *it > HARDEST), largest(0.0).filter(|it| *it > LARGEST_STRAIN)) {
+    let (metals, others) = (largest(STIFF).filter(|it| *it > HARDEST), largest(0.0).filter(|it| *it > LARGEST_STRAIN));
+    let warning = match (metals, others) {
         (Some(share), _) => Warning::new(
-            format!(
+            sentence!(
                 "The largest pressure is {share:.2} of the contact modulus. Metals yield at lower pressures, so the \
-                 real contact area is larger"
+                 real contact area is larger",
+                share
             ),
             "Give the hardness",
         ),
-        (None, share) => Warning::new(
-            format!(
-                "The largest pressure is {:.2} of the contact modulus. Nearly all solids yield at lower pressures, so the real contact \
+        (None, None) => return None,
+        (None, Some(share)) => Warning::new(
+            sentence!(
+                "The largest pressure is {share:.2} of the contact modulus. Nearly all solids yield at lower pressures, so the real contact \
                  area is larger, and strains are not small",
-                share?
+                share
             ),
             "Give the hardness; of rubber, which does not yield, use a smaller load or gentler slopes",
         ),
@@ -336,9 +356,10 @@ fn yielding(strains: &[Strain], law: Law) -> Option<Warning> {
 fn steep(strains: &[Strain]) -> Option<Warning> {
     let slope = strains.iter().map(|it| it.slope).reduce(f64::max).filter(|slope| *slope > STEEPEST)?;
     Some(Warning::new(
-        format!(
-            "The rms slope of the contact is {slope:.2}, an angle of {:.0} degrees, but the theory of elastic contact is for small slopes",
-            slope.atan().to_degrees()
+        sentence!(
+            "The rms slope of the contact is {slope:.2}, an angle of {degrees:.0} degrees, but the theory of elastic contact is for small slopes",
+            slope,
+            degrees = slope.atan().to_degrees()
         ),
         "Give heights and size in the same unit, and a slope as a gradient: 5 degrees are 0.087",
     ))

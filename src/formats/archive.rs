@@ -6,6 +6,7 @@ use super::format::malformed;
 #[cfg(feature = "microscopes")]
 use super::limits::{LARGEST_RATIO, text_limit};
 use super::limits::{XML_ATTRIBUTES, XML_NODES};
+use crate::sentence::sentence;
 use roxmltree::{Document, ParsingOptions};
 use std::io::{self, Cursor, Read};
 use zip::ZipArchive;
@@ -32,13 +33,14 @@ pub(super) fn open(bytes: &[u8]) -> io::Result<Archive<'_>> {
 
 /// The error of an archive.
 pub(super) fn damaged(error: impl std::fmt::Display) -> io::Error {
-    malformed(format!("it is an archive that cannot be unpacked: {error}"))
+    let reason = error.to_string();
+    malformed(sentence!("it is an archive that cannot be unpacked: {reason}", reason))
 }
 
 /// The error of a file of an archive.
 pub(super) fn missing(name: &str) -> impl Fn(ZipError) -> io::Error {
     move |error| match error {
-        ZipError::FileNotFound => malformed(format!("it is an archive without {name:?}, which it refers to")),
+        ZipError::FileNotFound => malformed(sentence!("it is an archive without {name:?}, which it refers to", name)),
         other => damaged(other),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::format::malformed;
 use super::limits::check_points;
+use crate::sentence::sentence;
 use std::io;
 
 /// Bytes of a file with the place in them.
@@ -35,9 +36,10 @@ impl<'a> ByteReader<'a> {
     /// For a place beyond the end.
     pub(crate) fn seek(mut self, at: usize) -> io::Result<Self> {
         if at > self.all.len() {
-            return Err(malformed(format!(
-                "it refers to byte {at}, but has only {} bytes: it is incomplete",
-                self.all.len()
+            return Err(malformed(sentence!(
+                "it refers to byte {at}, but has only {length} bytes: it is incomplete",
+                at,
+                length = self.all.len()
             )));
         }
         self.at = at;
@@ -54,7 +56,8 @@ impl<'a> ByteReader<'a> {
     /// # Errors
     /// For fewer bytes than that.
     pub(crate) fn take(&mut self, count: usize) -> io::Result<&'a [u8]> {
-        let cut = || malformed(format!("{count} bytes are missing at byte {}: it is incomplete", self.at));
+        let cut =
+            || malformed(sentence!("{count} bytes are missing at byte {at}: it is incomplete", count, at = self.at));
         let taken = self.at.checked_add(count).and_then(|end| self.all.get(self.at..end)).ok_or_else(cut)?;
         self.at += count;
         Ok(taken)

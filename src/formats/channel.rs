@@ -1,6 +1,7 @@
 //! The channels of a file of an instrument.
 
 use super::format::malformed;
+use crate::sentence::{Sentence, sentence};
 use std::io;
 
 /// Words in the names of channels that are lengths, but no heights.
@@ -105,7 +106,7 @@ pub(super) fn may_be_height(name: &str) -> bool {
 pub(super) fn listed<'a>(found: Vec<(impl Into<String>, io::Result<Channel<'a>>)>) -> io::Result<Vec<Channel<'a>>> {
     let channels: Vec<_> = found.into_iter().map(|(name, channel)| Channel::or_unreadable(name, channel)).collect();
     match channels.iter().find_map(|it| it.fault.as_ref()).filter(|_| channels.iter().all(|it| !it.is_height)) {
-        Some(fault) => Err(malformed(fault)),
+        Some(fault) => Err(malformed(fault.as_str())),
         None => Ok(channels),
     }
 }
@@ -129,12 +130,16 @@ pub(super) fn choose<'a>(channels: Vec<Channel<'a>>, wanted: Option<&str>) -> io
         (Some(channel), _) if channel.is_height => return Ok(channel),
         (Some(Channel { name, fault: Some(fault), .. }), _) => {
             let others = if names.is_empty() { String::new() } else { format!(": choose one of {names}") };
-            format!("its channel {name:?} cannot be read, because {fault}{others}")
+            format!("its channel {name:?} cannot be read, because {fault}{others}").into()
         }
-        (Some(channel), _) => format!("its channel {:?} contains no heights: choose one of {names}", channel.name),
-        (None, Some(name)) => format!("it has no channel {name:?}: choose one of {names}"),
+        (Some(channel), _) => {
+            sentence!("its channel {name:?} contains no heights: choose one of {names}", name = channel.name, names)
+        }
+        (None, Some(name)) => sentence!("it has no channel {name:?}: choose one of {names}", name, names),
         (None, None) if all.is_empty() => "it contains no heights".into(),
-        (None, None) => fault
-            .unwrap_or_else(|| format!("it contains no heights: none of its channels {} is a length", all.join(", "))),
+        (None, None) => fault.map_or_else(
+            || sentence!("it contains no heights: none of its channels {names} is a length", names = all.join(", ")),
+            Sentence::from,
+        ),
     }))
 }

@@ -1,5 +1,6 @@
 //! The interface of formats of files of heights and other fields.
 
+use crate::sentence::Sentence;
 use ndarray::ArrayD;
 use std::io::{self, Read, Seek};
 use std::ops::RangeInclusive;
@@ -31,6 +32,6 @@ pub(crate) struct Format {
 pub(crate) const EMPTY: &str = "it is empty";
 
 /// An error that describes the fault of a file.
-pub(crate) fn malformed(reason: impl Into<String>) -> io::Error {
+pub(crate) fn malformed(reason: impl Into<Sentence>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, reason.into())
 }

@@ -105,7 +105,7 @@ pub use npz::MemberSum;
 pub use scan::Scan;
 pub(crate) use scan::overflowing;
 
-use crate::error::FileError;
+use crate::error::{FileError, reason};
 use crate::files::{open_regular, write_beside};
 use format::{ArrayRequest, Format, ReadSeek};
 use instrument::Instrument;
@@ -288,7 +288,7 @@ fn format(source: &mut dyn ReadSeek) -> &'static Format {
 
 fn explained(path: &Path, what: &'static str, error: io::Error) -> FileError {
     match error.kind() {
-        io::ErrorKind::InvalidData => FileError::Format { path: path.into(), what, reason: error.to_string() },
+        io::ErrorKind::InvalidData => FileError::Format { path: path.into(), what, reason: reason(&error) },
         _ => FileError::Read { path: path.into(), source: error },
     }
 }

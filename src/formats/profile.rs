@@ -2,6 +2,7 @@
 
 use super::format::malformed;
 use crate::grid::Grid;
+use crate::sentence::sentence;
 use ndarray::{Array1, ArrayD, ArrayView1, Axis};
 use std::io;
 
@@ -54,8 +55,9 @@ fn check(position: ArrayView1<f64>) -> io::Result<()> {
     };
     match position.iter().enumerate().find_map(is_off) {
         None if spacing != 0.0 => Ok(()),
-        None => Err(malformed(format!(
-            "its first column or row, the positions, is {first:?} everywhere: give the heights alone"
+        None => Err(malformed(sentence!(
+            "its first column or row, the positions, is {first:?} everywhere: give the heights alone",
+            first
         ))),
         Some((i, x)) => Err(malformed(format!(
             "it contains pairs of position and height, but position number {}, {x:?}, is not evenly spaced between \

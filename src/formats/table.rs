@@ -3,6 +3,7 @@
 use super::cells::{Comma, TextCell};
 use super::format::malformed;
 use super::void::{is_error_of_spreadsheet, is_void};
+use crate::sentence::sentence;
 use std::io;
 
 /// Characters of a line that a sentence shows.
@@ -88,7 +89,7 @@ impl TextTable {
         let is_named = cells.first().and_then(TextCell::word).is_some_and(is_name);
         match wrong {
             Some(word) if cells.len() == self.columns && 2 * numbers >= cells.len() && !is_named => {
-                Err(malformed(format!("line {place} has {word:?}, which is not a number")))
+                Err(malformed(sentence!("line {place} has {word:?}, which is not a number", place, word)))
             }
             _ => {
                 self.passed +=
@@ -106,7 +107,7 @@ impl TextTable {
             if self.head.iter().take(REPEATED).any(|it| it == line.trim()) {
                 return Ok(());
             }
-            return Err(malformed(format!("line {place} has {word:?}, which is not a number")));
+            return Err(malformed(sentence!("line {place} has {word:?}, which is not a number", place, word)));
         }
         if self.values.is_empty() {
             self.columns = cells.len();
@@ -127,9 +128,11 @@ impl TextTable {
         }
         cells.resize(if is_short { self.columns } else { cells.len() }, TextCell::Blank);
         if cells.len() != self.columns {
-            return Err(malformed(format!(
-                "line {place} has {found} numbers, but the lines before it have {}",
-                self.columns
+            return Err(malformed(sentence!(
+                "line {place} has {found} numbers, but the lines before it have {columns}",
+                place,
+                found,
+                columns = self.columns
             )));
         }
         for (column, cell) in cells.into_iter().enumerate() {
@@ -261,9 +264,10 @@ fn refuse_doubtful<'a>(mut lines: impl Iterator<Item = &'a str> + Clone) -> io::
     if !lines.all(is_doubtful) {
         return Ok(());
     }
-    let reason =
-        "may be one number with a decimal comma or two whole ones: write decimal points, or spaces between the numbers";
-    Err(malformed(format!("{first:?} {reason}")))
+    Err(malformed(sentence!(
+        "{first:?} may be one number with a decimal comma or two whole ones: write decimal points, or spaces between the numbers",
+        first
+    )))
 }
 
 /// Whether a line such as `1,5` may be one number with a decimal comma or two whole ones.
@@ -284,6 +288,8 @@ fn no_numbers(text: &str) -> io::Error {
     let start: String = text.trim_start().lines().next().unwrap_or_default().chars().take(SHOWN).collect();
     match text.trim().is_empty() {
         true => malformed("it is empty: it contains nothing but white space"),
-        false => malformed(format!("it is neither a .npy file nor a text of numbers: it begins with {start:?}")),
+        false => {
+            malformed(sentence!("it is neither a .npy file nor a text of numbers: it begins with {start:?}", start))
+        }
     }
 }

@@ -3,6 +3,7 @@
 use super::Cost;
 use super::text::SetupTable;
 use crate::error::SetupError;
+use crate::sentence::Sentence;
 use crate::surface::PreparationChoice;
 
 /// The word for steps that are to be chosen automatically, and its keys.
@@ -19,7 +20,7 @@ impl SetupTable {
     ///
     /// # Errors
     /// For other words in its place, for no height file, and for one that cannot be read.
-    pub fn choose_preparation(&mut self) -> Result<Vec<String>, SetupError> {
+    pub fn choose_preparation(&mut self) -> Result<Vec<Sentence>, SetupError> {
         if let Some(word) = self.find(PREPARE).filter(|it| !it.is_table()).cloned() {
             self.lay(STEPS, word);
         }

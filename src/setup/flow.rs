@@ -4,6 +4,7 @@ use super::one_or_more;
 use crate::contact::{Contact, Quantity};
 use crate::error::FlowError;
 use crate::flow::{Conductance, FlowAxis, Leakage, Percolation};
+use crate::sentence::sentence;
 use crate::warning::Warning;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::AtomicBool;
@@ -155,9 +156,11 @@ pub fn warning_of_leakage<'a>(contacts: impl IntoIterator<Item = &'a [(Quantity,
     let unknown: Vec<AxisFlow> = contacts.into_iter().filter_map(unknown).collect();
     let AxisFlow { axis, leakage: [lower, upper], .. } = unknown.first()?;
     Some(Warning::new(
-        format!(
-            "The leakage along {} is not known: the cube of the gap of plates that leak as much lies between {lower:.1e} and {upper:.1e}",
-            axis.name()
+        sentence!(
+            "The leakage along {axis} is not known: the cube of the gap of plates that leak as much lies between {lower:.1e} and {upper:.1e}",
+            axis = axis.name(),
+            lower,
+            upper
         ),
         "Read the bounds, or use another load or grid: near the load that seals, the search for the flow may not come to an end",
     ))

@@ -3,7 +3,7 @@
 use super::{Recipe, Setup};
 use crate::elastic::stress::USUAL_POISSON;
 use crate::formats::{HeightFile, Layout, Measurement, Scan};
-use crate::seen::capital;
+use crate::sentence::{Length, sentence};
 use crate::surface::{
     Artefact, Artefacts, Detrend, HeightDistribution, Mirror, Noise, Preparation, PreparationChoice, Roughness,
     Surface, Survey,
@@ -166,9 +166,11 @@ impl Recipe {
     /// Warnings about jumps across the period along y and x.
     fn warnings_of_jumps(&self, jumps: [f64; 2], ends: [bool; 2]) -> Vec<Warning> {
         let jump = |(axis, jump): (&str, f64)| {
-            let statement = format!(
+            let statement = sentence!(
                 "The heights jump by {jump:.3} rms steps across the period along {axis}, and the contact there is an \
-                 artefact"
+                 artefact",
+                jump,
+                axis
             );
             let warning = match self.prepare.detrend {
                 Some(Detrend::Plane | Detrend::Curvature | Detrend::Cubic) => {
@@ -195,12 +197,15 @@ impl Recipe {
     /// The warning about an artefact, if it has an effect on the contact. Areas have at most the given error by all that can be mended. A step that
     /// was done is not advised again, and an automatic preparation only where it has that step.
     fn warning_of<'p>(&self, artefact: &Artefact, error: f64, auto: impl Fn() -> &'p Preparation) -> Option<Warning> {
-        let what = capital(&artefact.sentence());
+        let what = artefact.sentence();
         if let Some((key, value)) = step_against(artefact) {
             let percent = Some(100.0 * error).filter(|_| error >= Artefacts::TOLD)?;
             if has_step_against(&self.prepare, artefact) {
-                let left =
-                    format!("{what}, which the preparation has left. The area may be off by up to {percent:.0} %");
+                let left = sentence!(
+                    "{what}, which the preparation has left. The area may be off by up to {percent:.0} %",
+                    what,
+                    percent
+                );
                 return Some(
                     Warning::new(left, "Look at the heights, or crop them").with_remedy("surface.prepare.crop", None),
                 );
@@ -209,7 +214,7 @@ impl Recipe {
                 true => ("surface.prepare.steps", "auto"),
                 false => (key, value),
             };
-            let statement = format!("{what}. The area may be off by up to {percent:.0} %");
+            let statement = sentence!("{what}. The area may be off by up to {percent:.0} %", what, percent);
             return Some(Warning::new(statement, "Mend it").with_remedy(key, Some(value)));
         }
         Some(match artefact {
@@ -224,15 +229,15 @@ impl Recipe {
         if noise.area_error() <= Noise::TOLD {
             return None;
         }
-        let statement = format!(
-            "Noise at the spacing makes {}, so area and kappa depend on the noise of the instrument, and the area \
-             may be off by {:.0} %",
-            noise.part_of_gradient(),
-            100.0 * noise.area_error()
+        let statement = sentence!(
+            "Noise at the spacing makes {part}, so area and kappa depend on the noise of the instrument, and the area \
+             may be off by {error:.0} %",
+            part = noise.part_of_gradient(),
+            error = 100.0 * noise.area_error()
         );
         Some(match self.prepare.low_pass {
             Some(_) => Warning::new(
-                format!("{statement}, after the filter that was used"),
+                sentence!("{statement}, after the filter that was used", statement),
                 "Use a longer cut-off, or compare with a second measurement",
             ),
             None => {
@@ -276,10 +281,7 @@ impl Survey {
         let growth = self.gradient_growth();
         (growth > LARGEST_GROWTH).then(|| {
             Warning::new(
-                format!(
-                    "The rms gradient is {:.0} % larger at the spacing than at twice the spacing, so area and kappa depend on the spacing",
-                    100.0 * (growth - 1.0)
-                ),
+                sentence!("The rms gradient is {growth:.0} % larger at the spacing than at twice the spacing, so area and kappa depend on the spacing", growth = 100.0 * (growth - 1.0)),
                 "Compare only files with the same low-pass filter",
             )
             .with_remedy("surface.prepare.low-pass", None)
@@ -305,7 +307,11 @@ fn spacing(surface: &Surface) -> Option<Warning> {
     let is_unequal = !surface.grid().is_line() && (dy / dx - 1.0).abs() > UNEQUAL;
     is_unequal.then(|| {
         Warning::new(
-            format!("The spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns)"),
+            sentence!(
+                "The spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns)",
+                dy = Length(dy),
+                dx = Length(dx)
+            ),
             "If the axes are the other way round, swap height and width",
         )
         .with_remedy("grid.size", Some("HEIGHT,WIDTH"))
@@ -323,9 +329,11 @@ fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface, refine
     let is_same = (power - unit).abs() < SAME_LENGTH;
     (!is_same).then(|| {
         Warning::new(
-            format!(
-                "The points in {} are {own:.6e} apart, but the grid has a spacing of {spacing:.6e}",
-                file.display()
+            sentence!(
+                "The points in {file} are {own:.6e} apart, but the grid has a spacing of {spacing:.6e}",
+                file = file.display(),
+                own = Length(own),
+                spacing = Length(spacing)
             ),
             "Leave the size out, or give the size of the file",
         )
@@ -342,6 +350,10 @@ fn refinement(recipe: &Recipe, file: &HeightFile, surface: &Surface) -> usize {
 /// The warning that heights may have another unit than the size.
 fn gradient(surface: &Surface) -> Option<Warning> {
     let gradient = surface.rms_gradient();
-    (gradient > STEEPEST)
-        .then(|| Warning::new(format!("The rms gradient is {gradient:.3e}"), "Give heights and size in the same unit"))
+    (gradient > STEEPEST).then(|| {
+        Warning::new(
+            sentence!("The rms gradient is {gradient:.3e}", gradient),
+            "Give heights and size in the same unit",
+        )
+    })
 }

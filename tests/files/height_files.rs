@@ -10,7 +10,7 @@ use std::path::Path;
 
 fn reason(path: &Path) -> String {
     match read_heights(path) {
-        Err(FileError::Format { reason, .. }) => reason,
+        Err(FileError::Format { reason, .. }) => reason.to_string(),
         other => panic!("{other:?}"),
     }
 }

@@ -2,6 +2,7 @@
 
 use asperity::error::PreparationError;
 use asperity::formats::Scan;
+use asperity::sentence::Sentence;
 use asperity::surface::{Crop, Detrend, Fill, Form, Mirror, Preparation};
 use ndarray::Array2;
 use std::f64::consts::{LN_2, PI, TAU};
@@ -173,12 +174,12 @@ fn steps_follow_one_another_and_tell_what_they_came_to() {
     let prepared = steps.apply(rough.clone()).unwrap();
     assert_eq!(prepared.scan.shape(), [10, 38]);
     assert_eq!(prepared.scan.shape(), steps.shape([20, 30]).unwrap());
-    let first = |sentence: &String| sentence.split(' ').take(2).collect::<Vec<_>>().join(" ");
+    let first = |sentence: &Sentence| sentence.to_string().split(' ').take(2).collect::<Vec<_>>().join(" ");
     let told: Vec<_> = prepared.effects.iter().map(first).collect();
     assert_eq!(told[0], "cropped to");
     assert!(told[1].ends_with("voids"), "{told:?}");
     assert_eq!(told[2..], ["the trend", "low-pass filter", "tapered within", "mirrored to"]);
-    assert_eq!(Preparation::default().apply(rough.clone()).unwrap().effects, Vec::<String>::new());
+    assert_eq!(Preparation::default().apply(rough.clone()).unwrap().effects, []);
     let refused = |steps: Preparation| steps.apply(rough.clone()).unwrap_err();
     let none = Preparation::default;
     assert!(matches!(

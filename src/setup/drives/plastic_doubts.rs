@@ -1,6 +1,7 @@
 //! Reasons to doubt the states of a solid that yields below its surface.
 
 use crate::contact::{Contact, Quantity, State};
+use crate::sentence::sentence;
 use crate::setup::Setup;
 use crate::warning::Warning;
 use ndarray::Axis;
@@ -36,7 +37,10 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<
     let strain = most(Quantity::MaxPlasticStrain);
     let large = (strain > LARGEST_STRAIN).then(|| {
         Warning::new(
-            format!("The largest plastic strain is {strain:.2}, but the theory of flow used here is for small strains"),
+            sentence!(
+                "The largest plastic strain is {strain:.2}, but the theory of flow used here is for small strains",
+                strain
+            ),
             "Use less load or gentler slopes, or take the strains where they are large as an estimate",
         )
     });
@@ -45,10 +49,8 @@ pub(super) fn warnings_of_yielding(states: &[Arc<State>], setup: &Setup) -> Vec<
     // in thick layers the mean stress is so low that nothing flows, whatever the pressure is
     let rippled = (ratio > FULLY_PLASTIC && thick.is_none()).then(|| {
         Warning::new(
-            format!(
-                "The mean pressure in contact reaches {ratio:.2} yield stresses: where a contact is fully plastic, the pressure differs by \
-                 some percent from node to node, and so do the largest pressure and the largest strain"
-            ),
+            sentence!("The mean pressure in contact reaches {ratio:.2} yield stresses: where a contact is fully plastic, the pressure differs by \
+                 some percent from node to node, and so do the largest pressure and the largest strain", ratio),
             "Report sums, such as area, mean gap, imprint and work",
         )
     });

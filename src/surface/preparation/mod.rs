@@ -31,6 +31,7 @@ pub use scars::Scars;
 use crate::error::PreparationError;
 use crate::formats::Scan;
 use crate::quantity::{number_in_words, some_length};
+use crate::sentence::{Length, Sentence, sentence};
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 
@@ -88,7 +89,7 @@ pub struct Prepared {
     /// The nodes whose heights were not measured but filled in; none if no void was filled.
     pub filled: Option<Array2<bool>>,
     /// The effect of each step.
-    pub effects: Vec<String>,
+    pub effects: Vec<Sentence>,
 }
 
 impl Preparation {
@@ -142,63 +143,97 @@ impl Preparation {
         if self.resample == Some(Resample::Repeats) {
             let even = Resample::without_repeats(it.scan.clone());
             it.take(even, |before, after| {
-                format!("heights that are there several times were interpolated: {}", gradients(before, after))
+                sentence!(
+                    "heights that are there several times were interpolated: {gradients}",
+                    gradients = gradients(before, after)
+                )
             });
         }
         if let Some(crop) = &self.crop {
             let part = crop.apply(&it.scan).ok_or_else(|| crop.unfit(it.scan.shape()))?;
-            it.take(part, |_, part| format!("cropped to {} x {} points", part.shape()[0], part.shape()[1]));
+            it.take(part, |_, part| {
+                sentence!("cropped to {rows} x {columns} points", rows = part.shape()[0], columns = part.shape()[1])
+            });
         }
-        let levels = [(self.level_rows, "each row was levelled:"), (self.level_columns, "each column was levelled:")];
-        for (axis, (level, effect)) in levels.into_iter().enumerate() {
+        for (axis, (level, line)) in [(self.level_rows, "row"), (self.level_columns, "column")].into_iter().enumerate()
+        {
             let Some(level) = level else { continue };
             let flat = level.apply(it.scan.clone(), axis);
-            it.take(flat, |before, after| format!("{effect} {}", gradients(before, after)));
+            it.take(flat, |before, after| {
+                sentence!("each {line} was levelled: {gradients}", line, gradients = gradients(before, after))
+            });
         }
         if let Some(outliers) = self.outliers {
             let rest = outliers.apply(it.scan.clone());
             it.take(rest, |before, after| {
-                voided("heights that stand off all their neighbours became voids:", before, after)
+                sentence!(
+                    "{count} heights that stand off all their neighbours became voids: {gradients}",
+                    count = after.voids() - before.voids(),
+                    gradients = gradients(before, after)
+                )
             });
         }
         if let Some(scars) = self.scars {
             let rest = scars.apply(it.scan.clone());
             it.take(rest, |before, after| {
-                voided("heights that are in scars of scan lines became voids:", before, after)
+                sentence!(
+                    "{count} heights that are in scars of scan lines became voids: {gradients}",
+                    count = after.voids() - before.voids(),
+                    gradients = gradients(before, after)
+                )
             });
         }
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
             let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
             it.filled = Some(it.scan.height.mapv(f64::is_nan));
-            it.take(full, |before, _| format!("{} voids filled with the smoothest heights", before.voids()));
+            it.take(full, |before, _| {
+                sentence!("{voids} voids filled with the smoothest heights", voids = before.voids())
+            });
         }
         if let Some(detrend) = self.detrend {
             let flat = detrend.apply(it.scan.clone());
-            it.take(flat, |before, after| format!("the trend was subtracted: {}", gradients(before, after)));
+            it.take(flat, |before, after| {
+                sentence!("the trend was subtracted: {gradients}", gradients = gradients(before, after))
+            });
         }
         if let Some(form) = self.remove_form {
             let (flat, radius) = form.apply(it.scan.clone()).ok_or(PreparationError::NoForm)?;
             it.take(flat, |before, after| {
-                format!("a form of radius {radius:.6e} was subtracted: {}", gradients(before, after))
+                sentence!(
+                    "a form of radius {radius:.6e} was subtracted: {gradients}",
+                    radius = Length(radius),
+                    gradients = gradients(before, after)
+                )
             });
         }
         for (name, wavelength) in [("high", self.high_pass), ("low", self.low_pass)] {
             let Some(wavelength) = wavelength else { continue };
             let filtered = it.filtered(name == "high", wavelength)?;
             it.take(filtered, |before, after| {
-                format!("{name}-pass filter at {wavelength:.4e}: {}", gradients(before, after))
+                sentence!(
+                    "{name}-pass filter at {wavelength:.4e}: {gradients}",
+                    name,
+                    wavelength = Length(wavelength),
+                    gradients = gradients(before, after)
+                )
             });
         }
         if let Some(share) = self.taper {
             let tapered = it.tapered(share)?;
             it.take(tapered, |before, after| {
-                format!("tapered within a fraction {share} of each side: {}", gradients(before, after))
+                sentence!(
+                    "tapered within a fraction {share} of each side: {gradients}",
+                    share,
+                    gradients = gradients(before, after)
+                )
             });
         }
         if let Some(mirror) = self.mirror {
             let mirrored = mirror.apply(&it.scan);
             it.filled = it.filled.map(|nodes| mirror.images(&nodes));
-            it.take(mirrored, |_, after| format!("mirrored to {} x {} points", after.shape()[0], after.shape()[1]));
+            it.take(mirrored, |_, after| {
+                sentence!("mirrored to {rows} x {columns} points", rows = after.shape()[0], columns = after.shape()[1])
+            });
         }
         Ok(it)
     }
@@ -206,7 +241,7 @@ impl Preparation {
 
 impl Prepared {
     /// Continues with the next heights, and describes the effect of the step.
-    fn take(&mut self, next: Scan, effect: impl FnOnce(&Scan, &Scan) -> String) {
+    fn take(&mut self, next: Scan, effect: impl FnOnce(&Scan, &Scan) -> Sentence) {
         self.effects.push(effect(&self.scan, &next));
         self.scan = next;
     }
@@ -243,13 +278,8 @@ fn step(name: &str, value: Option<impl std::fmt::Debug>) -> Option<String> {
     value.map(|value| format!("{name} {value:?}").to_lowercase())
 }
 
-/// How many heights a step took for voids, and the rms gradient without them.
-fn voided(effect: &str, before: &Scan, after: &Scan) -> String {
-    format!("{} {effect} {}", after.voids() - before.voids(), gradients(before, after))
-}
-
 /// The rms gradient before and after a step.
-fn gradients(before: &Scan, after: &Scan) -> String {
+fn gradients(before: &Scan, after: &Scan) -> Sentence {
     let [before, after] = [before, after].map(|scan| number_in_words(scan.rms_gradient()));
-    format!("the rms gradient was {before} and is {after}")
+    sentence!("the rms gradient was {before} and is {after}", before, after)
 }

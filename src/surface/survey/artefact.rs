@@ -1,5 +1,7 @@
 //! Artefacts of measured heights, by their names.
 
+use crate::sentence::{Length, Sentence, sentence};
+
 /// The error of areas of heights each of which is there twice, with which waves shorter than two of them are not known: of 51 maps and profiles, the
 /// largest was 0.16. Of 35 maps with three, four and five of each it was up to 0.42, 0.43 and 0.56 of the areas that are found: times the number of
 /// times less one to the power of 1.5, it is 0.42, 0.78 and 1.
@@ -59,128 +61,144 @@ pub enum Artefact {
 }
 
 impl Artefact {
-    /// What it is, in a sentence without its end, with lengths as plain numbers.
-    pub fn sentence(&self) -> String {
-        self.sentence_in(&|length| format!("{length:.3e}"))
-    }
-
-    /// The sentence of the artefact without its end, in which each length stands in the words that are given for it.
-    pub fn sentence_in(&self, words: &dyn Fn(f64) -> String) -> String {
+    /// What it is, in a sentence without its end.
+    pub fn sentence(&self) -> Sentence {
         match *self {
             Self::Offsets { axis, rms, share } => {
-                let what = match axis {
-                    "y" => "the levels of rows differ from row to row by",
-                    _ => "the levels of columns differ from column to column by",
-                };
-                format!("{what} {} rms, {:.0} % of the mean square gradient", words(rms), 100.0 * share.min(1.0))
+                let percent = 100.0 * share.min(1.0);
+                sentence!(
+                    "the levels of {lines} differ from {line} to {line} by {rms:.3e} rms, {percent:.0} % of the mean square gradient",
+                    lines = lines_of(axis),
+                    line = line_of(axis),
+                    rms = Length(rms),
+                    percent
+                )
             }
-            Self::Grooves { axis, rms } => format!(
-                "the levels of {0}s differ from {0} to {0} by {1} rms, and little else does: they may be grooves, and are kept",
-                line_of(axis),
-                words(rms)
+            Self::Grooves { axis, rms } => sentence!(
+                "the levels of {lines} differ from {line} to {line} by {rms:.3e} rms, and little else does: they may be grooves, and are kept",
+                lines = lines_of(axis),
+                line = line_of(axis),
+                rms = Length(rms)
             ),
             Self::Outliers { nodes: 1 } => {
                 "1 single height stands off all its neighbours, as dead pixels and spikes do".into()
             }
             Self::Outliers { nodes } => {
-                format!("{nodes} single heights stand off all their neighbours, as dead pixels and spikes do")
+                sentence!("{nodes} single heights stand off all their neighbours, as dead pixels and spikes do", nodes)
             }
-            Self::Scars { axis: "y", nodes } => format!("{nodes} heights are in scars along rows"),
-            Self::Scars { nodes, .. } => format!("{nodes} heights are in scars along columns"),
-            Self::Step { axis, line: number, height, share } => format!(
-                "a step of {} over the whole width is between {} {number} and the next one: of the surface, or a jump of the instrument, and then \
-                 areas may be off by up to {:.0} %",
-                words(height),
-                line_of(axis),
-                100.0 * area_error_of(share)
+            Self::Scars { axis: "y", nodes } => sentence!("{nodes} heights are in scars along rows", nodes),
+            Self::Scars { nodes, .. } => sentence!("{nodes} heights are in scars along columns", nodes),
+            Self::Step { axis, line: number, height, share } => sentence!(
+                "a step of {height:.3e} over the whole width is between {line} {number} and the next one: of the surface, or a jump of the instrument, and then \
+                 areas may be off by up to {error:.0} %",
+                height = Length(height),
+                line = line_of(axis),
+                number,
+                error = 100.0 * area_error_of(share)
             ),
-            Self::Wander { axis, rms, share } => format!(
-                "the levels of {}s wander by {} rms from one to the next: a lay of the surface, or drift of the instrument, and then areas may be off by up to {:.0} %",
-                line_of(axis),
-                words(rms),
-                100.0 * area_error_of(share)
+            Self::Wander { axis, rms, share } => sentence!(
+                "the levels of {lines} wander by {rms:.3e} rms from one to the next: a lay of the surface, or drift of the instrument, and then areas may be off by up to {error:.0} %",
+                lines = lines_of(axis),
+                rms = Length(rms),
+                error = 100.0 * area_error_of(share)
             ),
-            Self::Waves { count, wavelength, rms, share } => format!(
-                "{} with a wavelength of {} stands out of the spectrum, {} rms: a pattern of the surface, or hum of the instrument, and then areas may be off by up to {:.0} %",
-                if count == 1 { "a wave".to_owned() } else { format!("the strongest of {count} waves") },
-                words(wavelength),
-                words(rms),
-                100.0 * area_error_of(share)
+            Self::Waves { count, wavelength, rms, share } => sentence!(
+                "{waves} with a wavelength of {wavelength:.3e} stands out of the spectrum, {rms:.3e} rms: a pattern of the surface, or hum of the instrument, and then areas may be off by up to {error:.0} %",
+                waves = waves_in_words(count),
+                wavelength = Length(wavelength),
+                rms = Length(rms),
+                error = 100.0 * area_error_of(share)
             ),
-            Self::Clipped { nodes, share, is_top: true } => format!(
-                "{nodes} of the highest heights ({:.1} % of all) are flat: peaks were worn, or cut off by the instrument, and then relative areas are too large by up to {share:.2}",
-                100.0 * share
+            Self::Clipped { nodes, share, is_top: true } => sentence!(
+                "{nodes} of the highest heights ({percent:.1} % of all) are flat: peaks were worn, or cut off by the instrument, and then relative areas are too large by up to {share:.2}",
+                nodes,
+                percent = 100.0 * share,
+                share
             ),
             Self::Clipped { nodes, share, .. } => {
-                format!("{nodes} of the lowest heights ({:.1} % of all) are flat: valleys were cut off", 100.0 * share)
+                sentence!(
+                    "{nodes} of the lowest heights ({percent:.1} % of all) are flat: valleys were cut off",
+                    nodes,
+                    percent = 100.0 * share
+                )
             }
-            Self::Border { lines: [top, bottom, left, right] } => format!(
-                "heights at the rim are equal in {top} and {bottom} rows and in {left} and {right} columns: they were not measured, and can be cropped"
+            Self::Border { lines: [top, bottom, left, right] } => sentence!(
+                "heights at the rim are equal in {top} and {bottom} rows and in {left} and {right} columns: they were not measured, and can be cropped",
+                top,
+                bottom,
+                left,
+                right
             ),
-            Self::Rounded { step, share } => format!(
-                "the heights are rounded to multiples of {}, {share:.1} times the rms step between neighbours",
-                words(step)
+            Self::Rounded { step, share } => sentence!(
+                "the heights are rounded to multiples of {step:.3e}, {share:.1} times the rms step between neighbours",
+                step = Length(step),
+                share
             ),
-            _ => self.sentence_of_scan(words),
+            _ => self.sentence_of_scan(),
         }
     }
 
     /// The sentence of an artefact by the way in which the instrument or a program puts heights together.
-    fn sentence_of_scan(&self, words: &dyn Fn(f64) -> String) -> String {
+    fn sentence_of_scan(&self) -> Sentence {
         match *self {
-            Self::Repeated { axis, times } => format!(
-                "every height is there {times} times along {axis}, so the file has fewer heights than nodes, and areas may be off by up to {:.0} %",
-                100.0 * error_of_repeats(times)
+            Self::Repeated { axis, times } => sentence!(
+                "every height is there {times} times along {axis}, so the file has fewer heights than nodes, and areas may be off by up to {error:.0} %",
+                times,
+                axis,
+                error = 100.0 * error_of_repeats(times)
             ),
-            Self::Interpolated { axis, times } => format!(
-                "{} of {times} heights along {axis} are linear interpolations, so the file has fewer heights than nodes, and areas may be off by up to \
-                 {:.0} %",
-                times - 1,
-                100.0 * error_of_repeats(times)
+            Self::Interpolated { axis, times } => sentence!(
+                "{count} of {times} heights along {axis} are linear interpolations, so the file has fewer heights than nodes, and areas may be off by up to \
+                 {error:.0} %",
+                count = times - 1,
+                times,
+                axis,
+                error = 100.0 * error_of_repeats(times)
             ),
-            Self::Settling { axis, height, lines } => {
-                let line = line_of(axis);
-                format!(
-                    "the levels of {line}s settle by {} within {lines:.0} {line}s, as scanners creep",
-                    words(height)
-                )
-            }
-            Self::ManyOutliers { share } => format!(
-                "{:.0} % of single heights stand off: too many to be mended, and areas may be off by up to 100 %",
-                100.0 * share
+            Self::Settling { axis, height, lines } => sentence!(
+                "the levels of {lines} settle by {height:.3e} within {count:.0} {lines}, as scanners creep",
+                lines = lines_of(axis),
+                height = Length(height),
+                count = lines
             ),
-            Self::ManyScars { axis, share } => format!(
-                "{:.0} % of the heights are in scars along {}s: too many to be mended, and areas may be off by up to 100 %",
-                100.0 * share,
-                line_of(axis)
+            Self::ManyOutliers { share } => sentence!(
+                "{share:.0} % of single heights stand off: too many to be mended, and areas may be off by up to 100 %",
+                share = 100.0 * share
             ),
-            Self::Clusters { count, nodes } => format!(
-                "{nodes} heights in {} of up to 5 x 5 nodes stand above those around them by a cliff: particles of the surface, \
+            Self::ManyScars { axis, share } => sentence!(
+                "{share:.0} % of the heights are in scars along {lines}: too many to be mended, and areas may be off by up to 100 %",
+                lines = lines_of(axis),
+                share = 100.0 * share
+            ),
+            Self::Clusters { count, nodes } => sentence!(
+                "{nodes} heights in {clusters} of up to 5 x 5 nodes stand above those around them by a cliff: particles of the surface, \
                  or artefacts, and then areas may be off by up to 100 %",
-                if count == 1 { "a cluster".to_owned() } else { format!("{count} clusters") }
+                nodes,
+                clusters = clusters_in_words(count)
             ),
-            Self::RaisedParts { height } => format!(
-                "parts are higher than the rest by {} behind irregular edges: of the surface, or jumps of an interferometer, and then areas may be off by up to 100 %",
-                words(height)
+            Self::RaisedParts { height } => sentence!(
+                "parts are higher than the rest by {height:.3e} behind irregular edges: of the surface, or jumps of an interferometer, and then areas may be off by up to 100 %",
+                height = Length(height)
             ),
-            Self::Shifted { axis, nodes, share } => format!(
-                "every second {} is shifted by {nodes} nodes, as trace and retrace are: areas may be off by up to {:.0} %",
-                line_of(axis),
-                100.0 * (SHIFT_OVER_GRADIENT * share).min(1.0)
+            Self::Shifted { axis, nodes, share } => sentence!(
+                "every second {line} is shifted by {nodes} nodes, as trace and retrace are: areas may be off by up to {error:.0} %",
+                line = line_of(axis),
+                nodes,
+                error = 100.0 * (SHIFT_OVER_GRADIENT * share).min(1.0)
             ),
-            Self::AlikeMended { nodes, share } => format!(
-                "{nodes} of the heights that are mended stand off by the same: if they are pillars or wires of the surface, areas may be off by up to {:.0} %",
-                100.0 * area_error_of(share)
+            Self::AlikeMended { nodes, share } => sentence!(
+                "{nodes} of the heights that are mended stand off by the same: if they are pillars or wires of the surface, areas may be off by up to {error:.0} %",
+                nodes,
+                error = 100.0 * area_error_of(share)
             ),
-            Self::LeftAcross { axis, share } => {
-                let line = line_of(axis);
-                format!(
-                    "the heights still differ more from {line} to {line} than along the {line}s: what is left of the scars or offsets, or a lay of the \
-                     surface, and areas may be off by up to {:.0} %",
-                    100.0 * area_error_of(share)
-                )
-            }
-            _ => String::new(),
+            Self::LeftAcross { axis, share } => sentence!(
+                "the heights still differ more from {line} to {line} than along the {lines}: what is left of the scars or offsets, or a lay of the \
+                 surface, and areas may be off by up to {error:.0} %",
+                lines = lines_of(axis),
+                line = line_of(axis),
+                error = 100.0 * area_error_of(share)
+            ),
+            _ => "".into(),
         }
     }
 
@@ -200,6 +218,19 @@ impl Artefact {
 /// What lies across an axis.
 fn line_of(axis: &str) -> &'static str {
     if axis == "y" { "row" } else { "column" }
+}
+
+/// All that lies across an axis.
+fn lines_of(axis: &str) -> &'static str {
+    if axis == "y" { "rows" } else { "columns" }
+}
+
+fn waves_in_words(count: usize) -> Sentence {
+    if count == 1 { "a wave".into() } else { sentence!("the strongest of {count} waves", count) }
+}
+
+fn clusters_in_words(count: usize) -> Sentence {
+    if count == 1 { "a cluster".into() } else { sentence!("{count} clusters", count) }
 }
 
 /// The relative error of areas of heights of which only every second, third, ... one is a measured one.

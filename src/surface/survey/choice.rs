@@ -5,6 +5,7 @@ use super::{Artefact, Artefacts, Noise, Survey};
 use crate::error::SurfaceError;
 use crate::formats::Scan;
 use crate::quantity::number_in_words;
+use crate::sentence::{Length, Sentence, sentence};
 use crate::surface::{Crop, Detrend, Fill, Mirror, Preparation, Resample};
 
 /// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
@@ -37,7 +38,7 @@ pub struct PreparationChoice {
     /// The steps.
     pub preparation: Preparation,
     /// The reasons for the steps, in one sentence each.
-    pub reasons: Vec<String>,
+    pub reasons: Vec<Sentence>,
 }
 
 impl PreparationChoice {
@@ -49,7 +50,7 @@ impl PreparationChoice {
         let mut choice = Self { preparation: Preparation::default(), reasons: Vec::new() };
         if !is_even {
             choice.preparation.resample = Some(Resample::Linear);
-            choice.because("the positions are not evenly spaced: the heights are resampled to even spacing".into());
+            choice.because("the positions are not evenly spaced: the heights are resampled to even spacing");
         }
         let part = choice.cropped(scan);
         let scan = part.as_ref().unwrap_or(scan);
@@ -79,10 +80,8 @@ impl PreparationChoice {
             self.preparation.fill = Some(Fill::Harmonic);
             let all = scan.height.len();
             let share = 100.0 * voids as f64 / all as f64;
-            self.because(format!(
-                "{voids} of {all} heights ({share:.1} %) are void: they are filled with the smoothest heights, and each contact says how much of it \
-                 is on them"
-            ));
+            self.because(sentence!("{voids} of {all} heights ({share:.1} %) are void: they are filled with the smoothest heights, and each contact says how much of it \
+                 is on them", voids, all, share));
         }
         // a trend through a step would tilt both sides of it, unless the heights are a tilt with a small step
         let has_step = artefacts.all.iter().any(|it| matches!(it, Artefact::Step { .. }));
@@ -111,16 +110,16 @@ impl PreparationChoice {
         for artefact in &artefacts.all {
             let what = artefact.sentence();
             self.because(match artefact {
-                Artefact::Offsets { .. } => format!("{what}: these offsets are taken off"),
-                Artefact::Settling { .. } => format!("{what}: the exponential is taken off"),
-                Artefact::Repeated { .. } => format!("{what}: they are interpolated between their middles"),
-                Artefact::Outliers { .. } | Artefact::Scars { .. } => format!("{what}: they become voids"),
+                Artefact::Offsets { .. } => sentence!("{what}: these offsets are taken off", what),
+                Artefact::Settling { .. } => sentence!("{what}: the exponential is taken off", what),
+                Artefact::Repeated { .. } => sentence!("{what}: they are interpolated between their middles", what),
+                Artefact::Outliers { .. } | Artefact::Scars { .. } => sentence!("{what}: they become voids", what),
                 _ => what,
             });
         }
         if !self.reasons.is_empty() && artefacts.all.iter().any(Artefact::can_be_mended) {
             let [before, after] = [scan, &artefacts.rest].map(|it| number_in_words(it.rms_gradient()));
-            self.because(format!("without these artefacts the rms gradient is {after}, not {before}"));
+            self.because(sentence!("without these artefacts the rms gradient is {after}, not {before}", after, before));
         }
     }
 
@@ -131,16 +130,15 @@ impl PreparationChoice {
         let [[ny, nx], [rows, columns]] = [part.shape(), scan.shape()];
         let lost =
             100.0 * (1.0 - (part.height.len() - part.voids()) as f64 / (scan.height.len() - scan.voids()) as f64);
-        self.because(format!(
-            "voids reach the rim of the {rows} x {columns} heights: they are cropped to the largest rectangle without such voids, {ny} x {nx}, \
-             which leaves out {lost:.0} % of the measured heights"
-        ));
+        self.because(sentence!("voids reach the rim of the {rows} x {columns} heights: they are cropped to the largest rectangle without such voids, {ny} x {nx}, \
+             which leaves out {lost:.0} % of the measured heights", rows, columns, ny, nx, lost));
         let [whole, left] = [scan, &part].map(|it| Detrend::Curvature.apply(it.clone()).rms_gradient());
         let off = (left / whole - 1.0).abs();
         if off > OTHER_PART {
             let off = 100.0 * off;
-            self.because(format!(
-                "the rms gradient of the whole is {off:.0} % off that of this part: areas may be {off:.0} % off"
+            self.because(sentence!(
+                "the rms gradient of the whole is {off:.0} % off that of this part: areas may be {off:.0} % off",
+                off
             ));
         }
         self.preparation.crop = Some(crop);
@@ -151,25 +149,26 @@ impl PreparationChoice {
     fn tell_of_fill(&mut self, with_voids: &Scan, full: &Scan) {
         let error = 100.0 * Fill::area_error(with_voids, full);
         if error > 2.0 {
-            self.because(format!("filled heights are smooth: areas may be up to {error:.1} % too large"));
+            self.because(sentence!("filled heights are smooth: areas may be up to {error:.1} % too large", error));
         }
     }
 
-    fn because(&mut self, reason: String) {
-        self.reasons.push(reason);
+    fn because(&mut self, reason: impl Into<Sentence>) {
+        self.reasons.push(reason.into());
     }
 
     /// Takes off the trend.
     fn detrended(&mut self, scan: Scan, periodic: [bool; 2]) -> Scan {
         let (trend, reason) = if periodic == [false; 2] {
-            (Detrend::Plane, "the boundary is free: only the plane is subtracted, and the curvature is kept".to_owned())
+            (Detrend::Plane, "the boundary is free: only the plane is subtracted, and the curvature is kept".into())
         } else {
             let trend = form_of(&scan);
             let order = if trend == Detrend::Cubic { "third" } else { "second" };
             let [before, after] = [Detrend::Plane, trend].map(|it| super::square(&it.apply(scan.clone())));
             let share = if before > 0.0 { 100.0 * (1.0 - after / before) } else { 0.0 };
-            let reason = format!("the heights are not periodic: the polynomial of {order} order is subtracted");
-            (trend, format!("{reason}, {share:.1} % of the mean square height about the plane"))
+            let reason =
+                sentence!("the heights are not periodic: the polynomial of {order} order is subtracted", order);
+            (trend, sentence!("{reason}, {share:.1} % of the mean square height about the plane", reason, share))
         };
         self.preparation.detrend = Some(trend);
         self.because(reason);
@@ -183,7 +182,10 @@ impl PreparationChoice {
         let share = 1.0 - super::square(&level) / about_mean;
         (share > TILTED).then(|| {
             self.preparation.detrend = Some(Detrend::Plane);
-            self.because(format!("a plane makes {:.1} % of the mean square height: it is subtracted", 100.0 * share));
+            self.because(sentence!(
+                "a plane makes {percent:.1} % of the mean square height: it is subtracted",
+                percent = 100.0 * share
+            ));
             level
         })
     }
@@ -198,8 +200,10 @@ impl PreparationChoice {
         };
         self.preparation.mirror = Some(mirror);
         let jump = jump(survey, periodic);
-        self.because(format!(
-            "the heights jump by {jump:.3} rms steps across the period: they are mirrored along {axes}"
+        self.because(sentence!(
+            "the heights jump by {jump:.3} rms steps across the period: they are mirrored along {axes}",
+            jump,
+            axes
         ));
     }
 
@@ -210,14 +214,16 @@ impl PreparationChoice {
         if share <= NOISE {
             if error > Noise::TOLD {
                 let error = 100.0 * error;
-                self.because(format!("noise makes {part}, and is kept: areas may be up to {error:.0} % off"));
+                self.because(sentence!(
+                    "noise makes {part}, and is kept: areas may be up to {error:.0} % off",
+                    part,
+                    error
+                ));
             }
             return;
         }
         if share > ALL_NOISE {
-            self.because(format!(
-                "noise makes {part}, so that no surface can be told from it: the heights are kept, and what is found is that of the noise"
-            ));
+            self.because(sentence!("noise makes {part}, so that no surface can be told from it: the heights are kept, and what is found is that of the noise", part));
             return;
         }
         let before = full.rms_gradient();
@@ -229,13 +235,12 @@ impl PreparationChoice {
             .abs()
             .max(1.0 - least / after)
             .max((ERROR_PER_SHARE * share).max(share.min(LEAST_ERROR)));
-        self.because(format!("noise makes {part}: waves below {wavelength:.3e} are filtered out"));
-        self.because(format!(
-            "without noise the rms gradient is estimated as {}, after the filter it is {}: areas may be up to {:.0} % off",
-            number_in_words(without),
-            number_in_words(after),
-            100.0 * error
+        self.because(sentence!(
+            "noise makes {part}: waves below {wavelength:.3e} are filtered out",
+            part,
+            wavelength = Length(wavelength)
         ));
+        self.because(sentence!("without noise the rms gradient is estimated as {before}, after the filter it is {after}: areas may be up to {error:.0} % off", before = number_in_words(without), after = number_in_words(after), error = 100.0 * error));
     }
 }
 

@@ -3,6 +3,7 @@
 use super::{Band, Scales};
 use crate::error::SurfaceError;
 use crate::formats::Scan;
+use crate::sentence::{Sentence, sentence};
 use crate::surface::{Detrend, Fill};
 use std::f64::consts::{PI, TAU};
 
@@ -119,10 +120,13 @@ impl Noise {
     }
 
     /// The share of the mean square gradient that the noise makes, in words: that between steep edges, where these make most of the gradient.
-    pub fn part_of_gradient(&self) -> String {
+    pub fn part_of_gradient(&self) -> Sentence {
         match self.share_of_flat > EDGES * self.share {
-            true => format!("{:.0} % of the mean square gradient between steep edges", 100.0 * self.share_of_flat),
-            false => format!("{:.0} % of the mean square gradient", 100.0 * self.share),
+            true => sentence!(
+                "{share:.0} % of the mean square gradient between steep edges",
+                share = 100.0 * self.share_of_flat
+            ),
+            false => sentence!("{share:.0} % of the mean square gradient", share = 100.0 * self.share),
         }
     }
 }

@@ -11,7 +11,7 @@ use zip::{ZipArchive, ZipWriter};
 /// Statements about what is doubtful in a file.
 fn doubts(file: &[u8]) -> Vec<String> {
     let measured = Measurement::from_bytes(file, None).unwrap_or_else(|error| panic!("{error}"));
-    measured.warnings.into_iter().map(|warning| warning.statement).collect()
+    measured.warnings.into_iter().map(|warning| warning.statement.to_string()).collect()
 }
 
 /// A file with other bytes of the same number wherever these are, at least once.

@@ -106,9 +106,13 @@ fn grids_of_geographers_say_their_cells_and_voids() {
     // a void that nobody declares is a height, and told
     let silent = read(&rows(" ", "-9999"));
     assert_eq!(silent.height[[1, 2]], -9999.0);
-    assert!(silent.warnings[0].statement.contains("1 heights are -9999, far from all others"), "{:?}", silent.warnings);
+    assert!(
+        silent.warnings[0].to_string().contains("1 heights are -9999, far from all others"),
+        "{:?}",
+        silent.warnings
+    );
     let wrong = read(&(head.replace("nrows 4", "nrows 5") + &rows(" ", "-9999")));
-    assert!(wrong.warnings[0].statement.contains("states 5 rows, but there are 4"));
+    assert!(wrong.warnings[0].to_string().contains("states 5 rows, but there are 4"));
     let listed: String = rows("\n", "-9999");
     assert_map(&(head.to_owned() + &listed), 1.0, Some([0.5, 0.5]));
 }
@@ -184,7 +188,7 @@ fn columns_are_known_by_their_names() {
     assert!(is_close(read(&counted).spacing.unwrap()[1], 0.25));
     let four: String =
         (0..40).map(|i| format!("{:.1},{:.3},1,{:.2}\n", 0.5 * i as f64, (0.4 * i as f64).sin(), i % 3)).collect();
-    assert!(read(&four).warnings[0].statement.contains("rises evenly, as positions do"));
+    assert!(read(&four).warnings[0].to_string().contains("rises evenly, as positions do"));
     assert!(read(&format!("X;Z;Raw;Form\n{}", four.replace(',', ";"))).is_profile);
 }
 
@@ -244,7 +248,7 @@ fn texts_of_zygo_say_their_pixels() {
     assert!(measured.is_in_metres && measured.format == "Zygo text" && measured.warnings.is_empty());
     assert_map(&zygo(magic, "0", &body), 1e-6, None);
     let short = read(&zygo(magic, "2.5e-06", &body.replace("10 21 3.0000\n", "")));
-    assert!(short.warnings[0].statement.contains("1 of 20 points are missing"));
+    assert!(short.warnings[0].to_string().contains("1 of 20 points are missing"));
     assert!(
         reason(&zygo(magic, "2.5e-06", &body.replace("10 21", "15 21"))).contains("none of its 4 rows of 5 points")
     );

@@ -110,7 +110,7 @@ fn nanoscope_of_scans_that_are_not_square() {
     let square = read(&nanoscope::sized(&inverse, ""), None).spacing.unwrap();
     assert!(is_close(square[0], square[1]) && is_close(square[1], 10e-6 / nx), "{square:?}");
     let empty = read(&nanoscope::sized("\\Scan Size: 0 0 ~m", ""), None);
-    assert!(empty.spacing.is_none() && empty.warnings[0].statement.contains("the size along x and y is zero"));
+    assert!(empty.spacing.is_none() && empty.warnings[0].to_string().contains("the size along x and y is zero"));
     let wrong = nanoscope::sized("\\Scan Size: 10 ~m", "\\Aspect Ratio: 0:1\n");
     assert_eq!(reason(&wrong), "its aspect ratio is \"0:1\"");
 }

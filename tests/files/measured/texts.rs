@@ -155,7 +155,7 @@ fn heads_may_hold_numbers() {
         assert_map(&measured, &[&[1.0, 2.0, 4.0, 1.0]], Some([1.0; 2]));
     }
     let told = read(format!("3 4\nX Z\n{rows}").as_bytes());
-    assert!(told.height.len() == 4 && told.warnings[0].statement.contains("a row of numbers stands above"));
+    assert!(told.height.len() == 4 && told.warnings[0].to_string().contains("a row of numbers stands above"));
     let repeated = read(b"x z\n0 1\n1 2\n2 3\n3 4\nx z\n4 5\n");
     assert_map(&repeated, &[&[1.0, 2.0, 3.0, 4.0, 5.0]], Some([1.0; 2]));
     let reason = |text: &[u8]| Measurement::from_bytes(text, None).unwrap_err().to_string();
