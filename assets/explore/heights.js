@@ -166,7 +166,7 @@ function remedyInWords({ key, value }) {
 /** A warning in sentences: what may be wrong, what to do, and the controls that do it. */
 function warningInWords({ is_beside: isBeside, statement, advice, remedies }) {
   const controls = knobs.body === "file" ? remedies.map(remedyInWords).filter(Boolean).join(say("warning.or")) : "";
-  const places = { statement: translated(statement), advice: translated(advice), controls };
+  const places = { statement: capital(translated(statement)), advice: translated(advice), controls };
   const sentence = controls ? say("warning.controls", places) : say("warning", places);
   return isBeside ? say("warning.beside", { sentence }) : sentence;
 }

@@ -324,7 +324,7 @@ async function solved(its) {
   const { revision } = await post("solve", its);
   while (report.revision < revision || report.busy) await new Promise((done) => setTimeout(done, 20));
   const run = runOfKnobs(its);
-  if (!run?.ended) throw new Error(report.fault ?? say("unsolved"));
+  if (!run?.ended) throw new Error(report.fault ? inWordsOfPage(report) : say("unsolved"));
   return run;
 }
 

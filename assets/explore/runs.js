@@ -80,6 +80,7 @@ function fault(sentence) {
   byId("fault").hidden = !sentence;
 }
 
+/** @type {any} */
 let report = { revision: 0 };
 let asked = 0;
 

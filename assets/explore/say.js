@@ -35,22 +35,15 @@ function numberFrom(text) {
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
 }
 
-/** A sentence with places as a pattern, in which each place is anything. */
-const patternOf = (sentence) => new RegExp(`^${sentence.split(/\{(\w+)\}/).map((part, i) => i % 2 ? `(?<${part}>.+?)` : part.replace(/[.*+?^$()|[\]\\]/g, "\\$&")).join("")}$`);
-
-/** English sentences of the server and others in their place, as patterns and sentences, the longest first.
- * @type {(told: Record<string, string>) => [RegExp, string][]} */
-const patternsOf = (told) => Object.entries(told).sort(([one], [other]) => other.length - one.length).map(([english, own]) => [patternOf(english), own]);
-
-/** The English sentences of the server, and the same in the language of the page.
- * @type {[RegExp, string][]} */
-let told = [];
+/** What the server tells in English, and the same in the language of the page: words, and sentences with places such as {name}.
+ * @type {Record<string, string>} */
+let told = {};
 
 /** Takes the texts of a language. */
 async function takeTexts(script) {
   const its = await unpacked(script).json();
   texts = its.texts;
-  told = patternsOf(its.told);
+  told = its.told;
 }
 
 /** Loads the texts of the language of the page. It stays English where they cannot be had. */
@@ -59,22 +52,33 @@ async function loadTexts() {
   if (language !== "en") await loadScript(`${language}.js`).then(() => takeTexts(FOREIGN));
 }
 
-/** What stands in a place of a sentence: a number in a place that is named after a length is one in metres. */
-const placeInWords = (name, text) => name.startsWith("length") && numberFrom(text) ? lengthOf(numberFrom(text), 4) : translated(text);
+/** A sentence of the server.
+ * @typedef {string | { template: string, places: Record<string, Sentence | { length: number }> }} Sentence */
 
-/** A sentence of the server in the language of the page, and all that stands in its places; as it is if it is not known. */
+/** What stands in a place of a sentence: a length, which is one in metres, or a sentence.
+ * @type {(place: Sentence | { length: number }) => string} */
+const placeInWords = (place) => typeof place === "object" && "length" in place ? lengthOf(place.length, 4) : translated(place);
+
+/** Own words for words of the server; none where there are none. */
+const ownWords = (english) => Object.hasOwn(told, english) ? told[english] : undefined;
+
+/** A sentence of the server in the language of the page, and all that stands in its places; in English where the language has no words for it.
+ * @type {(sentence: Sentence) => string} */
 function translated(sentence) {
-  for (const [pattern, own] of told) {
-    const found = pattern.exec(sentence);
-    if (found) return own.replace(/\{(\w+)\}/g, (place, name) => placeInWords(name, found.groups[name]));
+  if (typeof sentence === "object") {
+    const { template, places } = sentence;
+    return (ownWords(template) ?? template).replace(/\{(\w+)\}/g, (all, name) => Object.hasOwn(places, name) ? placeInWords(places[name]) : all);
   }
-  return /^-?\d+\.\d+(e-?\d+)?( \S{1,2})?$/.test(sentence) ? inLocale(sentence) : sentence;
+  return ownWords(sentence) ?? (/^-?\d+\.\d+(e-?\d+)?( \S{1,2})?$/.test(sentence) ? inLocale(sentence) : sentence);
 }
+
+/** A sentence that begins with a capital letter, unless it begins with a symbol such as κ_r. */
+const capital = (sentence) => sentence.split(" ")[0].includes("_") ? sentence : sentence.slice(0, 1).toUpperCase() + sentence.slice(1);
 
 /** A refusal of the session in the words of the page, where it has some, or else in those of the session. */
 function refusalInWords({ key, places, sentence }) {
   if (!knows(`refused.${key}`)) return translated(sentence);
-  return say(`refused.${key}`, Object.fromEntries(Object.entries(places).map(([name, text]) => [name, placeInWords(name, text)])));
+  return say(`refused.${key}`, Object.fromEntries(Object.entries(places).map(([name, place]) => [name, placeInWords(place)])));
 }
 
 /** What a lesson says in the language of the page, else in English, else in any. */

@@ -5,6 +5,7 @@ use super::refusal::{KnownFault, Refusal, RefusalRule};
 use crate::digest::fnv1a;
 use crate::formats::{HeightFile, Measurement, Scan};
 use crate::quantity::{length_in_words as length, number_in_words as figure};
+use crate::sentence::{Sentence, sentence};
 use crate::surface::{Preparation, Survey};
 use serde::Serialize;
 
@@ -28,13 +29,13 @@ pub struct Description {
     /// The knobs, with the automatic steps if these are requested.
     pub knobs: HeightKnobs,
     /// Its description: names and values.
-    pub rows: Vec<(String, String)>,
+    pub rows: Vec<(&'static str, Sentence)>,
     /// The first lines of the file's own header, as they are written there: names and values.
     pub header: Vec<(String, String)>,
     /// Why steps were chosen, a sentence each.
-    pub reasons: Vec<String>,
+    pub reasons: Vec<Sentence>,
     /// Why it cannot be solved, in one sentence.
-    pub fault: Option<String>,
+    pub fault: Option<Sentence>,
     /// The same as data, if the page has a text for it.
     pub known_fault: Option<KnownFault>,
 }
@@ -104,45 +105,58 @@ fn scan(knobs: &HeightKnobs, file: &HeightFile) -> Result<Scan, Refusal> {
 }
 
 /// What a file says of itself.
-fn of_file(measured: &Measurement, knobs: &HeightKnobs) -> Vec<(String, String)> {
+fn of_file(measured: &Measurement, knobs: &HeightKnobs) -> Vec<(&'static str, Sentence)> {
     let lengths = match (measured.is_in_metres, knobs.unit) {
         (true, _) => "metres, as given in the file".into(),
-        (false, Some(unit)) => format!("1 in the file is {}", length(unit)),
+        (false, Some(unit)) => sentence!("1 in the file is {length}", length = length(unit)),
         (false, None) => "not given in the file: metres assumed".into(),
     };
     let [ny, nx] = measured.height.dim().into();
     let points = if measured.is_profile { nx.to_string() } else { format!("{ny} x {nx}") };
     let rows = [
-        ("format", measured.format.to_owned()),
-        ("channel", measured.channel.clone()),
+        ("format", measured.format.into()),
+        ("channel", measured.channel.clone().into()),
         ("lengths", lengths),
-        ("points", points),
+        ("points", points.into()),
     ];
-    rows.map(|(name, value)| (name.to_owned(), value)).into()
+    rows.into()
 }
 
 /// What heights are like.
-fn of_heights(scan: &Scan) -> Result<Vec<(String, String)>, Refusal> {
+fn of_heights(scan: &Scan) -> Result<Vec<(&'static str, Sentence)>, Refusal> {
     let survey = Survey::new(scan)?;
     let ([ny, nx], [dy, dx]) = (scan.shape(), scan.spacing);
     let is_line = ny == 1;
-    let axes = |[y, x]: [String; 2]| if is_line { x } else { format!("{y} along y, {x} along x") };
+    let axes = |[y, x]: [String; 2]| if is_line { x.into() } else { sentence!("{y} along y, {x} along x", y, x) };
     let size = [ny as f64 * dy, nx as f64 * dx].map(length);
     let noise = survey.axes.iter().map(|it| it.noise).fold(0.0, f64::max);
     let rows = [
-        ("size", if is_line { size[1].clone() } else { size.join(" x ") }),
-        ("voids", format!("{} of {} heights", survey.voids, ny * nx)),
+        ("size", if is_line { size[1].clone().into() } else { size.join(" x ").into() }),
+        ("voids", sentence!("{count} of {all} heights", count = survey.voids, all = ny * nx)),
         ("tilt", axes(survey.tilt.map(figure))),
-        ("jump across the period", format!("{} rms steps", axes(survey.jumps.map(figure)))),
-        ("rms height", length(rms_height(scan))),
-        ("rms gradient", figure(scan.rms_gradient())),
-        ("noise", format!("{}, {:.0} % of the mean square gradient", length(noise), 100.0 * survey.noise.share)),
-        ("shortest wavelength above the noise", length(survey.noise.shortest_wavelength)),
+        ("jump across the period", sentence!("{jump} rms steps", jump = axes(survey.jumps.map(figure)))),
+        ("rms height", length(rms_height(scan)).into()),
+        ("rms gradient", figure(scan.rms_gradient()).into()),
+        (
+            "noise",
+            sentence!(
+                "{length}, {share:.0} % of the mean square gradient",
+                length = length(noise),
+                share = 100.0 * survey.noise.share
+            ),
+        ),
+        ("shortest wavelength above the noise", length(survey.noise.shortest_wavelength).into()),
     ];
-    let rows = rows.map(|(name, value)| (name.to_owned(), value));
     let hurst = survey.power_law.map(|it| {
         let [shortest, longest] = it.wavelengths.map(length);
-        ("Hurst exponent".to_owned(), format!("{:.2} ± {:.2}, from {shortest} to {longest}", it.hurst, it.hurst_error))
+        let found = sentence!(
+            "{hurst:.2} ± {error:.2}, from {shortest} to {longest}",
+            hurst = it.hurst,
+            error = it.hurst_error,
+            shortest,
+            longest
+        );
+        ("Hurst exponent", found)
     });
     Ok(rows.into_iter().chain(hurst).collect())
 }

@@ -9,6 +9,7 @@ use super::sticking_hand::StickingHand;
 use super::top::Top;
 use crate::contact::{Contact, Load, Multilevel, Problem, Solver, Stop};
 use crate::history::{Loading, PathPoint, Process};
+use crate::sentence::Worded;
 use crate::setup::Setup;
 use crate::surface::Field;
 use serde::{Deserialize, Serialize};
@@ -74,7 +75,7 @@ impl Hold {
         let setup = self.knobs.setup_with(source)?;
         match setup.history_drive()? {
             Some(drive) if drive.feels.attraction => return self.stick(&setup, source, memory),
-            Some(drive) => return Err(RefusalRule::DragOfHistory.with([("drive", drive.given.name.into())])),
+            Some(drive) => return Err(RefusalRule::DragOfHistory.with([("drive", drive.given.name)])),
             None => (),
         }
         let mut problem = setup.problem()?;
@@ -104,7 +105,7 @@ impl Hold {
     /// When the contact is solved well enough.
     fn stop(&self, setup: &Setup) -> Result<Stop, Refusal> {
         let dragged = || Stop::new(setup.stop.tolerance().max(TOLERANCE), MOST_STEPS);
-        if self.is_still { Ok(setup.stop) } else { dragged().map_err(|it| Refusal::from(it.to_string())) }
+        if self.is_still { Ok(setup.stop) } else { dragged().map_err(|it| Refusal::from(it.sentence())) }
     }
 
     /// Solves a contact with adhesion, from the last state under the hand or that of the knobs. The stress below is not that of the pressure
@@ -150,7 +151,7 @@ fn solve(problem: &Problem, setup: &Setup, stop: Stop, before: &mut Option<Field
     let start = before.take().filter(|field| field.dim() == shape.into());
     let mut loading = Loading::new(problem.clone(), fast_solver(setup), stop).started_from(start);
     let solved = loading.move_to(PathPoint::under(problem.load()), &mut ());
-    let contact = solved.map_err(|fault| Refusal::from(fault.to_string()))?.contact;
+    let contact = solved.map_err(|fault| Refusal::from(fault.sentence()))?.contact;
     *before = Some(contact.pressure.clone());
     Ok(contact)
 }

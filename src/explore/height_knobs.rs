@@ -5,6 +5,7 @@ use super::schema::MOST_POINTS;
 use crate::formats::{HeightFile, Layout};
 use crate::grid::Grid;
 use crate::quantity::some_length;
+use crate::sentence::{Sentence, sentence};
 use crate::setup::{Boundary, Cell, Recipe};
 use crate::surface::{Crop, Preparation, PreparationChoice};
 use serde::{Deserialize, Serialize};
@@ -76,7 +77,7 @@ impl HeightKnobs {
     ///
     /// # Errors
     /// For a file that cannot be read, and one without known lengths.
-    pub fn chosen(&self, file: &HeightFile) -> Result<(Self, Vec<String>), Refusal> {
+    pub fn chosen(&self, file: &HeightFile) -> Result<(Self, Vec<Sentence>), Refusal> {
         let layout = file.layout(self.channel.as_deref())?;
         let most = most(layout.is_profile);
         let part = |points: usize| (points > most).then(|| middle(&layout, most as f64 / points as f64));
@@ -91,9 +92,11 @@ impl HeightKnobs {
             choice = self.choice(file, crop)?;
         }
         if choice.preparation.crop.is_some() {
-            let reason = format!(
+            let reason = sentence!(
                 "{rows} x {columns} points (with mirror images, if any) are too many for this page: only the middle \
-                 part is kept"
+                 part is kept",
+                rows,
+                columns
             );
             choice.reasons.insert(0, reason);
         }

@@ -198,11 +198,11 @@ impl Lesson {
         if draft.step.is_empty() {
             return Err(at(None, "the lesson has no steps: give at least one, as [[step]]"));
         }
-        check_points(text).map_err(|(place, refusal)| at(Some(place), &refusal.sentence))?;
+        check_points(text).map_err(|(place, refusal)| at(Some(place), &refusal.sentence.to_string()))?;
         let step = |step: Spanned<DraftStep>| {
             let span = step.span();
             LessonStep::new(&draft.knobs, &draft.turn, draft.show, step.into_inner())
-                .map_err(|(place, refusal)| at(Some(place.unwrap_or(span)), &refusal.sentence))
+                .map_err(|(place, refusal)| at(Some(place.unwrap_or(span)), &refusal.sentence.to_string()))
         };
         let steps = draft.step.into_iter().map(step).collect::<Result<_, _>>()?;
         let end = draft.end.map(|end| (end.span(), end.into_inner()));
@@ -276,11 +276,11 @@ fn laid_over(written: &[(&String, &Spanned<Value>)]) -> Result<Knobs, Misplaced>
 
 /// A refusal that names the knob as it is written.
 fn named(key: &str, value: &Value, refusal: Refusal) -> Refusal {
-    let reason = &refusal.sentence;
+    let reason = refusal.sentence.to_string();
     let is_named = reason.contains(&format!("`{key}`")) || reason.contains(&format!("`{key}."));
     let written = value.to_string();
     let of_value = refusal.known.as_ref().filter(|it| it.key == RefusalRule::WrongValue.id());
-    match of_value.map(|it| &it.places).filter(|places| places["value"] == written) {
+    match of_value.map(|it| &it.places).filter(|places| places["value"].to_string() == written) {
         Some(places) => format!("`{key}` cannot be {value}: give {}", places["wanted"]).into(),
         None if is_named => refusal,
         None => format!("`{key} = {value}`: {reason}").into(),

@@ -1,6 +1,7 @@
 //! Refusals of the page.
 
-use crate::error::{Conflict, FileError, ProblemError, SetupError, SurfaceError, with_places};
+use crate::error::{Conflict, FileError, ProblemError, SetupError, SurfaceError};
+use crate::sentence::{Sentence, Value, Worded, sentence};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use strum::{EnumIter, EnumMessage, IntoStaticStr};
@@ -100,27 +101,29 @@ impl RefusalRule {
     }
 
     /// The refusal of values that were given, by the names of their places.
-    pub fn with<const N: usize>(self, given: [(&'static str, String); N]) -> Refusal {
-        let sentence = with_places(self.sentence(), &given);
-        Refusal { sentence, known: Some(KnownFault { key: self.id(), places: given.into() }) }
+    pub fn with<T: Into<Sentence>, const N: usize>(self, given: [(&'static str, T); N]) -> Refusal {
+        let places = BTreeMap::from(given.map(|(name, value)| (name, value.into())));
+        let values = places.iter().map(|(name, value)| (*name, value.into())).collect();
+        let sentence = Sentence::new(self.sentence(), values);
+        Refusal { sentence, known: Some(KnownFault { key: self.id(), places }) }
     }
 }
 
 /// A fault that the page has a text for, by the id of the fault, with the values in the places of the text.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct KnownFault {
     /// The id of a [`RefusalRule`], of a [`ConflictRule`](crate::error::ConflictRule), or of one of the errors that the page words in its own way.
     pub key: &'static str,
     /// The values, by the names of their places.
-    pub places: BTreeMap<&'static str, String>,
+    pub places: BTreeMap<&'static str, Sentence>,
 }
 
 /// The refusal of an invalid request: one sentence, and the same as data where the page has a text for it.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
 #[error("{sentence}")]
 pub struct Refusal {
     /// What is wrong and what to do.
-    pub sentence: String,
+    pub sentence: Sentence,
     /// The same as data.
     #[serde(flatten)]
     pub known: Option<KnownFault>,
@@ -142,61 +145,70 @@ impl KnownFault {
         let [uneven, voids_of, unit_of_file] = KNOWN_ERRORS;
         Some(match error {
             SetupError::Conflict(Conflict { rule, given }) => {
-                Self { key: rule.id(), places: given.iter().cloned().collect() }
+                let text = |(name, value): &(&'static str, Value)| (*name, value.to_string().into());
+                Self { key: rule.id(), places: given.iter().map(text).collect() }
             }
-            SetupError::Uneven { path } => Self { key: uneven, places: [("file", path.display().to_string())].into() },
+            SetupError::Uneven { path } => {
+                Self { key: uneven, places: [("file", path.display().to_string().into())].into() }
+            }
             SetupError::Voids { path, voids, points } => {
                 let counts = [("voids", voids.to_string()), ("points", points.to_string())];
-                let file = [("file", path.display().to_string())];
-                Self { key: voids_of, places: counts.into_iter().chain(file).collect() }
+                let places = counts.into_iter().chain([("file", path.display().to_string())]);
+                Self { key: voids_of, places: places.map(|(name, value)| (name, value.into())).collect() }
             }
             SetupError::UnitOfFile { unit } => {
-                Self { key: unit_of_file, places: [("unit", format!("{unit:?}"))].into() }
+                Self { key: unit_of_file, places: [("unit", format!("{unit:?}").into())].into() }
             }
             _ => return None,
         })
     }
 }
 
+impl From<Sentence> for Refusal {
+    fn from(sentence: Sentence) -> Self {
+        Self { sentence, known: None }
+    }
+}
+
 impl From<String> for Refusal {
     fn from(sentence: String) -> Self {
-        Self { sentence, known: None }
+        Sentence::from(sentence).into()
     }
 }
 
 impl From<&str> for Refusal {
     fn from(sentence: &str) -> Self {
-        sentence.to_owned().into()
+        Sentence::from(sentence).into()
     }
 }
 
 impl From<RefusalRule> for Refusal {
     fn from(rule: RefusalRule) -> Self {
-        rule.with([])
+        rule.with::<Sentence, 0>([])
     }
 }
 
 impl From<SetupError> for Refusal {
     fn from(error: SetupError) -> Self {
-        Self { sentence: error.to_string(), known: KnownFault::from_setup(&error) }
+        Self { sentence: error.sentence(), known: KnownFault::from_setup(&error) }
     }
 }
 
 impl From<FileError> for Refusal {
     fn from(error: FileError) -> Self {
-        error.to_string().into()
+        error.sentence().into()
     }
 }
 
 impl From<ProblemError> for Refusal {
     fn from(error: ProblemError) -> Self {
-        error.to_string().into()
+        error.sentence().into()
     }
 }
 
 impl From<SurfaceError> for Refusal {
     fn from(error: SurfaceError) -> Self {
-        error.to_string().into()
+        error.sentence().into()
     }
 }
 
@@ -208,7 +220,7 @@ impl From<serde_json::Error> for Refusal {
         if let Some((name, known)) =
             said.strip_prefix("unknown field ").and_then(|it| it.split_once(", expected one of "))
         {
-            return RefusalRule::UnknownName.with([("name", name.into()), ("known", known.into())]);
+            return RefusalRule::UnknownName.with([("name", name), ("known", known)]);
         }
         let is_value = said.starts_with("invalid value: ") || said.starts_with("invalid type: ");
         let Some((found, wanted)) = said.split_once(", expected ").filter(|_| is_value) else { return said.into() };
@@ -217,7 +229,17 @@ impl From<serde_json::Error> for Refusal {
         let value = kind.map_or(value.as_str(), |kind| &value[kind.len()..]);
         let wanted = if wanted.starts_with("struct ") { "a map" } else { wanted };
         let wanted = WANTED.iter().find(|(rust, _)| *rust == wanted).map_or(wanted, |(_, words)| words);
-        RefusalRule::WrongValue.with([("value", value.into()), ("wanted", wanted.into())])
+        RefusalRule::WrongValue.with([("value", value.into()), ("wanted", wanted_in_words(wanted))])
+    }
+}
+
+/// What is wanted: words of ours, or those of a quantity with an example of its unit.
+fn wanted_in_words(wanted: &str) -> Sentence {
+    match wanted.split_once(": a number, or one with a unit such as ") {
+        Some((kind, example)) => {
+            sentence!("{kind}: a number, or one with a unit such as {example}", kind, example)
+        }
+        None => wanted.into(),
     }
 }
 

@@ -7,6 +7,7 @@ use super::section::Section;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Contact, Failure, Observables, Problem, Quantity, Reading, State, Step, Work};
 use crate::error::{HistoryError, PlasticError, ProblemError, SetupError};
+use crate::sentence::Sentence;
 use crate::setup::{Drive, Setup, StateChart};
 use crate::theory::{Exact, PullOff};
 use crate::warning::Warning;
@@ -27,7 +28,7 @@ pub struct Report {
     /// Name of the recording whose curves stand beside those of new ones.
     pub pinned: Option<String>,
     /// Why the last request failed, in one sentence.
-    pub fault: Option<String>,
+    pub fault: Option<Sentence>,
     /// The same as data, if the page has a text for it.
     pub known_fault: Option<KnownFault>,
 }
@@ -43,12 +44,12 @@ impl KnownFault {
         match failure.downcast_ref::<SetupError>()? {
             SetupError::Problem(ProblemError::AboveHardness { mean_pressure, hardness }) => {
                 let [pressure, hardness] = [mean_pressure, hardness].map(|it| rounded(it / MODULUS));
-                let places = [("pressure", pressure), ("hardness", hardness)].into();
+                let places = [("pressure", pressure.into()), ("hardness", hardness.into())].into();
                 Some(Self { key: Self::ABOVE_HARDNESS, places })
             }
             SetupError::History(HistoryError::Plastic(PlasticError::YieldsEverywhere { mean_pressure, limit })) => {
                 let [pressure, limit] = [mean_pressure, limit].map(|it| rounded(it / MODULUS));
-                let places = [("pressure", pressure), ("limit", limit)].into();
+                let places = [("pressure", pressure.into()), ("limit", limit.into())].into();
                 Some(Self { key: Self::YIELDS_EVERYWHERE, places })
             }
             other => Self::from_setup(other),
@@ -76,7 +77,7 @@ pub struct RunReport {
     /// Setup that repeats the solve, in TOML.
     pub setup: String,
     /// The effect of each preparation step of the heights of a file.
-    pub prepared: Vec<String>,
+    pub prepared: Vec<Sentence>,
     /// Reasons to doubt the numbers, first of the surface, then of the surface beside.
     pub warnings: Vec<RunWarning>,
     /// The state of the knobs.

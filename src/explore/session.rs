@@ -14,6 +14,7 @@ use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeCurves, TapeView};
 use crate::contact::Failure;
+use crate::error::sentence_of;
 use crate::formats::HeightFile;
 use crate::setup::{Method, Setup};
 use std::collections::VecDeque;
@@ -139,7 +140,7 @@ impl Session {
         let source = self.source_of(&knobs)?;
         let (mut setup, beside) = (knobs.setup_with(source.as_ref())?, knobs.beside_with(source.as_ref())?);
         if let (RunKind::Sweep, Some(drive)) = (kind, setup.history_drive()?) {
-            return Err(RefusalRule::SweepOfHistory.with([("drive", drive.given.name.into())]));
+            return Err(RefusalRule::SweepOfHistory.with([("drive", drive.given.name)]));
         }
         Ok(self.change(|state| {
             setup.record.every = state.every.filter(|_| !matches!(setup.solver, Method::Gfmd(_)));
@@ -361,7 +362,7 @@ impl Turn<'_> {
         self.session.change(|state| {
             let failure = failure.filter(|_| state.generation == self.number);
             state.report.known_fault = failure.as_ref().and_then(KnownFault::from_failure);
-            state.report.fault = failure.map(|it| it.to_string());
+            state.report.fault = failure.map(|it| sentence_of(&*it));
             state.running = false;
             state.report.busy = state.order.is_some();
         });

@@ -12,6 +12,7 @@ use crate::clock::Instant;
 use crate::contact::{Contact, CutLayers, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
 use crate::error::{AdhesionError, HistoryError, SetupError, SolveError};
 use crate::job::{self, HistoryOutcome, Job, JobRun, Pass, Solved};
+use crate::sentence::Sentence;
 use crate::setup::{LoadPath, RollingMotion, Setup, command};
 use crate::surface::Surface;
 use crate::theory::Exact;
@@ -132,7 +133,7 @@ fn doubts(solved: &[Solved]) -> Vec<RunWarning> {
 }
 
 /// The effect of each preparation step.
-fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<String>, SetupError> {
+fn prepared(setup: &Setup, surface: &Surface) -> Result<Vec<Sentence>, SetupError> {
     let of = |file| Ok(setup.surface.prepared(file, surface.grid())?.effects);
     setup.surface.height.as_ref().map_or(Ok(Vec::new()), of)
 }

@@ -5,6 +5,7 @@ use super::report::Numbers;
 use crate::contact::{Load, Quantity, State};
 use crate::error::HistoryError;
 use crate::history::{AdhesiveProcess, PathPoint, Process};
+use crate::sentence::Worded;
 use crate::setup::Setup;
 
 /// The last state of a setup with adhesion under the hand.
@@ -22,7 +23,7 @@ impl StickingHand {
     /// A sentence for an attraction that cannot be solved here, and for a state that was not found.
     pub(crate) fn moved(setup: &Setup, before: Option<Self>, load: Option<Load>) -> Result<Self, Refusal> {
         let setup = Setup { record: Default::default(), ..setup.clone() };
-        let refused = |error: HistoryError| Refusal::from(error.to_string());
+        let refused = |error: HistoryError| Refusal::from(error.sentence());
         let mut process = match before.filter(|it| it.setup == setup) {
             Some(it) => it.process,
             None => setup.adhesive(setup.problem()?)?,

@@ -1,6 +1,6 @@
 //! One setup by command line, study, page and library: the same numbers to the bit, and the same warnings.
 
-use super::Page;
+use super::{Page, said};
 use asperity::explore::{Knobs, Lesson, SceneFile};
 use asperity::job::Job;
 use asperity::serve::{Explorer, Sessions};
@@ -85,5 +85,5 @@ fn one_setup_gives_the_same_numbers_and_warnings_everywhere() {
     assert!(!own.is_empty(), "a contact of few nodes is doubtful");
     assert_eq!(statements(&texts(&command_line["warnings"])), statements(&own));
     let shown = shown["warnings"].as_array().unwrap();
-    assert_eq!(shown.iter().map(|it| it["statement"].as_str().unwrap()).collect::<Vec<_>>(), statements(&own));
+    assert_eq!(shown.iter().map(|it| said(&it["statement"])).collect::<Vec<_>>(), statements(&own));
 }

@@ -180,8 +180,17 @@ fn answer(stream: TcpStream) -> Answer {
     }
     let status = headers.split(' ').nth(1).unwrap().parse().unwrap();
     let refusal = if status == 200 { Value::Null } else { serde_json::from_slice(&body).unwrap_or_default() };
-    let body = refusal["sentence"].as_str().map_or(body, |sentence| sentence.into());
+    let body = if refusal.is_null() { body } else { said(&refusal["sentence"]).into_bytes() };
     Answer { status, headers, body, refusal }
+}
+
+/// A sentence of an answer in English: a text, or words with sentences and lengths in their places.
+pub(crate) fn said(sentence: &Value) -> String {
+    let Some(places) = sentence["places"].as_object() else {
+        return sentence.as_str().map_or_else(|| sentence["length"].to_string(), str::to_owned);
+    };
+    let words = sentence["template"].as_str().unwrap().to_owned();
+    places.iter().fold(words, |words, (name, place)| words.replace(&format!("{{{name}}}"), &said(place)))
 }
 
 /// The knobs at the start with some of them turned.
@@ -892,7 +901,7 @@ fn refusals_carry_their_ids_and_values() {
     let given = json!({"knob": "hurst", "value": "2", "least": "0.01", "most": "1"});
     let refusal = with("hurst", json!(2));
     assert_eq!((&refusal["key"], &refusal["places"]), (&json!("knob-range"), &given));
-    assert_eq!(refusal["sentence"], "`hurst` cannot be 2: give a number from 0.01 to 1");
+    assert_eq!(said(&refusal["sentence"]), "`hurst` cannot be 2: give a number from 0.01 to 1");
     assert_eq!(with("load", json!("much"))["key"], "wrong-value");
     assert_eq!(with("body", json!("file"))["key"], "no-heights");
     assert_eq!(page.get("/api/nothing").refusal["key"], Value::Null);

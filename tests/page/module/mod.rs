@@ -1,6 +1,7 @@
 //! The module of the page, which runs in Node as in a browser, against the native library. Without Node the tests pass and say that they are
 //! skipped. `MODULE` names another module than that of the page: `browser/build --check` names what it has built.
 
+use crate::explore::said;
 use asperity::explore::{Answer, Request, Session, Start, Stock};
 use asperity::formats::Scan;
 use asperity::surface::Field;
@@ -283,8 +284,8 @@ fn the_module_has_limits_of_its_own() {
     let (status, refusal, _) = &found[0];
     let refusal: Value = serde_json::from_str(refusal).unwrap();
     assert_eq!(
-        (*status, &refusal["sentence"]),
-        (400, &json!("`points` cannot be 131072: give a whole number from 4 to 65536"))
+        (*status, said(&refusal["sentence"]).as_str()),
+        (400, "`points` cannot be 131072: give a whole number from 4 to 65536")
     );
     assert_eq!(native(&Session::new(Stock::default(), 0), &order(&large)).0, 200);
 }
