@@ -39,7 +39,7 @@ pub use study::StudyError;
 pub(crate) use text::flags_in_words;
 pub use text::{ExpectedValue, FoundValue, TextFault, TextPlace};
 
-use crate::sentence::{Length, shortened, worded};
+use crate::sentence::{LengthValue, shortened, worded};
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -58,7 +58,7 @@ worded! {
         #[error("a grid of {ny} x {nx} points does not fit in memory: give fewer points", ny = shape[0], nx = shape[1])]
         TooManyPoints { shape: [usize; 2] },
         /// A period that is not positive and finite.
-        #[error("the length along {axis} is {length:?}: give a positive, finite length", length = Length(*length))]
+        #[error("the length along {axis} is {length:?}: give a positive, finite length", length = LengthValue(*length))]
         Length { axis: &'static str, length: f64 },
         /// A solid other than a half-space without images.
         #[error(

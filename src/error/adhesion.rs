@@ -1,7 +1,7 @@
 //! Errors of contacts with adhesion.
 
 use super::{ProblemError, SolveError, SurfaceError};
-use crate::sentence::{Length, shortened, worded};
+use crate::sentence::{LengthValue, shortened, worded};
 
 worded! {
     /// A contact with adhesion that cannot be posed or solved.
@@ -33,7 +33,7 @@ worded! {
         /// A grid that does not resolve the zone in which the attraction acts at an edge.
         #[error(
             "the grid is too coarse for this attraction: its process zone at an edge is {zone:.3e} long, {spacings:.2} spacings, so \
-             that the nodes would hold the edges fast. Use at least {points} points along x, or a longer range", zone = Length(*zone)
+             that the nodes would hold the edges fast. Use at least {points} points along x, or a longer range", zone = LengthValue(*zone)
         )]
         Coarse { zone: f64, spacings: f64, points: usize },
         /// A mean gap that is not positive.

@@ -18,10 +18,10 @@ pub trait InputError: Worded + 'static {
 }
 
 /// An error of one type of the library, if it is of that type.
-type Known = for<'a> fn(&'a (dyn Error + 'static)) -> Option<&'a dyn InputError>;
+type Recogniser = for<'a> fn(&'a (dyn Error + 'static)) -> Option<&'a dyn InputError>;
 
 /// All errors of the library.
-const ERRORS: [Known; 22] = [
+const ERRORS: [Recogniser; 22] = [
     known::<AdhesionError>,
     known::<ClaimError>,
     known::<Conflict>,

@@ -40,14 +40,14 @@ pub(crate) fn run(turn: Turn<'_>, knobs: Knobs, setup: Setup) -> Result<(), Fail
         ended: false,
         points: Vec::new(),
     };
-    let has_exact = exact(&setup, &at_load(&problem, FIRST)?).is_some();
+    let first = exact(&setup, &at_load(&problem, FIRST)?);
     let setup = under_loads(setup, &loads);
     // pictures have room for this load
     let heaviest = at_load(&problem, heaviest(&loads))?;
     let run = JobRun { title: Some(report.title.clone()), problem: Some(heaviest), ..JobRun::new(setup.clone()) };
     let (id, file_stem) = (report.id.clone(), report.file_stem.clone());
     let job = Job::from_run(run).keeping_last(true);
-    let job = tape::swept(job, (&id, &report.title), has_exact, turn.view(), |live| {
+    let job = tape::swept(job, (&id, &report.title), first, turn.view(), |live| {
         turn.keep(SessionRecording::new(&id, &file_stem, live));
     })?;
     let mut collector =

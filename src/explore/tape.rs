@@ -3,6 +3,7 @@
 
 use crate::error::FileError;
 use crate::job::Job;
+use crate::theory::Exact;
 use std::sync::Arc;
 #[cfg(feature = "record")]
 use {
@@ -11,7 +12,6 @@ use {
     crate::plot::Colour,
     crate::record::{CurveKind, Ghost, Options, Output, RecordedCurve, StateCurve, StateRecording, Target},
     crate::setup::{Part, Record, Setup},
-    crate::theory::Exact,
 };
 
 /// The bytes of a recording, as it grows.
@@ -57,7 +57,7 @@ pub(crate) fn recorded<'a>(
 }
 
 /// The job of a sweep with a recording of its contacts under an id and a title, with the curves of theories: Persson's where it is about the
-/// surface, and those of an exact solution if there is one. Curves and contact are always recorded.
+/// surface, and what is known of the exact solution, which is given under the first load if there is one. Curves and contact are always recorded.
 ///
 /// # Errors
 /// [`FileError::Target`] for a file that cannot be made.
@@ -65,7 +65,7 @@ pub(crate) fn recorded<'a>(
 pub(crate) fn swept<'a>(
     job: Job<'a>,
     (id, title): (&str, &str),
-    has_exact: bool,
+    first: Option<Exact>,
     (window, _): TapeView,
     begun: impl FnOnce(TapeBytes) + 'a,
 ) -> Result<Job<'a>, FileError> {
@@ -75,7 +75,7 @@ pub(crate) fn swept<'a>(
         parts.what.extend([Part::Traces, Part::Mask]);
         let target = Target::Temporary(id.into(), Box::new(begun));
         let recording = StateRecording::open(target, options(&parts, window))?;
-        let curves = theories(job.setup(), has_exact);
+        let curves = theories(job.setup(), first.as_ref());
         Ok(job.with_sink(recording.with_scenes(Some(title.into()), Vec::new()).with_curves(curves)))
     }
     #[cfg(not(feature = "record"))]
@@ -94,9 +94,9 @@ fn options(record: &Record, window: Option<[f64; 2]>) -> Options {
     Options { window: window.unwrap_or(options.window), ..options }
 }
 
-/// Curves of Persson's theory where it applies, and of an exact solution where there is one, beside those of the contacts.
+/// Curves of Persson's theory where it applies, and of what an exact solution knows under the first load, beside those of the contacts.
 #[cfg(feature = "record")]
-fn theories(setup: &Setup, has_exact: bool) -> Vec<StateCurve> {
+fn theories(setup: &Setup, first: Option<&Exact>) -> Vec<StateCurve> {
     const GREY: Colour = Colour([0x80; 3]);
     let curve = |view: &str, name: &str, kind, colour: Colour| RecordedCurve {
         view: view.into(),
@@ -112,11 +112,13 @@ fn theories(setup: &Setup, has_exact: bool) -> Vec<StateCurve> {
         curves.push((curve(StateRecording::AREA, "Persson", CurveKind::Theory, GREY), Box::new(area)));
         curves.push((curve("kappa", "Persson", CurveKind::Theory, GREY), Box::new(kappa)));
     }
-    let readings: [fn(Exact) -> Option<f64>; 2] = [|exact| Some(exact.relative_area), |exact| exact.kappa_r];
+    let readings: [fn(&Exact) -> Option<f64>; 2] = [|exact| Some(exact.relative_area), |exact| exact.kappa_r];
     let names = [(StateRecording::AREA, "exact"), ("kappa_r", "exact kappa_r")];
-    for ((view, name), of) in names.into_iter().zip(readings).filter(|_| has_exact) {
+    // an exact solution may know the area alone, as that of a wave does
+    for ((view, name), of) in names.into_iter().zip(readings).filter(|(_, of)| first.and_then(of).is_some()) {
         let setup = setup.clone();
-        let value = move |state: &State| exact(&setup, &state.contact.problem).and_then(of).unwrap_or(f64::NAN);
+        let value =
+            move |state: &State| exact(&setup, &state.contact.problem).as_ref().and_then(of).unwrap_or(f64::NAN);
         curves.push((curve(view, name, CurveKind::Exact, Colour::GREEN), Box::new(value)));
     }
     curves

@@ -1,6 +1,6 @@
 //! What makes sentences.
 
-use super::Sentence;
+use super::words::Sentence;
 use std::error::Error;
 
 /// An error whose variants are sentences that keep their values.

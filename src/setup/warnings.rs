@@ -3,7 +3,7 @@
 use super::{Recipe, Setup};
 use crate::elastic::stress::USUAL_POISSON;
 use crate::formats::{HeightFile, Layout, Measurement, Scan};
-use crate::sentence::{Length, sentence};
+use crate::sentence::{LengthValue, sentence};
 use crate::surface::{
     Artefact, Artefacts, Detrend, HeightDistribution, Mirror, Noise, Preparation, PreparationChoice, Roughness,
     Surface, Survey,
@@ -309,8 +309,8 @@ fn spacing(surface: &Surface) -> Option<Warning> {
         Warning::new(
             sentence!(
                 "The spacing is {dy:.4e} along y (rows) and {dx:.4e} along x (columns)",
-                dy = Length(dy),
-                dx = Length(dx)
+                dy = LengthValue(dy),
+                dx = LengthValue(dx)
             ),
             "If the axes are the other way round, swap height and width",
         )
@@ -332,8 +332,8 @@ fn spacing_of_file(recipe: &Recipe, file: &HeightFile, surface: &Surface, refine
             sentence!(
                 "The points in {file} are {own:.6e} apart, but the grid has a spacing of {spacing:.6e}",
                 file = file.display(),
-                own = Length(own),
-                spacing = Length(spacing)
+                own = LengthValue(own),
+                spacing = LengthValue(spacing)
             ),
             "Leave the size out, or give the size of the file",
         )

@@ -31,7 +31,7 @@ pub use scars::Scars;
 use crate::error::PreparationError;
 use crate::formats::Scan;
 use crate::quantity::{number_in_words, some_length};
-use crate::sentence::{Length, Sentence, sentence};
+use crate::sentence::{LengthValue, Sentence, sentence};
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 
@@ -140,6 +140,14 @@ impl Preparation {
     /// For a step that these heights do not allow.
     pub fn apply(&self, scan: Scan) -> Result<Prepared, PreparationError> {
         let mut it = Prepared { scan, filled: None, effects: Vec::new() };
+        self.mend(&mut it)?;
+        self.take_off(&mut it)?;
+        self.filter(&mut it)?;
+        Ok(it)
+    }
+
+    /// Takes a part of the heights, and mends what the instrument did to them.
+    fn mend(&self, it: &mut Prepared) -> Result<(), PreparationError> {
         if self.resample == Some(Resample::Repeats) {
             let even = Resample::without_repeats(it.scan.clone());
             it.take(even, |before, after| {
@@ -183,6 +191,11 @@ impl Preparation {
                 )
             });
         }
+        Ok(())
+    }
+
+    /// Fills voids, and takes off trend and form, which need all heights.
+    fn take_off(&self, it: &mut Prepared) -> Result<(), PreparationError> {
         if let Some(fill) = self.fill.filter(|_| it.scan.voids() > 0) {
             let full = fill.apply(it.scan.clone()).ok_or(PreparationError::AllVoid)?;
             it.filled = Some(it.scan.height.mapv(f64::is_nan));
@@ -201,11 +214,16 @@ impl Preparation {
             it.take(flat, |before, after| {
                 sentence!(
                     "a form of radius {radius:.6e} was subtracted: {gradients}",
-                    radius = Length(radius),
+                    radius = LengthValue(radius),
                     gradients = gradients(before, after)
                 )
             });
         }
+        Ok(())
+    }
+
+    /// Filters waves, and makes the heights periodic.
+    fn filter(&self, it: &mut Prepared) -> Result<(), PreparationError> {
         for (name, wavelength) in [("high", self.high_pass), ("low", self.low_pass)] {
             let Some(wavelength) = wavelength else { continue };
             let filtered = it.filtered(name == "high", wavelength)?;
@@ -213,7 +231,7 @@ impl Preparation {
                 sentence!(
                     "{name}-pass filter at {wavelength:.4e}: {gradients}",
                     name,
-                    wavelength = Length(wavelength),
+                    wavelength = LengthValue(wavelength),
                     gradients = gradients(before, after)
                 )
             });
@@ -230,12 +248,12 @@ impl Preparation {
         }
         if let Some(mirror) = self.mirror {
             let mirrored = mirror.apply(&it.scan);
-            it.filled = it.filled.map(|nodes| mirror.images(&nodes));
+            it.filled = it.filled.take().map(|nodes| mirror.images(&nodes));
             it.take(mirrored, |_, after| {
                 sentence!("mirrored to {rows} x {columns} points", rows = after.shape()[0], columns = after.shape()[1])
             });
         }
-        Ok(it)
+        Ok(())
     }
 }
 

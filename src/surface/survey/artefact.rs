@@ -1,6 +1,6 @@
 //! Artefacts of measured heights, by their names.
 
-use crate::sentence::{Length, Sentence, sentence};
+use crate::sentence::{LengthValue, Sentence, sentence};
 
 /// The error of areas of heights each of which is there twice, with which waves shorter than two of them are not known: of 51 maps and profiles, the
 /// largest was 0.16. Of 35 maps with three, four and five of each it was up to 0.42, 0.43 and 0.56 of the areas that are found: times the number of
@@ -70,7 +70,7 @@ impl Artefact {
                     "the levels of {lines} differ from {line} to {line} by {rms:.3e} rms, {percent:.0} % of the mean square gradient",
                     lines = lines_of(axis),
                     line = line_of(axis),
-                    rms = Length(rms),
+                    rms = LengthValue(rms),
                     percent
                 )
             }
@@ -78,7 +78,7 @@ impl Artefact {
                 "the levels of {lines} differ from {line} to {line} by {rms:.3e} rms, and little else does: they may be grooves, and are kept",
                 lines = lines_of(axis),
                 line = line_of(axis),
-                rms = Length(rms)
+                rms = LengthValue(rms)
             ),
             Self::Outliers { nodes: 1 } => {
                 "1 single height stands off all its neighbours, as dead pixels and spikes do".into()
@@ -91,7 +91,7 @@ impl Artefact {
             Self::Step { axis, line: number, height, share } => sentence!(
                 "a step of {height:.3e} over the whole width is between {line} {number} and the next one: of the surface, or a jump of the instrument, and then \
                  areas may be off by up to {error:.0} %",
-                height = Length(height),
+                height = LengthValue(height),
                 line = line_of(axis),
                 number,
                 error = 100.0 * area_error_of(share)
@@ -99,16 +99,23 @@ impl Artefact {
             Self::Wander { axis, rms, share } => sentence!(
                 "the levels of {lines} wander by {rms:.3e} rms from one to the next: a lay of the surface, or drift of the instrument, and then areas may be off by up to {error:.0} %",
                 lines = lines_of(axis),
-                rms = Length(rms),
+                rms = LengthValue(rms),
                 error = 100.0 * area_error_of(share)
             ),
             Self::Waves { count, wavelength, rms, share } => sentence!(
                 "{waves} with a wavelength of {wavelength:.3e} stands out of the spectrum, {rms:.3e} rms: a pattern of the surface, or hum of the instrument, and then areas may be off by up to {error:.0} %",
                 waves = waves_in_words(count),
-                wavelength = Length(wavelength),
-                rms = Length(rms),
+                wavelength = LengthValue(wavelength),
+                rms = LengthValue(rms),
                 error = 100.0 * area_error_of(share)
             ),
+            _ => self.sentence_of_heights(),
+        }
+    }
+
+    /// The sentence of an artefact by the range and the resolution of the instrument.
+    fn sentence_of_heights(&self) -> Sentence {
+        match *self {
             Self::Clipped { nodes, share, is_top: true } => sentence!(
                 "{nodes} of the highest heights ({percent:.1} % of all) are flat: peaks were worn, or cut off by the instrument, and then relative areas are too large by up to {share:.2}",
                 nodes,
@@ -131,7 +138,7 @@ impl Artefact {
             ),
             Self::Rounded { step, share } => sentence!(
                 "the heights are rounded to multiples of {step:.3e}, {share:.1} times the rms step between neighbours",
-                step = Length(step),
+                step = LengthValue(step),
                 share
             ),
             _ => self.sentence_of_scan(),
@@ -158,7 +165,7 @@ impl Artefact {
             Self::Settling { axis, height, lines } => sentence!(
                 "the levels of {lines} settle by {height:.3e} within {count:.0} {lines}, as scanners creep",
                 lines = lines_of(axis),
-                height = Length(height),
+                height = LengthValue(height),
                 count = lines
             ),
             Self::ManyOutliers { share } => sentence!(
@@ -178,7 +185,7 @@ impl Artefact {
             ),
             Self::RaisedParts { height } => sentence!(
                 "parts are higher than the rest by {height:.3e} behind irregular edges: of the surface, or jumps of an interferometer, and then areas may be off by up to 100 %",
-                height = Length(height)
+                height = LengthValue(height)
             ),
             Self::Shifted { axis, nodes, share } => sentence!(
                 "every second {line} is shifted by {nodes} nodes, as trace and retrace are: areas may be off by up to {error:.0} %",

@@ -5,7 +5,7 @@ use super::{Artefact, Artefacts, Noise, Survey};
 use crate::error::SurfaceError;
 use crate::formats::Scan;
 use crate::quantity::number_in_words;
-use crate::sentence::{Length, Sentence, sentence};
+use crate::sentence::{LengthValue, Sentence, sentence};
 use crate::surface::{Crop, Detrend, Fill, Mirror, Preparation, Resample};
 
 /// The share of the mean square gradient from which on noise is filtered out. Roughness down to the nodes may be taken for less.
@@ -238,7 +238,7 @@ impl PreparationChoice {
         self.because(sentence!(
             "noise makes {part}: waves below {wavelength:.3e} are filtered out",
             part,
-            wavelength = Length(wavelength)
+            wavelength = LengthValue(wavelength)
         ));
         self.because(sentence!("without noise the rms gradient is estimated as {before}, after the filter it is {after}: areas may be up to {error:.0} % off", before = number_in_words(without), after = number_in_words(after), error = 100.0 * error));
     }
