@@ -29,7 +29,7 @@ pub(crate) fn rows(it: &AdhesionOutcome, units: Units) -> Vec<(String, String)> 
 }
 
 /// The end of the summary: pull-off, jumps and energies.
-pub(crate) fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_totals(it: &AdhesionOutcome, units: Units, out: &mut dyn Write) -> io::Result<()> {
     let totals = &it.totals;
     match totals.lowest_pressure.map(|pressure| units.pressure(pressure)) {
         None => writeln!(out, "\nthe attraction does not hold this load")?,

@@ -2,20 +2,19 @@
 
 use super::adhesion;
 use super::exit_status::ExitStatus;
+use super::history_picture;
 use super::imprint;
-use super::output::{write_json, write_rows};
+use super::output::write_rows;
 use super::outputs::Outputs;
 use super::problem_summary::ProblemSummary;
-use super::terminal::stdout;
+use super::report::{self, Report};
 use super::units::Units;
 use super::warnings;
-use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Problem, Quantity, QuantityKind, ResultClaim, State, Status, Unit, archive_of_states};
 use asperity::error::{HistoryError, SlipError};
-use asperity::files::write_beside;
 use asperity::job::{AdhesionOutcome, HistoryOutcome, Solved};
-use asperity::plot::write_figure;
+use asperity::plot::Figure;
 use asperity::quantity::number_in_words;
 use asperity::setup::Setup;
 use serde::Serialize;
@@ -28,7 +27,7 @@ const OF_FLOW: [Quantity; 3] = [Quantity::HydraulicGapX, Quantity::HydraulicGapY
 
 /// Everything that a script may want to know about a history, and the setup that repeats it.
 #[derive(Serialize)]
-struct HistorySummary {
+struct HistoryReport {
     #[serde(flatten)]
     subject: ProblemSummary,
     process: &'static str,
@@ -49,6 +48,15 @@ struct HistorySummary {
     warnings: Vec<String>,
     #[serde(serialize_with = "Setup::serialize_saved")]
     setup: Setup,
+    #[serde(skip)]
+    outcome: HistoryOutcome,
+    /// Whether the recording could not be written to its end.
+    #[serde(skip)]
+    has_lost_recording: bool,
+    #[serde(skip)]
+    units: Units,
+    #[serde(skip)]
+    is_verbose: bool,
 }
 
 /// Writes and prints the states of a history.
@@ -67,9 +75,14 @@ pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outpu
     all.extend(failed);
     warnings::refuse_if_strict(&all, outputs.strict)?;
     let unwritten = outcome.failure.take();
-    write_files(&setup, problem, outcome, (outputs, units), all)?;
-    let is_whole = |path: &&Path| unwritten.is_none() || Some(*path) != outputs.recording();
-    outputs.files().filter(is_whole).for_each(wrote);
+    let subject = ProblemSummary::new(&setup, problem)?;
+    let report = HistoryReport {
+        units,
+        is_verbose: outputs.verbose,
+        has_lost_recording: unwritten.is_some(),
+        ..HistoryReport::new(subject, setup, outcome, all)
+    };
+    report::deliver(&report, outputs)?;
     if let Some(failure) = unwritten {
         return Err(failure.into());
     }
@@ -83,56 +96,6 @@ pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outpu
 /// A number of states in words.
 fn counted(states: usize) -> String {
     if states == 1 { "1 state".into() } else { format!("{states} states") }
-}
-
-fn write_files(
-    setup: &Setup,
-    problem: &Problem,
-    outcome: HistoryOutcome,
-    (outputs, units): (&Outputs, Units),
-    warnings: Vec<String>,
-) -> Result<()> {
-    let subject = ProblemSummary::new(setup, problem)?;
-    let has_claims = outcome.drive.has_claims;
-    if let Some(path) = outputs.table() {
-        outcome.write_table(path)?;
-    }
-    if let Some(path) = outputs.picture() {
-        write_figure(path, &super::history_picture::draw(&subject.title, &outcome, units), &outputs.style()?)?;
-    }
-    if let (Some(path), Some(last)) = (&outputs.imprint, outcome.states.last()) {
-        imprint::write(path, last)?;
-    }
-    if let Some(path) = &outputs.save_setup {
-        setup.write(path)?;
-    }
-    let cycles = outcome.cycles(setup);
-    let summary = HistorySummary {
-        process: outcome.drive.name,
-        claim: match has_claims {
-            true => "each state has a claim of its own",
-            false => outcome.claim().map_or("", ResultClaim::words),
-        },
-        adhesion: outcome.adhesion.clone(),
-        states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
-        energy_per_cycle: cycles.iter().map(|it| it.energy).collect(),
-        energy_per_cycle_error: cycles.iter().map(|it| it.error).collect(),
-        ended: outcome.ended.as_ref().map(HistoryError::to_string),
-        warnings,
-        setup: setup.clone(),
-        subject,
-    };
-    if outputs.json {
-        write_json(&summary, &mut stdout())?;
-    } else {
-        summary.write_text(&outcome, (units, outputs.verbose), &mut stdout())?;
-    }
-    warnings::print(&summary.warnings);
-    if let Some(path) = outputs.archive() {
-        let bytes = archive_of_states(&outcome.states, summary.subject.rank, &setup.to_saved_toml());
-        write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
-    }
-    Ok(())
 }
 
 /// The numbers of a state, by their names.
@@ -158,14 +121,82 @@ fn word(status: Status) -> Value {
     serde_json::to_value(status).unwrap_or_default()
 }
 
-impl HistorySummary {
-    /// Writes the summary for reading.
-    fn write_text(
-        &self,
-        outcome: &HistoryOutcome,
-        (units, is_verbose): (Units, bool),
-        out: &mut impl Write,
-    ) -> io::Result<()> {
+impl HistoryReport {
+    fn new(subject: ProblemSummary, setup: Setup, outcome: HistoryOutcome, warnings: Vec<String>) -> Self {
+        let (cycles, has_claims) = (outcome.cycles(&setup), outcome.drive.has_claims);
+        Self {
+            process: outcome.drive.name,
+            claim: match has_claims {
+                true => "each state has a claim of its own",
+                false => outcome.claim().map_or("", ResultClaim::words),
+            },
+            adhesion: outcome.adhesion.clone(),
+            states: outcome.states.iter().enumerate().map(|(i, state)| object(i, state, has_claims)).collect(),
+            energy_per_cycle: cycles.iter().map(|it| it.energy).collect(),
+            energy_per_cycle_error: cycles.iter().map(|it| it.error).collect(),
+            ended: outcome.ended.as_ref().map(HistoryError::to_string),
+            warnings,
+            setup,
+            subject,
+            outcome,
+            has_lost_recording: false,
+            units: Units::default(),
+            is_verbose: false,
+        }
+    }
+
+    /// The energies that the cycles lost, each with its error over the energy, where there is one.
+    fn write_cycles(&self, units: Units, out: &mut dyn Write) -> io::Result<()> {
+        if self.energy_per_cycle.is_empty() {
+            return Ok(());
+        }
+        let mut energies = Vec::new();
+        for (i, energy) in self.energy_per_cycle.iter().enumerate() {
+            let error = self.energy_per_cycle_error[i].filter(|error| *error > 0.0);
+            let relative = error.map_or_else(String::new, |error| format!(" (relative error {:.1e})", error / energy));
+            energies.push(units.energy_per_area(*energy) + &relative);
+        }
+        writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))
+    }
+}
+
+impl Report for HistoryReport {
+    fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    fn has_lost_recording(&self) -> bool {
+        self.has_lost_recording
+    }
+
+    fn archive(&self) -> io::Result<Vec<u8>> {
+        let text = self.setup.to_saved_toml();
+        archive_of_states(&self.outcome.states, self.subject.rank, &text).map_err(io::Error::other)
+    }
+
+    fn write_table(&self, path: &Path) -> Result<()> {
+        Ok(self.outcome.write_table(path)?)
+    }
+
+    fn figure(&self) -> Figure {
+        history_picture::draw(&self.subject.title, &self.outcome, self.units)
+    }
+
+    /// The imprint of the last state, of a body that yields.
+    fn write_further_files(&self, outputs: &Outputs) -> Result<()> {
+        match (&outputs.imprint, self.outcome.states.last()) {
+            (Some(path), Some(last)) => imprint::write(path, last),
+            _ => Ok(()),
+        }
+    }
+
+    fn write_text(&self, out: &mut dyn Write) -> io::Result<()> {
+        let Self { outcome, units, is_verbose, .. } = self;
+        let (units, is_verbose) = (*units, *is_verbose);
         let (states, process) = (counted(outcome.states.len()), self.process);
         writeln!(out, "{}: {process}, {states}", self.subject.line())?;
         let claim = self.adhesion.is_none().then(|| ("claim".to_owned(), self.claim.to_owned()));
@@ -195,20 +226,6 @@ impl HistorySummary {
         write_errors(outcome, units, out)?;
         self.write_cycles(units, out)
     }
-
-    /// The energies that the cycles lost, each with its error over the energy, where there is one.
-    fn write_cycles(&self, units: Units, out: &mut dyn Write) -> io::Result<()> {
-        if self.energy_per_cycle.is_empty() {
-            return Ok(());
-        }
-        let mut energies = Vec::new();
-        for (i, energy) in self.energy_per_cycle.iter().enumerate() {
-            let error = self.energy_per_cycle_error[i].filter(|error| *error > 0.0);
-            let relative = error.map_or_else(String::new, |error| format!(" (relative error {:.1e})", error / energy));
-            energies.push(units.energy_per_area(*energy) + &relative);
-        }
-        writeln!(out, "\nenergy lost per cycle and area: {}", energies.join(", "))
-    }
 }
 
 /// Whether no cycle has an estimated error.
@@ -217,7 +234,7 @@ fn has_no_errors(errors: &[Option<f64>]) -> bool {
 }
 
 /// Writes the largest errors of all states by their sources, where they were estimated.
-fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut impl Write) -> io::Result<()> {
+fn write_errors(outcome: &HistoryOutcome, units: Units, out: &mut dyn Write) -> io::Result<()> {
     let largest = |error: &Quantity| {
         let known = outcome.states.iter().filter_map(|state| Some((state.get(*error)?, state)));
         known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, state)| cell(*error, state, units))

@@ -1,8 +1,9 @@
 //! The iteration of another code, as text and as JSON.
 
 use super::claim_report::points;
+use super::contact_report::write_diagnosis;
 use super::finding::Finding;
-use super::output::{write_diagnosis, write_rows};
+use super::output::write_rows;
 use super::units::Units;
 use asperity::diagnosis::Findings;
 use asperity::foreign::{Distance, GivenField};

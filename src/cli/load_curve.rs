@@ -2,29 +2,27 @@
 
 use super::exit_status::{ExitStatus, Interrupted};
 use super::finding::Finding;
-use super::output::{write_json, write_rows};
+use super::output::write_rows;
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
+use super::report::{self, Report};
 use super::state_watch::StateWatch;
-use super::terminal::stdout;
 use super::units::Units;
 use super::warnings;
-use super::wrote::wrote;
 use anyhow::Result;
 use asperity::contact::{Observables, Problem, Quantity, Status, archive_of_states, warnings_of};
 use asperity::error::{HistoryError, StudyError, is_input};
-use asperity::files::write_beside;
 use asperity::job::{HistoryOutcome, LoadNumbers, Solved, write_loads};
-use asperity::plot::write_figure;
-use asperity::setup::{Setup, SetupTable};
+use asperity::plot::Figure;
+use asperity::setup::Setup;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
 
 /// Everything that a script may want to know about contacts under one load after the other, and the setup that repeats them.
 #[derive(Serialize)]
-struct LoadCurveSummary {
+struct LoadsReport {
     #[serde(flatten)]
     subject: ProblemSummary,
     loads: Vec<Finding>,
@@ -32,7 +30,13 @@ struct LoadCurveSummary {
     #[serde(skip_serializing_if = "Option::is_none")]
     ended: Option<String>,
     warnings: Vec<String>,
-    setup: SetupTable,
+    #[serde(serialize_with = "Setup::serialize_saved")]
+    setup: Setup,
+    #[serde(skip)]
+    history: HistoryOutcome,
+    /// Whether the recording could not be written to its end.
+    #[serde(skip)]
+    has_lost_recording: bool,
     #[serde(skip)]
     units: Units,
     #[serde(skip)]
@@ -46,45 +50,22 @@ pub(crate) fn write(
     watch: StateWatch<'_>,
     (outputs, units): (&Outputs, Units),
 ) -> Result<ExitStatus> {
-    let (status, findings) = (watch.status, watch.findings.len());
+    let status = watch.status;
     let Some(mut history) = solved.history else { return Ok(status) };
     let is_stopped = matches!(history.ended, Some(HistoryError::Stopped));
     if let Some(error) = history.ended.take_if(|error| is_input(error)) {
         return Err(StudyError::from(error).into());
     }
-    if findings == 0 {
+    if watch.findings.is_empty() {
         return Err(Interrupted.into());
     }
     history.states.retain(|state| state.contact.status != Status::StoppedByObserver);
     let mut setup = solved.setup;
     let all = setup.loads.len();
-    setup.loads.truncate(findings);
+    setup.loads.truncate(watch.findings.len());
     let failure = history.failure.take();
-    let written = (outputs, units);
-    write_files(&setup, problem, watch, &history, written)?;
-    let is_whole = |path: &&Path| failure.is_none() || Some(*path) != outputs.recording();
-    outputs.files().filter(is_whole).for_each(wrote);
-    if let Some(error) = &history.ended {
-        let cause = if is_stopped { "interrupted".to_owned() } else { error.to_string() };
-        warnings::print(&[format!("{cause}: {findings} of {all} loads were solved and written")]);
-    }
-    match (failure, &history.ended) {
-        (Some(failure), _) => Err(failure.into()),
-        (None, Some(_)) if is_stopped => Ok(ExitStatus::Interrupted),
-        (None, Some(_)) => Ok(status.max(ExitStatus::NotConverged)),
-        (None, None) => Ok(status),
-    }
-}
-
-fn write_files(
-    setup: &Setup,
-    problem: &Problem,
-    watch: StateWatch<'_>,
-    history: &HistoryOutcome,
-    (outputs, units): (&Outputs, Units),
-) -> Result<()> {
+    let ended = history.ended.as_ref().map(HistoryError::to_string);
     let StateWatch { findings, of_contact, shortfalls, .. } = watch;
-    let (subject, table) = (ProblemSummary::new(setup, problem)?, setup.to_saved_table());
     let observables: Vec<&Observables> = findings.iter().map(|it| &it.observables).collect();
     let mut warnings = setup.surface.warnings(problem.surface());
     warnings.extend(warnings_of(&observables, problem.law()));
@@ -92,38 +73,29 @@ fn write_files(
     let mut warnings = warnings::in_flags(&warnings);
     warnings::refuse_if_strict(&warnings, outputs.strict)?;
     warnings.extend(shortfalls);
-    if let Some(path) = outputs.archive() {
-        let bytes = archive_of_states(&history.states, subject.rank, &table.to_toml());
-        write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
-    }
-    if let Some(path) = outputs.table() {
-        let further: Vec<Vec<(Quantity, f64)>> = findings.iter().map(Finding::further).collect();
-        write_loads(path, &findings.iter().zip(&further).map(numbers_of).collect::<Vec<_>>())?;
-    }
-    if let Some(path) = outputs.picture() {
-        let figure = picture::of_loads(&subject.title, &observables, setup.load, units);
-        write_figure(path, &figure, &outputs.style()?)?;
-    }
-    if let Some(path) = &outputs.save_setup {
-        table.write(path)?;
-    }
-    let ended = history.ended.as_ref().map(HistoryError::to_string);
-    let summary = LoadCurveSummary {
-        subject,
+    let solved = findings.len();
+    let report = LoadsReport {
+        subject: ProblemSummary::new(&setup, problem)?,
         loads: findings,
-        ended,
+        ended: ended.clone(),
         warnings,
-        setup: table,
+        setup,
+        history,
+        has_lost_recording: failure.is_some(),
         units,
         is_verbose: outputs.verbose,
     };
-    if outputs.json {
-        write_json(&summary, &mut stdout())?
-    } else {
-        summary.write_text(&mut stdout())?
+    report::deliver(&report, outputs)?;
+    if let Some(error) = &ended {
+        let cause = if is_stopped { "interrupted" } else { error };
+        warnings::print(&[format!("{cause}: {solved} of {all} loads were solved and written")]);
     }
-    warnings::print(&summary.warnings);
-    Ok(())
+    match (failure, ended) {
+        (Some(failure), _) => Err(failure.into()),
+        (None, Some(_)) if is_stopped => Ok(ExitStatus::Interrupted),
+        (None, Some(_)) => Ok(status.max(ExitStatus::NotConverged)),
+        (None, None) => Ok(status),
+    }
 }
 
 /// The numbers of a finding for a table.
@@ -131,9 +103,39 @@ fn numbers_of<'a>((finding, further): (&'a Finding, &'a Vec<(Quantity, f64)>)) -
     LoadNumbers { status: finding.status, observables: &finding.observables, further }
 }
 
-impl LoadCurveSummary {
-    /// Writes the summary for reading.
-    fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
+impl Report for LoadsReport {
+    fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    fn has_lost_recording(&self) -> bool {
+        self.has_lost_recording
+    }
+
+    fn archive(&self) -> io::Result<Vec<u8>> {
+        archive_of_states(&self.history.states, self.subject.rank, &self.setup.to_saved_toml())
+            .map_err(io::Error::other)
+    }
+
+    fn write_table(&self, path: &Path) -> Result<()> {
+        let further: Vec<Vec<(Quantity, f64)>> = self.loads.iter().map(Finding::further).collect();
+        Ok(write_loads(path, &self.loads.iter().zip(&further).map(numbers_of).collect::<Vec<_>>())?)
+    }
+
+    fn figure(&self) -> Figure {
+        let observables: Vec<&Observables> = self.loads.iter().map(|it| &it.observables).collect();
+        picture::of_loads(&self.subject.title, &observables, self.setup.load, self.units)
+    }
+
+    fn write_further_files(&self, _: &Outputs) -> Result<()> {
+        Ok(())
+    }
+
+    fn write_text(&self, out: &mut dyn Write) -> io::Result<()> {
         let loads = self.loads.len();
         writeln!(out, "{}: {loads} loads, area, kappa and kappa_r with resolved edges", self.subject.line())?;
         write_rows(self.subject.rows(self.units, self.is_verbose), out)?;

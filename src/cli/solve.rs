@@ -1,6 +1,7 @@
 //! `asperity solve`: a contact under one load, or under one after the other.
 
 use super::choice::bytes;
+use super::contact_report::ContactReport;
 use super::exit_status::{ExitStatus, Interrupted, shortfall, status_of, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
@@ -8,32 +9,28 @@ use super::flow::FlowFinding;
 use super::history;
 use super::imprint;
 use super::load_curve;
-use super::output::{Summary, write_json};
 use super::outputs::{GrowingOutputs, Outputs};
-use super::picture;
 use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
 use super::recording_args::{say_left_out, target};
+use super::report;
 use super::slip::SlipFinding;
 use super::solve_plan::{self, SolvePlan};
 use super::state_watch::StateWatch;
 use super::stress;
 use super::terminal::stdout;
 use super::warnings;
-use super::wrote::wrote;
 use anyhow::Result;
-use asperity::contact::{State, archive_of_slip, archive_of_state};
+use asperity::contact::State;
 use asperity::diagnosis::Findings;
 use asperity::error::{FileError, HistoryError, SetupError};
-use asperity::files::{check_apart, write_beside};
+use asperity::files::check_apart;
 use asperity::flow::Leakage;
-use asperity::job::{Job, JobRun, Solved, write_nodes};
-use asperity::plot::write_figure;
+use asperity::job::{Job, JobRun, Solved};
 use asperity::quantity::bytes_in_words;
 use asperity::setup::{Auto, Cost, Drive, Setup, SetupTable, warning_of_leakage};
 use clap::Args;
-use std::io::{self, Write};
-use std::path::Path;
+use std::io::Write;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -226,54 +223,26 @@ impl Solve {
         let finding = Finding { flow: FlowFinding::from_numbers(&flow.numbers), ..finding };
         let is_archived = outputs.archive().is_some();
         let fields = flow.leakages.into_iter().filter(|_| is_archived).flat_map(Leakage::into_fields).collect();
-        let state = State::from_contact(contact, None).with_fields(fields);
-        let contact = &state.contact;
         warnings.extend(outputs.stress.as_ref().and_then(|_| setup.warning_of_stress()));
         let mut warnings = warnings::in_flags(&warnings);
         warnings::refuse_if_strict(&warnings, outputs.strict)?;
-        let contacts = || [contact].into_iter().chain(slip.as_ref().map(|it| &it.stuck));
+        let contacts = || [&contact].into_iter().chain(slip.as_ref().map(|it| &it.stuck));
         warnings.extend(contacts().filter_map(shortfall));
-        if let Some(path) = outputs.archive() {
-            let text = setup.to_saved_toml();
-            let bytes = match &slip {
-                Some(slip) => archive_of_slip(slip, subject.rank, Some(&text)),
-                None => archive_of_state(&state, subject.rank, Some(&text)),
-            };
-            write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?;
-        }
-        if let Some(path) = outputs.table() {
-            write_nodes(path, contact)?;
-        }
-        let units = self.scene.units();
-        if let Some(path) = outputs.picture() {
-            let title = picture::title_of(&setup.surface, contact.problem.surface().grid());
-            write_figure(path, &picture::of_contact(&title, contact, units), &outputs.style()?)?;
-        }
-        if let Some(path) = &outputs.stress {
-            stress::write(path, &setup, contact, outputs.stress_row)?;
-        }
-        if let Some(path) = &outputs.save_setup {
-            setup.write(path)?;
-        }
-        let summary = Summary {
+        let status = contacts().try_fold(ExitStatus::Done, |status, it| Ok(status.max(status_of(it)?)));
+        let report = ContactReport {
             subject,
             finding,
             slip: slip.as_ref().map(SlipFinding::from),
             diagnosis,
             warnings,
             setup,
-            units,
+            state: State::from_contact(contact, None).with_fields(fields),
+            partial_slip: slip,
+            units: self.scene.units(),
             is_verbose: outputs.verbose,
         };
-        if outputs.json {
-            write_json(&summary, &mut stdout())?
-        } else {
-            summary.write_text(&mut stdout())?
-        }
-        warnings::print(&summary.warnings);
-        let is_whole = |path: &&Path| contact.failure.is_none() || Some(*path) != outputs.recording();
-        outputs.files().filter(is_whole).for_each(wrote);
-        contacts().try_fold(ExitStatus::Done, |status, it| Ok(status.max(status_of(it)?)))
+        report::deliver(&report, outputs)?;
+        status
     }
 }
 
