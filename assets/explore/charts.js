@@ -155,8 +155,11 @@ function chartOfStates(target, run, columns, [across, up]) {
 /** The name of a quantity and of its unit. */
 const inUnit = (name, unit) => `${say(`number.${name}`)}${unit.name ? ` / ${unit.name}` : ""}`;
 
-/** The kind of the unit of a quantity. */
-const kindOf = (name) => known.find((row) => row.name === name)?.unit ?? "1";
+/** Mean pressures at which surfaces part: that of a loop, and the limits of theory. They are numbers of a run, which no state has. */
+const PULL_OFFS = ["pull_off", "jkr", "dmt"];
+
+/** The kind of the unit of a number. */
+const kindOf = (name) => known.find((row) => row.name === name)?.unit ?? (PULL_OFFS.includes(name) ? "pressure" : "1");
 
 /** Friction and area against the speed of sliding: a dot for each speed that was seen under this load. */
 function chartsOfSliding() {

@@ -1,7 +1,7 @@
 // The table of numbers: its rows, on the page and in a file.
 
-/** Those of which more than two digits would say nothing. */
-const ROUGHLY = ["kappa_r_error", "seconds"];
+/** Whether more than two digits of a number would say nothing: those of an error, and those of a time that was measured. */
+const isRough = (name) => name === SECONDS.name || known.some(({ errors }) => errors.includes(name));
 
 /** The relative error from which on a number stands with it. */
 const COARSE = 0.05;
@@ -15,18 +15,13 @@ function valueOf(told, name) {
   const error = told?.[errorOf(name)];
   // with adhesion there are no such errors, and no certificate
   const isUnknown = error === null && told.relative_area > 0 && told.certificate !== null;
-  if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name), ROUGHLY.includes(name) ? 2 : 5);
+  if (!isUnknown && !(error >= COARSE)) return figure(cleared(told, name), isRough(name) ? 2 : 5);
   const percent = isUnknown ? "?" : `${figure(100 * error, 2)} %`;
   const remedy = knobs.body === "file" ? "file" : "points";
   const shown = name === ERROR_SHOWN ? say(`numbers.coarse.${remedy}`, { error: percent }) : `${figure(told[name], 3)} ± ${percent}`;
   const tip = isUnknown ? "numbers.coarse.unknown.tip" : `numbers.coarse.${remedy}.tip`;
   return [element("span", { class: "coarse", title: say(tip) }, shown)];
 }
-
-/** Numbers that are found for some runs after their end, by their names and units. */
-const FOUND_LATER = { pull_off: "pressure", hydraulic_gap_x: "length" };
-/** Units of the numbers that no state knows. */
-const OTHER_UNITS = { ...FOUND_LATER, jkr: "pressure", dmt: "pressure" };
 
 /** A row of the table: a number by its name, its values in both states, the exact one, and what the table shows for each.
  * @typedef {{ name: string, values: any[], exact?: any, shown: any[] }} NumberRow */
@@ -62,9 +57,10 @@ const exactPullOff = ({ pull_off: theory }) => theory?.tabor >= SHORT_RANGE * (1
 function rowsFoundLater(run, states) {
   const exact = { pull_off: exactPullOff(run) };
   const value = (it, name) => it?.found?.[name] ?? null;
-  const names = Object.keys(FOUND_LATER).filter((name) => Number.isFinite(exact[name]) || states.some((it) => value(it, name) !== null));
+  const all = new Set([...Object.keys(exact), ...states.flatMap((it) => Object.keys(it?.found ?? {}))]);
+  const names = [...all].filter((name) => Number.isFinite(exact[name]) || states.some((it) => value(it, name) !== null));
   return names.map((name) => {
-    const shown = (told, of) => Number.isFinite(told) ? withUnit(told, FOUND_LATER[name], { modulus: modulusOf(of?.numbers) }) : "";
+    const shown = (told, of) => Number.isFinite(told) ? withUnit(told, kindOf(name), { modulus: modulusOf(of?.numbers) }) : "";
     return { name, values: states.map((it) => value(it, name)), exact: exact[name], shown: [...states.map((it) => shown(value(it, name), it)), shown(exact[name], run)] };
   });
 }
@@ -74,7 +70,7 @@ function rowsFoundLater(run, states) {
 function rowsOfPullOff(run, before) {
   if (!run.pull_off) return [];
   const limits = exactPullOff(run) === undefined ? ["jkr", "dmt"].filter((name) => run.pull_off[name] !== null) : [];
-  const rows = limits.map((name) => ({ name, values: [null, null], exact: run.pull_off[name], shown: ["", "", withUnit(run.pull_off[name], "pressure", { modulus: modulusOf(run.numbers) })] }));
+  const rows = limits.map((name) => ({ name, values: [null, null], exact: run.pull_off[name], shown: ["", "", withUnit(run.pull_off[name], kindOf(name), { modulus: modulusOf(run.numbers) })] }));
   const tabors = [run, before].map((it) => it?.pull_off?.tabor ?? null);
   return [...rows, { name: "tabor", values: tabors, shown: [...tabors.map((it) => it === null ? "" : figure(it, 2)), ""] }];
 }
@@ -123,7 +119,7 @@ function tableInText(rows) {
 /** The unit of a number in a file, and its values in that unit.
  * @type {(row: NumberRow, moduli: number[]) => { unit: string, written: any[] }} */
 const inOneUnit = ({ name, values, exact }, moduli) => {
-  const kind = OTHER_UNITS[name] ?? kindOf(name);
+  const kind = kindOf(name);
   const all = [...values, exact];
   const first = all.find(Number.isFinite) ?? 0;
   const units = [...moduli, moduli[0]].map((modulus) => shownUnit(kind, first, modulus));

@@ -5,7 +5,7 @@ use super::output::write_rows;
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
-use super::report::Report;
+use super::report::SolveReport;
 use super::slip::SlipFinding;
 use super::stress;
 use super::units::Units;
@@ -49,7 +49,7 @@ pub(crate) struct ContactReport {
     pub is_verbose: bool,
 }
 
-impl Report for ContactReport {
+impl SolveReport for ContactReport {
     fn setup(&self) -> &Setup {
         &self.setup
     }

@@ -7,7 +7,7 @@ use super::imprint;
 use super::output::write_rows;
 use super::outputs::Outputs;
 use super::problem_summary::ProblemSummary;
-use super::report::{self, Report};
+use super::report::{self, SolveReport};
 use super::units::Units;
 use super::warnings;
 use anyhow::Result;
@@ -160,7 +160,7 @@ impl HistoryReport {
     }
 }
 
-impl Report for HistoryReport {
+impl SolveReport for HistoryReport {
     fn setup(&self) -> &Setup {
         &self.setup
     }

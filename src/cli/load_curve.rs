@@ -6,7 +6,7 @@ use super::output::write_rows;
 use super::outputs::Outputs;
 use super::picture;
 use super::problem_summary::ProblemSummary;
-use super::report::{self, Report};
+use super::report::{self, SolveReport};
 use super::state_watch::StateWatch;
 use super::units::Units;
 use super::warnings;
@@ -103,7 +103,7 @@ fn numbers_of<'a>((finding, further): (&'a Finding, &'a Vec<(Quantity, f64)>)) -
     LoadNumbers { status: finding.status, observables: &finding.observables, further }
 }
 
-impl Report for LoadsReport {
+impl SolveReport for LoadsReport {
     fn setup(&self) -> &Setup {
         &self.setup
     }

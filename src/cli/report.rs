@@ -14,7 +14,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 /// What a run found, for files, for people and, as JSON, for scripts.
-pub(crate) trait Report: Serialize {
+pub(crate) trait SolveReport: Serialize {
     /// The setup that repeats it.
     fn setup(&self) -> &Setup;
     /// Reasons to doubt it, in the words of the command line.
@@ -35,7 +35,7 @@ pub(crate) trait Report: Serialize {
 
 /// Writes all files that were asked for, then prints the summary and the warnings, and names the files. Files come first, so that nobody reads numbers
 /// whose files then turn out not to be there.
-pub(crate) fn deliver(report: &impl Report, outputs: &Outputs) -> Result<()> {
+pub(crate) fn deliver(report: &impl SolveReport, outputs: &Outputs) -> Result<()> {
     if let Some(path) = outputs.archive() {
         write_beside(path, |file| file.write_all(&report.archive()?))?;
     }
