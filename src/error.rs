@@ -36,7 +36,6 @@ pub use preparation::PreparationError;
 pub use roughness::RoughnessError;
 pub use setup::SetupError;
 pub use study::StudyError;
-pub(crate) use text::flags_in_words;
 pub use text::{ExpectedValue, FoundValue, TextFault, TextPlace};
 
 use crate::sentence::{LengthValue, shortened, worded};

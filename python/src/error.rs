@@ -1,7 +1,7 @@
 //! Errors of the library as exceptions of Python.
 
-use crate::words::{at_place, in_python, keyword_of_flag, unknown_keyword, without_flags};
-use asperity::error::{ClaimError, Conflict, ConflictRule, SetupError, StudyError};
+use crate::words::{at_place, in_python, keyword_of_flag, unknown_keyword};
+use asperity::error::{ClaimError, Conflict, ConflictRule, FileError, SetupError, StudyError};
 use asperity::seen::plain;
 use pyo3::create_exception;
 use pyo3::exceptions::{
@@ -45,7 +45,7 @@ pub fn py_error(error: impl Into<BoxedError>) -> PyErr {
 pub fn error_in_text(error: SetupError) -> PyErr {
     match error {
         SetupError::Text { .. } => {
-            let sentence = without_flags(&error.to_string());
+            let sentence = error.to_string();
             exception(&error.into(), sentence)
         }
         other => py_error(other),
@@ -216,7 +216,11 @@ fn keyword(error: &BoxedError) -> &'static str {
     if let Some(ClaimError::NoLoad) = error.downcast_ref() {
         return LOADS;
     }
+    if let Some(FileError::NoViewer { .. }) = error.downcast_ref() {
+        return " (record)";
+    }
     match error.downcast_ref() {
+        Some(SetupError::File(FileError::NoViewer { .. })) => " (record)",
         Some(SetupError::Conflict(conflict)) => match conflict.rule {
             ConflictRule::NoLoad => LOADS,
             ConflictRule::NoTangential => " (friction={'tangential': ...}, path={'tangential': ...} or rolling)",

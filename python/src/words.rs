@@ -9,20 +9,16 @@ const KEYWORDS: [&str; 6] = ["grid", "stop", "load", "surface", "surface.spectru
 /// Keys that are given by the keyword of their section alone.
 const SECTIONS: [&str; 3] = ["solver.method", "surface.prepare.steps", "solid.contact-modulus"];
 
-/// Phrases with flags or in TOML, and the same in Python.
-const PHRASES: [(&str, &str); 4] = [
-    (" with --record", " (record)"),
-    (" = auto", "='auto'"),
-    ("{ mean-pressure = 0.01 }", "{'mean_pressure': 0.01}"),
-    ("young = [[", "young=[["),
-];
+/// Phrases in TOML, and the same in Python.
+const PHRASES: [(&str, &str); 3] =
+    [(" = auto", "='auto'"), ("{ mean-pressure = 0.01 }", "{'mean_pressure': 0.01}"), ("young = [[", "young=[[")];
 
 /// What the library calls the value of grids that are found.
 const AUTO: &str = "auto";
 
-/// A sentence without flags, with names in quotes and keys as Python has them.
+/// A sentence with names in quotes and keys as Python has them.
 pub fn in_python(sentence: &str) -> String {
-    let sentence = PHRASES.iter().fold(without_flags(sentence), |it, (phrase, python)| it.replace(phrase, python));
+    let sentence = PHRASES.iter().fold(sentence.to_owned(), |it, (phrase, python)| it.replace(phrase, python));
     let parts = sentence.split('`').enumerate().map(|(place, part)| match place % 2 {
         1 if part.contains(' ') => format!("`{part}`"),
         1 => quoted(part),
@@ -36,7 +32,7 @@ pub fn at_place(place: &TextPlace, fault: &TextFault) -> String {
     let keys = &place.keys;
     let is_of_setup = Key::with_flags().any(|key| Some(key.section()) == keys.split('.').next());
     if place.path.is_some() || place.line.is_some() || !is_of_setup {
-        return without_flags(&format!("{place}{fault}"));
+        return format!("{place}{fault}");
     }
     let name = keyword(keys);
     match fault {
@@ -63,7 +59,7 @@ pub fn at_place(place: &TextPlace, fault: &TextFault) -> String {
             format!("{name}: unknown key '{}', {}", key.replace('-', "_"), fault.alternatives(quoted))
         }
         TextFault::MissingKey { key, .. } => format!("{name}: {} is missing: give it", in_python(&format!("`{key}`"))),
-        TextFault::Other { reason } => format!("{name}: {}", in_python(reason)),
+        TextFault::Other { reason, .. } => format!("{name}: {}", in_python(reason)),
     }
 }
 
@@ -103,16 +99,6 @@ pub fn keyword_of_flag(name: &str) -> Option<String> {
     let name = name.replace('_', "-");
     let key = Key::with_flags().find(|key| key.flag == name)?;
     given_as(key.path, "...")
-}
-
-/// A sentence without the flags of the command line in brackets, such as " (--size)".
-pub fn without_flags(sentence: &str) -> String {
-    match sentence.split_once(" (--") {
-        Some((before, flags)) => {
-            format!("{before}{}", without_flags(flags.split_once(')').map_or("", |(_, after)| after)))
-        }
-        None => sentence.to_owned(),
-    }
 }
 
 /// What stands in backticks: a key with `_` for `-`, keys with dots as a keyword, and anything else as it is.

@@ -3,7 +3,7 @@
 use super::terminal::stderr;
 use anyhow::{Result, anyhow};
 use asperity::contact::Contact;
-use asperity::error::{ClaimError, Failure, FileError, SetupError, is_input};
+use asperity::error::{ClaimError, Failure, FileError, SetupError, StudyError, is_input};
 use asperity::setup::Key;
 use asperity::warning::Remedy;
 use std::io::Write;
@@ -75,13 +75,36 @@ pub(crate) fn remedy(error: &anyhow::Error) -> String {
     if let Some(ClaimError::NoLoad) = error.downcast_ref() {
         return " (--mean-pressure, --reduced-pressure, or --mean-gap)".into();
     }
-    let remedies = error.downcast_ref().map(SetupError::remedies).unwrap_or_default();
+    if let Some(flag) = flag_of_command(error) {
+        return format!(" ({flag})");
+    }
+    let setup = error.downcast_ref();
+    if let Some(SetupError::Text { fault, .. }) = setup
+        && !fault.flags().is_empty()
+    {
+        let flags: Vec<String> = fault.flags().iter().map(|flag| format!("--{flag}")).collect();
+        return format!(" ({})", flags.join(" or "));
+    }
+    let remedies = setup.map(SetupError::remedies).unwrap_or_default();
     let together = |remedies: &Vec<Remedy>| remedies.iter().filter_map(flag).collect::<Vec<_>>().join(" and ");
     let alternatives: Vec<String> = remedies.iter().map(together).collect();
     match alternatives.split_last() {
         None => String::new(),
         Some((one, [])) => format!(" ({one})"),
         Some((last, others)) => format!(" ({}, or {last})", others.join(", ")),
+    }
+}
+
+/// The flag of this command that helps against an error where no key of a setup does.
+fn flag_of_command(error: &anyhow::Error) -> Option<&'static str> {
+    let file = match error.downcast_ref() {
+        Some(SetupError::File(file)) => Some(file),
+        _ => error.downcast_ref(),
+    };
+    match (file, error.downcast_ref()) {
+        (Some(FileError::NoViewer { .. }), _) => Some("--record"),
+        (_, Some(StudyError::OtherStudy { .. })) => Some("--fresh"),
+        _ => None,
     }
 }
 

@@ -24,7 +24,7 @@ worded! {
         Write { path: PathBuf, source: std::io::Error },
         /// No suitable viewer is installed.
         #[error(
-            "no Rerun viewer can be started: install one with `pip install rerun-sdk`, {version} or newer, or write a file with --record"
+            "no Rerun viewer can be started: install one with `pip install rerun-sdk`, {version} or newer, or write a file"
         )]
         NoViewer { version: String },
     }

@@ -149,7 +149,10 @@ worded! {
 impl SetupError {
     /// A text that is not a setup: what is wrong with the value at some keys, which may be empty.
     pub(crate) fn text(keys: &str, reason: impl Into<String>) -> Self {
-        Self::Text { place: TextPlace::keys(keys), fault: TextFault::Other { reason: reason.into() }.into() }
+        Self::Text {
+            place: TextPlace::keys(keys),
+            fault: TextFault::Other { reason: reason.into(), flags: Vec::new() }.into(),
+        }
     }
 }
 

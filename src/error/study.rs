@@ -69,7 +69,7 @@ worded! {
         Overlap { row: usize, values: String, path: PathBuf, other: PathBuf },
         /// A table of another study, which would be overwritten.
         #[error(
-            "{file} holds {points} rows of another study, or of another version: give another file, or start again with --fresh to replace it",
+            "{file} holds {points} rows of another study, or of another version: give another file, or start again to replace it",
             file = path.display()
         )]
         OtherStudy { path: PathBuf, points: usize },

@@ -75,7 +75,7 @@ pub enum TextFault {
         nearest: Option<String>,
     },
     /// A key that must be there.
-    #[error("missing key `{key}`: give it{}", flags_in_words(flags))]
+    #[error("missing key `{key}`: give it")]
     MissingKey {
         key: String,
         /// Flags of the command line that give it, without dashes.
@@ -91,7 +91,11 @@ pub enum TextFault {
     #[error("{reason}")]
     NoName { reason: String },
     #[error("{reason}")]
-    Other { reason: String },
+    Other {
+        reason: String,
+        /// Flags of the command line that give what is missing, without dashes.
+        flags: Vec<&'static str>,
+    },
 }
 
 impl ToValue for Box<TextFault> {
@@ -157,6 +161,14 @@ fn in_backticks(name: &str) -> String {
 }
 
 impl TextFault {
+    /// Flags of the command line that give what is missing, without dashes: one of them is enough.
+    pub fn flags(&self) -> &[&'static str] {
+        match self {
+            Self::MissingKey { flags, .. } | Self::Other { flags, .. } => flags,
+            _ => &[],
+        }
+    }
+
     /// The known names in place of an unknown key or value, as `quoted` writes them, and what to do; empty for other faults.
     pub fn alternatives(&self, quoted: impl Fn(&str) -> String) -> String {
         let (Self::UnknownKey { known, nearest, .. } | Self::UnknownValue { known, nearest, .. }) = self else {
@@ -174,10 +186,4 @@ impl TextFault {
             None => format!("{known}: leave it out, or choose an option that has it"),
         }
     }
-}
-
-/// The flags that give a value, in brackets; nothing where there are none.
-pub(crate) fn flags_in_words(flags: &[&str]) -> String {
-    let flags: Vec<String> = flags.iter().map(|flag| format!("--{flag}")).collect();
-    if flags.is_empty() { String::new() } else { format!(" ({})", flags.join(" or ")) }
 }

@@ -85,8 +85,7 @@ impl Layout {
 pub(super) fn doubt_of_spacing(channel: &Channel) -> Option<String> {
     let [dy, dx] = channel.spacing?;
     let axes: Vec<&str> = [(dx, "x"), (dy, "y")].into_iter().filter(|it| it.0 == 0.0).map(|it| it.1).collect();
-    (!axes.is_empty())
-        .then(|| format!("the size along {} is zero, which is none: give it (--size)", axes.join(" and ")))
+    (!axes.is_empty()).then(|| format!("the size along {} is zero, which is none: give it", axes.join(" and ")))
 }
 
 impl AscendingPositions {

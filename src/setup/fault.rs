@@ -1,7 +1,7 @@
 //! Messages of the readers of TOML as faults: the only place that reads their English.
 
 use super::Key;
-use crate::error::{ExpectedValue, FoundValue, TextFault, flags_in_words};
+use crate::error::{ExpectedValue, FoundValue, TextFault};
 use serde::de::Unexpected;
 
 /// Names of types in the messages of serde, and plain words for them.
@@ -29,7 +29,7 @@ impl TextFault {
             }
             it => it,
         };
-        Self::Other { reason }
+        Self::Other { reason, flags: Vec::new() }
     }
 
     /// The fault in a message of serde about what stands at some keys: for an unknown name with the nearest known one, for a missing key with
@@ -61,8 +61,8 @@ impl TextFault {
         if message.contains("unit variant") {
             return Self::NoName { reason: message };
         }
-        let given = if message.starts_with("give the") { flags(&quoted(&message), keys) } else { Vec::new() };
-        Self::Other { reason: format!("{message}{}", flags_in_words(&given)) }
+        let flags = if message.starts_with("give the") { flags(&quoted(&message), keys) } else { Vec::new() };
+        Self::Other { reason: message, flags }
     }
 }
 
@@ -184,7 +184,7 @@ mod tests {
         assert_eq!(fault, TextFault::WrongLength { length: "1".into(), expected: ExpectedValue::Values(2) });
         let fault = TextFault::from_serde("missing field `poisson`", "solid");
         assert_eq!(fault, TextFault::MissingKey { key: "poisson".into(), flags: vec!["poisson"] });
-        assert_eq!(fault.to_string(), "missing key `poisson`: give it (--poisson)");
+        assert_eq!(fault.to_string(), "missing key `poisson`: give it");
         let fault = TextFault::from_serde("unknown field `tme`, expected `time` or `load`", "path");
         assert!(
             matches!(&fault, TextFault::UnknownKey { key, known, .. } if key == "tme" && known.len() == 2),

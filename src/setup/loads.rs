@@ -8,8 +8,7 @@ use crate::error::{ProblemError, SetupError};
 use serde::Deserialize;
 
 /// What is said where a list ends without a load.
-const UNLOADING: &str = "a list of loads cannot hold 0: to unload a body that yields, add --unload, or give the loads as a path (`path.load`, --path-load), \
-                         which may go down to 0";
+const UNLOADING: &str = "a list of loads cannot hold 0: to unload a body that yields, give the loads as a path (`path.load`), which may go down to 0";
 
 impl SetupTable {
     /// Removes a list of loads from the section `load` and keeps the first load. Returns none if there is a single load

@@ -13,7 +13,8 @@ pub trait StateSink {
     /// For what cannot be written. The sink gets nothing more then, and the run goes on.
     fn state(&mut self, posed: &Posed<'_>, number: usize, state: &State) -> Result<(), FileError>;
 
-    /// Takes all states of a run again when all runs have ended, those of the runs in their order.
+    /// Ends with all states of a run, which were taken one by one before: a recording fits its axes to them. It is called once for each run, in their
+    /// order, after the last run.
     ///
     /// # Errors
     /// For what cannot be written.

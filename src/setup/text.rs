@@ -229,7 +229,7 @@ impl SetupTable {
         match (solver.keys().find(is_setting), method.as_str()) {
             (Some(key), Some(method)) if method != GFMD => {
                 let reason = format!(
-                    "`{key}` is a setting of the method {GFMD}, but the method is {method}: give the method {GFMD} (--solver {GFMD}), or \
+                    "`{key}` is a setting of the method {GFMD}, but the method is {method}: give the method {GFMD}, or \
                      leave `{key}` out"
                 );
                 Err(SetupError::text("solver", reason))

@@ -44,9 +44,7 @@ fn of_profile(scan: &Scan) -> Option<&'static str> {
 /// Why heights are not the top of a closed solid.
 fn of_open_solid(scan: &Scan) -> Option<&'static str> {
     let is_open = scan.voids() > 0;
-    of_profile(scan)
-        .or(is_open
-            .then_some("a solid has no void heights: fill them with --fill harmonic, or cut them off with --crop"))
+    of_profile(scan).or(is_open.then_some("a solid has no void heights: fill them, or cut them off"))
 }
 
 impl Scan {

@@ -337,7 +337,7 @@ fn arguments_that_do_not_belong_are_refused() {
             &format!("{CYLINDER} --solver polonsky-keer --masses stiffness {LOAD}"),
             "`masses` is a setting of the method gfmd, but the method is polonsky-keer",
         ),
-        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "give the method gfmd (--solver gfmd), or leave `damping` out"),
+        (&format!("{CYLINDER} --damping 0.5 {LOAD}"), "give the method gfmd, or leave `damping` out"),
     ]);
     let folder = folder();
     for (arguments, offence) in [("--rolloff 0.1", "--hurst"), ("--seed 3", "Hurst exponent")] {
