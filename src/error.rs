@@ -48,7 +48,7 @@ pub type Failure = Box<dyn Error + Send + Sync>;
 
 worded! {
     /// An impossible grid.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum GridError {
         /// Fewer than [`crate::Grid::MIN_POINTS`] points along an axis.
         #[error("{points} points along {axis} are too few: give at least 4")]
@@ -81,7 +81,7 @@ worded! {
 
 worded! {
     /// A surface that cannot be generated or used.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum SurfaceError {
         #[error(transparent)]
         Grid(#[from] GridError),
@@ -170,7 +170,7 @@ worded! {
 
 worded! {
     /// An impossible contact problem.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum ProblemError {
         #[error(transparent)]
         Grid(#[from] GridError),
@@ -231,7 +231,7 @@ worded! {
 
 worded! {
     /// A result of another code that cannot be judged.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum ClaimError {
         #[error(transparent)]
         Problem(#[from] ProblemError),
@@ -252,7 +252,7 @@ worded! {
 
 worded! {
     /// Steps of another code that cannot be replayed.
-    #[derive(Debug, thiserror::Error)]
+    #[derive(Debug)]
     pub enum StepsError {
         #[error(transparent)]
         File(#[from] FileError),
@@ -273,7 +273,7 @@ worded! {
 
 worded! {
     /// An impossible setting of a solver or of its stop.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum SettingError {
         /// A setting outside its range.
         #[error("{name} is {value}: it must lie in {range}")]
@@ -286,7 +286,7 @@ worded! {
 
 worded! {
     /// A solve that did not reach its tolerance, or cannot be done.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum SolveError {
         /// The iteration limit, or the limit of accuracy, was reached.
         #[error(
@@ -331,7 +331,7 @@ fn bodies_in_words(young: usize, poisson: usize) -> String {
 
 worded! {
     /// Elastic constants that do not define a solid.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum SolidError {
         /// No constants at all.
         #[error("the solid is empty: give the contact modulus, or Young's modulus and Poisson's ratio")]

@@ -5,7 +5,7 @@ use crate::sentence::{LengthValue, shortened, worded};
 
 worded! {
     /// A contact with adhesion that cannot be posed or solved.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum AdhesionError {
         #[error(transparent)]
         Problem(#[from] ProblemError),

@@ -5,7 +5,7 @@ use crate::sentence::worded;
 
 worded! {
     /// A step in time of a viscoelastic contact that cannot be solved.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum CreepError {
         #[error(transparent)]
         Problem(#[from] ProblemError),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 worded! {
     /// A file that cannot be read or written.
-    #[derive(Debug, thiserror::Error)]
+    #[derive(Debug)]
     pub enum FileError {
         /// The file is missing or unreadable.
         #[error("cannot read {file}: {words}", file = path.display(), words = reason(source))]

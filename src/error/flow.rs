@@ -5,7 +5,7 @@ use crate::sentence::worded;
 
 worded! {
     /// A flow through a contact that cannot be computed.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum FlowError {
         /// A field that does not have the shape of the grid.
         #[error("a field of shape {found:?} does not fit a grid of {ny} x {nx} points", ny = expected[0], nx = expected[1])]
@@ -57,7 +57,7 @@ worded! {
 
 worded! {
     /// A load at which a surface seals that cannot be found.
-    #[derive(Debug, thiserror::Error)]
+    #[derive(Debug)]
     pub enum SealError {
         #[error(transparent)]
         Problem(#[from] ProblemError),

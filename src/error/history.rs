@@ -7,7 +7,7 @@ use crate::sentence::worded;
 
 worded! {
     /// A tangential load that cannot be carried or solved.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum SlipError {
         #[error(transparent)]
         Grid(#[from] GridError),
@@ -48,7 +48,7 @@ worded! {
 
 worded! {
     /// A history that cannot go on.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum HistoryError {
         #[error(transparent)]
         Problem(#[from] ProblemError),

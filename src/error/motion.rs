@@ -5,7 +5,7 @@ use crate::sentence::worded;
 
 worded! {
     /// A contact that slides or rolls steadily and cannot be solved.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum MotionError {
         #[error(transparent)]
         Problem(#[from] ProblemError),

@@ -5,7 +5,7 @@ use crate::sentence::worded;
 
 worded! {
     /// A contact of a solid that yields below its surface, which cannot be solved.
-    #[derive(Debug, Clone, thiserror::Error)]
+    #[derive(Debug, Clone)]
     pub enum PlasticError {
         #[error(transparent)]
         Problem(#[from] ProblemError),

@@ -4,7 +4,7 @@ use crate::sentence::worded;
 
 worded! {
     /// An impossible step of the preparation of measured heights.
-    #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+    #[derive(Debug, Clone, PartialEq)]
     pub enum PreparationError {
         /// A part that the heights do not have.
         #[error(

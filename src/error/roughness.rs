@@ -5,7 +5,7 @@ use crate::sentence::worded;
 
 worded! {
     /// Random roughness that cannot be made: by its values, or by one of its files.
-    #[derive(Debug, thiserror::Error)]
+    #[derive(Debug)]
     pub enum RoughnessError {
         /// Its values cannot be, or not on this grid.
         #[error(transparent)]

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 worded! {
     /// A setup that cannot be read, or that describes nothing that can be solved.
-    #[derive(Debug, thiserror::Error)]
+    #[derive(Debug)]
     pub enum SetupError {
         #[error(transparent)]
         Grid(#[from] GridError),

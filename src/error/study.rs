@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 worded! {
     /// A study that cannot be solved or merged.
-    #[derive(Debug, thiserror::Error)]
+    #[derive(Debug)]
     pub enum StudyError {
         #[error(transparent)]
         Setup(#[from] SetupError),

@@ -9,7 +9,9 @@ use super::session_recording::{LastState, SessionRecording};
 use super::step_numbers::StepNumbers;
 use super::tape::{self, TapeCurves};
 use crate::clock::Instant;
-use crate::contact::{Contact, CutLayers, Failure, Load, Observer, Problem, State, StateField, Step, Wish, Work};
+use crate::contact::{
+    Contact, CutLayers, Failure, Load, Observer, Problem, State, StateField, Status, Step, Wish, Work,
+};
 use crate::error::{AdhesionError, HistoryError, SetupError, SolveError};
 use crate::job::{self, HistoryOutcome, Job, JobRun, Pass, Solved};
 use crate::sentence::Sentence;
@@ -102,8 +104,12 @@ fn last_contact(solved: Solved, work: Work) -> Result<Contact, Failure> {
     let Some(HistoryOutcome { ended, failure, .. }) = history else { return Ok(contact) };
     match (failure, ended) {
         (Some(failure), _) => Err(failure.into()),
-        (None, None | Some(HistoryError::Stopped | HistoryError::Adhesion(AdhesionError::Stopped))) => {
-            Ok(contact.with_work(work))
+        (None, None) => Ok(contact.with_work(work)),
+        // a history that was given up ends with a state that may have its certificate, but is not the one that was asked for
+        (None, Some(HistoryError::Stopped | HistoryError::Adhesion(AdhesionError::Stopped))) => {
+            let mut contact = contact.with_work(work);
+            contact.status = Status::StoppedByObserver;
+            Ok(contact)
         }
         (None, Some(error)) => Err(error.into()),
     }
