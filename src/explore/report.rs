@@ -6,8 +6,8 @@ use super::scale::MODULUS;
 use super::section::Section;
 use crate::adhesion::AdhesionScales;
 use crate::contact::{Contact, Failure, Observables, Problem, Quantity, Reading, State, Step, Work};
-use crate::error::{HistoryError, PlasticError, ProblemError, SetupError};
-use crate::sentence::Sentence;
+use crate::error::{FileError, HistoryError, PlasticError, ProblemError, SetupError, SolveError};
+use crate::sentence::{Sentence, Worded};
 use crate::setup::{Drive, Setup, StateChart};
 use crate::theory::{Exact, PullOff};
 use crate::warning::Warning;
@@ -55,6 +55,16 @@ impl KnownFault {
             other => Self::from_setup(other),
         }
     }
+}
+
+/// What a failure says, with its values where it is an error with which a run of the page ends. Errors of studies and of other codes are not among
+/// them, which keeps the module small.
+pub(super) fn sentence_of_failure(failure: &Failure) -> Sentence {
+    fn said<E: Worded + 'static>(failure: &Failure) -> Option<Sentence> {
+        failure.downcast_ref::<E>().map(Worded::sentence)
+    }
+    let known = [said::<SetupError>, said::<HistoryError>, said::<SolveError>, said::<FileError>];
+    known.iter().find_map(|said| said(failure)).unwrap_or_else(|| failure.to_string().into())
 }
 
 /// A number in three significant digits, as a script writes it.

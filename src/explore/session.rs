@@ -7,14 +7,13 @@ use super::knobs::Knobs;
 use super::listener::Listener;
 use super::motion::Motion;
 use super::refusal::{KnownFault, Refusal, RefusalRule};
-use super::report::{Numbers, Report, SweepReport};
+use super::report::{Numbers, Report, SweepReport, sentence_of_failure};
 use super::section::Section;
 use super::session_recording::{Ended, LastState, RecordingReport, SessionRecording, SolvedRun};
 use super::source::{SceneFile, SurfaceSource};
 use super::step_numbers::StepNumbers;
 use super::tape::{TapeCurves, TapeView};
 use crate::contact::Failure;
-use crate::error::sentence_of;
 use crate::formats::HeightFile;
 use crate::setup::{Method, Setup};
 use std::collections::VecDeque;
@@ -362,7 +361,7 @@ impl Turn<'_> {
         self.session.change(|state| {
             let failure = failure.filter(|_| state.generation == self.number);
             state.report.known_fault = failure.as_ref().and_then(KnownFault::from_failure);
-            state.report.fault = failure.map(|it| sentence_of(&*it));
+            state.report.fault = failure.as_ref().map(sentence_of_failure);
             state.running = false;
             state.report.busy = state.order.is_some();
         });

@@ -14,7 +14,7 @@ mod words;
 pub(crate) use shortened::shortened;
 pub use to_value::{LengthValue, ToValue};
 pub use worded::Worded;
-pub(crate) use worded::{sentence, worded};
+pub(crate) use worded::{sentence, sentence_of_places, worded};
 pub use words::{Sentence, Value};
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What makes sentences.
 
+use super::to_value::ToValue;
 use super::words::Sentence;
 use std::error::Error;
 
@@ -14,19 +15,21 @@ pub trait Worded: Error {
         Self: Sized;
 }
 
+/// The sentence of a template and what stands in its places, by their names. It is not generic, so that what a macro makes of a sentence is small.
+pub(crate) fn sentence_of_places(template: &'static str, places: &[(&'static str, &dyn ToValue)]) -> Sentence {
+    Sentence::new(template, places.iter().map(|(name, value)| (*name, value.to_value())).collect())
+}
+
 /// A [`Sentence`] of a template and the values of its places, with the syntax of [`format!`]; each value is named. A template without a value for
 /// each of its places does not compile.
 macro_rules! sentence {
     ($template:literal $(, $name:ident $(= $value:expr)?)* $(,)?) => {{
-        #[allow(unused_imports, reason = "a template may have no places")]
-        use $crate::sentence::ToValue;
         // never evaluated: it lets the compiler compare the places with the names
         let _ = || {
             $(let $name = 0;)*
             format!($template $(, $name = $name)*)
         };
-        let values = vec![$((stringify!($name), $crate::sentence::sentence!(@value $name $($value)?).to_value())),*];
-        $crate::sentence::Sentence::new($template, values)
+        $crate::sentence::sentence_of_places($template, &[$((stringify!($name), &$crate::sentence::sentence!(@value $name $($value)?))),*])
     }};
     (@value $name:ident) => { $name };
     (@value $name:ident $value:expr) => { ($value) };
@@ -104,15 +107,12 @@ macro_rules! worded {
     (@sentence [transparent] [] [$inner:ident: $type:ty]) => { $crate::sentence::Worded::sentence($inner) };
     (@sentence ["{0}"] [] [$inner:ident: $type:ty]) => { $crate::sentence::Sentence::from($inner.to_string()) };
     (@sentence [$template:literal $(, $name:ident = $value:expr)* $(,)?] [$($field:ident)*] []) => {{
-        #[allow(unused_imports, reason = "a variant may have no values")]
-        use $crate::sentence::ToValue;
-        let values = vec![$((stringify!($name), ($value).to_value()),)* $((stringify!($field), $field.to_value()),)*];
         // never evaluated: it lets the compiler compare the places with the names
         let _ = || {
             $(let $field = 0;)*
             format!($template $(, $name = 0)*)
         };
-        $crate::sentence::Sentence::new($template, values)
+        $crate::sentence::sentence_of_places($template, &[$((stringify!($name), &$value),)* $((stringify!($field), $field),)*])
     }};
     (@templates [transparent] [$inner:ty]) => { <$inner as $crate::sentence::Worded>::templates() };
     (@templates ["{0}"] [$inner:ty]) => { Vec::new() };
