@@ -50,6 +50,7 @@
 //! |---|---|---|---|
 //! | 0 | [`clock`] | the clock of solves, also in a browser | |
 //! | 0 | [`error`] | what can go wrong, one enum for each concern | |
+//! | 0 | [`sentence`] | sentences that keep their values: errors and warnings say them, and each front end in its own way | |
 //! | 0 | [`warning`] | reasons to doubt a result, with what to do about them | |
 //! | 0 | [`files`] | input files; output files that appear completely or not at all; CSV | |
 //! | 0 | [`seen`] | text that can be shown on a terminal | |

@@ -6,7 +6,7 @@ use strum::{EnumIter, EnumMessage, EnumProperty, IntoEnumIterator, IntoStaticStr
 
 /// A rule that a setup breaks. Its name in kebab case is its id, such as `sliding-without-creep`; ids are stable.
 ///
-/// The message is what is wrong and what to do, with places such as `{speed}` for values that were given. The keys are the sections and keys
+/// The message is what is wrong and what to do, with places such as `{speed:?}` for values that were given. The keys are the sections and keys
 /// of a setup that the rule concerns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, EnumMessage, EnumProperty, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]

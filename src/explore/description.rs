@@ -130,8 +130,12 @@ fn of_heights(scan: &Scan) -> Result<Vec<(&'static str, Sentence)>, Refusal> {
     let axes = |[y, x]: [String; 2]| if is_line { x.into() } else { sentence!("{y} along y, {x} along x", y, x) };
     let size = [ny as f64 * dy, nx as f64 * dx].map(length);
     let noise = survey.axes.iter().map(|it| it.noise).fold(0.0, f64::max);
+    let of_axes = |[height, width]: &[String; 2]| match is_line {
+        true => Sentence::from(width.as_str()),
+        false => sentence!("{height} x {width}", height, width),
+    };
     let rows = [
-        ("size", if is_line { size[1].clone().into() } else { size.join(" x ").into() }),
+        ("size", of_axes(&size)),
         ("voids", sentence!("{count} of {all} heights", count = survey.voids, all = ny * nx)),
         ("tilt", axes(survey.tilt.map(figure))),
         ("jump across the period", sentence!("{jump} rms steps", jump = axes(survey.jumps.map(figure)))),
