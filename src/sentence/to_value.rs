@@ -2,7 +2,7 @@
 
 use super::words::{Sentence, Value};
 use std::borrow::Cow;
-use std::fmt::{self, Formatter};
+use std::fmt;
 use std::io;
 use std::path::{self, PathBuf};
 
@@ -31,20 +31,8 @@ impl ToValue for f64 {
 }
 
 /// A length in a sentence.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LengthValue(pub f64);
-
-impl fmt::Debug for LengthValue {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        fmt::Debug::fmt(&self.0, f)
-    }
-}
-
-impl fmt::LowerExp for LengthValue {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        fmt::LowerExp::fmt(&self.0, f)
-    }
-}
 
 impl ToValue for LengthValue {
     fn to_value(&self) -> Value {
