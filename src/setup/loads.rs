@@ -4,7 +4,7 @@ use super::Setup;
 use super::range::Range;
 use super::text::{SetupTable, wrong_load};
 use crate::contact::Load;
-use crate::error::{ProblemError, SetupError};
+use crate::error::{ProblemError, SetupError, TextFault, TextPlace};
 use serde::Deserialize;
 
 /// What is said where a list ends without a load.
@@ -29,7 +29,8 @@ impl SetupTable {
         };
         let kind = kind.clone();
         if self.find("solid.yield-stress").is_some() && words.iter().skip(1).any(is_zero) {
-            return Err(wrong_load(UNLOADING.into()));
+            let fault = TextFault::Other { reason: UNLOADING.into(), flags: vec!["unload", "path-load"] };
+            return Err(SetupError::Text { place: TextPlace::keys("load"), fault: fault.into() });
         }
         let loads = words.iter().map(|word| expanded(&kind, word)).collect::<Result<Vec<_>, _>>()?.concat();
         let Some(first) = loads.first() else {
