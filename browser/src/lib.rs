@@ -15,7 +15,7 @@ use asperity::explore::{Answer, Listener, Report, Request, Session, Stock};
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
-/// The functions that the page gives to the module.
+// The functions that the page gives to the module.
 #[cfg(target_arch = "wasm32")]
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
