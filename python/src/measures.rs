@@ -39,9 +39,6 @@ impl Contact {
         };
         let told = Quantity::all().filter(|it| it.tells_of(&self.contact));
         let mut numbers: Vec<_> = told.map(|it| measure(it, reading.value(it))).collect();
-        if !self.setup.law.is_hard_wall() {
-            numbers.push(("plastic_load_share", Measure::Number(self.contact.plasticity().load_share)));
-        }
         let of_state = |it: &Quantity| self.contact.values().get(*it).is_some();
         if !self.setup.flow.is_none() {
             let found = self.flow()?.numbers;

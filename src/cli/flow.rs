@@ -22,9 +22,6 @@ pub(crate) struct FlowFinding {
     /// Whether all nodes touch, so that nothing constricts the current.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     is_unconstricted: bool,
-    /// All values by their quantities.
-    #[serde(skip)]
-    pub numbers: Vec<(Quantity, f64)>,
 }
 
 impl FlowFinding {
@@ -39,7 +36,6 @@ impl FlowFinding {
             conductance_per_area: per_area.filter(is_finite),
             conductance_times_resistivity: get(Quantity::ConductanceTimesResistivity).filter(is_finite),
             is_unconstricted: per_area.is_some_and(f64::is_infinite),
-            numbers: numbers.to_vec(),
         })
     }
 

@@ -39,7 +39,7 @@ use strum::IntoEnumIterator;
 /// | `coarser`                                            | `(6)`                | the contact on the next coarser grid: relative area, rms gradient, `kappa_r`, reduced pressure, and numbers of edges; NaN if it is not known |
 /// | `yielding`, where there is a hardness                | `(ny, nx)` or `(nx)` | whether the nodes yield                     |
 /// | `overlap`, where there is a hardness                 | `(ny, nx)` or `(nx)` | the overlap of the nodes that yield, which is not part of the gap |
-/// | `hardness`, `plastic_load_share`                     | `()`                 | it, and the share of the load on the nodes that yield |
+/// | `hardness`, where there is one                       | `()`                 | the hardness                                |
 /// | `setup`                                              | bytes                | the text of the setup that repeats it       |
 /// | `digest`                                             | bytes                | the digest of all other arrays with the version of the program, see [`ArchiveSeal`](crate::contact::ArchiveSeal) |
 ///
@@ -177,12 +177,6 @@ const FIELDS: [(&str, FieldOf); 3] = [
 /// The array of all numbers of the certificates.
 pub(super) const CERTIFICATE: &str = "certificate_numbers";
 
-/// A number of a contact.
-type NumberOf = fn(&Contact) -> f64;
-
-/// What yields.
-const PLASTICITY: [(&str, NumberOf); 1] = [("plastic_load_share", |contact| contact.plasticity().load_share)];
-
 /// Bins of the distributions.
 const BINS: usize = 64;
 
@@ -250,9 +244,6 @@ impl ArchiveWriter {
             self.add_fields("yielding", contacts.iter().map(|contact| contact.yielding().into()))?;
             self.add_fields("overlap", contacts.iter().map(|contact| contact.overlap().into()))?;
             self.add_array("hardness", &arr0(hardness))?;
-            for (name, of) in PLASTICITY {
-                self.add_each(name, contacts.iter().map(|contact| arr0(of(contact)).into()))?;
-            }
         }
         let readings: Vec<Reading<'_>> = contacts.iter().map(|contact| Reading::from(*contact)).collect();
         // a number without a meaning is absent

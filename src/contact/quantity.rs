@@ -265,7 +265,7 @@ quantities! {
         MeanPressure mean_pressure: f64 { symbol: "<p>", title: "mean pressure", unit: Pressure, curve: States, valid: Always,
             of: |it| it.mean_pressure(),
             sentence: "Mean pressure." }
-        ReducedPressure reduced_pressure: f64 { symbol: "p*", title: "reduced pressure", unit: One, curve: None, valid: Always,
+        ReducedPressure reduced_pressure: f64 { symbol: "p*", title: "reduced pressure", short: "p*", unit: One, curve: None, valid: Always,
             of: |it| it.reduced_pressure(),
             sentence: "Reduced pressure: mean pressure divided by rms gradient and contact modulus, of a contact that slides by its effective modulus." }
         ReducedPressureContact reduced_pressure_contact: f64 { symbol: "p_r*", title: "reduced pressure in contact", unit: One, curve: None, valid: Elastic,
@@ -278,7 +278,7 @@ quantities! {
             errors: [relative_area_error, relative_area_step_error, relative_area_layer_error, relative_area_grid_error],
             of: |it| it.resolved().relative_area,
             sentence: "Relative contact area, with contact edges interpolated between grid nodes; with adhesion the fraction of nodes in contact." }
-        RelativeAreaCounted relative_area_counted: f64 { symbol: "a_rel, counted", title: "relative area, nodes counted", unit: One, curve: Steps, valid: Always,
+        RelativeAreaCounted relative_area_counted: f64 { symbol: "a_rel, counted", title: "relative area, nodes counted", short: "counted", unit: One, curve: Steps, valid: Always,
             of: |it| it.counted().relative_area,
             sentence: "Relative contact area as the fraction of nodes in contact." }
         RelativeAreaCorrected relative_area_corrected: f64 { symbol: "a_rel, corrected", title: "relative area, corrected", unit: One, curve: None, valid: Elastic,
@@ -332,6 +332,9 @@ quantities! {
         PlasticArea plastic_area: f64 { symbol: "a_pl", title: "plastic area", unit: One, curve: None, valid: Elastic,
             of: |it| it.plastic_area(),
             sentence: "Relative plastic area: the fraction of nodes at the hardness, where the solid yields." }
+        PlasticLoadShare plastic_load_share: f64 { symbol: "F_pl / F", title: "plastic share of the load", unit: One, curve: None, valid: Yielding,
+            of: |it| it.plastic_load_share(),
+            sentence: "Fraction of the load that is carried by nodes at the hardness, where the solid yields." }
         PlasticOverlap plastic_overlap: f64 { symbol: "<o>", title: "plastic overlap", unit: Length, curve: States, valid: Yielding,
             of: |it| it.plastic_overlap(),
             sentence: "Mean overlap of the surfaces where they yield or have yielded, not part of the mean gap: the plastically displaced volume per area of the cell." }
@@ -344,7 +347,7 @@ quantities! {
         EffectiveModulus effective_modulus: f64 { symbol: "E*_eff", title: "effective modulus", unit: Pressure, curve: States, valid: Sliding,
             of: |it| it.effective_modulus(),
             sentence: "Contact modulus that reduced pressures, kappa and kappa_r use: E*, or between the relaxed and the glassy one for a contact that slides over a viscoelastic solid." }
-        Patches patches: usize { symbol: "n", title: "contact patches", unit: One, curve: Steps, valid: Always,
+        Patches patches: usize { symbol: "n", title: "contact patches", short: "patches", unit: One, curve: Steps, valid: Always,
             of: |it| it.patches(),
             sentence: "Number of contact patches." }
         NodesPerPatch nodes_per_patch: f64 { symbol: "n_c / n", title: "nodes per patch", unit: One, curve: None, valid: Always,
@@ -418,6 +421,12 @@ impl Quantity {
     /// The quantity of a name, if there is one.
     pub fn find(name: &str) -> Option<Self> {
         name.parse().ok()
+    }
+
+    /// The quantity that estimates the error of this one by the grid, over its value, if there is one. Of the errors of a row it is the one that can be
+    /// computed of any contact: all others belong to the way to a state.
+    pub fn relative_error(self) -> Option<Self> {
+        self.row().errors.iter().filter_map(|name| Self::find(name)).find(|error| !error.row().is_known_by_process)
     }
 
     /// All quantities, in the order of the table.

@@ -30,6 +30,7 @@ pub struct Reading<'a> {
     /// The approach; NaN if it is not known, or not defined.
     approach: Lazy<'a, f64>,
     plastic_area: Lazy<'a, f64>,
+    plastic_load_share: Lazy<'a, f64>,
     plastic_overlap: Lazy<'a, f64>,
     mean_pressure: Lazy<'a, f64>,
     max_pressure: Lazy<'a, f64>,
@@ -126,6 +127,10 @@ impl Readings for Reading<'_> {
         *self.plastic_area
     }
 
+    fn plastic_load_share(&self) -> f64 {
+        *self.plastic_load_share
+    }
+
     fn plastic_overlap(&self) -> f64 {
         *self.plastic_overlap
     }
@@ -191,6 +196,7 @@ impl<'a> From<&'a Contact> for Reading<'a> {
             elastic_energy: lazy(|| contact.elastic_energy()),
             approach: lazy(|| contact.approach().unwrap_or(f64::NAN)),
             plastic_area: lazy(|| contact.plasticity().area),
+            plastic_load_share: lazy(|| contact.plasticity().load_share),
             plastic_overlap: lazy(|| contact.plasticity().overlap),
             mean_pressure: lazy(|| contact.mean_pressure()),
             max_pressure: lazy(|| contact.max_pressure()),
@@ -218,6 +224,10 @@ impl<'a> From<&'a Step<'_>> for Reading<'a> {
             plastic_area: lazy(move || {
                 let yielding = pressure().iter().filter(|p| step.problem().law().yields(**p)).count();
                 yielding as f64 / pressure().len() as f64
+            }),
+            plastic_load_share: lazy(move || {
+                let yielding = pressure().iter().filter(|p| step.problem().law().yields(**p)).sum::<f64>();
+                if yielding > 0.0 { yielding / pressure().sum() } else { 0.0 }
             }),
             plastic_overlap: lazy(|| step.mean_gap() - step.separation()),
             mean_pressure: lazy(move || pressure().mean().unwrap_or(0.0)),

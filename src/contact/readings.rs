@@ -18,6 +18,8 @@ pub trait Readings {
     fn elastic_energy(&self) -> f64;
     /// The share of nodes at the hardness.
     fn plastic_area(&self) -> f64;
+    /// The share of the load on nodes at the hardness.
+    fn plastic_load_share(&self) -> f64;
     /// The mean overlap of what yields.
     fn plastic_overlap(&self) -> f64;
     /// The contact stiffness.

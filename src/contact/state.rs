@@ -123,7 +123,11 @@ impl State {
 impl Observables {
     /// All of them of a state, whose numbers are read once.
     pub fn of_state(state: &State) -> Self {
-        let numbers = state.numbers();
+        Self::of_numbers(state.numbers())
+    }
+
+    /// All of them by the numbers of a state; NaN where these have none.
+    pub fn of_numbers(numbers: &[(Quantity, f64)]) -> Self {
         let value =
             |quantity| numbers.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value);
         Self::by(value)
