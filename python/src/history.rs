@@ -118,6 +118,15 @@ impl History {
         to_python(py, &self.outcome.adhesion)
     }
 
+    /// What the states add up to, by the names of quantities: states, largest_area and history_transforms, and with adhesion lowest_pressure, separated, jumps, lost_in_jumps, lost_error and stable. `explain` says what
+    /// they are.
+    #[getter]
+    fn totals<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let totals = PyDict::new(py);
+        self.outcome.totals.iter().try_for_each(|(quantity, value)| totals.set_item(quantity.name(), value))?;
+        Ok(totals)
+    }
+
     /// The numbers of the process by their names, each an array with a number for every state; NaN where a state has none. `explain` says
     /// what they are.
     #[getter]

@@ -1,17 +1,13 @@
 //! Files, figures and data sets of histories.
 
-use crate::contact::Contact;
 use crate::contact_files::ending;
 use crate::detached::Detached;
 use crate::error::{BoxedError, bail};
 use crate::flow::with_flow;
 use crate::history::History;
 use crate::output::{check_not_read, check_output};
-use crate::setup::Setup;
-use asperity::contact::{Observables, archive_of_states};
+use asperity::contact::archive_of_states;
 use asperity::files::write_beside;
-use asperity::history::Sliding;
-use asperity::job::{LoadNumbers, write_loads};
 use pyo3::prelude::*;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -31,15 +27,6 @@ impl History {
         };
         Ok(write_beside(path, |file| file.write_all(&bytes.map_err(io::Error::other)?))?)
     }
-
-    /// Writes the table of the command line.
-    fn write_table(&self, path: &Path) -> Result<(), BoxedError> {
-        if !self.outcome.drive.is_list {
-            return Ok(self.outcome.write_table(path)?);
-        }
-        let contacts = Python::attach(|py| self.each(py)).map_err(io::Error::other)?;
-        write_table_of_loads(path, &contacts, &self.setup)
-    }
 }
 
 #[pymethods]
@@ -54,7 +41,7 @@ impl History {
         }
         match ending(&path).as_str() {
             "npz" => slf.py().try_detached(|| it.write_archive(&path)),
-            "csv" => slf.py().try_detached(|| it.write_table(&path)),
+            "csv" => slf.py().try_detached(|| it.outcome.write_table(&path).map_err(BoxedError::from)),
             _ => slf.call_method0("plot")?.call_method1("savefig", (path,)).map(drop),
         }
     }
@@ -93,24 +80,4 @@ impl History {
     fn _repr_html_<'py>(slf: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("asperity.plotting")?.call_method1("history_as_html", (slf,))
     }
-}
-
-/// Writes the observables of contacts under all loads.
-fn write_table_of_loads(path: &Path, contacts: &[Py<Contact>], setup: &Setup) -> Result<(), BoxedError> {
-    let observables: Vec<_> = contacts.iter().map(|it| Observables::new(&*it.get().contact)).collect();
-    let flows = match setup.setup.flow.is_none() {
-        true => vec![Vec::new(); contacts.len()],
-        false => contacts.iter().map(|it| Ok(it.get().flow()?.numbers)).collect::<Result<Vec<_>, BoxedError>>()?,
-    };
-    let of_motion = |it: &Py<Contact>| {
-        let values = it.get().contact.values();
-        Sliding::NUMBERS.into_iter().filter_map(|it| Some((it, values.get(it)?))).collect::<Vec<_>>()
-    };
-    let further: Vec<_> = contacts.iter().zip(flows).map(|(it, flow)| [of_motion(it), flow].concat()).collect();
-    let numbers = |(i, it): (usize, &Py<Contact>)| LoadNumbers {
-        status: it.get().contact.status,
-        observables: &observables[i],
-        further: &further[i],
-    };
-    Ok(write_loads(path, &contacts.iter().enumerate().map(numbers).collect::<Vec<_>>())?)
 }

@@ -44,9 +44,6 @@ pub(crate) struct ContactReport {
     pub partial_slip: Option<PartialSlip>,
     #[serde(skip)]
     pub units: Units,
-    /// Whether all numbers are written for reading.
-    #[serde(skip)]
-    pub is_verbose: bool,
 }
 
 impl SolveReport for ContactReport {
@@ -90,13 +87,13 @@ impl SolveReport for ContactReport {
         }
     }
 
-    fn write_text(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn write_text(&self, is_verbose: bool, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.subject.line(), self.finding.status)?;
         let units = self.units;
         let slip = self.slip.iter().flat_map(|it| it.rows(units));
         let results = self.finding.rows(units).into_iter().chain(self.size()).chain(slip);
-        let details = if self.is_verbose { self.finding.details(units) } else { Vec::new() };
-        write_rows(results.chain(self.subject.rows(units, self.is_verbose)).chain(details), out)?;
+        let details = if is_verbose { self.finding.details(units) } else { Vec::new() };
+        write_rows(results.chain(self.subject.rows(units, is_verbose)).chain(details), out)?;
         write_diagnosis(self.diagnosis.as_ref(), out)
     }
 }

@@ -106,18 +106,9 @@ pub(crate) fn curves_of(path: &Path, x: Abscissa<'_>, y: Quantity, is_one_of_man
 
 /// Whether both numbers are known. An area of 0, or a `kappa` of it, is that of a contact that is not resolved.
 fn is_known(dot: &Dot, x: Abscissa<'_>, y: Quantity) -> bool {
-    let is_of_area = |it| matches!(it, Quantity::RelativeArea | Quantity::Kappa | Quantity::KappaR);
+    let is_of_area = |it: Quantity| it.relative_error().is_some();
     let is_known = |value: f64, is_of_area: bool| value.is_finite() && (value != 0.0 || !is_of_area);
     is_known(dot.x, matches!(x, Abscissa::Quantity(it) if is_of_area(it))) && is_known(dot.y, is_of_area(y))
-}
-
-/// The quantity that is the relative error of the grid of another one.
-fn relative_error(quantity: Quantity) -> Option<Quantity> {
-    match quantity {
-        Quantity::RelativeArea | Quantity::Kappa => Some(Quantity::RelativeAreaError),
-        Quantity::KappaR => Some(Quantity::KappaRError),
-        _ => None,
-    }
 }
 
 impl FileNumbers {
@@ -148,7 +139,7 @@ fn of_archive(path: &Path, x: Abscissa<'_>, y: Quantity) -> Result<FileNumbers> 
     let Abscissa::Quantity(x) = x else { return Err(missing(path, x.name()).into()) };
     let numbers = |it: Quantity| archive.numbers(it.name())?.ok_or_else(|| missing(path, it.name()));
     let pairs = [numbers(x)?, numbers(y)?];
-    let errors = relative_error(y).map(|it| archive.numbers(it.name())).transpose()?.flatten();
+    let errors = y.relative_error().map(|it| archive.numbers(it.name())).transpose()?.flatten();
     Ok(FileNumbers::new(pairs, errors))
 }
 
@@ -159,7 +150,7 @@ fn of_columns(path: &Path, columns: &[TextColumn], x: Abscissa<'_>, y: Quantity)
     };
     let [x, y_numbers] =
         [x, Abscissa::Quantity(y)].map(|it| find(it).map(numbers).ok_or_else(|| missing(path, it.name())));
-    let errors = relative_error(y).and_then(|it| find(Abscissa::Quantity(it)));
+    let errors = y.relative_error().and_then(|it| find(Abscissa::Quantity(it)));
     Ok(FileNumbers::new([x?, y_numbers?], errors.map(numbers)))
 }
 

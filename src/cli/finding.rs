@@ -67,14 +67,6 @@ impl Serialize for MotionNumbers {
 }
 
 impl Finding {
-    /// The numbers that only its motion and what flows through it give, where there are any.
-    pub(crate) fn further(&self) -> Vec<(Quantity, f64)> {
-        let MotionNumbers(motion) = &self.motion;
-        let flow = self.flow.iter().flat_map(|it| it.numbers.iter());
-        let is_new = |(it, _): &&(Quantity, f64)| it.row().is_known_by_process && !Sliding::NUMBERS.contains(it);
-        motion.iter().chain(flow.filter(is_new)).copied().collect()
-    }
-
     pub(crate) fn new(setup: &Setup, contact: &Contact) -> Self {
         let grid = contact.problem.surface().grid();
         let unit = if grid.is_line() { "N/m" } else { "N" };

@@ -57,7 +57,7 @@ pub(crate) fn with_images(title: String, recipe: &Recipe) -> String {
 
 /// The picture of contacts under several loads: area and `kappa_r` over the load as it was prescribed, with their errors. Values
 /// that are not resolved are shown as counted values, with open symbols.
-pub(crate) fn of_loads(title: &str, found: &[&Observables], kind: Load, units: Units) -> Figure {
+pub(crate) fn of_loads(title: &str, found: &[Observables], kind: Load, units: Units) -> Figure {
     let area = LoadPanel {
         title: "relative contact area",
         label: "aᵣₑₗ",
@@ -89,14 +89,14 @@ struct LoadPanel {
 }
 
 impl LoadPanel {
-    fn draw(&self, found: &[&Observables], kind: Load, units: Units) -> Panel {
+    fn draw(&self, found: &[Observables], kind: Load, units: Units) -> Panel {
         let (name, load) = load_axis(found, kind, units);
-        let loads = range(found.iter().map(|it| load(it)));
-        let resolved = |it: &&Observables| {
+        let loads = range(found.iter().map(&load));
+        let resolved = |it: &Observables| {
             let value = (self.resolved)(it).unwrap_or(f64::NAN);
             Dot { spread: value * (self.error)(it), ..Dot::at(load(it), value) }
         };
-        let counted = |it: &&Observables| match (self.resolved)(it) {
+        let counted = |it: &Observables| match (self.resolved)(it) {
             Some(_) => Dot::at(load(it), f64::NAN),
             None => Dot::at(load(it), (self.counted)(it)),
         };
@@ -127,14 +127,14 @@ impl LoadPanel {
 }
 
 /// The name of the load, and its number of a contact in the unit of the name.
-fn load_axis(found: &[&Observables], kind: Load, units: Units) -> (String, impl Fn(&Observables) -> f64) {
+fn load_axis(found: &[Observables], kind: Load, units: Units) -> (String, impl Fn(&Observables) -> f64) {
     let (name, of): (_, fn(&Observables) -> f64) = match kind {
         Load::ReducedPressure(_) => ("p*", |it| it.reduced_pressure),
         Load::MeanGap(_) => ("mean gap", |it| it.mean_gap),
         Load::Approach(_) => ("approach", |it| it.approach),
         Load::MeanPressure(_) | Load::Force(_) => ("mean pressure", |it| it.mean_pressure),
     };
-    let highest = found.iter().map(|it| of(it)).fold(0.0, f64::max);
+    let highest = found.iter().map(of).fold(0.0, f64::max);
     let (unit, size) = match kind {
         Load::ReducedPressure(_) => ("", 1.0),
         Load::MeanGap(_) | Load::Approach(_) => unit(units.metres, &LENGTHS, highest),

@@ -29,8 +29,8 @@ pub(crate) trait SolveReport: Serialize {
     fn figure(&self) -> Figure;
     /// Writes the files that only such a run has.
     fn write_further_files(&self, outputs: &Outputs) -> Result<()>;
-    /// Writes it for reading.
-    fn write_text(&self, out: &mut dyn Write) -> io::Result<()>;
+    /// Writes it for reading; all of its numbers, where that is asked for.
+    fn write_text(&self, is_verbose: bool, out: &mut dyn Write) -> io::Result<()>;
 }
 
 /// Writes all files that were asked for, then prints the summary and the warnings, and names the files. Files come first, so that nobody reads numbers
@@ -51,7 +51,7 @@ pub(crate) fn deliver(report: &impl SolveReport, outputs: &Outputs) -> Result<()
     }
     match outputs.json {
         true => write_json(report, &mut stdout())?,
-        false => report.write_text(&mut stdout())?,
+        false => report.write_text(outputs.verbose, &mut stdout())?,
     }
     warnings::print(report.warnings());
     let is_whole = |path: &&Path| !report.has_lost_recording() || Some(*path) != outputs.recording();

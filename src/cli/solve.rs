@@ -6,9 +6,7 @@ use super::exit_status::{ExitStatus, Interrupted, shortfall, status_of, usage};
 use super::finding::Finding;
 use super::flags::{OfSetup, SceneArgs};
 use super::flow::FlowFinding;
-use super::history;
 use super::imprint;
-use super::load_curve;
 use super::outputs::{GrowingOutputs, Outputs};
 use super::problem_summary::ProblemSummary;
 use super::progress::Bars;
@@ -17,6 +15,7 @@ use super::report;
 use super::slip::SlipFinding;
 use super::solve_plan::{self, SolvePlan};
 use super::state_watch::StateWatch;
+use super::states;
 use super::stress;
 use super::terminal::stdout;
 use super::warnings;
@@ -114,23 +113,18 @@ impl Solve {
         if outputs.strict {
             warnings::refuse_if_strict(&warnings::in_flags(&ready.warnings()), true)?;
         }
-        let Some(drive) = drive else {
+        if drive.is_none() {
             let mut outcome = ready.run(&mut Bars::default())?;
             let solved = outcome.solved.swap_remove(0);
             outputs.complete(&solved.contact);
             say_left_out(&outputs.left_out);
             return self.write(solved, outcome.diagnosis);
-        };
-        let setup = ready.setup().clone();
+        }
         let problem = ready.problem().clone();
-        let mut watch = StateWatch::new(&setup, outputs, drive)?;
+        let mut watch = StateWatch::new(outputs)?;
         let solved = ready.run(&mut watch).map_err(before_the_first)?.solved.swap_remove(0);
         say_left_out(&outputs.left_out);
-        let units = self.scene.units();
-        let written = match drive.is_list {
-            true => load_curve::write(solved, &problem, watch, (outputs, units)),
-            false => history::write(solved, &problem, (outputs, units)),
-        };
+        let written = states::write(solved, &problem, (outputs, self.scene.units()));
         // where the end cannot be written, what grew beside it is kept
         if !written.as_ref().is_err_and(|error| error.is::<FileError>()) {
             growing.discard();
@@ -239,7 +233,6 @@ impl Solve {
             state: State::from_contact(contact, None).with_fields(fields),
             partial_slip: slip,
             units: self.scene.units(),
-            is_verbose: outputs.verbose,
         };
         report::deliver(&report, outputs)?;
         status

@@ -1,6 +1,6 @@
 //! What a history with adhesion adds up to.
 
-use crate::contact::{Quantity, ResultClaim, State};
+use crate::contact::{Quantity, ResultClaim, State, StateRow};
 use serde::Serialize;
 use std::borrow::Borrow;
 
@@ -37,23 +37,27 @@ pub struct AdhesionJump {
 }
 
 impl AdhesionTotals {
-    /// The totals of the states of a history; none for one without adhesion. The state before a jump is the last one that is not a frame of the
+    /// The totals of the states of a history with adhesion; none where there are no states. The state before a jump is the last one that is not a frame of the
     /// motion.
     pub fn new(states: &[impl Borrow<State>]) -> Option<Self> {
-        let states: Vec<&State> = states.iter().map(Borrow::borrow).collect();
+        let rows: Vec<StateRow> = states.iter().map(|state| StateRow::new(state.borrow())).collect();
+        Self::from_rows(&rows)
+    }
+
+    /// The same, of states whose numbers alone were kept.
+    pub fn from_rows(states: &[StateRow]) -> Option<Self> {
         let first = states.first()?;
-        first.contact.values().feels.attraction.then_some(())?;
         let separated = states.iter().any(|state| state.claim == ResultClaim::Separated);
-        let pressure = |state: &State| state.value(Quantity::MeanPressure);
-        let is_frame = |state: &State| state.claim == ResultClaim::Moving;
+        let pressure = |state: &StateRow| state.value(Quantity::MeanPressure);
+        let is_frame = |state: &StateRow| state.claim == ResultClaim::Moving;
         let held = states.iter().filter(|state| state.claim != ResultClaim::Separated && !is_frame(state));
         let jump = |i: usize| {
             let energy = states[i].get(Quantity::Jump)?;
             let before = states[..i].iter().rfind(|state| !is_frame(state))?;
-            let pair = |of: &dyn Fn(&State) -> f64| [of(before), of(states[i])];
+            let pair = |of: &dyn Fn(&StateRow) -> f64| [of(before), of(&states[i])];
             Some(AdhesionJump {
                 state: i + 1,
-                mean_gap: pair(&|state| state.contact.mean_gap()),
+                mean_gap: pair(&|state| state.value(Quantity::MeanGap)),
                 mean_pressure: pair(&pressure),
                 relative_area: pair(&|state| state.value(Quantity::RelativeArea)),
                 energy,
@@ -62,7 +66,7 @@ impl AdhesionTotals {
         let known = |quantity: Quantity| states.iter().rev().find_map(|state| state.get(quantity));
         Some(Self {
             // states that were saved by an earlier version do not know what was between them
-            lowest_pressure: known(Quantity::LowestPressure).or(held.map(|state| pressure(state)).reduce(f64::min)),
+            lowest_pressure: known(Quantity::LowestPressure).or(held.map(pressure).reduce(f64::min)),
             separated,
             jumps: (1..states.len()).filter_map(jump).collect(),
             lost_in_jumps: known(Quantity::Dissipated).unwrap_or(0.0) - first.get(Quantity::Dissipated).unwrap_or(0.0),

@@ -3,7 +3,7 @@
 use super::history::HistoryOutcome;
 use super::run::JobRun;
 use super::watch::{Pass, ShowSteps, Watcher};
-use crate::contact::{Observer, Problem, State, Status, goes_on};
+use crate::contact::{Observer, Problem, State, StateRow, Status, goes_on};
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::setup::{Flow, Posed, Setup, StateSink};
 use std::sync::Arc;
@@ -43,9 +43,10 @@ impl JobRun<'_> {
     ) -> Result<HistoryOutcome, SetupError> {
         let posed = self.posed(number, problem)?;
         let mut process = self.setup.history(problem.clone())?.ok_or(ConflictRule::NoHistory)?;
-        let (mut states, mut failure, mut count) = (Vec::<Arc<State>>::new(), None, 0);
+        let (mut rows, mut states, mut failure) = (Vec::new(), Vec::<Arc<State>>::new(), None);
         let is_ended = watch.ended().unwrap_or_default();
         let ended = loop {
+            let count = rows.len();
             let mut observer = watch.observer(Pass::State(self, number, count));
             // a state without contact is found without a step of a solver, which would ask
             if count > 0 && !goes_on(&mut *observer) {
@@ -57,7 +58,10 @@ impl JobRun<'_> {
                 None => break None,
                 Some(Ok(state)) if state.contact.status == Status::StoppedByObserver => {
                     // a contact under a load is what it is; a state of a history has to be solved
-                    states.extend(posed.drive.is_list.then(|| Arc::new(state)));
+                    if posed.drive.is_list {
+                        rows.push(StateRow::new(&state));
+                        states.push(Arc::new(state));
+                    }
                     break Some(HistoryError::Stopped);
                 }
                 Some(solved) => solved,
@@ -73,7 +77,7 @@ impl JobRun<'_> {
             };
             watch.state(number, &state);
             give(sinks, &mut failure, |sink| sink.state(&posed, count, &state));
-            count += 1;
+            rows.push(StateRow::new(&state));
             if keeping.is_last_only {
                 states.clear();
             }
@@ -82,7 +86,7 @@ impl JobRun<'_> {
         if states.is_empty() {
             return Err(HistoryError::Stopped.into());
         }
-        let mut outcome = HistoryOutcome::from_posed(&posed, states)?;
+        let mut outcome = HistoryOutcome::from_posed(&posed, rows, states)?;
         outcome.ended = ended;
         outcome.failure = failure;
         Ok(outcome)

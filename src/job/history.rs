@@ -2,8 +2,8 @@
 
 use crate::adhesion::AdhesionScales;
 use crate::contact::{
-    Observables, Problem, Quantity, ResultClaim, State, warning_of_friction, warning_of_trail, warnings_of,
-    warnings_of_contact, warnings_of_states,
+    Law, Observables, Problem, Quantity, ResultClaim, State, StateRow, warning_of_friction, warning_of_trail,
+    warnings_of, warnings_of_states,
 };
 use crate::error::{ConflictRule, FileError, HistoryError, SetupError};
 use crate::history::{AdhesionTotals, CycleLoss, cycle_losses, open_cycles};
@@ -20,14 +20,20 @@ pub struct HistoryOutcome {
     pub drive: &'static Drive,
     /// The attraction and what came of it, with adhesion.
     pub adhesion: Option<AdhesionOutcome>,
-    /// The states, in their order.
+    /// What tables and summaries say of all states, in their order.
+    pub rows: Vec<StateRow>,
+    /// The states, in their order; the last one alone where the job keeps no others.
     pub states: Vec<Arc<State>>,
+    /// What the states add up to.
+    pub totals: Vec<(Quantity, f64)>,
     /// Why the history ended before its path did, if it did: an observer that stopped it, such as Ctrl-C, or a failure.
     pub ended: Option<HistoryError>,
     /// Why a recording, table or archive of the states could not be written, if it could not.
     pub failure: Option<FileError>,
     /// Doubts about what the setup says.
     doubts: Vec<Warning>,
+    /// The law of the surfaces, by which strains are judged.
+    law: Law,
 }
 
 /// The attraction of a history with adhesion, and what came of it.
@@ -46,8 +52,10 @@ pub struct AdhesionOutcome {
 }
 
 impl AdhesionOutcome {
-    fn new(setup: &Setup, problem: &Problem, states: &[Arc<State>]) -> Result<Option<Self>, SetupError> {
-        let (Some(adhesion), Some(totals)) = (&setup.adhesion, AdhesionTotals::new(states)) else { return Ok(None) };
+    fn new(setup: &Setup, problem: &Problem, rows: &[StateRow]) -> Result<Option<Self>, SetupError> {
+        let (Some(adhesion), Some(totals)) = (&setup.adhesion, AdhesionTotals::from_rows(rows)) else {
+            return Ok(None);
+        };
         let attraction = adhesion.attraction()?;
         let scales = AdhesionScales::new(problem, &attraction);
         Ok(Some(Self { work: attraction.work(), range: attraction.range(), scales, totals }))
@@ -61,27 +69,34 @@ impl HistoryOutcome {
     /// For a setup without a history, and for an attraction that cannot be.
     pub fn from_states(setup: &Setup, problem: &Problem, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
         let drive = setup.drive()?.ok_or(ConflictRule::NoHistory)?;
-        Self::from_posed(&Posed { run: 0, setup, problem, drive }, states)
+        let rows = states.iter().map(|state| StateRow::new(state)).collect();
+        Self::from_posed(&Posed { run: 0, setup, problem, drive }, rows, states)
     }
 
-    pub(super) fn from_posed(posed: &Posed<'_>, states: Vec<Arc<State>>) -> Result<Self, SetupError> {
+    /// The history of a run, with the rows of all states and with the states that are kept.
+    pub(super) fn from_posed(
+        posed: &Posed<'_>,
+        rows: Vec<StateRow>,
+        states: Vec<Arc<State>>,
+    ) -> Result<Self, SetupError> {
         let Posed { setup, problem, drive, .. } = *posed;
-        let adhesion = AdhesionOutcome::new(setup, problem, &states)?;
+        let adhesion = AdhesionOutcome::new(setup, problem, &rows)?;
+        let totals = drive.totals_of(&rows);
         let mut doubts = (drive.doubts)(setup, &states);
         doubts.extend(warning_of_open_cycles(setup, &states));
-        Ok(Self { drive, adhesion, states, ended: None, failure: None, doubts })
+        Ok(Self { drive, adhesion, rows, states, totals, ended: None, failure: None, doubts, law: problem.law() })
     }
 
     /// The quantities that the states have, in the order of their table.
     pub fn quantities(&self) -> Vec<Quantity> {
-        let numbers = self.states.iter().flat_map(|state| state.numbers().iter());
+        let numbers = self.rows.iter().flat_map(|row| row.numbers.iter());
         let told: BTreeSet<Quantity> = numbers.map(|(quantity, _)| *quantity).collect();
         told.into_iter().collect()
     }
 
     /// The values of a quantity in all states; NaN where a state has none.
     pub fn values(&self, quantity: Quantity) -> Vec<f64> {
-        self.states.iter().map(|state| state.value(quantity)).collect()
+        self.rows.iter().map(|row| row.value(quantity)).collect()
     }
 
     /// What is claimed of all states, none if there are none: nothing where one of them is not converged, and the error by steps where a part of the
@@ -94,9 +109,9 @@ impl HistoryOutcome {
             ResultClaim::GivenSteps,
             ResultClaim::PathSteps,
         ];
-        let is_claimed = |claim: &ResultClaim| self.states.iter().any(|state| state.claim == *claim);
+        let is_claimed = |claim: &ResultClaim| self.rows.iter().any(|row| row.claim == *claim);
         // those on the way claim nothing that holds for the others
-        let first = self.states.iter().map(|state| state.claim).find(|claim| *claim != ResultClaim::Moving);
+        let first = self.rows.iter().map(|row| row.claim).find(|claim| *claim != ResultClaim::Moving);
         weakest.into_iter().find(is_claimed).or(first)
     }
 
@@ -107,8 +122,7 @@ impl HistoryOutcome {
 
     /// Reasons to doubt the states.
     pub fn warnings(&self) -> Vec<Warning> {
-        let numbers = self.states.iter().map(|state| state.contact.values().numbers());
-        let leakage = warning_of_leakage(numbers);
+        let leakage = warning_of_leakage(self.rows.iter().map(|row| row.numbers.as_slice()));
         let of_states = if self.drive.is_list { self.warnings_of_loads() } else { self.warnings_of_history() };
         of_states.into_iter().chain(leakage).collect()
     }
@@ -131,12 +145,12 @@ impl HistoryOutcome {
 
     /// Reasons to doubt contacts under a list of loads.
     fn warnings_of_loads(&self) -> Vec<Warning> {
-        let Some(first) = self.states.first() else { return Vec::new() };
-        let observables: Vec<Observables> = self.states.iter().map(|state| Observables::of_state(state)).collect();
-        let warnings = warnings_of(&observables.iter().collect::<Vec<_>>(), first.contact.problem.law());
-        let of_one =
-            self.states.iter().map(|state| warnings_of_contact(&state.contact)).find(|found| !found.is_empty());
-        warnings.into_iter().chain(of_one.into_iter().flatten()).collect()
+        let observables: Vec<Observables> = self.rows.iter().map(StateRow::observables).collect();
+        let mut warnings = warnings_of(&observables.iter().collect::<Vec<_>>(), self.law);
+        // what holds for one contact holds for the others too, with nearly the same numbers: it is said once
+        let of_one = self.rows.iter().find(|row| !row.doubts.is_empty());
+        warnings.extend(of_one.into_iter().flat_map(|row| row.doubts.iter().cloned()));
+        warnings
     }
 }
 

@@ -41,7 +41,7 @@ pub use run::JobRun;
 pub use saved::{SavedFound, SavedResult};
 pub use state_archive::StateArchive;
 pub use state_table::StateTable;
-pub use tables::{LoadNumbers, write_loads, write_nodes};
+pub use tables::write_nodes;
 pub use watch::{Pass, ShowSteps, Watcher};
 
 use crate::error::SetupError;

@@ -1,7 +1,7 @@
 //! The table of the states of a run that goes on.
 
-use super::tables::cell;
-use crate::contact::{Quantity, State};
+use super::tables::{names, words};
+use crate::contact::{Quantity, State, StateRow};
 use crate::error::FileError;
 use crate::files::Draft;
 use crate::setup::{Posed, StateSink};
@@ -34,8 +34,7 @@ impl StateTable {
         self.columns.sort_unstable();
         self.columns.dedup();
         self.growing = Some(Draft::growing(&self.table)?);
-        let names = self.columns.iter().map(|it| it.name().to_owned());
-        self.write(["state", "status", "claim"].map(str::to_owned).into_iter().chain(names).collect())
+        self.write(names(&self.columns))
     }
 
     /// Writes a row.
@@ -54,9 +53,6 @@ impl StateSink for StateTable {
         if self.growing.is_none() {
             self.begin(posed, state)?;
         }
-        let claim = <&str>::from(state.claim).to_owned();
-        let first = [(number + 1).to_string(), state.contact.status.name().to_owned(), claim];
-        let values = self.columns.iter().map(|it| cell(*it, state));
-        self.write(first.into_iter().chain(values).collect())
+        self.write(words(number, &StateRow::new(state), &self.columns))
     }
 }

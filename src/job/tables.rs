@@ -1,7 +1,7 @@
-//! Contacts, load curves and histories as tables of comma-separated values.
+//! Contacts and the states of runs as tables of comma-separated values.
 
 use super::history::HistoryOutcome;
-use crate::contact::{Contact, Observables, Quantity, QuantityKind, State, Status};
+use crate::contact::{Contact, Quantity, StateRow};
 use crate::error::FileError;
 use crate::files::{write_csv, write_words};
 use serde::Serialize;
@@ -37,79 +37,28 @@ pub fn write_nodes(path: &Path, contact: &Contact) -> Result<(), FileError> {
     write_csv(path, surface.grid().x().enumerate().map(node))
 }
 
-/// Writes the numbers of contacts under several loads, one load a row, with those of a motion and of what flows where these are found.
-///
-/// # Errors
-/// The errors of [`write_csv`].
-pub fn write_loads(path: &Path, loads: &[LoadNumbers<'_>]) -> Result<(), FileError> {
-    // a number may be absent under one load and not under another one
-    let mut further: Vec<Quantity> = Vec::new();
-    for (quantity, _) in loads.iter().flat_map(|load| load.further) {
-        if !further.contains(quantity) {
-            further.push(*quantity);
-        }
-    }
-    let named = Quantity::found().chain(further.iter().copied()).map(Quantity::name);
-    let names = ["load_number", "status"].into_iter().chain(named).map(str::to_owned).collect();
-    let rows = loads.iter().enumerate().map(|(i, load)| {
-        let found = Quantity::found().zip(load.observables.numbers()).map(|(it, value)| word(it, value));
-        let known = further.iter().map(|it| word(*it, load.get(*it)));
-        let first = [(i + 1).to_string(), load.status.name().to_owned()];
-        first.into_iter().chain(found).chain(known).collect()
-    });
-    write_words(path, std::iter::once(names).chain(rows))
+/// The names of the columns of a table of states with these quantities.
+pub(super) fn names(quantities: &[Quantity]) -> Vec<String> {
+    let known = quantities.iter().map(|quantity| quantity.name());
+    ["state", "status", "claim"].into_iter().chain(known).map(str::to_owned).collect()
 }
 
-/// The numbers of a contact under one of several loads.
-#[derive(Debug, Clone, Copy)]
-pub struct LoadNumbers<'a> {
-    /// How the solver stopped.
-    pub status: Status,
-    /// The numbers of the contact.
-    pub observables: &'a Observables,
-    /// What its motion gives, and what flows through it, as far as it was asked for.
-    pub further: &'a [(Quantity, f64)],
-}
-
-impl LoadNumbers<'_> {
-    /// A further number; NaN where there is none.
-    fn get(&self, quantity: Quantity) -> f64 {
-        self.further.iter().find(|(other, _)| *other == quantity).map_or(f64::NAN, |(_, value)| *value)
-    }
-}
-
-/// A number of a state as a word of a table; empty where the state does not have it.
-pub(super) fn cell(quantity: Quantity, state: &State) -> String {
-    let Some(value) = state.get(quantity) else { return String::new() };
-    if quantity.row().kind == QuantityKind::Flag { (value == 1.0).to_string() } else { value.to_string() }
-}
-
-/// A number as a word of a table; empty where it has no meaning.
-fn word(quantity: Quantity, value: f64) -> String {
-    match quantity.row().kind {
-        QuantityKind::Flag => (value == 1.0).to_string(),
-        QuantityKind::Whole => (value as u64).to_string(),
-        QuantityKind::Number | QuantityKind::Bound if value.is_nan() => String::new(),
-        QuantityKind::Number | QuantityKind::Bound => format!("{value:?}"),
-    }
+/// The words of the row of a state in such a table. States are counted from 1.
+pub(super) fn words(number: usize, row: &StateRow, quantities: &[Quantity]) -> Vec<String> {
+    let claim = <&str>::from(row.claim).to_owned();
+    let mut words = vec![(number + 1).to_string(), row.status.name().to_owned(), claim];
+    words.extend(quantities.iter().map(|quantity| row.word(*quantity)));
+    words
 }
 
 impl HistoryOutcome {
-    /// Writes the numbers of all states, one state a row, with adhesion with the claim of each.
+    /// Writes the numbers of all states, one state a row, each with its claim.
     ///
     /// # Errors
     /// The errors of [`write_csv`].
     pub fn write_table(&self, path: &Path) -> Result<(), FileError> {
         let quantities = self.quantities();
-        let claimed = self.drive.has_claims.then_some("claim");
-        let first = ["state", "status"].into_iter().chain(claimed);
-        let names = first.chain(quantities.iter().map(|it| it.name())).map(str::to_owned).collect();
-        let rows = self.states.iter().enumerate().map(|(i, state)| {
-            let values = quantities.iter().map(|it| cell(*it, state));
-            let claim = claimed.map(|_| <&str>::from(state.claim).to_owned());
-            let first = [(i + 1).to_string(), state.contact.status.name().to_owned()].into_iter().chain(claim);
-            first.chain(values).collect()
-        });
-        write_words(path, std::iter::once(names).chain(rows))
+        let rows = self.rows.iter().enumerate().map(|(number, row)| words(number, row, &quantities));
+        write_words(path, std::iter::once(names(&quantities)).chain(rows))
     }
 }

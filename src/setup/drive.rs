@@ -1,7 +1,7 @@
 //! What a drive declares: how it is asked for, what makes its states, and what is shown of them.
 
 use super::{Ingredient, Key, Setup};
-use crate::contact::{Feels, Problem, Quantity, State};
+use crate::contact::{Feels, Problem, Quantity, ResultClaim, State, StateRow};
 use crate::error::SetupError;
 use crate::grid::Grid;
 use crate::history::Process;
@@ -36,6 +36,8 @@ pub struct Drive {
     pub(super) make: MakeProcess,
     /// Reasons to doubt its states, besides those that hold for the states of all drives.
     pub doubts: fn(&Setup, &[Arc<State>]) -> Vec<Warning>,
+    /// What its states add up to, besides what those of all drives do.
+    pub(super) totals: fn(&[StateRow]) -> Vec<(Quantity, f64)>,
     /// Whether its load must be a pressure, since friction follows that.
     pub(super) needs_pressure: bool,
     /// Whether its states are contacts under a list of loads, written and judged like contacts under one load, and not the states of a history.
@@ -82,6 +84,19 @@ impl Drive {
     pub fn shown(&self) -> impl Iterator<Item = Quantity> {
         let ordinates = self.charts.iter().map(|chart| chart.y);
         ordinates.chain(self.charts.iter().filter_map(|chart| chart.x)).chain(self.columns.iter().copied())
+    }
+
+    /// What states add up to: their number, the largest area, the transforms of all, and what the drive knows besides. Frames of a motion are no states.
+    pub fn totals_of(&self, states: &[StateRow]) -> Vec<(Quantity, f64)> {
+        let held: Vec<&StateRow> = states.iter().filter(|state| state.claim != ResultClaim::Moving).collect();
+        let area = held.iter().filter_map(|state| state.get(Quantity::RelativeArea)).reduce(f64::max);
+        let transforms: f64 = states.iter().filter_map(|state| state.get(Quantity::Transforms)).sum();
+        let mut totals = Vec::new();
+        totals.extend(area.map(|area| (Quantity::LargestArea, area)));
+        totals.push((Quantity::States, held.len() as f64));
+        totals.push((Quantity::HistoryTransforms, transforms));
+        totals.extend((self.totals)(states));
+        totals
     }
 
     /// Transforms of a state that begins with the last one, measured on a rough line that creeps.

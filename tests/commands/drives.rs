@@ -148,7 +148,12 @@ fn add_table(found: &mut Found, door: &str, path: &Path) {
     let names: Vec<String> = table.headers().unwrap().iter().map(str::to_owned).collect();
     for record in table.records() {
         for (name, cell) in names.iter().zip(&record.unwrap()) {
-            found.entry(format!("{door}/{name}")).or_default().extend(cell.parse::<f64>());
+            let number = match cell {
+                "true" => Some(1.0),
+                "false" => Some(0.0),
+                _ => cell.parse().ok(),
+            };
+            found.entry(format!("{door}/{name}")).or_default().extend(number);
         }
     }
 }

@@ -250,7 +250,7 @@ fn curve_of(quantity: Quantity, units: &RecordUnits) -> StateCurve {
 /// The curves over a list of loads.
 fn curves_of_loads() -> Vec<StateCurve> {
     let of = |view: &str, name: &str, colour, of: fn(&Observables) -> Option<f64>| -> StateCurve {
-        let value = move |state: &State| of(&Observables::new(&state.contact)).unwrap_or(f64::NAN);
+        let value = move |state: &State| of(&Observables::of_state(state)).unwrap_or(f64::NAN);
         (curve(view, name, colour), Box::new(value))
     };
     vec![

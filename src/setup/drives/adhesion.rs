@@ -1,10 +1,10 @@
 //! Adhesion under loads up and down.
 
 use crate::adhesion::{AdhesionScales, AdhesiveMethod, AdhesiveMotion, AdhesiveProblem, AttractionForm};
-use crate::contact::{Feels, Load, Problem, Quantity, ResultClaim, State};
+use crate::contact::{Feels, Load, Problem, Quantity, ResultClaim, State, StateRow};
 use crate::error::{AdhesionError, SetupError};
 use crate::grid::Grid;
-use crate::history::{AdhesiveProcess, PathPoint};
+use crate::history::{AdhesionTotals, AdhesiveProcess, PathPoint};
 use crate::setup::Setup;
 use crate::setup::cost::bytes;
 use crate::setup::drive::{Drive, StateChart};
@@ -50,6 +50,7 @@ pub(crate) const ADHESION: Drive = Drive {
     transforms: |_, _| Ok(TRANSFORMS),
     make: |it, problem| Ok(Box::new(it.adhesive(problem)?)),
     doubts: |it, states| warnings_of_zone(it, states).into_iter().chain(warnings_of_stability(states)).collect(),
+    totals,
     needs_pressure: false,
     is_list: false,
     missed: "are not converged: equilibrium is missed by more than the tolerance",
@@ -108,6 +109,25 @@ impl Setup {
             None => Ok(()),
         }
     }
+}
+
+/// Pull-off, jumps and the energy lost in them, and whether all states are known to be stable.
+fn totals(states: &[StateRow]) -> Vec<(Quantity, f64)> {
+    let Some(it) = AdhesionTotals::from_rows(states) else { return Vec::new() };
+    let flag = |is_true: bool| Some(f64::from(u8::from(is_true)));
+    // a solution that no other one can replace is stable, and surfaces that have parted are
+    let is_certain = |claim: ResultClaim| {
+        matches!(claim, ResultClaim::Stable | ResultClaim::Solution | ResultClaim::Separated | ResultClaim::Moving)
+    };
+    let totals = [
+        (Quantity::LowestPressure, it.lowest_pressure),
+        (Quantity::Separated, flag(it.separated)),
+        (Quantity::Jumps, Some(it.jumps.len() as f64)),
+        (Quantity::LostInJumps, Some(it.lost_in_jumps)),
+        (Quantity::LostError, it.lost_error),
+        (Quantity::Stable, flag(states.iter().all(|state| is_certain(state.claim)))),
+    ];
+    totals.into_iter().filter_map(|(quantity, value)| Some((quantity, value?))).collect()
 }
 
 /// The warning of a grid that is coarse beside the process zone of the attraction: at most one of two.

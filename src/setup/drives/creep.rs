@@ -49,6 +49,7 @@ pub(crate) const CREEP: Drive = Drive {
     transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
     make: |it, problem| Ok(Box::new(it.creep(problem)?)),
     doubts: |it, states| it.warnings_of_creep().into_iter().chain(warning_of_time_errors(it, states)).collect(),
+    totals: |_| Vec::new(),
     needs_pressure: false,
     is_list: false,
     missed: Drive::WITHOUT_CERTIFICATE,

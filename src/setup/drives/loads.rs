@@ -19,6 +19,7 @@ pub const LOADS: Drive = Drive {
     transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
     make: |it, problem| Ok(Box::new(Loading::new(problem, it.solver(), it.stop).along(it.loads.clone()))),
     doubts: |_, _| Vec::new(),
+    totals: |_| Vec::new(),
     needs_pressure: false,
     is_list: true,
     missed: Drive::WITHOUT_CERTIFICATE,

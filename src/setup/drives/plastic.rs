@@ -46,6 +46,7 @@ pub(crate) const PLASTIC: Drive = Drive {
     transforms: Setup::transforms_of_yielding,
     make: |it, problem| Ok(Box::new(it.plastic(problem)?)),
     doubts: |it, states| warnings_of_yielding(states, it),
+    totals: |_| Vec::new(),
     needs_pressure: false,
     is_list: false,
     missed: Drive::WITHOUT_CERTIFICATE,

@@ -33,6 +33,7 @@ pub(crate) const ROLLING: Drive = Drive {
     transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
     make: |it, problem| Ok(Box::new(it.rolls(problem)?)),
     doubts: |_, _| Vec::new(),
+    totals: |_| Vec::new(),
     needs_pressure: true,
     is_list: false,
     missed: Drive::WITHOUT_CERTIFICATE,

@@ -34,6 +34,7 @@ pub(crate) const SLIDING: Drive = Drive {
     transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
     make: |it, problem| Ok(Box::new(it.slides(problem)?)),
     doubts: |it, _| it.warnings_of_creep(),
+    totals: |_| Vec::new(),
     needs_pressure: false,
     is_list: false,
     missed: Drive::WITHOUT_CERTIFICATE,

@@ -38,6 +38,7 @@ pub(crate) const SLIP: Drive = Drive {
     transforms: |_, _| Ok(Drive::TRANSFORMS_OF_WARM_STATE),
     make: |it, problem| Ok(Box::new(it.slip(problem)?)),
     doubts: |it, states| warning_of_path_errors(it, states).into_iter().collect(),
+    totals: |_| Vec::new(),
     needs_pressure: true,
     is_list: false,
     missed: Drive::WITHOUT_CERTIFICATE,

@@ -148,11 +148,11 @@ fn a_sweep_has_the_flow_in_its_files() {
         let at = rows[0].iter().position(|it| *it == name).unwrap_or_else(|| panic!("{name}: {:?}", rows[0]));
         [rows[1][at], rows[2][at]]
     };
-    let loads = &found["loads"];
+    let states = &found["states"];
     assert_eq!(column("open_percolates_x"), ["true", "false"]);
     let upper = column("leakage_upper_y").map(|it| it.parse::<f64>().unwrap());
-    assert_eq!(upper, [0, 1].map(|i| loads[i]["flow"]["along"][1]["leakage"][1].as_f64().unwrap()));
-    assert_eq!(column("conductance_per_area")[0].parse::<f64>().unwrap(), loads[0]["flow"]["conductance_per_area"]);
+    assert_eq!(upper, [0, 1].map(|i| states[i]["leakage_upper_y"].as_f64().unwrap()));
+    assert_eq!(column("conductance_per_area")[0].parse::<f64>().unwrap(), states[0]["conductance_per_area"]);
 
     assert!(folder.run(&format!("{sweep} --out sweep.npz")).status.success());
     let mut archive = NpzReader::new(File::open(folder.join("sweep.npz")).unwrap()).unwrap();

@@ -52,7 +52,7 @@ fn loads_that_are_solved_are_written_when_the_rest_is_interrupted() {
     let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
     let solved = table.lines().count() - 1;
     assert!((1..1000).contains(&solved) && table.matches(",converged,").count() == solved, "{table}");
-    assert!(said.contains(&format!("interrupted: {solved} of 1000 loads were solved and written")), "{said}");
+    assert!(said.contains(&format!("interrupted: {solved} of 1000 loads solved and written")), "{said}");
     assert_is_recording(&folder, "curve.rrd");
     assert!(["rrd", "csv", ""].iter().all(|ending| growing(&folder, "curve", ending).is_none()));
     let setup = std::fs::read_to_string(folder.join("done.toml")).unwrap();

@@ -9,7 +9,7 @@ fn a_load_curve_is_that_of_its_single_loads() {
     let output = folder.run(&format!("solve {run} --reduced-pressure 1e-2..1:5 --unload --json --out curve.npz"));
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let curve = json(&output);
-    let loads = curve["loads"].as_array().unwrap();
+    let loads = curve["states"].as_array().unwrap();
     assert_eq!(loads.len(), 9);
     for (i, found) in loads.iter().enumerate() {
         let p = 10f64.powf(-2.0 + 0.5 * (i.min(8 - i)) as f64);
@@ -34,9 +34,9 @@ fn a_load_curve_is_written_and_repeated_from_its_setup() {
     let run = "--modulus 1GPa --pressure 1MPa,10MPa,30MPa --tolerance 1e-10";
     let output = folder.run(&format!("solve {ROUGH_LINE} {run} --out curve.csv --save-setup curve.toml"));
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("3.0000e7"));
+    assert_eq!(text(&output.stdout).lines().last().unwrap().split_whitespace().nth(1), Some("30"));
     let table = std::fs::read_to_string(folder.join("curve.csv")).unwrap();
-    assert!(table.starts_with("load_number,status,mean_pressure,") && table.lines().count() == 4, "{table}");
+    assert!(table.starts_with("state,status,claim,mean_pressure,") && table.lines().count() == 4, "{table}");
     let status = folder.run("solve curve.toml --out again.csv").status;
     assert_eq!((status.code(), std::fs::read_to_string(folder.join("again.csv")).unwrap()), (Some(0), table));
     // a single load takes the place of the list
@@ -59,7 +59,7 @@ fn a_load_curve_of_which_one_does_not_converge_ends_with_3() {
     assert!(text(&output.stderr).contains("warning: not converged"));
     let told = folder.run(&format!("{run} --json"));
     assert_eq!(json(&told)["warnings"], serde_json::json!(warnings::warnings(&told)));
-    assert!(json(&told)["loads"].as_array().unwrap().iter().all(|load| load["claim"] == "not-converged"));
+    assert!(json(&told)["states"].as_array().unwrap().iter().all(|load| load["claim"] == "not-converged"));
     assert_eq!(std::fs::read_to_string(folder.join("curve.csv")).unwrap().matches("iteration-cap").count(), 2);
 }
 
@@ -75,7 +75,7 @@ fn a_load_curve_is_recorded_over_its_loads() {
         // it carries the setup with all loads
         let again = json(&folder.run("solve --setup-of curve.rrd --json"));
         assert_eq!(again["prescribed"], "mean gap");
-        assert_close(number(again["loads"].as_array().unwrap().last().unwrap(), "mean_gap"), last, 1e-6, "mean gap");
+        assert_close(number(again["states"].as_array().unwrap().last().unwrap(), "mean_gap"), last, 1e-6, "mean gap");
     }
 }
 

@@ -295,7 +295,7 @@ fn the_stiffness_is_told_where_it_is_asked_for() {
     let (with, _) = solve(&folder, &format!("{sine} --mean-gap 0.002 --stiffness"));
     assert!(number(&with, "stiffness") > 0.0 && number(&with, "mean_pressure_error") < 1e-5, "{with}");
     let output = folder.run(&format!("solve {sine} --mean-gap 0.004,0.002 --stiffness --json"));
-    let loads = json(&output)["loads"].as_array().unwrap().clone();
+    let loads = json(&output)["states"].as_array().unwrap().clone();
     assert_close(number(&loads[1], "stiffness"), number(&with, "stiffness"), 1e-4, "stiffness of a curve");
     assert!(number(&loads[0], "stiffness") < number(&loads[1], "stiffness"));
 }

@@ -348,7 +348,9 @@ fn approach_and_plastic_area_are_in_tables_and_archives() {
     let value = |name: &str| -> f64 { last[names.iter().position(|it| it == name).unwrap()].parse().unwrap() };
     let (summary, _) = solve(&folder, &format!("{run} --pressure 1e-2"));
     assert_close(value("approach"), number(&summary, "approach"), 1e-6, "approach");
-    assert_close(value("plastic_area"), summary["plasticity"]["area"].as_f64().unwrap(), 1e-12, "plastic area");
+    let plasticity = &summary["plasticity"];
+    assert_close(value("plastic_area"), number(plasticity, "area"), 1e-12, "plastic area");
+    assert_close(value("plastic_load_share"), number(plasticity, "load_share"), 1e-12, "plastic share of the load");
     assert!(value("approach") > 0.0 && value("plastic_area") > 0.0);
     let mut npz = NpzReader::new(File::open(folder.join("contact.npz")).unwrap()).unwrap();
     let approach: ArrayD<f64> = npz.by_name("approach").unwrap();

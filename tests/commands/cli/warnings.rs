@@ -468,8 +468,8 @@ fn what_a_contact_of_one_node_does_not_have_is_absent() {
     assert_eq!(folder.run(&format!("{line},1e-8 --out one.csv")).status.code(), Some(0));
     let table = std::fs::read_to_string(folder.join("one.csv")).unwrap();
     let mut reader = csv::Reader::from_reader(table.as_bytes());
-    let column = reader.headers().unwrap().iter().position(|it| it == "reduced_pressure_contact").unwrap();
-    assert!(reader.records().all(|record| record.unwrap()[column].is_empty()), "{table}");
+    assert!(reader.headers().unwrap().iter().all(|it| it != "reduced_pressure_contact"), "{table}");
+    assert_eq!(reader.records().count(), 2, "{table}");
     assert!(!table.contains("NaN"), "{table}");
     // heights of which the squares overflow
     write_npy(folder.join("h.npy"), &hills([12, 24]).mapv(|height| 1e300 * height)).unwrap();

@@ -1,0 +1,63 @@
+//! `asperity solve` with several states: how a run of them ends, and what becomes of it.
+
+use super::exit_status::{ExitStatus, Interrupted};
+use super::outputs::Outputs;
+use super::report;
+use super::states_report::StatesReport;
+use super::units::Units;
+use super::warnings;
+use anyhow::Result;
+use asperity::contact::{Problem, Status};
+use asperity::error::{HistoryError, SlipError, StudyError, is_input};
+use asperity::job::Solved;
+
+/// Writes and prints the states of a run.
+pub(crate) fn write(solved: Solved, problem: &Problem, (outputs, units): (&Outputs, Units)) -> Result<ExitStatus> {
+    let mut warnings = warnings::in_flags(&solved.warnings());
+    let (mut setup, Some(mut outcome)) = (solved.setup, solved.history) else { return Ok(ExitStatus::Done) };
+    if let Some(error) = outcome.ended.take_if(|error| outcome.drive.is_list && is_input(error)) {
+        return Err(StudyError::from(error).into());
+    }
+    // a solve that was interrupted has no result
+    outcome.rows.retain(|row| row.status != Status::StoppedByObserver);
+    outcome.states.retain(|state| state.contact.status != Status::StoppedByObserver);
+    let solved = outcome.rows.len();
+    if solved == 0 {
+        return Err(Interrupted.into());
+    }
+    let counted = counted(solved, setup.loads.len());
+    setup.loads.truncate(solved);
+    let is_stopped = matches!(outcome.ended, Some(HistoryError::Stopped));
+    let failure = outcome.ended.as_ref().filter(|_| !is_stopped);
+    // where everything slides, no state in equilibrium follows: the history ends there, and no solver has failed
+    let has_failed = failure.is_some_and(|error| !matches!(error, HistoryError::Slip(SlipError::Sliding { .. })));
+    warnings.extend(failure.map(|error| format!("The history ended after {counted}: {error}")));
+    warnings::refuse_if_strict(&warnings, outputs.strict)?;
+    let faults: Vec<&String> = outcome.rows.iter().filter_map(|row| row.fault.as_ref()).collect();
+    let is_converged = faults.is_empty();
+    if outcome.drive.is_list {
+        warnings.extend(faults.into_iter().cloned());
+    }
+    let mut report = StatesReport::new((setup, problem), outcome, warnings, units)?;
+    report::deliver(&report, outputs)?;
+    if is_stopped {
+        warnings::print(&[format!("interrupted: {counted} solved and written")]);
+    }
+    if let Some(failure) = report.outcome.failure.take() {
+        return Err(failure.into());
+    }
+    Ok(match (is_stopped, is_converged && !has_failed) {
+        (true, _) => ExitStatus::Interrupted,
+        (false, true) => ExitStatus::Done,
+        (false, false) => ExitStatus::NotConverged,
+    })
+}
+
+/// How many states were solved, in words: of a list also how many loads there are.
+fn counted(solved: usize, loads: usize) -> String {
+    match (solved, loads) {
+        (1, 0) => "1 state".into(),
+        (_, 0) => format!("{solved} states"),
+        _ => format!("{solved} of {loads} loads"),
+    }
+}
