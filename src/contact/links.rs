@@ -18,11 +18,19 @@ pub(crate) fn for_each_in_contact(
             let (first, last) = (part.start, part.end - 1);
             // of a line, and at a free rim, a neighbour that is not there is the node itself
             let [_, left, below, above] = grid.neighbours(first);
-            let ends = [(first, is_gap(left)), (last, is_gap(grid.neighbours(last)[0]))];
+            let right = grid.neighbours(last)[0];
             for node in part {
-                let aside =
-                    if grid.is_line() { 0 } else { is_gap(below + node - first) + is_gap(above + node - first) };
-                see(node, aside + ends.iter().filter(|end| end.0 == node).map(|end| end.1).sum::<usize>());
+                let mut links = 0;
+                if !grid.is_line() {
+                    links += is_gap(below + node - first) + is_gap(above + node - first);
+                }
+                if node == first {
+                    links += is_gap(left);
+                }
+                if node == last {
+                    links += is_gap(right);
+                }
+                see(node, links);
             }
         }
     }

@@ -32,7 +32,7 @@ pub(crate) use field::surface_relief::SurfaceRelief;
 pub(crate) use fields::{FieldExtent, FrameFields};
 pub(crate) use ink::canvas::PANE;
 pub(crate) use ink::eye::Eye;
-pub(crate) use ink::palette::{Palette, SERIES};
+pub(crate) use ink::palette::{Palette, SERIES, STATE_CURVES};
 pub(crate) use ink::pane::{ContainerKind, Corner, GRID_COLUMNS, Pane, PaneView};
 pub(crate) use parts::all as parts;
 pub(crate) use run::DrawnRun;

@@ -6,7 +6,7 @@ use crate::contact::{Load, Observables, Problem, Quantity, State, StateField, Un
 use crate::error::FileError;
 use crate::plot::Colour;
 use crate::record::description::load_in_words;
-use crate::record::draw::{CurveKind, LoadAxis, RecordedCurve};
+use crate::record::draw::{CurveKind, LoadAxis, RecordedCurve, STATE_CURVES};
 use crate::record::options::Options;
 use crate::record::scene::{FurtherField, Scene, YieldZone};
 use crate::record::units::{RecordUnits, value_with_unit};
@@ -241,7 +241,7 @@ fn in_order(drive: &Drive, mut quantities: Vec<Quantity>) -> Vec<Quantity> {
 /// The curve of a quantity over the states.
 fn curve_of(quantity: Quantity, units: &RecordUnits) -> StateCurve {
     let row = quantity.row();
-    let colour = if row.unit == Unit::One { Colour::ORANGE } else { Colour::SKY };
+    let colour = STATE_CURVES[usize::from(row.unit == Unit::One)];
     let unit = units.of_kind(row.unit).into();
     let curve = RecordedCurve { unit, ..curve(&view(row.title), row.title, colour) };
     (curve, Box::new(move |state: &State| state.value(quantity)))
@@ -253,11 +253,12 @@ fn curves_of_loads() -> Vec<StateCurve> {
         let value = move |state: &State| of(&Observables::of_state(state)).unwrap_or(f64::NAN);
         (curve(view, name, colour), Box::new(value))
     };
+    let [first, second] = STATE_CURVES;
     vec![
-        of(StateRecording::AREA, "a_rel", Colour::SKY, Observables::resolved_area),
-        of("kappa_r", "kappa_r", Colour::ORANGE, Observables::resolved_kappa_r),
-        of("kappa", "kappa", Colour::SKY, Observables::resolved_kappa),
-        of("Mean gap over rms height", "<g> / h_rms", Colour::ORANGE, |it| Some(it.mean_gap_over_rms_height)),
+        of(StateRecording::AREA, "a_rel", first, Observables::resolved_area),
+        of("kappa_r", "kappa_r", second, Observables::resolved_kappa_r),
+        of("kappa", "kappa", first, Observables::resolved_kappa),
+        of("Mean gap over rms height", "<g> / h_rms", second, |it| Some(it.mean_gap_over_rms_height)),
     ]
 }
 

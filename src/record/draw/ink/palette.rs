@@ -23,6 +23,9 @@ pub(crate) const SERIES: [Colour; 6] = [
     Colour([0x7d, 0x73, 0xd4]),
 ];
 
+/// The two colours of curves over the states of a run. Those of one view differ: of a history numbers without a unit have the second one.
+pub(crate) const STATE_CURVES: [Colour; 2] = [Colour::SKY, Colour::ORANGE];
+
 /// Classes of the nodes of a mask.
 pub(crate) const GAP_CLASS: u16 = 0;
 pub(crate) const CONTACT_CLASS: u16 = 1;
