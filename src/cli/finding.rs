@@ -17,6 +17,9 @@ const FLATTENED: &str = "   by the gradient before the surface is flattened: do 
 /// The share of edges given by the shape is reported above this value.
 const MANY_OF_SHAPE: f64 = 0.05;
 
+/// A line of a summary: a name, and a value in words.
+pub(crate) type TextRow = (String, String);
+
 /// The numbers of a contact under its load.
 #[derive(Serialize)]
 pub(crate) struct Finding {
@@ -86,68 +89,93 @@ impl Finding {
     }
 
     /// Names and values for reading, the results first: each with its error.
-    pub(crate) fn rows(&self, units: Units) -> Vec<(String, String)> {
-        let stiffness = Some(&self.observables).filter(|it| !it.stiffness.is_nan()).map(|it| {
-            let load = plus_or_minus(", mean pressure", it.mean_pressure_error);
-            ("contact stiffness", format!("{:.6e}{load}", it.stiffness))
-        });
-        let exact = self.exact.as_ref().map(|exact| ("exact values", exact.name.to_owned()));
-        let friction = Some(self.observables.friction).filter(|it| it.is_finite());
-        let slides = friction.is_some().then_some(self.observables.effective_modulus);
-        let modulus =
-            slides.map(|it| ("effective modulus", format!("{}, of p*, kappa and kappa_r", units.pressure(it))));
-        let friction = friction.into_iter().flat_map(|it| self.friction_rows(it));
-        let approach = Some(self.observables.approach).filter(|it| !it.is_nan());
-        let approach = approach.map(|approach| ("approach", units.length(approach)));
-        let plasticity = self.plasticity.iter().flat_map(|it| {
-            [
-                ("plastic area", format!("{} ({} of the load)", significant(it.area), percent(it.load_share))),
-                ("plastic overlap", format!("{}, mean over the cell", units.length(it.overlap))),
-            ]
-        });
-        let claim = (self.claim != ResultClaim::Solution).then(|| ("claim", self.claim.words().to_owned()));
-        let results = self.results(units).into_iter().chain(claim).chain(friction).chain(modulus).chain(approach);
-        let results = results.chain(plasticity).chain(stiffness).chain(exact);
-        let flow = self.flow.iter().flat_map(|it| it.rows(units));
-        results.map(|(name, value)| (name.to_owned(), value)).chain(flow).collect()
+    pub(crate) fn rows(&self, units: Units) -> Vec<TextRow> {
+        let it = &self.observables;
+        let mut rows = self.results(units);
+        // The usual claim is left out: what is printed on every line is read on none.
+        if self.claim != ResultClaim::Solution {
+            rows.push(row("claim", self.claim.words()));
+        }
+        if it.friction.is_finite() {
+            rows.extend(self.friction_rows(it.friction));
+            // E* of p*, kappa and kappa_r is the modulus at this speed: without it they cannot be compared with those of other contacts.
+            let modulus = units.pressure(it.effective_modulus);
+            rows.push(row("effective modulus", format!("{modulus}, of p*, kappa and kappa_r")));
+        }
+        if !it.approach.is_nan() {
+            rows.push(row("approach", units.length(it.approach)));
+        }
+        if let Some(plasticity) = &self.plasticity {
+            let (area, load) = (significant(plasticity.area), percent(plasticity.load_share));
+            let overlap = units.length(plasticity.overlap);
+            rows.push(row("plastic area", format!("{area} ({load} of the load)")));
+            rows.push(row("plastic overlap", format!("{overlap}, mean over the cell")));
+        }
+        if !it.stiffness.is_nan() {
+            let load_error = plus_or_minus(", mean pressure", it.mean_pressure_error);
+            rows.push(row("contact stiffness", format!("{:.6e}{load_error}", it.stiffness)));
+        }
+        if let Some(exact) = &self.exact {
+            rows.push(row("exact values", exact.name));
+        }
+        if let Some(flow) = &self.flow {
+            rows.extend(flow.rows(units));
+        }
+        rows
     }
 
     /// The friction of a contact that slides with the error of its grid, and what theory says.
-    fn friction_rows(&self, friction: f64) -> Vec<(&'static str, String)> {
-        let error = self.motion.get(Quantity::FrictionError);
-        let error = error.map_or(String::new(), |error| plus_or_minus("", friction.abs() * error));
-        let mut rows = vec![("friction coefficient", format!("{friction:.6e}{error} (by the loss in the solid)"))];
+    fn friction_rows(&self, friction: f64) -> Vec<TextRow> {
+        // the error is relative
+        let error = self.motion.get(Quantity::FrictionError).unwrap_or(0.0);
+        let error = plus_or_minus("", friction.abs() * error);
+        let mut rows = vec![row("friction coefficient", format!("{friction:.6e}{error} (by the loss in the solid)"))];
         let [full, persson] = [Quantity::FrictionFullContact, Quantity::FrictionPersson].map(|it| self.motion.get(it));
         if let (Some(full), Some(persson)) = (full, persson) {
-            rows.push(("friction, full contact", format!("{full:.6e}, by Persson's theory {persson:.6e}")));
+            let theory = format!("{full:.6e}, by Persson's theory {persson:.6e}");
+            rows.push(row("friction, full contact", theory));
         }
         rows
     }
 
     /// Area, `kappa_r`, gap and pressures, and the certificate.
-    fn results(&self, units: Units) -> [(&'static str, String); 6] {
+    fn results(&self, units: Units) -> Vec<TextRow> {
         let it = &self.observables;
-        let force = self.force.map_or(String::new(), |force| format!(" (force {})", units.force(force)));
-        let words = self.exact_words();
-        let exact = |value: Option<f64>| value.map_or(String::new(), |v| format!("   {words} {}", significant(v)));
-        let area = exact(self.exact.as_ref().map(|exact| exact.relative_area));
-        let kappa_r = exact(self.exact.as_ref().and_then(|exact| exact.kappa_r));
-        let flattened = if self.plasticity.as_ref().is_some_and(|it| it.area > 0.0) { FLATTENED } else { "" };
-        let error = plus_or_minus("", it.mean_gap_error_bound);
-        let gap = format!("{} ({:.4}{error} rms heights)", units.length(it.mean_gap), it.mean_gap_over_rms_height);
-        let left = match it.certificate_gap > 0.0 {
-            true => format!(", {:.1e} of the remaining gap", it.certificate_gap),
-            false => String::new(),
-        };
-        let bound = format!("relative error of the pressure at most {:.1e}", it.pressure_error_bound);
-        [
-            ("relative area", with_error(it.resolved_area(), it.relative_area_error) + &area),
-            ("kappa_r", with_error(it.resolved_kappa_r(), it.kappa_r_error) + &kappa_r + flattened),
-            ("mean gap", gap),
-            ("mean pressure", units.pressure(it.mean_pressure) + &force),
-            ("largest pressure", units.pressure(it.max_pressure)),
-            ("certificate", format!("{:.2e} ({bound}{left})", it.certificate)),
+        let mut area = with_error(it.resolved_area(), it.relative_area_error);
+        let mut kappa_r = with_error(it.resolved_kappa_r(), it.kappa_r_error);
+        if let Some(exact) = &self.exact {
+            area += &self.beside(exact.relative_area);
+            if let Some(exact) = exact.kappa_r {
+                kappa_r += &self.beside(exact);
+            }
+        }
+        if self.plasticity.as_ref().is_some_and(|it| it.area > 0.0) {
+            kappa_r += FLATTENED;
+        }
+        let gap_error = plus_or_minus("", it.mean_gap_error_bound);
+        let gap = format!("{} ({:.4}{gap_error} rms heights)", units.length(it.mean_gap), it.mean_gap_over_rms_height);
+        let mut pressure = units.pressure(it.mean_pressure);
+        if let Some(force) = self.force {
+            pressure += &format!(" (force {})", units.force(force));
+        }
+        let mut bound = format!("relative error of the pressure at most {:.1e}", it.pressure_error_bound);
+        // At a given mean gap the load follows from how much of the gap is left, so the certificate over that gap tells the error of the load.
+        if it.certificate_gap > 0.0 {
+            bound += &format!(", {:.1e} of the remaining gap", it.certificate_gap);
+        }
+        vec![
+            row("relative area", area),
+            row("kappa_r", kappa_r),
+            row("mean gap", gap),
+            row("mean pressure", pressure),
+            row("largest pressure", units.pressure(it.max_pressure)),
+            row("certificate", format!("{:.2e} ({bound})", it.certificate)),
         ]
+    }
+
+    /// A value of the exact solution, to stand beside that of the solver.
+    fn beside(&self, exact: f64) -> String {
+        format!("   {} {}", self.exact_words(), significant(exact))
     }
 
     /// The words before a value of theory. The solution of a contact that stands alone is not exact where the boundary is periodic, which adds neighbours.
@@ -163,16 +191,8 @@ impl Finding {
     }
 
     /// Further names and values, for who wants to know more of the contact, or of the solver.
-    pub(crate) fn details(&self, units: Units) -> Vec<(String, String)> {
+    pub(crate) fn details(&self, units: Units) -> Vec<TextRow> {
         let it = &self.observables;
-        let of_shape = match it.edges_of_shape > MANY_OF_SHAPE {
-            true => format!(", {} of the edges given by the shape", percent(it.edges_of_shape)),
-            false => String::new(),
-        };
-        let small = match it.unresolved_share > 0.0 {
-            true => format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share)),
-            false => String::new(),
-        };
         let in_contact = match it.reduced_pressure_contact.is_finite() {
             true => format!("in contact {:.6e}", it.reduced_pressure_contact),
             false => "in contact not known, since there is no gradient".into(),
@@ -181,40 +201,62 @@ impl Finding {
             true => format!("in contact {:.6e}", it.rms_gradient_contact),
             false => "in contact not known".into(),
         };
-        let energy = Some(it.elastic_energy).filter(|energy| !energy.is_nan());
-        let energy = energy.map(|energy| ("elastic energy per area", units.energy_per_area(energy)));
-        let rows = [
-            ("reduced pressure p*", format!("{:.6e}, {in_contact}", it.reduced_pressure)),
-            ("rms gradient", format!("{:.6e}, {gradient}", it.rms_gradient)),
-            ("kappa", with_error(it.resolved_kappa(), it.relative_area_error)),
-            ("relative area, counted", counted(it.relative_area_counted, it.relative_area_corrected)),
-            ("kappa, counted", counted(it.kappa_counted, it.kappa_corrected)),
-            ("kappa_r, counted", counted(it.kappa_r_counted, it.kappa_r_corrected)),
-            (
-                "grid error, estimated",
-                format!("area {}, kappa_r {}", percent(it.relative_area_error), percent(it.kappa_r_error)),
-            ),
-            ("contact patches", format!("{} ({:.2} nodes each{small}){of_shape}", it.patches, it.nodes_per_patch)),
-            ("work", format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds)),
+        let errors = [it.relative_area_error, it.kappa_r_error].map(percent);
+        let work = format!("{} steps, {} transforms, {:.3} s", it.iterations, it.transforms, self.seconds);
+        let mut rows = vec![
+            row("reduced pressure p*", format!("{:.6e}, {in_contact}", it.reduced_pressure)),
+            row("rms gradient", format!("{:.6e}, {gradient}", it.rms_gradient)),
+            row("kappa", with_error(it.resolved_kappa(), it.relative_area_error)),
+            row("relative area, counted", counted(it.relative_area_counted, it.relative_area_corrected)),
+            row("kappa, counted", counted(it.kappa_counted, it.kappa_corrected)),
+            row("kappa_r, counted", counted(it.kappa_r_counted, it.kappa_r_corrected)),
+            row("grid error, estimated", format!("area {}, kappa_r {}", errors[0], errors[1])),
+            row("contact patches", self.patches()),
+            row("work", work),
         ];
         // a share of heights that were filled in says nothing where none touches
-        let filled = (it.filled_area_share > 0.0).then(|| {
+        if it.filled_area_share > 0.0 {
             let [area, load] = [it.filled_area_share, it.filled_load_share].map(percent);
-            ("on filled heights", format!("{area} of the contact, {load} of the load"))
-        });
-        let rows = rows.into_iter().chain(filled).chain(energy).map(|(name, value)| (name.to_owned(), value));
-        rows.chain(self.others(units)).collect()
+            rows.push(row("on filled heights", format!("{area} of the contact, {load} of the load")));
+        }
+        if !it.elastic_energy.is_nan() {
+            rows.push(row("elastic energy per area", units.energy_per_area(it.elastic_energy)));
+        }
+        rows.extend(self.others(units));
+        rows
+    }
+
+    /// The number and the size of the contact patches, and how far they can be trusted.
+    fn patches(&self) -> String {
+        let it = &self.observables;
+        let mut words = format!("{} ({:.2} nodes each", it.patches, it.nodes_per_patch);
+        if it.unresolved_share > 0.0 {
+            words += &format!(", {} of the contact in patches with too few nodes", percent(it.unresolved_share));
+        }
+        words += ")";
+        if it.edges_of_shape > MANY_OF_SHAPE {
+            words += &format!(", {} of the edges given by the shape", percent(it.edges_of_shape));
+        }
+        words
     }
 
     /// The observables that no other row holds.
-    fn others(&self, units: Units) -> impl Iterator<Item = (String, String)> {
+    fn others(&self, units: Units) -> Vec<TextRow> {
         let values = serde_json::to_value(self.observables).unwrap_or_default();
-        Quantity::found().filter(|it| it.row().is_printed).filter_map(move |quantity| {
-            let value = values[quantity.name()].as_f64()?;
+        let mut rows = Vec::new();
+        for quantity in Quantity::found().filter(|it| it.row().is_printed) {
+            // a number without a meaning is null
+            let Some(value) = values[quantity.name()].as_f64() else { continue };
             let words = if quantity.row().unit == Unit::Length { units.length(value) } else { format!("{value:.6e}") };
-            Some((quantity.name().replace('_', " "), words))
-        })
+            rows.push(row(&quantity.name().replace('_', " "), words));
+        }
+        rows
     }
+}
+
+/// A name and a value for reading.
+fn row(name: &str, value: impl Into<String>) -> TextRow {
+    (name.to_owned(), value.into())
 }
 
 /// A quantity with resolved edges, and its error by the grid: as many digits as mean something.
